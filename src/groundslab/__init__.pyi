@@ -4,6 +4,9 @@ from ._version import __version__ as __version__
 from .analysis.check import check as check
 from .analysis.driver import solve as solve
 from .case.casefile import load as load
+from .design.checks import Design as Design
+from .design.checks import DesignCheck as DesignCheck
+from .design.checks import check_design as check_design
 from .design.result_tables import tables_of as tables_of
 from .errors import GroundslabError as GroundslabError
 from .errors import IllConditioned as IllConditioned
@@ -40,6 +43,7 @@ from .model.outputs import Output as Output
 from .model.outputs import OutputLine as OutputLine
 from .model.outputs import OutputPoint as OutputPoint
 from .model.outputs import OutputStrip as OutputStrip
+from .model.outputs import Project as Project
 from .model.outputs import Reinforcement as Reinforcement
 from .model.plate import Edges as Edges
 from .model.plate import Plate as Plate

@@ -8,7 +8,7 @@ import pytest
 
 from groundslab.analysis.driver import solve
 from groundslab.case.casefile import load
-from groundslab.design.checks import design_of
+from groundslab.design.checks import check_design
 from helpers.paths import EXAMPLES
 
 CASES = sorted(EXAMPLES.glob("*.toml"))
@@ -20,7 +20,7 @@ def test_examples_are_solved(path: Path) -> None:
     results = solve(load(path))
     assert not results.refused
     assert all(each.certificate.holds for each in results.results.values())
-    assert design_of(results).status != "fails"
+    assert check_design(results).status != "fails"
 
 
 @pytest.mark.slow

@@ -40,8 +40,8 @@ def describe(plot: argparse.ArgumentParser) -> None:
     plot.add_argument(
         "--envelope",
         metavar="STATE",
-        help="draw the largest and smallest values over the combinations of a limit state: ultimate, characteristic, "
-        "frequent or quasi-permanent; for plan and lines",
+        help="draw the largest and smallest values over the combinations of a limit state: such as ultimate or "
+        "quasi-permanent; for plan and lines",
     )
     plot.add_argument(
         "--line",

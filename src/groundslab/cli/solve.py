@@ -124,9 +124,9 @@ def _print_summary(results: Results, options: argparse.Namespace) -> None:
 
 def _judge_design(results: Results, quiet: bool) -> int:
     """Print what fails in the design of certified results, and return the exit code."""
-    from groundslab.design.checks import design_of
+    from groundslab.design.checks import check_design
 
-    design = design_of(results)
+    design = check_design(results)
     code = EXIT_DESIGN_FAILS if design.status == "fails" else EXIT_OK
     if design.open and not quiet:
         print_stderr(f"{design.headline} The analysis itself is certified (exit code {code}).")

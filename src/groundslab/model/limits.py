@@ -21,7 +21,7 @@ def _check_any(given: set[str]) -> Iterator[RelativeIssue]:
 
 
 class Limits(Section):
-    """Limits in the combinations of serviceability, which are all that are not ultimate; none unless given."""
+    """Limits in the combinations of serviceability, characteristic, frequent, quasi-permanent; none unless given."""
 
     checks: ClassVar[tuple[Check, ...]] = (_check_any,)
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any, ClassVar
 
+import numpy as np  # noqa: F401  before pydantic, whose typing_extensions makes NumPy's types slow to build on 3.11
 from pydantic import Field
 
 from groundslab.model import consistency, varying_ground
@@ -19,7 +20,7 @@ from groundslab.model.loads.en1990 import check_combine
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations
 from groundslab.model.loads.load_types import Load
 from groundslab.model.loads.placement import check_load_columns, check_point_loads
-from groundslab.model.outputs import Output, Reinforcement, check_bar_distances, check_output
+from groundslab.model.outputs import Output, Project, Reinforcement, check_bar_distances, check_output
 from groundslab.model.plate import Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.supports import Support
@@ -57,6 +58,7 @@ class Model(Section):
     )
 
     title: Annotated[str, Text("title of the problem")] = ""
+    project: Annotated[Project | None, Table("title block of the report")] = None
     plate: Annotated[Plate, Table("the plate")]
     ground: Annotated[Ground, Table("the ground under the plate")]
     beyond: Annotated[Beyond, Table("ground beyond the plate, without effect where it carries no shear")] = Beyond()

@@ -1,4 +1,4 @@
-"""Requested outputs: points, section lines, design strips, reinforcement."""
+"""Requested outputs: title block of the report, points, section lines, design strips, reinforcement."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from groundslab.model.plate import Plate, PlateRegion
 from groundslab.model.shapes import Place
 from groundslab.model.supports import check_names
 from groundslab.schema.base import Check, Section, Table
-from groundslab.schema.fields import Choice, Integer, Number, Quantity, Text, list_quantities
+from groundslab.schema.fields import Choice, Integer, ListOf, Number, Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 
@@ -22,6 +22,19 @@ if TYPE_CHECKING:
 CONCRETE, STEEL = Range(at_least=12e6, at_most=90e6), Range(at_least=400e6, at_most=600e6)
 PARTIAL = Range(at_least=0.1, at_most=10)
 BAR, CRACK = Range(at_least=4e-3, at_most=0.05), Range(at_least=5e-5, at_most=1e-3)
+
+
+class Project(Section):
+    """What stands in the title block of the report; nothing of it takes part in the analysis."""
+
+    name: Annotated[str, Text("name of the project")] = ""
+    number: Annotated[str, Text("its number")] = ""
+    part: Annotated[str, Text("part of the structure")] = ""
+    client: Annotated[str, Text("for whom")] = ""
+    author: Annotated[str, Text("who made the calculation")] = ""
+    checker: Annotated[str, Text("who checked it")] = ""
+    revision: Annotated[str, Text("revision of the calculation")] = ""
+    date: Annotated[str, Text("its date, as it is to be shown")] = ""
 
 
 class OutputPoint(Section):
@@ -155,6 +168,10 @@ class Reinforcement(Section):
     ] = None
     gamma_c: Annotated[float, Number("gamma_C", "partial factor of concrete", PARTIAL)] = 1.5
     gamma_s: Annotated[float, Number("gamma_S", "partial factor of steel", PARTIAL)] = 1.15
+    accidental: Annotated[
+        tuple[float, float],
+        ListOf(Number("gamma", "", PARTIAL), "gamma", "both in accidental combinations (EN 1992-1-1 Table 2.1N)", 2),
+    ] = (1.2, 1.0)
     alpha_cc: Annotated[
         float, Number("alpha_cc", "long-term effects on the strength of concrete", Range(above=0, at_most=1))
     ] = 1.0

@@ -8,7 +8,7 @@ import pytest
 from shapely import Polygon, box
 
 import groundslab as gs
-from groundslab.design.checks import design_of
+from groundslab.design.checks import check_design
 from groundslab.design.en1997.bearing import Soil, bearing_resistance, effective_area, sliding_resistance
 
 
@@ -83,7 +83,7 @@ def test_a_pad_with_a_horizontal_force_is_checked_for_both() -> None:
         soil_strength=gs.SoilStrength(phi=30, unit_weight=18e3, overburden=9e3),
         mesh=gs.Mesh(size=0.25),
     )
-    found = {check.name: check for check in design_of(gs.solve(pad)).checks}
+    found = {check.name: check for check in check_design(gs.solve(pad)).checks}
     bearing, sliding = found["bearing resistance"], found["sliding"]
     base = effective_area(box(-1.5, -1, 1.5, 1), 180 / 600, 0.0)
     assert base is not None

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import groundslab as gs
-from groundslab.design.checks import design_of
+from groundslab.design.checks import check_design
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.punching import RectangularColumn, reduced_share, shape_of
 from groundslab.design.result_tables import tables_of
@@ -79,7 +79,7 @@ def test_a_narrow_footing_is_checked_for_one_way_shear_up_to_d() -> None:
     """At 2 d the perimeter of a column in a strip cuts it from side to side: no beta, but shear at d from the face."""
     narrow = gs.solve(footing(0.0, 6.0, 1.2))
     assert column_row(narrow)["beta"] is None
-    found = {check.name: check for check in design_of(narrow).checks}
+    found = {check.name: check for check in check_design(narrow).checks}
     assert found["punching within 2 d"].status == "no failure found"
     place = found["one-way shear"].place
     assert place is not None

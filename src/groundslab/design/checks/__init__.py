@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from groundslab.design.checks import bearing, limits, provided, shear, strength
+from groundslab.design.checks import bearing, equilibrium, limits, provided, shear, strength
 from groundslab.design.checks.check import ORDER, DesignCheck, Status
 from groundslab.results.results import Results
 
-__all__ = ["CHECKS", "Design", "DesignCheck", "Status", "design_of"]
+__all__ = ["CHECKS", "Design", "DesignCheck", "Status", "check_design"]
 
 #: All checks, in the order in which those of one status are told.
 CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
@@ -20,6 +20,7 @@ CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
     shear.checks,
     provided.checks,
     bearing.checks,
+    equilibrium.checks,
     limits.checks,
 )
 
@@ -29,7 +30,17 @@ NOT_CHECKED = "anchorage is not checked"
 
 @dataclass(frozen=True, slots=True)
 class Design:
-    """All checks of a model's design, the failures first; none where nothing could be checked."""
+    """All checks of a model's design, the failures first; none where nothing could be checked.
+
+    Attributes
+    ----------
+    status : str
+        The worst status of any check: "fails", "attention", "no failure found", or "not checked".
+    headline : str
+        The outcome in a sentence.
+    checks : tuple of DesignCheck
+        All checks.
+    """
 
     status: Status
     headline: str
@@ -41,8 +52,31 @@ class Design:
         return tuple(each for each in self.checks if each.status in ("fails", "attention"))
 
 
-def design_of(combined: Results) -> Design:
-    """Return what can be judged of the design of a model, over its certified results."""
+def check_design(combined: Results) -> Design:
+    """Return what can be judged of the design of a model, over its certified results.
+
+    Parameters
+    ----------
+    combined : Results
+        The results of all combinations.
+
+    Returns
+    -------
+    Design
+        The checks, those that fail first, with a headline. Without data to check anything by, none, and what is
+        missing.
+
+    Raises
+    ------
+    InputError
+        If the materials are none that EN 1992-1-1 has rules for.
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> groundslab.check_design(results).headline
+    'Strength was not checked: the case has no [reinforcement].'
+    """
     made = [check for find in CHECKS for check in find(combined)]
     found = tuple(sorted((each for each in made if each.status != "not checked"), key=_order))
     left = "; ".join(each.words for each in made if each.status == "not checked")

@@ -14,6 +14,7 @@ import numpy as np
 from groundslab.design.checks.check import DesignCheck
 from groundslab.design.tables.quantities import solved_results
 from groundslab.design.tilt import settlement_differences, tilt
+from groundslab.model.loads.load_cases import SERVICEABILITY
 from groundslab.results.fields import extreme
 from groundslab.results.results import CombinationResult, Results
 
@@ -96,7 +97,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     limits = combined.model.limits
     if limits is None:
         return
-    results = [each for each in solved_results(combined) if each.limit_state != "ultimate"]
+    results = [each for each in solved_results(combined) if each.limit_state in SERVICEABILITY]
     for key, limit in LIMITS.items():
         allowed: float | None = getattr(limits, key)
         if allowed is not None:

@@ -48,7 +48,6 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     section = _section(steel, results, demands(combined).reach)
     if not section.counts.any():
         return
-    concrete, bars = reinforcement.materials(steel)
     found = []
     for each in results:
         v, v_Rd_c = _demand(each, section, steel)
@@ -63,6 +62,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     )
     status: Status = "no failure found"
     if used > 1:
+        concrete, bars = reinforcement.materials(steel, worst.limit_state)
         links = shear.required_links(np.array([v_Ed]), section.d[[node]], concrete, bars)
         area = max(float(links.area[0]), shear.minimum_links(concrete, bars))
         thin = section.thickness[node] < LEAST_WITH_LINKS
@@ -124,4 +124,4 @@ def _demand(results: CombinationResult, section: _Section, steel: Reinforcement)
         np.where(bottom, section.ratios[f"bottom_{axis}"], section.ratios[f"top_{axis}"]) for axis in ("x", "y")
     )
     rho = shear.ratio_along(along, rho_x, rho_y)
-    return v, shear.resistance_without_links(reinforcement.materials(steel)[0], section.d, rho)
+    return v, shear.resistance_without_links(reinforcement.materials(steel, results.limit_state)[0], section.d, rho)

@@ -15,6 +15,7 @@ from groundslab.design.checks.check import DesignCheck, Status
 from groundslab.design.en1992 import punching as punching_resistance
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.punching import Demand, Demands, Stress, demands
+from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.model.outputs import Reinforcement
 from groundslab.results.results import Results
 
@@ -39,9 +40,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         punched = demands(combined)
         yield _face(steel, punched)
         yield _within_2d(steel, punched)
-    missing = [
-        each for each in combined.combinations if each.limit_state == "ultimate" and each.name in combined.refused
-    ]
+    missing = [each for each in combined.combinations if each.limit_state in STRENGTH and each.name in combined.refused]
     if missing:
         names = ", ".join(f'"{each.name}"' for each in missing[:5]) + (" ..." if len(missing) > 5 else "")
         words = f"without a certified result, and so not designed for: {names}"
@@ -85,8 +84,11 @@ def _where(need: reinforcement.Need) -> str:
 
 def _face(steel: Reinforcement, punched: Demands) -> DesignCheck:
     """Return whether punching exceeds v_Rd,max at the face of any column (EN 1992-1-1 6.4.5(3))."""
-    limit = punching_resistance.max_resistance(reinforcement.materials(steel)[0])
-    stresses = [(each, each.face, limit) for each in punched.found.values() if each.face is not None]
+    stresses = [
+        (each, each.face, punching_resistance.max_resistance(reinforcement.materials(steel, each.limit_state)[0]))
+        for each in punched.found.values()
+        if each.face is not None
+    ]
     return _punching("punching at the column's face", "v_Rd,max", stresses, punched, "fails", "6.4.5(3)")
 
 
@@ -95,10 +97,10 @@ def _within_2d(steel: Reinforcement, punched: Demands) -> DesignCheck:
 
     With the bars that are laid at the bottom, or with the most that count, whatever will be laid.
     """
-    concrete, bars = reinforcement.materials(steel)
     name, which = "punching within 2 d", "the bars that are laid" if steel.bottom_x else "the most bars that count"
     most, there = [], []
     for each in punched.found.values():
+        concrete, _ = reinforcement.materials(steel, each.limit_state)
         v_Rd_c = punching_resistance.resistance_without_links(concrete, each.d, _ratio(steel, each.d))
         there += [(each, stress, v_Rd_c * 2 * each.d / stress.distance) for stress in each.around]
         if each.around:
@@ -112,7 +114,7 @@ def _within_2d(steel: Reinforcement, punched: Demands) -> DesignCheck:
     if not needing:
         return without
     demand, stress, resistance = max(needing, key=lambda each: each[1].v_Ed / each[2])
-    s_r = LINK_SPACING * demand.d
+    s_r, (_, bars) = LINK_SPACING * demand.d, reinforcement.materials(steel, demand.limit_state)
     A_sw = punching_resistance.links_per_perimeter(stress.v_Ed, resistance, stress.u, demand.d, s_r, bars.f_yd)
     words = (
         f"punching reinforcement is needed at {without.words}; there {A_sw * 1e4:.3g} cm2 of vertical links on each "

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from groundslab.design.checks import design_of
+from groundslab.design.checks import check_design
 from groundslab.design.tables.table import Table, table_of
 from groundslab.results.results import Results
 
@@ -14,7 +14,7 @@ def checks_table(combined: Results) -> Table:
         ("combination", ""), ("x", "m"), ("y", "m"), ("clause", ""), ("in words", ""),
     ]  # fmt: skip
     rows = []
-    for each in design_of(combined).checks:
+    for each in check_design(combined).checks:
         x, y = each.place or (None, None)
         numbers = each.demand, each.resistance, each.unit or None, each.utilisation
         rows.append([each.name, each.of or None, each.status, *numbers, each.combination or None, x, y,

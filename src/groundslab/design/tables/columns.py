@@ -33,7 +33,6 @@ def column_table(combined: Results) -> Table:
     model, results = combined.model, solved_results(combined)
     own = {column.name: column_loads.sum_of_column(model, column.name) for column in model.columns}
     steel, punched = model.reinforcement, demands(combined)
-    v_Rd_max = None if steel is None else max_resistance(materials(steel)[0])
     rows = []
     for each in results:
         neighbor = _neighbors(each.plate, model.columns)
@@ -41,7 +40,8 @@ def column_table(combined: Results) -> Table:
             force = column_loads.factored_sum(each, own[column.name])
             row: list[Cell] = [each.combination, column.name, column.x, column.y, force / 1e3]
             row += neighbor(column)
-            if v_Rd_max is not None:
+            if steel is not None:
+                v_Rd_max = max_resistance(materials(steel, each.limit_state)[0])
                 row += _demand(punched.found.get((each.combination, column.name)), v_Rd_max)
             rows.append(row)
     missing = [f"no punching of column {name}: {why}" for name, why in punched.missing.items()]

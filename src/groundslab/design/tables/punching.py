@@ -14,8 +14,7 @@ from groundslab.arrays import Array, Memo
 from groundslab.design import punching
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.punching import OPENING_REACH, Perimeter, RectangularColumn, RoundColumn, Shape
-from groundslab.design.tables import column_loads
-from groundslab.design.tables.quantities import solved_results
+from groundslab.design.tables import column_loads, reinforcement
 from groundslab.errors import InputError
 from groundslab.fem import load_vectors
 from groundslab.fem.assembly import scatter
@@ -67,6 +66,7 @@ class Demand:
 
     column: str
     combination: str
+    limit_state: str
     d: float  # effective depth [m]
     face: Stress | None
     around: tuple[Stress, ...]  # at DISTANCES; fewer, as at the face, where there is no such perimeter on the plate
@@ -90,7 +90,7 @@ class Demands:
 def demands(combined: Results) -> Demands:
     """Return the demands of punching in all ultimate combinations, if bars are given; at columns that push down."""
     model, steel = combined.model, combined.model.reinforcement
-    results = [each for each in solved_results(combined) if each.limit_state == "ultimate"]
+    results = reinforcement.ultimate_results(combined)
     found: dict[tuple[str, str], Demand] = {}
     missing: dict[str, str] = {}
     reach: dict[str, float] = {}
@@ -113,7 +113,9 @@ def demands(combined: Results) -> Demands:
             stresses = [_stress(each, part, column, force, place.d) for part in place.around]
             outer = place.around[-1] if place.around else None
             face = None if place.face is None else _face_stress(each, place.face, outer, column, force, place.d)
-            found[each.combination, column.name] = Demand(column.name, each.combination, place.d, face, tuple(stresses))
+            found[each.combination, column.name] = Demand(
+                column.name, each.combination, each.limit_state, place.d, face, tuple(stresses)
+            )
     return Demands(found, missing, {column.name: (column.x, column.y) for column in model.columns}, reach)
 
 

@@ -13,6 +13,7 @@ from groundslab.design.en1992.materials import CONCRETE_CLASSES, STEEL_CLASSES, 
 from groundslab.design.envelope import Envelope, envelope
 from groundslab.design.tables.quantities import solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.model.outputs import Reinforcement
 from groundslab.results.fields import LAYERS, extreme_node, place_of
 from groundslab.results.mesh_results import PlateResult
@@ -24,8 +25,8 @@ MPA = 1e6
 
 
 def ultimate_results(combined: Results) -> list[CombinationResult]:
-    """Return the results of the ultimate combinations."""
-    return [results for results in solved_results(combined) if results.limit_state == "ultimate"]
+    """Return the results of the ultimate combinations, the accidental and seismic ones among them."""
+    return [results for results in solved_results(combined) if results.limit_state in STRENGTH]
 
 
 def required_areas(steel: Reinforcement, results: list[CombinationResult]) -> dict[str, SlabReinforcement]:
@@ -34,17 +35,20 @@ def required_areas(steel: Reinforcement, results: list[CombinationResult]) -> di
         return {}
     t, _ = results[0].elements.at_nodes(results[0].plate)
     axes = Axes(*steel.bottom, *steel.top)
-    concrete, bars = materials(steel)
-    return {each.combination: slab(design_moments(each.plate), t, axes, concrete, bars) for each in results}
+    return {
+        each.combination: slab(design_moments(each.plate), t, axes, *materials(steel, each.limit_state))
+        for each in results
+    }
 
 
-def materials(steel: Reinforcement) -> tuple[Concrete, Steel]:
-    """Return concrete and steel; InputError where EN 1992-1-1 is not made for them."""
+def materials(steel: Reinforcement, limit_state: str = "ultimate") -> tuple[Concrete, Steel]:
+    """Return concrete and steel in a limit state; InputError where EN 1992-1-1 is not made for them."""
     f_ck = steel.f_ck if steel.concrete is None else CONCRETE_CLASSES[steel.concrete] * MPA
     f_yk = steel.f_yk if steel.steel is None else STEEL_CLASSES[steel.steel] * MPA
     assert f_ck is not None
     assert f_yk is not None
-    return Concrete(f_ck, steel.gamma_c, steel.alpha_cc), Steel(f_yk, steel.gamma_s)
+    gamma_c, gamma_s = steel.accidental if limit_state == "accidental" else (steel.gamma_c, steel.gamma_s)
+    return Concrete(f_ck, gamma_c, steel.alpha_cc), Steel(f_yk, gamma_s)
 
 
 def largest_areas(found: dict[str, SlabReinforcement], layer: str) -> tuple[Array, Envelope]:
@@ -95,8 +99,8 @@ class Need:
 def governing_needs(combined: Results, steel: Reinforcement) -> list[Need]:
     """Return what each layer needs in each section that the plate has, over all ultimate combinations.
 
-    Within a section the depth is one, so that the largest moment of each face governs: all that a layer needs grows
-    with them.
+    Within a section the depth is one, so that the largest moment of each face governs in each limit state: all that a
+    layer needs grows with them.
     """
     results = ultimate_results(combined)
     found = required_areas(steel, results)
@@ -104,16 +108,22 @@ def governing_needs(combined: Results, steel: Reinforcement) -> list[Need]:
         return []
     plate, linked = results[0].plate, needs_links(found)
     thickness, section = results[0].elements.at_nodes(plate)
-    designs = {each.combination: design_moments(each.plate) for each in results}
-    largest = {layer: _largest(designs, layer) for layer in LAYERS}
+    designs: dict[str, dict[str, DesignMoments]] = {}
+    for each in results:
+        designs.setdefault(each.limit_state, {})[each.combination] = design_moments(each.plate)
+    largest = {state: {layer: _largest(own, layer) for layer in LAYERS} for state, own in designs.items()}
     rows = []
     for layer in LAYERS:
         area = largest_areas(found, layer)[0]
         for number in np.unique(section):
             nodes = np.flatnonzero(section == number)
             shares = [_share(plate, nodes[flags[nodes]]) for flags in (np.isinf(area), linked)]
-            moments = [_peak(plate, nodes, *largest[each]) for each in (layer, _OTHER[layer])]
-            rows.append(_need(layer, int(number), float(thickness[nodes[0]]), steel, moments, shares))
+            needs = []
+            for state, own in largest.items():
+                moments = [_peak(plate, nodes, *own[each]) for each in (layer, _OTHER[layer])]
+                t = float(thickness[nodes[0]])
+                needs.append(_need(layer, int(number), t, steel, materials(steel, state), moments, shares))
+            rows.append(max(needs, key=lambda need: (need.area, abs(need.moment or 0.0))))
     return rows
 
 
@@ -135,9 +145,17 @@ def _peak(plate: PlateResult, nodes: Integers, sizes: Array, by: Envelope) -> _P
     return float(sizes[node]), place_of(plate.nodes, int(node)), by.names[by.greatest_by[node]]
 
 
-def _need(layer: str, section: int, t: float, steel: Reinforcement, moments: list[_Peak], shares: list[float]) -> Need:
-    """Return what a layer needs for the largest moments of its own face and of the other one."""
-    concrete, bars = materials(steel)
+def _need(
+    layer: str,
+    section: int,
+    t: float,
+    steel: Reinforcement,
+    of: tuple[Concrete, Steel],
+    moments: list[_Peak],
+    shares: list[float],
+) -> Need:
+    """Return what a layer of some materials needs for the largest moments of its own face and of the other one."""
+    concrete, bars = of
     here, there = axis_of(steel, layer), axis_of(steel, _OTHER[layer])
     depths = t - here, t - there
     own, other = (
@@ -146,13 +164,13 @@ def _need(layer: str, section: int, t: float, steel: Reinforcement, moments: lis
     )
     areas = {MINIMUM: own.minimum, MOMENT: own.tension, COMPRESSION: other.compression}
     area, governed_by = max(((float(each), name) for name, each in areas.items()), key=lambda one: one[0])
-    of = 1 if governed_by == COMPRESSION else 0
+    face = 1 if governed_by == COMPRESSION else 0
     if np.isinf(area):
         # of two faces that are both too weak, the one that is so by more is named
         loads = [peak[0] / d**2 * each.fails for peak, d, each in zip(moments, depths, (own, other), strict=True)]
-        governed_by, of = TOO_WEAK, int(np.argmax(loads))
-    size, where, name = moments[of]
-    at_top = layer.startswith("top") != (of == 1)
+        governed_by, face = TOO_WEAK, int(np.argmax(loads))
+    size, where, name = moments[face]
+    at_top = layer.startswith("top") != (face == 1)
     least, needed = float(minimum(np.array(depths[0]), concrete, bars)), area > 0
     return Need(
         layer=layer,

@@ -3,6 +3,10 @@
     ultimate           sum gamma_G G + gamma_Q,1 Q_1 + sum gamma_Q,i psi_0,i Q_i     expression 6.10,  6.4.3.2(3)
       or the two of    sum gamma_G G + gamma_Q,1 psi_0,1 Q_1 + sum gamma_Q,i psi_0,i Q_i         6.10a
                        sum xi gamma_G G + gamma_Q,1 Q_1 + sum gamma_Q,i psi_0,i Q_i              6.10b
+    accidental         sum G + A_d + (psi_1,1 or psi_2,1) Q_1 + sum psi_2,i Q_i                6.11b, 6.4.3.3(2)
+    seismic            sum G + A_Ed + sum psi_2,i Q_i                                          6.12b, 6.4.3.4(2)
+    equilibrium        as 6.10 with the factors of Table A1.2(A): EQU                          6.7, 6.4.2(1)
+    uplift             as 6.10 with the factors of EN 1997-1 Table A.15: UPL                   EN 1997-1 2.4.7.4
     characteristic     sum G + Q_1 + sum psi_0,i Q_i                                 expression 6.14b, 6.5.3(2)a
     frequent           sum G + psi_1,1 Q_1 + sum psi_2,i Q_i                         expression 6.15b, 6.5.3(2)b
     quasi-permanent    sum G + sum psi_2,i Q_i                                       expression 6.16b, 6.5.3(2)c
@@ -12,14 +16,17 @@ action is once present and once absent, and every combination is analyzed by its
 
 All permanent actions of an ultimate combination are unfavourable together or favourable together, as if they came from
 one source (EN 1990, Table A1.2(B), note 3), unless they are wanted separately. Where the result is very sensitive to
-permanent actions that differ from place to place, as in static equilibrium, 6.4.3.1(4) requires their parts as separate
-actions. xi multiplies unfavourable permanent actions only (Table A1.2(B), note 2).
+permanent actions that differ from place to place, as in static equilibrium and uplift, 6.4.3.1(4) requires their parts
+as separate actions: there each is so by itself. xi multiplies unfavourable permanent actions only (Table A1.2(B), note
+2). Each accidental action acts alone, each seismic one alone and in both directions.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from itertools import product
+from typing import Literal
 
 from groundslab.errors import InputError, Issue
 from groundslab.model.loads.load_cases import Combination, Combine, LimitState, LoadCase
@@ -32,14 +39,27 @@ MOST_COMBINATIONS = 500
 #: Names of the combinations of a limit state, before their number.
 _TITLES: dict[LimitState, str] = {
     "ultimate": "ULS",
+    "accidental": "accidental",
+    "seismic": "seismic",
+    "equilibrium": "EQU",
+    "uplift": "UPL",
     "characteristic": "characteristic",
     "frequent": "frequent",
     "quasi-permanent": "quasi-permanent",
 }
 
 
-#: The expressions of limit states that are not ultimate (EN 1990 6.5.3(2)).
-_RULES: dict[LimitState, str] = {"characteristic": "6.14b", "frequent": "6.15b", "quasi-permanent": "6.16b"}
+@dataclass(frozen=True, slots=True)
+class _Rule:
+    """How a rule combines actions: partial factors, and the factors psi of variable actions by their keys."""
+
+    name: str
+    permanent: tuple[float, float]  # unfavourable, favourable
+    variable: float
+    leading: Literal["", "psi_1", "psi_2"] | None = ""  # "" is the characteristic value; None where no action leads
+    accompanying: Literal["psi_0", "psi_2"] = "psi_2"
+    separate: bool = False  # each permanent action is unfavourable or favourable by itself
+
 
 #: Factors of the cases that take part.
 Terms = tuple[tuple[str, float], ...]
@@ -60,7 +80,7 @@ def make_combinations(combine: Combine, cases: Sequence[LoadCase]) -> tuple[Comb
                 continue
             seen.add(terms)
             name = f"{_TITLES[limit_state]} {len(seen)}"
-            found.append(Combination(name=name, limit_state=limit_state, factors=terms, rule=f"EN 1990 {rule}"))
+            found.append(Combination(name=name, limit_state=limit_state, factors=terms, rule=rule))
             if len(found) > MOST_COMBINATIONS:
                 variable = sum(case.action == "variable" for case in cases)
                 expected = f"at most {MOST_COMBINATIONS} combinations"
@@ -70,19 +90,50 @@ def make_combinations(combine: Combine, cases: Sequence[LoadCase]) -> tuple[Comb
 
 
 def _all_terms(combine: Combine, cases: Sequence[LoadCase], limit_state: LimitState) -> Iterator[tuple[str, Terms]]:
-    """Yield the factors of each combination of a limit state with its expression; some of them may come twice."""
+    """Yield the factors of each combination of a limit state with its rule; some of them may come twice."""
     permanent = [case.name for case in cases if case.action == "permanent"]
-    if limit_state != "ultimate":
-        for terms in _terms(cases, limit_state, dict.fromkeys(permanent, 1.0), 1.0, leads=True):
-            yield _RULES[limit_state], terms
+    for rule in _rules(combine, limit_state):
+        for gammas in _partial_factors(len(permanent), rule.permanent, rule.separate):
+            for beside in _beside(cases, limit_state):
+                factors = dict(zip(permanent, gammas, strict=True)) | beside
+                for terms in _terms(cases, rule, factors):
+                    yield rule.name, terms
+
+
+def _rules(combine: Combine, limit_state: LimitState) -> Iterator[_Rule]:
+    """Yield the rules of a limit state."""
+    (most, least), gamma_q, ones = combine.permanent, combine.variable[0], (1.0, 1.0)
+    if limit_state == "ultimate" and combine.expression == "6.10":
+        yield _Rule("EN 1990 6.10", (most, least), gamma_q, "", "psi_0", combine.separate)
+    elif limit_state == "ultimate":
+        yield _Rule("EN 1990 6.10a", (most, least), gamma_q, None, "psi_0", combine.separate)
+        yield _Rule("EN 1990 6.10b", (combine.xi * most, least), gamma_q, "", "psi_0", combine.separate)
+    elif limit_state == "accidental":
+        yield _Rule("EN 1990 6.11b", ones, 1.0, combine.accidental_leader)
+    elif limit_state == "seismic":
+        yield _Rule("EN 1990 6.12b", ones, 1.0, None)
+    elif limit_state == "equilibrium":
+        yield _Rule("EN 1990 6.10, EQU", combine.equilibrium[:2], combine.equilibrium[2], "", "psi_0", separate=True)
+    elif limit_state == "uplift":
+        yield _Rule("EN 1997-1 2.4.7.4, UPL", combine.uplift[:2], combine.uplift[2], "", "psi_0", separate=True)
+    elif limit_state == "characteristic":
+        yield _Rule("EN 1990 6.14b", ones, 1.0, "", "psi_0")
+    elif limit_state == "frequent":
+        yield _Rule("EN 1990 6.15b", ones, 1.0, "psi_1")
+    else:
+        yield _Rule("EN 1990 6.16b", ones, 1.0, None)
+
+
+def _beside(cases: Sequence[LoadCase], limit_state: LimitState) -> Iterator[dict[str, float]]:
+    """Yield the accidental or seismic action of each combination, with its factor; nothing in other limit states."""
+    if limit_state not in ("accidental", "seismic"):
+        yield {}
         return
-    most, least = combine.permanent
-    reduced = {"6.10": (("6.10", 1.0),), "6.10a and 6.10b": (("6.10a", 1.0), ("6.10b", combine.xi))}
-    for rule, xi in reduced[combine.expression]:
-        for gammas in _partial_factors(len(permanent), (xi * most, least), combine.separate):
-            factors = dict(zip(permanent, gammas, strict=True))
-            for terms in _terms(cases, limit_state, factors, combine.variable[0], leads=rule != "6.10a"):
-                yield rule, terms
+    for case in cases:
+        if case.action == limit_state:
+            yield {case.name: 1.0}
+            if limit_state == "seismic":
+                yield {case.name: -1.0}
 
 
 def _partial_factors(count: int, gammas: tuple[float, float], separate: bool) -> Iterator[tuple[float, ...]]:
@@ -93,36 +144,25 @@ def _partial_factors(count: int, gammas: tuple[float, float], separate: bool) ->
         yield from ((gamma,) * count for gamma in gammas)
 
 
-def _terms(
-    actions: Sequence[LoadCase], limit_state: LimitState, permanent: dict[str, float], gamma_q: float, leads: bool
-) -> Iterator[Terms]:
-    """Yield the factors of each combination that are not zero, with those of the permanent actions.
+def _terms(actions: Sequence[LoadCase], rule: _Rule, given: dict[str, float]) -> Iterator[Terms]:
+    """Yield the factors of each combination that are not zero, with those given of other than variable actions.
 
     Without a leader, as in 6.10a and quasi-permanent combinations, all variable actions accompany.
     """
     variable = [case for case in actions if case.action == "variable"]
-    leaders = [*variable, None] if leads and limit_state != "quasi-permanent" else [None]
+    leaders = [None] if rule.leading is None else [*variable, None]
     for leader in leaders:
         # where one action leads in turn, nothing accompanies none
         follow = len(leaders) == 1 or leader is not None
         others = [action for action in variable if follow and _may_join(action, leader)]
-        for company in _subsets([action for action in others if _accompanying(action, limit_state) > 0]):
-            chosen = permanent | {action.name: gamma_q * _accompanying(action, limit_state) for action in company}
+        psi: dict[str, float] = {action.name: getattr(action, rule.accompanying) for action in others}
+        for company in _subsets([action for action in others if psi[action.name] > 0]):
+            chosen = given | {action.name: rule.variable * psi[action.name] for action in company}
             if leader is not None:
-                chosen[leader.name] = gamma_q * _leading(leader, limit_state)
+                chosen[leader.name] = rule.variable * (getattr(leader, rule.leading) if rule.leading else 1.0)
             # ten digits, so that 1.5 * 0.6 is 0.9 and not 0.8999999999999999
             rounded = ((action.name, float(f"{chosen.get(action.name, 0.0):.10g}")) for action in actions)
             yield tuple((name, factor) for name, factor in rounded if factor)
-
-
-def _leading(action: LoadCase, limit_state: LimitState) -> float:
-    """Return what the leading action's characteristic value is multiplied by, beside gamma."""
-    return action.psi_1 if limit_state == "frequent" else 1.0
-
-
-def _accompanying(action: LoadCase, limit_state: LimitState) -> float:
-    """Return what an accompanying action's characteristic value is multiplied by, beside gamma."""
-    return action.psi_0 if limit_state in ("ultimate", "characteristic") else action.psi_2
 
 
 def _may_join(action: LoadCase, leader: LoadCase | None) -> bool:
@@ -159,6 +199,9 @@ def check_combine(
             )
     if not all(named_well) or len({case.name for case in cases}) < len(cases):
         return
+    for state in ("accidental", "seismic"):
+        if state in combine.sets and not any(case.action == state for case in cases):
+            yield RelativeIssue(("combine", "sets"), f'"{state}"', f'a case whose action is "{state}"')
     try:
         made = {each.name for each in make_combinations(combine, cases)}
     except InputError as error:

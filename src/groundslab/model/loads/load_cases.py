@@ -11,8 +11,13 @@ from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import describe, one_of, suggestion
 
-Kind = Literal["permanent", "variable"]
-LimitState = Literal["ultimate", "characteristic", "frequent", "quasi-permanent"]
+Kind = Literal["permanent", "variable", "accidental", "seismic"]
+LimitState = Literal[
+    "ultimate", "accidental", "seismic", "equilibrium", "uplift", "characteristic", "frequent", "quasi-permanent"
+]
+#: Limit states in which strength is checked, of the slab and of the ground, and those of serviceability.
+STRENGTH: tuple[LimitState, ...] = ("ultimate", "accidental", "seismic")
+SERVICEABILITY: tuple[LimitState, ...] = ("characteristic", "frequent", "quasi-permanent")
 Expression = Literal["6.10", "6.10a and 6.10b"]
 
 SHARE = Range(at_least=0, at_most=1)
@@ -62,8 +67,14 @@ class Combination(Section):
     rule: Annotated[str, Text("rule that it follows, for people, such as EN 1990 6.10")] = ""
 
 
-def _check_partial_factors(permanent: tuple[float, float], variable: tuple[float, float]) -> Iterator[RelativeIssue]:
-    for name, (most, least) in (("permanent", permanent), ("variable", variable)):
+def _check_partial_factors(
+    permanent: tuple[float, float],
+    variable: tuple[float, float],
+    equilibrium: tuple[float, float, float],
+    uplift: tuple[float, float, float],
+) -> Iterator[RelativeIssue]:
+    pairs = {"permanent": permanent, "variable": variable, "equilibrium": equilibrium[:2], "uplift": uplift[:2]}
+    for name, (most, least) in pairs.items():
         if least > most:
             yield RelativeIssue((name,), f"[{most!r}, {least!r}]", "the unfavourable factor first, the larger one")
     if variable[1] != 0:
@@ -74,6 +85,11 @@ def _check_partial_factors(permanent: tuple[float, float], variable: tuple[float
 def _partial_factors(symbol: str, kind: Kind) -> ListOf:
     meaning = f"partial factors of {kind} actions, unfavourable and favourable; ultimate only"
     return ListOf(Number(symbol, "", PARTIAL), symbol, meaning, 2)
+
+
+def _three_factors(symbol: str, state: str) -> ListOf:
+    meaning = f"partial factors of {state}: permanent actions unfavourable and favourable, variable actions"
+    return ListOf(Number(symbol, "", PARTIAL), symbol, meaning, 3)
 
 
 class Combine(Section):
@@ -94,6 +110,16 @@ class Combine(Section):
     ] = False
     permanent: Annotated[tuple[float, float], _partial_factors("gamma_G", "permanent")] = (1.35, 1.0)
     variable: Annotated[tuple[float, float], _partial_factors("gamma_Q", "variable")] = (1.5, 0.0)
+    equilibrium: Annotated[
+        tuple[float, float, float], _three_factors("gamma", "equilibrium (EN 1990 Table A1.2(A))")
+    ] = (1.1, 0.9, 1.5)
+    uplift: Annotated[tuple[float, float, float], _three_factors("gamma", "uplift (EN 1997-1 Table A.15)")] = (
+        1.0, 0.9, 1.5
+    )  # fmt: skip
+    accidental_leader: Annotated[
+        Literal["psi_1", "psi_2"],
+        Choice(Literal["psi_1", "psi_2"], "value of the leading variable action beside an accidental one (6.11b)"),
+    ] = "psi_1"
 
 
 def check_case_names(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
 from groundslab.case import casefile
-from groundslab.design.checks import design_of
+from groundslab.design.checks import check_design
 from groundslab.design.result_tables import tables_of
 from groundslab.results.record import Certificate
 from groundslab.results.soil_profile import list_columns
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from groundslab.design.tables.table import Table
+    from groundslab.model.outputs import Project
     from groundslab.results.results import CombinationResult, Results
     from groundslab.views.summary.combinations import Entry
     from groundslab.views.summary.rows import Row, SummarySection
@@ -48,13 +49,14 @@ def build_page(combined: Results, text: str | None = None, file: str = "case.tom
     leading = combined.results.get(governing) or (there[0] if there else None)
     return {
         "title": combined.model.title,
+        "project": _title_block(combined.model.project),
         "version": __version__,
         "file": file,
         "text": text,
         "sha256": hashlib.sha256(text.encode()).hexdigest(),
         "facts": list(_facts(combined)),
         "verdict": dict(zip(("status", "words"), _verdict(combined, found), strict=True)),
-        "design": design_of(combined),
+        "design": check_design(combined),
         "case": input_tables(combined.model),
         "drawings": list(_drawings(combined, leading)),
         "constants": _constants(found) if there else None,
@@ -68,6 +70,12 @@ def build_page(combined: Results, text: str | None = None, file: str = "case.tom
         "pictures": list(drawings.draw_pictures(combined)),
         "refused": [(entry.combination.name, str(entry.refused)) for entry in found if entry.refused is not None],
     }
+
+
+def _title_block(project: Project | None) -> list[tuple[str, str]]:
+    """Return the entries of a project that are given, each with its heading."""
+    entries = [] if project is None else [(key.capitalize(), str(value)) for key, value in project]
+    return [(name if name != "Name" else "Project", value) for name, value in entries if value]
 
 
 def _facts(combined: Results) -> Iterator[tuple[str, str]]:

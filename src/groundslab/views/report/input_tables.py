@@ -47,6 +47,7 @@ SECTIONS = {
     "combine": "Automatic combinations",
     "reinforcement": "Reinforcement",
     "limits": "Limits",
+    "soil_strength": "Strength of the soil",
     "output": "Points, lines and strips",
     "mesh": "Mesh",
     "analysis": "Analysis",

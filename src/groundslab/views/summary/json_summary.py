@@ -60,9 +60,9 @@ def json_text(combined: Results, folders: Mapping[str, str] | None = None, files
 
 def design(combined: Results) -> dict[str, Any]:
     """Return what can be judged of the design as data for JSON."""
-    from groundslab.design.checks import design_of
+    from groundslab.design.checks import check_design
 
-    found = design_of(combined)
+    found = check_design(combined)
     checks = [asdict(check) | {"utilisation": check.utilisation} for check in found.checks]
     return {"status": found.status, "headline": found.headline, "checks": checks}
 

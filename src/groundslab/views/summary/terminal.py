@@ -39,10 +39,10 @@ def print_summary(combined: Results, console: Console) -> None:
     Of an only combination all its figures and the convergence history; of several what they have in common, each on its
     lines, and the extremes over all.
     """
-    from groundslab.design.checks import design_of
+    from groundslab.design.checks import check_design
 
     combinations.require_finite(combined)
-    found, design = combinations.entries(combined), design_of(combined)
+    found, design = combinations.entries(combined), check_design(combined)
     only = combinations.only(found)
     _head(combined.model.title, design, console)
     if only is not None:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.design.checks import DesignCheck, design_of
+from groundslab.design.checks import DesignCheck, check_design
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.results.results import Results
@@ -47,7 +47,7 @@ def solved(model: Model, **fields: dict[str, Any]) -> Results:
 
 def only(combined: Results) -> DesignCheck:
     """Return the one check there is."""
-    (check,) = design_of(combined).checks
+    (check,) = check_design(combined).checks
     return check
 
 
@@ -70,7 +70,7 @@ def test_settlement_of_the_worst_combination_counts_but_no_ultimate_one() -> Non
 def test_tilt_and_differences_of_an_inclined_plate() -> None:
     """A slope of 1/500 along x: the tilt; its difference over the length; no distortion without it."""
     fields = {"SLS_1": {"settlement": lambda x: 0.02 + 0.002 * x}}
-    found = {each.name: each for each in design_of(solved(
+    found = {each.name: each for each in check_design(solved(
         model_with(tilt=0.003, differential_settlement=0.1, angular_distortion=0.002), **fields)).checks}  # fmt: skip
     assert found["tilt"].demand == pytest.approx(2.0)
     assert found["differential settlement"].demand == pytest.approx(2.0 * LENGTH_X)
@@ -82,7 +82,7 @@ def test_pressure_and_uplift() -> None:
     fields = {
         "SLS_1": {"settlement": lambda x: -0.001 - 0 * x, "pressure": lambda x: 1e5 * (x == x.max())},
     }
-    found = {each.name: each for each in design_of(solved(model_with(pressure=9e4, uplift=2e-3), **fields)).checks}
+    found = {each.name: each for each in check_design(solved(model_with(pressure=9e4, uplift=2e-3), **fields)).checks}
     assert found["pressure"].status == "fails"
     assert found["pressure"].demand == pytest.approx(100.0)
     assert found["pressure"].place is not None

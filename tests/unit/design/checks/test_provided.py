@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.design.checks import DesignCheck, design_of
+from groundslab.design.checks import DesignCheck, check_design
 from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.materials import Concrete, Steel
 from groundslab.errors import InputError
@@ -43,7 +43,7 @@ def checks(m_x: float, **changes: Any) -> dict[str, DesignCheck]:
         plate = replace(one.plate, moment_x=flat + m_x, moment_y=flat, moment_xy=flat, pressure=flat)
         thickness = np.full_like(one.elements.thickness, 0.3)
         made[each.name] = replace(one, plate=plate, elements=replace(one.elements, thickness=thickness))
-    return {each.name: each for each in design_of(Results(model, model.combinations, made, {})).checks}
+    return {each.name: each for each in check_design(Results(model, model.combinations, made, {})).checks}
 
 
 def test_bars_against_what_bending_needs() -> None:

@@ -11,10 +11,11 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from groundslab.design.checks import Design, design_of
+from groundslab.design.checks import Design, check_design
 from groundslab.design.en1992.materials import Concrete
 from groundslab.design.en1992.punching import K_MAX, max_resistance, resistance_without_links
 from groundslab.design.tables.punching import demands
+from groundslab.design.tables.reinforcement import governing_needs
 from groundslab.errors import NoEquilibrium
 from groundslab.model.model import Model
 from groundslab.results.results import Results
@@ -94,11 +95,11 @@ def test_punching_at_the_face_by_hand() -> None:
     assert demand.face is not None
     assert demand.face.u == pytest.approx(1.2)
     assert demand.face.v_Ed == pytest.approx((1.35 * 1.5e6 - 50e3 * 0.09) / (1.2 * 0.355))
-    design = design_of(of)
+    design = check_design(of)
     assert design.status == "fails"
     said = words(design, "punching at the column's face")
     assert said.startswith('fails: 1 column; worst C1 in "ULS": v_Ed 4.74 MPa, with beta 1.00, is 1.12 times 4.22 MPa')
-    half = words(design_of(solved(described(0.75e6))), "punching at the column's face")
+    half = words(check_design(solved(described(0.75e6))), "punching at the column's face")
     assert half == "no failure found: v_Ed is at most 56 % of v_Rd,max, C1"
 
 
@@ -110,7 +111,7 @@ def test_punching_at_2d_by_hand() -> None:
     assert resistance_without_links(Concrete(30e6), d) == pytest.approx(v_Rd_c)
     for share, status in ((0.98, "no failure found"), (1.02, "attention"), (1.48, "attention"), (1.52, "fails")):
         P = (share * v_Rd_c * u * d + 50e3 * area) / 1.35
-        said = words(design_of(solved(described(P))), "punching within 2 d")
+        said = words(check_design(solved(described(P))), "punching within 2 d")
         assert said.startswith(status), said
         assert ("punching reinforcement is needed" in said) == (status == "attention")
     assert K_MAX == 1.5
@@ -120,18 +121,18 @@ def test_a_support_below_leaves_punching_open() -> None:
     """A pile under the column takes an unknown part of its force: nothing is called a failure, nor fine."""
     model = described(5e6, supports=[{"kind": "point", "x": 0, "y": 0, "stiffness": "10 MN/m"}])
     for name in ("punching at the column's face", "punching within 2 d"):
-        said = words(design_of(solved(model)), name)
+        said = words(check_design(solved(model)), name)
         assert said == "attention: not judged, for a support inside or no perimeter on the plate: columns C1"
 
 
 def test_bending_that_no_reinforcement_carries() -> None:
     """20 MNm/m fail, with the layer, the moment, the place and the combination; 900 kNm/m need bars in compression."""
-    said = words(design_of(solved(described(), 20e6)), "bending")
+    said = words(check_design(solved(described(), 20e6)), "bending")
     assert said.startswith(
         "fails: the concrete is too weak for any reinforcement on 100 % of the plate's area; bottom x: "
     )
     assert '2e+04 kNm/m at (0.000, 0.000) m in "ULS", thickness 0.4 m' in said
-    design = design_of(solved(described(), 900e3))
+    design = check_design(solved(described(), 900e3))
     assert design.status == "attention"
     assert words(design, "bending").startswith("no failure found")
     assert words(design, "compression reinforcement").startswith("attention: bars in compression, held by links")
@@ -140,10 +141,10 @@ def test_bending_that_no_reinforcement_carries() -> None:
 
 def test_nothing_that_fails_is_no_approval() -> None:
     """Where nothing fails the headline says what was not checked; without bars, that nothing was."""
-    design = design_of(solved(described()))
+    design = check_design(solved(described()))
     assert design.headline.startswith("No failure found in 5 checks; anchorage is not checked")
     assert not design.open
-    assert design_of(solved(described(reinforcement=None))).headline.startswith("Strength was not checked")
+    assert check_design(solved(described(reinforcement=None))).headline.startswith("Strength was not checked")
     assert "This is no approval" in printed(solved(described()))
 
 
@@ -152,12 +153,12 @@ def test_ultimate_combinations_that_count_for_nothing() -> None:
     model = described(combinations=[ULS, {**ULS, "name": "more"}])
     of = solved(model)
     refused = {"more": NoEquilibrium("no")}
-    design = design_of(replace(of, results={"ULS": of.results["ULS"]}, refused=refused))
+    design = check_design(replace(of, results={"ULS": of.results["ULS"]}, refused=refused))
     assert words(design, "ultimate combinations").endswith('not designed for: "more"')
-    none = design_of(replace(of, results={}, refused={**refused, "ULS": NoEquilibrium("no")}))
+    none = check_design(replace(of, results={}, refused={**refused, "ULS": NoEquilibrium("no")}))
     assert (none.status, none.checks) == ("not checked", ())
     assert demands(solved(described())).found.keys() == {("ULS", "C1")}
-    given = design_of(solved(described(combinations=[{**ULS, "factors": {"G": 1.0}}])))
+    given = check_design(solved(described(combinations=[{**ULS, "factors": {"G": 1.0}}])))
     assert "must hold the partial factors" in words(given, "partial factors")
 
 
@@ -207,9 +208,37 @@ def test_two_meganewtons_on_a_thin_slab() -> None:
     of = solved(described(2e6, plate=plate, combinations=[{"name": "ULS", "factors": {"G": 1.0}}]))
     thin = {name: replace(each, elements=replace(each.elements, thickness=np.full_like(each.elements.thickness, 0.25)))
             for name, each in of.results.items()}  # fmt: skip
-    design = design_of(replace(of, results=thin))
+    design = check_design(replace(of, results=thin))
     (face,) = [each for each in design.checks if each.name == "punching at the column's face"]
     assert face.demand == pytest.approx((2e6 - 50e3 * 0.09) / (1.2 * 0.205) / 1e6)
     assert face.utilisation == pytest.approx(1.92, abs=0.01)
     assert design.headline.startswith("DESIGN FAILS: punching")
     assert design.checks[0].utilisation == max(each.utilisation or 0.0 for each in design.checks)
+
+
+def test_accidental_combinations_have_their_own_partial_factors() -> None:
+    """Steel has 500 MPa instead of 434.8: a moment of 1.1 times the ultimate one needs fewer bars, of 1.2 times more.
+
+    Concrete has 25 MPa instead of 20, which counts for less.
+    """
+    rare = {"name": "impact", "limit_state": "accidental", "factors": {"G": 1.0}}
+    model = described(combinations=[ULS, rare])
+    combined = solved(model, 200e3)
+    for times, governs in ((1.1, "ULS"), (1.2, "impact")):
+        impact = combined.results["impact"]
+        plate = replace(impact.plate, moment_x=times * combined.results["ULS"].plate.moment_x)
+        both = replace(combined, results={**combined.results, "impact": replace(impact, plate=plate)})
+        needs = governing_needs(both, model.reinforcement)
+        assert next(need for need in needs if need.layer == "bottom_x").combination == governs
+
+
+def test_punching_of_an_accidental_combination() -> None:
+    """At the face 1.35 x 1480 kN make 4.68 MPa: more than 4.22 MPa, not than 5.28 MPa of an accidental situation."""
+    names = {"ultimate": "ULS", "accidental": "impact"}
+    for worst, status in (("ultimate", "fails"), ("accidental", "no failure found")):
+        made = [{"name": name, "limit_state": state, "factors": {"G": 1.35 if state == worst else 0.5}}
+                for state, name in names.items()]  # fmt: skip
+        found = check_design(solved(described(1480e3, combinations=made))).checks
+        face = next(each for each in found if each.name == "punching at the column's face")
+        assert (face.status, face.combination) == (status, names[worst])
+        assert face.resistance == pytest.approx(4.224 if worst == "ultimate" else 5.28)

@@ -111,6 +111,58 @@ def test_serviceability_by_hand() -> None:
     assert sums([G, Q, W], "quasi-permanent") == ["1 G + 0.3 Q", "1 G"]
 
 
+def test_accidental_by_hand() -> None:
+    """6.11b: each accidental action alone; the leading variable one with psi_1 or psi_2, the others with psi_2."""
+    cases = [G, Q, W, action("A", "accidental"), action("B", "accidental")]
+    assert sums(cases, "accidental") == [
+        "1 G + 0.5 Q + 1 A",
+        "1 G + 0.3 Q + 0.2 W + 1 A",
+        "1 G + 0.2 W + 1 A",
+        "1 G + 1 A",
+        "1 G + 0.5 Q + 1 B",
+        "1 G + 0.3 Q + 0.2 W + 1 B",
+        "1 G + 0.2 W + 1 B",
+        "1 G + 1 B",
+    ]
+    quasi_permanent = Combine(sets=("accidental",), accidental_leader="psi_2")
+    found = [description(each) for each in make_combinations(quasi_permanent, cases[:4])]
+    assert found == ["1 G + 0.3 Q + 1 A", "1 G + 1 A"]
+
+
+def test_seismic_by_hand() -> None:
+    """6.12b: all variable actions with psi_2, the seismic one in both directions."""
+    found = sums([G, Q, W, action("E", "seismic")], "seismic")
+    assert found == ["1 G + 0.3 Q + 1 E", "1 G + 1 E", "1 G + 0.3 Q + -1 E", "1 G + -1 E"]
+
+
+def test_equilibrium_and_uplift_by_hand() -> None:
+    """EQU with 1.1, 0.9 and 1.5, UPL with 1.0, 0.9 and 1.5: each permanent action is unfavourable or favourable."""
+    cases = [G, action("water", "permanent"), W]
+    assert sums(cases, "equilibrium") == [
+        "1.1 G + 1.1 water + 1.5 W", "1.1 G + 1.1 water", "1.1 G + 0.9 water + 1.5 W", "1.1 G + 0.9 water",
+        "0.9 G + 1.1 water + 1.5 W", "0.9 G + 1.1 water", "0.9 G + 0.9 water + 1.5 W", "0.9 G + 0.9 water",
+    ]  # fmt: skip
+    assert sums(cases[:2], "uplift") == ["1 G + 1 water", "1 G + 0.9 water", "0.9 G + 1 water", "0.9 G + 0.9 water"]
+    rules = {each.rule for each in combinations(cases, ["equilibrium", "uplift"])}
+    assert rules == {"EN 1990 6.10, EQU", "EN 1997-1 2.4.7.4, UPL"}
+
+
+def test_rare_actions_take_part_in_their_own_combinations_only() -> None:
+    """Accidental and seismic actions are in no combination of another limit state."""
+    others = ("ultimate", "equilibrium", "uplift", "characteristic", "frequent", "quasi-permanent")
+    cases = [G, Q, action("A", "accidental"), action("E", "seismic")]
+    assert sums(cases, *others) == sums([G, Q], *others)
+    assert not any("E" in each for each in sums(cases, "accidental"))
+
+
+@pytest.mark.parametrize("state", ["accidental", "seismic"])
+def test_no_rare_action(state: str) -> None:
+    """A limit state whose action is missing is an error that says which action it needs."""
+    (issue,) = check_combine(Combine(sets=("ultimate", state)), (G, Q), ())
+    assert issue.place == ("combine", "sets")
+    assert issue.expected == f'a case whose action is "{state}"'
+
+
 def test_names_and_limit_states() -> None:
     """Combinations are numbered within their limit state, limit states come in the given order, each once."""
     with pytest.raises(InputError, match="each value at most once"):
@@ -247,7 +299,7 @@ def test_many_that_exclude_each_other_are_allowed() -> None:
 @pytest.mark.parametrize(
     ("values", "message"),
     [
-        (("Q", "snow"), r'action: found "snow", expected "permanent" or "variable"'),
+        (("Q", "snow"), r'action: found "snow", expected "permanent", "variable", "accidental" or "seismic"'),
         (("Q", "variable", 1.2), "psi_0: found 1.2"),
         (("Q", "variable", float("nan")), "psi_0: found nan"),
         (("Q", "variable", 0.7, 0.3, 0.5), "psi_2: found 0.5, expected at most psi_1"),

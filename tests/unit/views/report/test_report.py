@@ -38,6 +38,7 @@ from groundslab.views.report import html as document
 from groundslab.views.report.case_plan import SIDES, draw_case_plan
 from groundslab.views.report.drawings import draw_case, draw_soil, find_governing
 from groundslab.views.report.html import render_report
+from groundslab.views.report.input_tables import SECTIONS as CASE
 from groundslab.views.report.input_tables import input_tables
 from groundslab.views.report.table_layout import (
     MOST_COLUMNS,
@@ -75,6 +76,7 @@ def described(words: list[str], **changes: Any) -> Model:
     column, pile = next(names), next(names)
     parts: dict[str, Any] = {
         "title": next(names),
+        "project": {"name": next(names), "client": next(names), "revision": "B"},
         "plate": {
             "length_x": synthetic.LENGTH_X, "length_y": synthetic.LENGTH_Y, "thickness": 0.4, "E": 30e9, "nu": 0.2,
             "openings": [{"kind": "circle", "centre": (-3, 1), "radius": 0.3}],
@@ -825,3 +827,19 @@ class TestFiles:
         """The package's front has it, for one combination and for several."""
         target = groundslab.write_report(synthetic.results(), str(tmp_path / "x.html"))
         assert target.read_text(encoding="utf-8").startswith("<!doctype html>")
+
+
+def test_title_block() -> None:
+    """What is given of the project stands first in the title block, in the order of its keys, and nothing else."""
+    root = page(render_report(solved(described(["block"]))))
+    facts = root.one("dl")
+    names = [each.text for each in facts.all("dt")]
+    assert names[:4] == ["Project", "Client", "Revision", "Program"]
+    project = described(["block"]).project
+    assert project is not None
+    assert [each.text for each in facts.all("dd")][:3] == [project.name, project.client, project.revision]
+
+
+def test_every_section_of_a_case_is_listed() -> None:
+    """No section of a case is missing in the report, whatever sections there are."""
+    assert {name for name in Model.model_fields if name not in ("title", "project")} <= CASE.keys()

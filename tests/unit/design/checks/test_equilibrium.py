@@ -1,0 +1,68 @@
+"""Equilibrium and uplift: slabs that float or overturn, and forces upwards and downwards by hand."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from groundslab.analysis.driver import solve
+from groundslab.design.checks import DesignCheck, check_design
+from groundslab.model.model import Model
+
+#: A slab of 6 m x 4 m x 0.3 m, 7.5 kPa.
+SLAB: dict[str, Any] = {
+    "plate": {"length_x": 6, "length_y": 4, "thickness": 0.3, "E": 30e9, "nu": 0.2},
+    "ground": {"kind": "winkler", "k": 20e6},
+    "mesh": {"counts": (6, 4)},
+}
+WEIGHT = {"kind": "self weight", "unit_weight": 25e3, "case": "G"}
+
+
+def uplift(q: float, **changes: Any) -> DesignCheck:
+    """Return the check of the slab under so much water pressure [Pa]."""
+    parts = {
+        "cases": [{"name": "G"}, {"name": "water"}],
+        "loads": [WEIGHT, {"kind": "uniform", "q": -q, "case": "water"}],
+        "combine": {"sets": ["uplift", "quasi-permanent"]},
+    }
+    (check,) = check_design(solve(Model(**SLAB | parts | changes))).checks
+    return check
+
+
+def test_uplift_by_hand() -> None:
+    """Against 0.9 x 7.5 x 24 = 162 kN, 6 kPa of water lift with 144 kN, and 7 kPa with 168 kN."""
+    check = uplift(6e3)
+    assert (check.name, check.status) == ("uplift by actions", "no failure found")
+    assert (check.demand, check.resistance) == (pytest.approx(144), pytest.approx(162))
+    check = uplift(7e3)
+    assert check.status == "fails"
+    assert check.words == '1 of 4 combinations have no equilibrium: "UPL 3"'
+    assert (check.demand, check.resistance) == (pytest.approx(168), pytest.approx(162))
+    assert check.combination == "UPL 3"
+
+
+def test_supports_that_hold_the_slab_down() -> None:
+    """With anchors the analysis alone decides: no forces are compared, in which theirs would be missing."""
+    anchors = [{"kind": "point", "x": x, "y": y, "stiffness": 50e6} for x in (-2, 2) for y in (-1, 1)]
+    check = uplift(7e3, supports=anchors, mesh={"size": 1.0})
+    assert (check.status, check.utilisation) == ("no failure found", None)
+
+
+def test_overturning_by_hand() -> None:
+    """Of 180 kN 0.9 are 162 kN: 1.5 x 320 kNm act within its half length of 3 m, 1.5 x 330 kNm do not."""
+    for moment, status in ((320e3, "no failure found"), (330e3, "fails")):
+        wind = {"kind": "point", "P": 0, "M_x": moment, "x": 0, "y": 0, "width_x": 1, "width_y": 1, "case": "wind"}
+        case = {"name": "wind", "action": "variable"}
+        model = Model(
+            **SLAB, cases=[{"name": "G"}, case], loads=[WEIGHT, wind],
+            combine={"sets": ["equilibrium", "characteristic"]},
+        )  # fmt: skip
+        (check,) = check_design(solve(model)).checks
+        assert (check.name, check.status) == ("static equilibrium", status)
+
+
+def test_nothing_without_such_combinations() -> None:
+    """A case without the two limit states has no such check."""
+    model = Model(**SLAB, loads=[{"kind": "uniform", "q": 1e3}])
+    assert check_design(solve(model)).checks == ()
