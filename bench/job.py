@@ -471,7 +471,9 @@ def case(path: str, times: int) -> dict[str, Any]:
         for _ in range(times):
             least = n * alone()
             solving = measure(driver.solve, model)[0]
-            whole = measure(subprocess.run, command)[0]
+            whole, ended = measure(subprocess.run, command)
+            if ended.returncode not in (0, 3):  # 3: a design that fails a check
+                raise RuntimeError(f"{' '.join(command)} ended with {ended.returncode}")
             figures["total [s]"].append(solving)
             figures["solving / bare"].append(solving / least)
             figures["whole process [s]"].append(whole)

@@ -87,7 +87,7 @@ Check = Callable[..., Iterator[RelativeIssue]]
 class Section(BaseModel):
     """A section of a model: immutable, without unknown keys, its issues reported at once as InputError."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=False)
+    model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=False, defer_build=True)
 
     checks: ClassVar[tuple[Check, ...]] = ()
 
