@@ -45,6 +45,7 @@ from .model.outputs import OutputPoint as OutputPoint
 from .model.outputs import OutputStrip as OutputStrip
 from .model.outputs import Project as Project
 from .model.outputs import Reinforcement as Reinforcement
+from .model.outputs import Report as Report
 from .model.plate import Edges as Edges
 from .model.plate import Plate as Plate
 from .model.plate import Zone as Zone
@@ -70,3 +71,4 @@ from .views.files.results_folder import save_results as save_results
 from .views.files.xlsx import write_workbook as write_workbook
 from .views.plots import plot as plot
 from .views.report.html import write_report as write_report
+from .views.report.pdf import write_pdf as write_pdf

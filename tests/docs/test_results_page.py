@@ -43,7 +43,7 @@ def test_every_column_is_explained() -> None:
         reinforcement={"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.04, 0.05)},
     )
     tables = tables_of(Results(model, list_combinations(model), {}, {"ULS": Exception("not solved")}))
-    assert len(tables) == 11
+    assert len(tables) == 12
     assert explained("Quantities") == EXPLAINED
     for table in tables:
         columns = [(column.name, column.unit) for column in table.columns]

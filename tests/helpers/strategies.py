@@ -367,20 +367,23 @@ def combinations(draw: st.DrawFn, cases: list[LoadCase], free: bool) -> list[Com
 
 @st.composite
 def load_cases(draw: st.DrawFn) -> list[LoadCase]:
-    """Return up to three cases."""
+    """Return up to three cases, the first one permanent."""
     made = []
     for name in _unique_names(draw, draw(st.integers(0, 3)), "case ", False):
         shares = sorted((draw(st.floats(0.1, 1)), draw(st.floats(0.1, 1))))
-        variable = draw(st.booleans()) and bool(made)
+        action = draw(any_of(LoadCase, "action")) if made else "permanent"
+        variable = action == "variable"
         keys = {"psi_0": draw(numbers(0, 1)), "psi_1": shares[1], "psi_2": shares[0]} if variable else {}
         group = draw(st.sampled_from(["", "wind"])) if variable else ""
-        made.append(LoadCase(name=name, action="variable" if variable else "permanent", group=group, **keys))
+        made.append(LoadCase(name=name, action=action, group=group, **keys))
     return made
 
 
-def combines() -> st.SearchStrategy[Combine]:
-    """Return automatic combinations of some limit states."""
-    sets = st.lists(any_of_each(Combine, "sets"), min_size=1, max_size=2, unique=True)
+def combines(cases: list[LoadCase]) -> st.SearchStrategy[Combine]:
+    """Return automatic combinations of some limit states, of those that need an action of their own if it is there."""
+    missing = {"accidental", "seismic"} - {case.action for case in cases}
+    states = any_of_each(Combine, "sets").filter(lambda state: state not in missing)
+    sets = st.lists(states, min_size=1, max_size=2, unique=True)
     return st.builds(Combine, sets=sets, permanent=st.sampled_from([(1.35, 1.0), (1.1, 0.9)]))
 
 
@@ -455,7 +458,7 @@ def rich_models(draw: st.DrawFn, whole: bool = False) -> Model:
     if whole:
         extra = {"output": draw(outputs(plate))} | draw(varied_ground(ground, plate))
     if cases:
-        extra |= {"combinations": draw(combinations(cases, whole)), "combine": draw(st.none() | combines())}
+        extra |= {"combinations": draw(combinations(cases, whole)), "combine": draw(st.none() | combines(cases))}
     if whole and has_ultimate_combination(tuple(extra.get("combinations", ())), extra.get("combine")):
         extra["reinforcement"] = draw(st.none() | reinforcements(plate))
     longer = max(plate.sides)

@@ -75,7 +75,7 @@ def _parser() -> argparse.ArgumentParser:
         prog="groundslab",
         description="Thick plates on layered, two-parameter, tensionless ground.",
         epilog="Exit codes: 0 fine, which is no approval of a design; 1 no certified result; 2 wrong input or usage; "
-        "130 interrupted.",
+        "3 certified results of a design that fails a check; 130 interrupted.",
     )
     parser.add_argument("--version", action="version", version=f"groundslab {__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
@@ -101,13 +101,20 @@ def _parser() -> argparse.ArgumentParser:
     dxf = _command(commands, "dxf", case.convert_drawing, "make a case file from a drawing, and report what it took")
     case.describe_dxf(dxf)
 
-    report = _command(commands, "report", _report, "make a report of results: one HTML file, to read and to print")
+    report = _command(commands, "report", _report, "make a report of results: one HTML file, or a PDF")
     report.epilog = (
         "The file holds case, drawings, certificate, tables, pictures and a viewer; it opens in any browser without a "
         "network. A file that exists is replaced only if it is such a report."
     )
     report.add_argument("results", metavar="RESULTS", help="folder of results that groundslab solve has written")
     report.add_argument("--out", metavar="FILE", help="file to make (default: RESULTS.html beside the folder)")
+    report.add_argument("--pdf", action="store_true", help="make a PDF, by a browser that is installed (extra pdf)")
+    report.add_argument(
+        "--chapters",
+        nargs="+",
+        metavar="NAME",
+        help="chapters to make, such as extremes pictures tables (default: those of report.chapters in the case)",
+    )
 
     tables = _command(commands, "tables", _tables, "write all tables of results into one workbook (XLSX)")
     tables.epilog = (
@@ -149,14 +156,15 @@ def _report(options: argparse.Namespace) -> int:
     from groundslab.views import report
     from groundslab.views.files import results_folder
 
-    folder = Path(options.results)
-    target = Path(options.out) if options.out is not None else report.default_path(folder)
+    folder, form = Path(options.results), report.pdf if options.pdf else report.html
+    suffix, write = (".pdf", report.write_pdf) if options.pdf else (".html", report.write_report)
+    target = Path(options.out) if options.out is not None else report.default_path(folder, suffix)
     if Path(os.path.realpath(folder)) in Path(os.path.realpath(target)).parents:
         found, hint = f"{target}, which is in the folder of the results", "groundslab solve would not replace it then"
         raise InputError([Issue("--out", found, "another folder", hint)])
-    report.check(target)
+    form.check(target)
     combined = results_folder.load_results(folder)
-    report.write_report(combined, target, text=report.text_of(folder, combined.model))
+    write(combined, target, text=report.text_of(folder, combined.model), chapters=options.chapters)
     console.print_stderr(f"wrote {target}")
     if combined.refused:
         count = len(combined.combinations)

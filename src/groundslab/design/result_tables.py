@@ -6,7 +6,7 @@ from functools import partial
 
 from groundslab.design.checks.table import checks_table
 from groundslab.design.tables import errors
-from groundslab.design.tables.columns import column_table
+from groundslab.design.tables.columns import column_envelope, column_table
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
 from groundslab.design.tables.locations import lines, points, strips
 from groundslab.design.tables.reinforcement import reinforcement
@@ -67,6 +67,8 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
         (model.columns, column_table),
     )
     tables += [errors.with_errors(make, combined) for requested, make in wanted if requested]
+    if model.columns:
+        tables.append(column_envelope(combined, tables[-1]))
     if model.reinforcement is not None:
         tables.append(errors.with_errors_of_governing(partial(reinforcement, steel=model.reinforcement), combined))
     return tuple(tables)

@@ -20,7 +20,7 @@ from groundslab.model.loads.en1990 import check_combine
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations
 from groundslab.model.loads.load_types import Load
 from groundslab.model.loads.placement import check_load_columns, check_point_loads
-from groundslab.model.outputs import Output, Project, Reinforcement, check_bar_distances, check_output
+from groundslab.model.outputs import Output, Project, Reinforcement, Report, check_bar_distances, check_output
 from groundslab.model.plate import Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.supports import Support
@@ -59,6 +59,7 @@ class Model(Section):
 
     title: Annotated[str, Text("title of the problem")] = ""
     project: Annotated[Project | None, Table("title block of the report")] = None
+    report: Annotated[Report, Table("what the report holds")] = Report()
     plate: Annotated[Plate, Table("the plate")]
     ground: Annotated[Ground, Table("the ground under the plate")]
     beyond: Annotated[Beyond, Table("ground beyond the plate, without effect where it carries no shear")] = Beyond()

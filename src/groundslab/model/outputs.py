@@ -1,9 +1,9 @@
-"""Requested outputs: title block of the report, points, section lines, design strips, reinforcement."""
+"""Requested outputs: title block and chapters of the report, points, section lines, strips, reinforcement."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, get_args
 
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.placement import on_plate
@@ -35,6 +35,22 @@ class Project(Section):
     checker: Annotated[str, Text("who checked it")] = ""
     revision: Annotated[str, Text("revision of the calculation")] = ""
     date: Annotated[str, Text("its date, as it is to be shown")] = ""
+
+
+#: Chapters of the report, in their order.
+Chapter = Literal[
+    "extremes", "pictures", "case", "drawings", "loads", "assumptions", "tables", "viewer", "certificate",
+    "convergence",
+]  # fmt: skip
+
+
+class Report(Section):
+    """What the report holds beside its first page."""
+
+    chapters: Annotated[
+        tuple[Chapter, ...],
+        ListOf(Choice(Chapter, ""), "", "its chapters, in the report's own order; all by default", unique=True),
+    ] = get_args(Chapter)
 
 
 class OutputPoint(Section):

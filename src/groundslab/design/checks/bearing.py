@@ -95,7 +95,7 @@ def _worst(
         found.append((used, R, force, area))
     used, R, force, area = max(found, key=lambda each: each[0])
     size = "" if area is None else f" on A' = {area.area:.3g} m2 ({area.width:.3g} x {area.length:.3g} m)"
-    words = f'{demand(force) / 1e3:.4g} kN is {used:.3g} times {R / 1e3:.4g} kN{size} in "{force.combination}"'
+    words = f'{demand(force) / 1e3:.0f} kN is {used:.3g} times {R / 1e3:.0f} kN{size} in "{force.combination}"'
     return DesignCheck(
         name,
         "fails" if used > 1 else "no failure found",

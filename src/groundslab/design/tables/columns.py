@@ -14,6 +14,7 @@ from groundslab.design.tables.reinforcement import materials
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.design.tilt import settlement_differences
 from groundslab.model.columns import Column
+from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
 from groundslab.model.outputs import Reinforcement
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import Results
@@ -25,6 +26,13 @@ _NEIGHBOURS = (
 _PUNCHING = (
     ("d", "mm"), ("V_Ed", "kN"), ("u", "m"), ("beta", ""), ("v_Ed", "MPa"), ("pressure inside", "kN"),
     ("other loads inside", "kN"), ("u_0", "m"), ("v_Ed at the face", "MPa"), ("v_Rd,max", "MPa"),
+)  # fmt: skip
+
+
+#: What the envelope has: a quantity of the table, its unit, the sign of the extreme, whether its combination is told.
+_EXTREMES = (
+    ("load", "kN", 1, True), ("load", "kN", -1, True), ("settlement", "mm", 1, False), ("settlement", "mm", -1, False),
+    ("angular distortion", "mm/m", 1, False), ("v_Ed", "MPa", 1, False), ("v_Ed at the face", "MPa", 1, False),
 )  # fmt: skip
 
 
@@ -48,6 +56,38 @@ def column_table(combined: Results) -> Table:
     heads = [("combination", ""), ("column", ""), ("x", "m"), ("y", "m"), ("load", "kN"), ("settlement", "mm")]
     heads += [*_NEIGHBOURS, *(_PUNCHING if steel is not None else ())]
     return table_of("columns", "Columns", heads, rows, [*_notes(steel), *missing])
+
+
+def column_envelope(combined: Results, columns: Table) -> Table:
+    """Return the extremes of each column over the ultimate combinations, and over those of serviceability."""
+    states = {each.name: each.limit_state for each in combined.combinations}
+    groups = {"ultimate": STRENGTH, "serviceability": SERVICEABILITY}
+    rows = []
+    for column in combined.model.columns:
+        for name, members in groups.items():
+            at = [
+                i
+                for i, (combination, own) in enumerate(zip(columns["combination"], columns["column"], strict=True))
+                if own == column.name and states[str(combination)] in members
+            ]
+            if at:
+                rows.append([column.name, name, *(cell for row in _EXTREMES for cell in _extreme(columns, at, *row))])
+    heads = [("column", ""), ("limit states", "")]
+    for quantity, unit, sign, named in _EXTREMES:
+        what = f"{'greatest' if sign > 0 else 'least'} {quantity}"
+        heads += [(what, unit), *([(f"combination of the {what}", "")] * named)]
+    notes = ["Extremes of the table columns, over the combinations of each kind of limit state."]
+    return table_of("column_envelope", "Columns: extremes", heads, rows, notes)
+
+
+def _extreme(columns: Table, at: list[int], quantity: str, _: str, sign: int, named: bool) -> list[Cell]:
+    """Return the extreme of a quantity in some rows of the table of columns, and its combination if wanted."""
+    known = {each.name: each.values for each in columns.columns}.get(quantity, ())
+    found = [(sign * value, i) for i in at if known and isinstance(value := known[i], float)]
+    if not found:
+        return [None] * (1 + named)
+    value, i = max(found, key=lambda each: each[0])
+    return [sign * value, *([columns["combination"][i]] * named)]
 
 
 def _notes(steel: Reinforcement | None) -> list[str]:

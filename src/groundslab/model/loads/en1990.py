@@ -199,9 +199,12 @@ def check_combine(
             )
     if not all(named_well) or len({case.name for case in cases}) < len(cases):
         return
-    for state in ("accidental", "seismic"):
-        if state in combine.sets and not any(case.action == state for case in cases):
-            yield RelativeIssue(("combine", "sets"), f'"{state}"', f'a case whose action is "{state}"')
+    actions = {case.action for case in cases}
+    missing = [state for state in ("accidental", "seismic") if state in combine.sets and state not in actions]
+    for state in missing:
+        yield RelativeIssue(("combine", "sets"), f'"{state}"', f'a case whose action is "{state}"')
+    if missing:
+        return
     try:
         made = {each.name for each in make_combinations(combine, cases)}
     except InputError as error:

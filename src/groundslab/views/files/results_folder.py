@@ -223,12 +223,15 @@ def _one(path: Path) -> Results:
 def _several(path: Path, listed: Sequence[_Combination]) -> Results:
     """Return the combinations that a summary lists, read from their folders; raises InputError or ValueError."""
     from groundslab.case import casefile
+    from groundslab.model.combinations import list_combinations
     from groundslab.model.loads.load_cases import Combination
 
     model = casefile.load(path / "case.toml")
+    rules = {each.name: each.rule for each in list_combinations(model)}
     combinations, results, refused = [], {}, dict[str, GroundslabError]()
     for number, each in enumerate(listed, 1):
-        combinations.append(Combination(name=each.name, limit_state=each.limit_state, factors=each.factors))
+        about = {"limit_state": each.limit_state, "factors": each.factors, "rule": rules.get(each.name, "")}
+        combinations.append(Combination(name=each.name, **about))
         if each.folder is not None:
             if each.folder != manifest.folder_name(number, each.name, len(listed)):
                 raise ValueError(f'folder "{each.folder}" of combination "{each.name}"')

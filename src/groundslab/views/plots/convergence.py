@@ -52,20 +52,6 @@ def _figure(request: PlotRequest, histories: Sequence[IterationHistory]) -> Figu
     return page.finish(top)
 
 
-def draw_thumbnail(steps: Sequence[Step]) -> Figure:
-    """Return a small figure of the nodes that change sides in each step, for a page with many of them."""
-    from matplotlib.ticker import MaxNLocator
-
-    page = style.Page(66.0)
-    axes = page.add_axes(12.0, style.MARGIN, 51.0, 25.0)
-    if steps:
-        _changed(axes, steps)
-    axes.xaxis.set_major_locator(MaxNLocator(nbins=5, integer=True, min_n_ticks=1))
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.set_xlabel("step")
-    return page.finish(25.0 + 8.0 + style.MARGIN, signed=False)
-
-
 def meshes_of(steps: Sequence[Step]) -> list[tuple[int, slice]]:
     """Return the unknowns of each mesh and its part of the steps, in their order."""
     found, first = [], 0

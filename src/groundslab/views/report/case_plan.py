@@ -38,7 +38,7 @@ SIDES: tuple[Point, ...] = ((1, 0), (-1, 0), (1, -1), (-1, -1), (1, 1), (-1, 1),
 def draw_case_plan(model: Model) -> Figure:
     """Return the plan of a model as a figure; what lies far away is left out."""
     plan = plan_of(model)
-    near = _near(plan)
+    near = nearby(plan)
     (x0, y0), (x1, y1) = near.min(axis=0), near.max(axis=0)
     per_meter = min(WIDTH / (x1 - x0), HEIGHT / (y1 - y0))
     width, height = (x1 - x0) * per_meter, (y1 - y0) * per_meter
@@ -46,7 +46,7 @@ def draw_case_plan(model: Model) -> Figure:
     axes = page.add_axes(LEFT, TOP, width, height)
     axes.set(xlim=(x0, x1), ylim=(y0, y1))
     axes.set_axis_off()
-    labels = _Labels(axes, per_meter, (x0, x1, y0, y1))
+    labels = Labels(axes, per_meter, (x0, x1, y0, y1))
     for column in plan["columns"]:
         labels.reserve((column["x"], column["y"]), 1.3)
     legend = _draw_ground(axes, plan, labels) | symbols.draw_plate(axes, model, fill=style.PANEL)
@@ -69,7 +69,7 @@ def describe_omissions(model: Model) -> tuple[str, ...]:
     everywhere = [f"L{n} ({load['kind']})" for n, load in enumerate(plan["loads"], 1) if load["kind"] not in PLACED]
     if everywhere:
         notes.append(f"Not drawn, as they act on the entire plate or on a support: {', '.join(everywhere)}.")
-    near = {tuple(place) for place in _near(plan).tolist()}
+    near = {tuple(place) for place in nearby(plan).tolist()}
     far = [hole for hole in plan["boreholes"] if (hole["x"], hole["y"]) not in near]
     if far:
         names = ", ".join(f"{hole['name']} at ({_meters(hole['x'])}, {_meters(hole['y'])})" for hole in far)
@@ -77,7 +77,7 @@ def describe_omissions(model: Model) -> tuple[str, ...]:
     return tuple(notes)
 
 
-def _near(plan: Data) -> Any:
+def nearby(plan: Data) -> Any:
     """Return the plate's corners and what lies near the plate (k, 2) [m]."""
     x0, y0, x1, y1 = plan["bounds"]
     places = [(each["x"], each["y"]) for name in ("boreholes", "points") for each in plan[name]]
@@ -90,7 +90,7 @@ def _near(plan: Data) -> Any:
     return found[inside.all(axis=1)]
 
 
-class _Labels:
+class Labels:
     """Labels in millimeters beside places in meters."""
 
     def __init__(self, axes: Axes, per_meter: float, limits: tuple[float, float, float, float]) -> None:
@@ -116,7 +116,7 @@ class _Labels:
         )  # fmt: skip
 
 
-def _draw_ground(axes: Axes, plan: Data, labels: _Labels) -> dict[str, Any]:
+def _draw_ground(axes: Axes, plan: Data, labels: Labels) -> dict[str, Any]:
     """Draw zones of soil and boreholes; return the entries in the legend."""
     entries: dict[str, Any] = {}
     for zone in plan["soil_zones"]:
@@ -132,7 +132,7 @@ def _draw_ground(axes: Axes, plan: Data, labels: _Labels) -> dict[str, Any]:
     return entries
 
 
-def _draw_outputs(axes: Axes, plan: Data, labels: _Labels) -> dict[str, Any]:
+def _draw_outputs(axes: Axes, plan: Data, labels: Labels) -> dict[str, Any]:
     """Draw points, section lines and strips with their names; return the entries in the legend."""
     entries: dict[str, Any] = {}
     for each in (*plan["lines"], *plan["strips"]):
@@ -151,17 +151,17 @@ def _draw_outputs(axes: Axes, plan: Data, labels: _Labels) -> dict[str, Any]:
     return entries
 
 
-def _label_parts(plan: Data, labels: _Labels) -> None:
+def _label_parts(plan: Data, labels: Labels) -> None:
     """Name columns and supports, and write the thickness of zones."""
     for column in plan["columns"]:
         labels.add((column["x"], column["y"]), column["name"], style.INK)
     for support in plan["supports"]:
-        labels.add(_middle(support["points"]), support["name"], style.SUPPORT, 3.0)
+        labels.add(middle(support["points"]), support["name"], style.SUPPORT, 3.0)
     for zone in plan["zones"]:
-        labels.add(_upper_left(zone["ring"]), f"t = {_meters(zone['thickness'])}", style.GREY, 1.0)
+        labels.add(upper_left(zone["ring"]), f"t = {_meters(zone['thickness'])}", style.GREY, 1.0)
 
 
-def _label_loads(axes: Axes, plan: Data, labels: _Labels) -> None:
+def _label_loads(axes: Axes, plan: Data, labels: Labels) -> None:
     """Write the numbers of the loads; those at one place share a label, those on a column have none."""
     groups: dict[tuple[Any, ...], list[int]] = {}
     columns = {(each["x"], each["y"]) for each in plan["columns"]}
@@ -177,7 +177,7 @@ def _label_loads(axes: Axes, plan: Data, labels: _Labels) -> None:
     for (kind, places, *_), numbers in groups.items():
         if kind != "point" or places[0] not in columns:
             name = ", ".join(f"L{number}" for number in numbers[:3]) + (" ..." if len(numbers) > 3 else "")
-            place = places[0] if kind == "point" else _middle(places) if kind == "line" else _upper_left(places)
+            place = places[0] if kind == "point" else middle(places) if kind == "line" else upper_left(places)
             labels.add(place, name, style.LOAD)
 
 
@@ -229,14 +229,14 @@ def _meters(value: float) -> str:
     return f"{value + 0.0:.6g}"
 
 
-def _middle(places: Sequence[Sequence[float]]) -> Point:
+def middle(places: Sequence[Sequence[float]]) -> Point:
     """Return the middle of the longest piece of a line, or the only place there is."""
     pieces = [*pairwise(places)] or [(places[0], places[0])]
     a, b = max(pieces, key=lambda ends: (ends[1][0] - ends[0][0]) ** 2 + (ends[1][1] - ends[0][1]) ** 2)
     return (a[0] + b[0]) / 2, (a[1] + b[1]) / 2
 
 
-def _upper_left(ring: Sequence[Sequence[float]]) -> Point:
+def upper_left(ring: Sequence[Sequence[float]]) -> Point:
     """Return the upper left corner of the rectangle around a curve."""
     x, y = zip(*ring, strict=True)
     return min(x), max(y)

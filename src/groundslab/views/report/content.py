@@ -10,23 +10,27 @@ from groundslab._version import __version__
 from groundslab.case import casefile
 from groundslab.design.checks import check_design
 from groundslab.design.result_tables import tables_of
+from groundslab.errors import InputError, Issue
+from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
 from groundslab.results.record import Certificate
 from groundslab.results.soil_profile import list_columns
+from groundslab.schema.wording import listed
 from groundslab.views.report import drawings, table_layout
 from groundslab.views.report.input_tables import input_tables
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout, drop_empty_columns, headers
 from groundslab.views.summary import combinations, sections
 from groundslab.views.summary.discretization import coarse_words
+from groundslab.views.summary.rows import SummarySection
 from groundslab.views.summary.terminal import limit_text, shown_row, step_texts, verdict_word
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterator, Mapping, Sequence
 
     from groundslab.design.tables.table import Table
-    from groundslab.model.outputs import Project
+    from groundslab.model.outputs import Chapter, Project
     from groundslab.results.results import CombinationResult, Results
-    from groundslab.views.summary.combinations import Entry
-    from groundslab.views.summary.rows import Row, SummarySection
+    from groundslab.views.summary.combinations import Entry, Extreme
+    from groundslab.views.summary.rows import Row
 
 
 _VALUE = ("", "symbol", "#value", "unit", "#error")
@@ -39,15 +43,38 @@ CERTIFICATE_NOTES = (
 )
 
 
-def build_page(combined: Results, text: str | None = None, file: str = "case.toml") -> dict[str, Any]:
-    """Return what the report of a solved model says, for the template; text and file are those of its input."""
+#: Titles of the chapters, in their order.
+TITLES: dict[Chapter, str] = {
+    "extremes": "Extreme values", "pictures": "Pictures", "case": "Case", "drawings": "Drawings", "loads": "Loads",
+    "assumptions": "Assumptions and signs", "tables": "Tables", "viewer": "Viewer", "certificate": "Certificate",
+    "convergence": "Convergence",
+}  # fmt: skip
+#: Limit states whose extremes stand side by side.
+GROUPS: dict[str, Sequence[str]] = {
+    "ultimate": STRENGTH, "serviceability": SERVICEABILITY, "stability": ("equilibrium", "uplift"),
+}  # fmt: skip
+
+
+def build_page(
+    combined: Results, text: str | None = None, file: str = "case.toml", chapters: Sequence[str] | None = None
+) -> dict[str, Any]:
+    """Return what the report of a solved model says, for the template; text and file are those of its input.
+
+    The chapters are those that the case asks for, unless given.
+    """
     combinations.require_finite(combined)
     found = combinations.entries(combined)
     there = [entry.results for entry in found if entry.results is not None]
     text = casefile.to_toml(combined.model) if text is None else text
     governing = drawings.find_governing(combined).get("settlement", "")
     leading = combined.results.get(governing) or (there[0] if there else None)
+    tables = tables_of(combined)
+    wanted = combined.model.report.chapters if chapters is None else chapters
+    if unknown := [name for name in wanted if name not in TITLES]:
+        expected = f"chapters among {listed(TITLES)}"
+        raise InputError([Issue("chapters", f'"{name}"', expected) for name in unknown])
     return {
+        "chapters": {name: title for name, title in TITLES.items() if name in wanted},
         "title": combined.model.title,
         "project": _title_block(combined.model.project),
         "version": __version__,
@@ -59,14 +86,14 @@ def build_page(combined: Results, text: str | None = None, file: str = "case.tom
         "design": check_design(combined),
         "case": input_tables(combined.model),
         "drawings": list(_drawings(combined, leading)),
+        "loads": list(drawings.draw_loads(combined.model)),
         "constants": _constants(found) if there else None,
         "analysed": list(map(_section, combinations.description(combined)[:2])) if there else [],
-        "certificates": _certificates(found),
+        "certificates": _certificates(combined, found),
         "extremes": list(_extremes(combined, found)),
-        "tables": list(map(_table, tables_of(combined))),
+        "tables": list(map(_table, tables)),
+        "unprinted": table_layout.find_unprinted(tables),
         "history": _history(found),
-        "histories": list(drawings.draw_histories(there)),
-        "history_notes": list(_history_notes(len(there))),
         "pictures": list(drawings.draw_pictures(combined)),
         "refused": [(entry.combination.name, str(entry.refused)) for entry in found if entry.refused is not None],
     }
@@ -112,20 +139,48 @@ def _row(row: Row) -> tuple[Cell, ...]:
 
 
 def _extremes(combined: Results, found: Sequence[Entry]) -> Iterator[TableLayout]:
-    """Yield the extremes over all certified combinations, each with its place and the one that governs."""
-    names = {entry.number: entry.combination.name for entry in found}
-    heads = (*headers(*_VALUE), TableHeader("at (x, y)", "m", number=True), TableHeader("combination"))
-    several = len(found) > 1
-    for section, rows in combinations.extremes(combined):
+    """Yield the extremes over all certified combinations with their places, those of GROUPS side by side."""
+    names = {entry.number: entry.combination.name for entry in found} if len(found) > 1 else {}
+    groups = {
+        name: {section.key: (section, {each.row.key: each for each in rows}) for section, rows in extremes}
+        for name, states in GROUPS.items()
+        if (extremes := combinations.extremes(combined, states))
+    }
+    for key in dict.fromkeys(key for group in groups.values() for key in group):
+        sides = [group[key][1] if key in group else {} for group in groups.values()]
+        there = [group[key][0] for group in groups.values() if key in group]
+        rows = {each.row.key: each.row for side in sides for each in side.values()}
+        heads = headers("", "symbol", "unit")
+        for name in groups:
+            heads += (*headers(f"#{name if names else 'value'}"), TableHeader("at (x, y)", "m", number=True))
+            heads += headers("combination")
         cells = tuple(
-            (*_row(row), Cell(shown_row(row).place, "number"), Cell(names[number] if several else ""))
-            for row, number in ((each.row, each.number) for each in rows)
+            (*_words_of(row), *(cell for side in sides for cell in _extreme(side.get(row.key), names)))
+            for row in rows.values()
         )
-        yield drop_empty_columns(TableLayout(section.title, heads, cells, section.notes))
+        notes = tuple(dict.fromkeys(note for section in there for note in section.notes))
+        yield drop_empty_columns(TableLayout(there[0].title, heads, cells, notes))
 
 
-def _certificates(found: Sequence[Entry]) -> list[TableLayout]:
-    """Return the certificate of each combination, one a row and cut in two; of a single one a figure a row."""
+def _words_of(row: Row) -> tuple[Cell, ...]:
+    """Return what a row is called, its symbol and its unit."""
+    return Cell(row.label, "words"), Cell(row.symbol, "symbol"), Cell(shown_row(row).unit)
+
+
+def _extreme(extreme: Extreme | None, names: Mapping[int, str]) -> tuple[Cell, ...]:
+    """Return an extreme with its error under it, its place, and its combination if there are several."""
+    if extreme is None:
+        return (Cell(""),) * 3
+    shown = shown_row(extreme.row)
+    return (
+        Cell(shown.figure, "number", shown.error),
+        Cell(shown.place, "number"),
+        Cell(names.get(extreme.number, "")),
+    )
+
+
+def _certificates(combined: Results, found: Sequence[Entry]) -> list[TableLayout]:
+    """Return the certificate, a figure a row: of several combinations the worst, then all of each, for the screen."""
     proofs = {
         entry.combination.name: sections.certificate_section(entry.results)
         for entry in found
@@ -133,6 +188,16 @@ def _certificates(found: Sequence[Entry]) -> list[TableLayout]:
     }
     if len(proofs) == 1:
         return [replace(grid, notes=CERTIFICATE_NOTES) for grid in map(_certificate, proofs.values())]
+    names = {entry.number: entry.combination.name for entry in found}
+    worst = _certificate(SummarySection("worst", "", tuple(each.row for each in combinations.worst(combined))))
+    by = tuple(Cell(names[each.number]) for each in combinations.worst(combined))
+    heads = (*worst.heads, TableHeader("combination"))
+    rows = tuple((*row, cell) for row, cell in zip(worst.rows, by, strict=True))
+    return [replace(worst, heads=heads, rows=rows, notes=CERTIFICATE_NOTES), *_all_certificates(proofs)]
+
+
+def _all_certificates(proofs: Mapping[str, SummarySection]) -> list[TableLayout]:
+    """Return the certificates of several combinations, one a row and cut in two, folded."""
     known = {row.key: row for section in proofs.values() for row in section.rows}
     rows = []
     for name, section in proofs.items():
@@ -144,12 +209,12 @@ def _certificates(found: Sequence[Entry]) -> list[TableLayout]:
         rows.append((Cell(name), *cells, _holds(all(row.ok is not False for row in section.rows))))
     figures = [TableHeader(row.label, shown_row(row).unit, number=True) for row in known.values()]
     heads = [TableHeader("combination"), *figures, TableHeader("certificate")]
-    grid = TableLayout("", tuple(heads), tuple(rows), CERTIFICATE_NOTES)
+    grid = TableLayout("", tuple(heads), tuple(rows), folded=True)
     return table_layout.split_columns(drop_empty_columns(grid), 1)
 
 
 def _certificate(section: SummarySection) -> TableLayout:
-    """Return the certificate of one combination, a figure a row with its limit."""
+    """Return a certificate, a figure a row with its limit."""
     rows = []
     for row in section.rows:
         shown = shown_row(row)
@@ -222,13 +287,3 @@ def _history(found: Sequence[Entry]) -> TableLayout:
         for step in results.steps
     )
     return TableLayout("", heads, rows, ("* on the final mesh.",), folded=len(rows) > table_layout.MOST_ROWS)
-
-
-def _history_notes(count: int) -> Iterator[str]:
-    """Yield how to read the drawings of the convergence, and how many are left out."""
-    yield (
-        "Nodes that change sides in each step, on a logarithmic scale; full marks are steps on the final mesh, empty "
-        "ones on coarser meshes. The last step changes none."
-    )
-    if count > drawings.MOST_HISTORIES:
-        yield f"The first {drawings.MOST_HISTORIES} of {count} combinations are drawn."

@@ -1,8 +1,8 @@
-"""Drawings of the report: the case in plan, the ground in section, governing fields, convergence; all as inline SVG."""
+"""Drawings of the report: the case in plan, its loads, the ground in section, governing fields; all as inline SVG."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
@@ -11,11 +11,11 @@ import numpy as np
 
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.views.plots import plot
-from groundslab.views.plots.convergence import draw_thumbnail
 from groundslab.views.plots.export import to_inline_svg
 from groundslab.views.plots.plan import draw_mesh
 from groundslab.views.plots.request import PlottedCombination
 from groundslab.views.plots.soil import draw_columns, soil_columns
+from groundslab.views.report import load_plan
 from groundslab.views.report.case_plan import describe_omissions, draw_case_plan
 
 if TYPE_CHECKING:
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from groundslab.model.model import Model
     from groundslab.results.results import CombinationResult, Results
 
-#: More columns of soil and more histories than these are not drawn.
-MOST_COLUMNS, MOST_HISTORIES = 6, 12
+#: More columns of soil than these are not drawn.
+MOST_COLUMNS = 6
 #: What governs: the field that shows it, what it is called, and its size at each node.
 GOVERNS: dict[str, tuple[str, str, Callable[[Array], Array]]] = {
     "settlement": ("settlement", "largest settlement", np.positive),
@@ -51,6 +51,15 @@ def draw_case(model: Model) -> Drawing:
     return Drawing(to_inline_svg(lambda: draw_case_plan(model), "plan", "Plan of the plate"), caption)
 
 
+def draw_loads(model: Model) -> Iterator[Drawing]:
+    """Yield the plan of each load case's loads, without factors; of all loads where there are no cases."""
+    for number, case in enumerate(model.cases or (None,), 1):
+        if any(map(load_plan.takes_part(case), model.loads)):
+            caption = load_plan.describe_loads(model, case)
+            draw = partial(load_plan.draw_load_plan, model, case)
+            yield Drawing(to_inline_svg(draw, f"loads{number}", caption), caption)
+
+
 def draw_mesh_plan(results: CombinationResult) -> Drawing:
     """Return the plan of the elements."""
     caption = "Mesh: the elements of the plate."
@@ -65,14 +74,6 @@ def draw_soil(results: CombinationResult) -> Drawing | None:
     if not known:
         return None
     return Drawing(to_inline_svg(lambda: draw_columns(results.model, known), "soil", "Columns of soil"), "")
-
-
-def draw_histories(several: Sequence[CombinationResult]) -> Iterator[Drawing]:
-    """Yield how the iteration went for the first combinations."""
-    for number, results in enumerate(several[:MOST_HISTORIES], 1):
-        draw = partial(draw_thumbnail, results.steps)
-        svg = to_inline_svg(draw, f"history{number}", "Nodes that change sides in each step")
-        yield Drawing(svg, results.combination)
 
 
 def find_governing(combined: Results) -> dict[str, str]:

@@ -27,7 +27,10 @@ from groundslab.views.scene.binary import pack
 from groundslab.views.scene.fields import scene_of
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
     from groundslab.model.model import Model
+    from groundslab.model.outputs import Chapter
 
 HERE = Path(__file__).parent
 #: What the head of every report says of itself, so that an older one can be recognized.
@@ -38,7 +41,13 @@ MOST_DATA = 15_000_000
 _CONTROL = {code: "\ufffd" for code in [*range(32), 127] if chr(code) not in "\t\n\r"}
 
 
-def render_report(results: CombinationResult | Results, *, text: str | None = None, file: str = "case.toml") -> str:
+def render_report(
+    results: CombinationResult | Results,
+    *,
+    text: str | None = None,
+    file: str = "case.toml",
+    chapters: Sequence[Chapter] | None = None,
+) -> str:
     """Return the report as the text of an HTML file; the same results always give the same text.
 
     Text and file are those of the input; without them the text is that which the results' folder has as case.toml.
@@ -46,9 +55,10 @@ def render_report(results: CombinationResult | Results, *, text: str | None = No
     combined = results if isinstance(results, Results) else results_of(results)
     from markupsafe import Markup
 
-    page = build_page(combined, text, file)
-    scene, left_out = _scene(combined)
+    page = build_page(combined, text, file, chapters)
+    scene, left_out = _scene(combined) if "viewer" in page["chapters"] else ("", [])
     style = read_asset("report.css") + (HERE / "templates" / "page.css").read_text(encoding="utf-8")
+    style += _page_heads(page)
     script = read_asset("report.js")
     return render_page(
         HERE / "templates" / "report.html",
@@ -63,7 +73,12 @@ def render_report(results: CombinationResult | Results, *, text: str | None = No
 
 
 def write_report(
-    results: CombinationResult | Results, path: str | Path, *, text: str | None = None, file: str = "case.toml"
+    results: CombinationResult | Results,
+    path: str | Path,
+    *,
+    text: str | None = None,
+    file: str = "case.toml",
+    chapters: Sequence[Chapter] | None = None,
 ) -> Path:
     """Write the report of results as one HTML file that needs no network.
 
@@ -77,6 +92,8 @@ def write_report(
         Text of the case file, which the report quotes; without it, the model is written out.
     file : str, default "case.toml"
         Name of the case file.
+    chapters : sequence of str, optional
+        The chapters beside the first page; by default those of ``report.chapters`` of the case.
 
     Returns
     -------
@@ -101,7 +118,7 @@ def write_report(
     >>> path = groundslab.write_report(results, "report.html")
     """
     target = check(path)
-    write_file(target, target, render_report(results, text=text, file=file).encode())
+    write_file(target, target, render_report(results, text=text, file=file, chapters=chapters).encode())
     return Path(path)
 
 
@@ -110,10 +127,10 @@ def check(path: str | Path) -> Path:
     return check_replaceable(path, partial(is_page, what="report"), "a report of groundslab")
 
 
-def default_path(folder: str | Path) -> Path:
+def default_path(folder: str | Path, suffix: str = ".html") -> Path:
     """Return where the report of a folder of results is put: beside the folder, under its name."""
     whole = Path(os.path.realpath(folder))
-    return whole.with_name(f"{whole.name}.html")
+    return whole.with_name(f"{whole.name}{suffix}")
 
 
 def text_of(folder: str | Path, model: Model) -> str | None:
@@ -158,6 +175,25 @@ def content_security_policy(style: str, script: str) -> str:
         f"default-src 'none'; script-src '{_hash(script)}'; style-src '{_hash(style)}'; img-src data: blob:; "
         "base-uri 'none'; form-action 'none'"
     )
+
+
+def _page_heads(page: Mapping[str, Any]) -> str:
+    """Return the style that prints title, project and revision at the head of each page, and the program at its foot.
+
+    Letters that could end a string of a style stand there by their numbers.
+    """
+    about = dict(page["project"])
+    heads = {
+        "top-left": page["title"],
+        "top-right": ", ".join(about[name] for name in ("Number", "Part", "Revision") if name in about),
+        "bottom-left": f"groundslab {page['version']}, SHA-256 of the input {page['sha256'][:12]}",
+    }
+    boxes = "".join(
+        f'@{place} {{ content: "{re.sub(r"[^A-Za-z0-9 ,.]", lambda found: f"{chr(92)}{ord(found[0]):x} ", text)}"; '
+        "font: 9px sans-serif; }\n"
+        for place, text in heads.items()
+    )
+    return f"@page {{\n{boxes}}}\n"
 
 
 def _hash(content: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from operator import itemgetter
@@ -18,8 +19,10 @@ Kind = Literal["", "number", "good", "bad", "muted", "symbol", "words"]
 #: More columns than these do not fit on paper.
 MOST_COLUMNS = 11
 #: Of the tables in FOLDED those with more rows are folded: they open on the screen, and are left out on paper.
-MOST_ROWS = 60
-FOLDED = {"extremes", "points", "lines", "strips"}
+MOST_ROWS = 24
+FOLDED = {"extremes", "envelope", "points", "lines", "strips", "supports", "columns"}
+#: Tables of which other parts of the report tell the essence, so that nothing of long ones is on paper.
+ELSEWHERE = {"extremes", "envelope", "columns"}
 #: Rows of a grid that are printed into a file at all; a table of more is read from its CSV file.
 MOST_IN_FILE = 3000
 
@@ -29,7 +32,7 @@ ERRORS = "Under a value: its discretization error as a share of it, estimated."
 #: So many columns at the left of a table say which row it is.
 KEYS = {
     "combinations": 1, "extremes": 3, "envelope": 3, "tilt": 1, "points": 4, "lines": 6, "strips": 5, "supports": 3,
-    "columns": 2, "reinforcement": 1,
+    "columns": 2, "column_envelope": 2, "reinforcement": 1,
 }  # fmt: skip
 
 
@@ -115,7 +118,7 @@ def summarize_table(table: Table) -> TableLayout | None:
     and a direction has no extremes.
     """
     keys = KEYS.get(table.name, 0)
-    if table.name == "extremes" or table.name not in FOLDED or len(table) <= MOST_ROWS:
+    if table.name in ELSEWHERE or table.name not in FOLDED or len(table) <= MOST_ROWS:
         return None
     combination, name, errors = table.columns[0].values, table.columns[1].values, errors_of(table)
     along = next((column for column in table.columns[2:keys] if column.name == "s"), None)
@@ -136,6 +139,11 @@ def summarize_table(table: Table) -> TableLayout | None:
     heads = headers(table.columns[1].name, "quantity", "unit")
     heads = (*heads, least, *s, combined, greatest, *s, combined)
     return TableLayout("", heads, tuple(rows), ("Extremes over all combinations.",))
+
+
+def find_unprinted(tables: Sequence[Table]) -> set[str]:
+    """Return the names of the tables that are not on paper: the checks stand on the first page."""
+    return {each.name for each in tables if each.name in ELSEWHERE and len(each) > MOST_ROWS} | {"checks"}
 
 
 def split_columns(grid: TableLayout, keys: int) -> list[TableLayout]:

@@ -75,13 +75,17 @@ def description(combined: Results) -> list[SummarySection]:
     return [plate, mesh, replace(ground, rows=same, notes=notes), *cut]
 
 
-def extremes(combined: Results) -> list[tuple[SummarySection, tuple[Extreme, ...]]]:
-    """Return the sections of figures, each with its rows' extremes over all certified combinations.
+def extremes(
+    combined: Results, limit_states: Sequence[str] | None = None
+) -> list[tuple[SummarySection, tuple[Extreme, ...]]]:
+    """Return the sections of figures, each with its rows' extremes over the certified combinations of limit states, of all by default.
 
     The largest governs, of a row called smallest and of the share in contact the smallest; the first of equal ones.
     """
     found: dict[str, tuple[SummarySection, dict[str, Extreme]]] = {}
     for number, results in _certified(combined):
+        if limit_states is not None and results.limit_state not in limit_states:
+            continue
         for section in sections.figures(results):
             known, rows = found.setdefault(section.key, (section, {}))
             notes = tuple(dict.fromkeys((*known.notes, *section.notes)))

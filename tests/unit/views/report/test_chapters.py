@@ -1,0 +1,158 @@
+"""Chapters of the report, its plans of loads, and its print."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import groundslab
+from groundslab.cli import main as cli
+from groundslab.errors import InputError
+from groundslab.model.model import Model
+from groundslab.results.results import results_of
+from groundslab.views.files import results_folder
+from groundslab.views.report import drawings, pdf
+from groundslab.views.report.html import render_report
+from groundslab.views.report.load_plan import draw_load_plan, load_text
+from helpers import synthetic
+from helpers.browsing import chromium
+from helpers.pages import Element, page
+
+
+def model(**changes: Any) -> Model:
+    """Return a slab with a load of each kind in one of two cases."""
+    parts: dict[str, Any] = {
+        "title": 'A "slab" </style> of \\ 6 m',
+        "project": {"name": "Yard", "part": "Hall 2", "revision": "B"},
+        "plate": {"length_x": 6, "length_y": 4, "thickness": 0.25, "E": 30e9, "nu": 0.2},
+        "ground": {"kind": "winkler", "k": 2e7},
+        "cases": [{"name": "G", "H_x": 12e3}, {"name": "Q", "action": "variable"}],
+        "loads": [
+            {"kind": "uniform", "q": 5e3, "case": "G"},
+            {"kind": "line", "q": 20e3, "points": [(-2, -1), (2, -1)], "case": "G"},
+            {"kind": "point", "P": 321e3, "M_x": 15e3, "x": 1, "y": 1, "case": "Q"},
+        ],
+    }
+    return Model(**parts | changes)
+
+
+def sections(root: Element) -> set[str]:
+    """Return the names of the sections of a page that are no tables."""
+    found = (each.attributes.get("id", "") for each in root.one("main").all("section"))
+    return {name for name in found if name and not name.startswith("table-")}
+
+
+class TestChapters:
+    """Which chapters are made."""
+
+    def test_those_of_the_case(self) -> None:
+        """The file chooses; the first page is there in any case, and the data of the viewer are left out with it."""
+        wanted = synthetic.model().replace(report={"chapters": ["assumptions", "certificate"]})
+        root = page(render_report(synthetic.results(model=wanted)))
+        assert sections(root) == {"assumptions", "certificate"}
+        assert root.one("header", class_="title").one("h1").text == wanted.title
+        assert root.one("script", id="scene").text == ""
+
+    def test_those_given(self) -> None:
+        """Who makes the report can choose others."""
+        assert sections(page(render_report(synthetic.results(), chapters=["certificate"]))) == {"certificate"}
+
+    def test_an_unknown_one(self) -> None:
+        """What is no chapter is refused, each by its name."""
+        with pytest.raises(InputError, match=r'(?s)"pages".*"books"'):
+            render_report(synthetic.results(), chapters=["pages", "certificate", "books"])  # type: ignore[list-item]
+
+    def test_in_a_case_file(self) -> None:
+        """A wrong word in the file says what is meant."""
+        with pytest.raises(InputError, match=r"report.chapters\[1\]"):
+            model(report={"chapters": ["picture"]})
+
+    def test_by_command(self, tmp_path: Path) -> None:
+        """The command has the same choice."""
+        folder = results_folder.save_results(synthetic.results(), tmp_path / "slab")
+        assert cli.main(["report", str(folder), "--chapters", "certificate"]) == 0
+        assert sections(page((tmp_path / "slab.html").read_text(encoding="utf-8"))) == {"certificate"}
+
+
+class TestPageHeads:
+    """What stands at the head of each printed page."""
+
+    def test_title_and_revision(self) -> None:
+        """A title with quotes, a backslash and the end of a style stays within its string, letter by letter."""
+        style = page(render_report(synthetic.results(model=model()), chapters=["certificate"])).one("style").text
+        text = re.search(r'@top-left \{ content: "([^"]*)"', style)
+        assert text is not None
+        assert "<" not in text[1]
+        assert re.sub(r"\\([0-9a-f]+) ", lambda found: chr(int(found[1], 16)), text[1]) == model().title
+        assert 'content: "Hall 2, B"' in style
+
+
+class TestLoads:
+    """Plans of loads, case by case."""
+
+    def test_each_case_has_one(self) -> None:
+        """The caption names the case, what acts everywhere and horizontal forces; the plan has the values."""
+        first, second = drawings.draw_loads(model())
+        assert first.caption == "G, permanent: uniform 5 kPa; Hx 12 kN."
+        assert second.caption == "Q, variable."
+        assert "20 kN/m" in [each.text for each in page(first.svg).all("text")]
+        assert "321 kN, Mx 15 kNm" in [each.text for each in page(second.svg).all("text")]
+
+    def test_without_cases_all_loads(self) -> None:
+        """Loads without cases stand in one plan."""
+        loads = [{"kind": "uniform", "q": 5e3}, {"kind": "point", "P": 1e3, "x": 0, "y": 0}]
+        (drawn,) = drawings.draw_loads(model(cases=[], loads=loads))
+        assert drawn.caption == "All loads: uniform 5 kPa."
+
+    def test_many_places_have_no_values(self) -> None:
+        """Of very many loads the values are left to the list."""
+        loads = [{"kind": "point", "P": 1e3 + n, "x": -2.9 + 0.02 * n, "y": 0} for n in range(250)]
+        (drawn,) = drawings.draw_loads(model(cases=[], loads=loads))
+        assert drawn.caption == "All loads. Values are listed under loads."
+        assert draw_load_plan(model(cases=[], loads=loads), None).axes
+
+    def test_a_force_with_both_ends(self) -> None:
+        """A line load that varies shows both of its values."""
+        varying = model(cases=[], loads=[{"kind": "line", "q": 10e3, "q_end": 20e3, "points": [(-2, 0), (2, 0)]}])
+        assert load_text(varying.loads[0]) == "10 to 20 kN/m"
+
+
+def test_extremes_stand_by_kind_of_limit_state() -> None:
+    """Ultimate and serviceability stand apart, each with its own combination."""
+    combined = synthetic.combined()
+    first, *_ = combined.combinations
+    combined = replace(combined, results={
+        name: replace(each, limit_state="ultimate" if name == first.name else "characteristic")
+        for name, each in combined.results.items()
+    })  # fmt: skip
+    found = page(render_report(combined, chapters=["extremes"])).one("section", id="extremes")
+    heads = {head.text for table in found.all("table") for head in table.all("th")}
+    assert {"ultimate", "serviceability"} <= heads
+
+
+@pytest.mark.skipif(chromium() is None, reason="no browser")
+@pytest.mark.slow
+class TestPdf:
+    """The print of the report."""
+
+    def test_is_one(self, tmp_path: Path) -> None:
+        """A PDF of some pages, which is replaced, and a file that is none of ours is not."""
+        folder = results_folder.save_results(synthetic.results(), tmp_path / "slab")
+        for _ in range(2):
+            assert cli.main(["report", str(folder), "--pdf"]) == 0
+        content = (tmp_path / "slab.pdf").read_bytes()
+        assert content.startswith(b"%PDF-")
+        assert len(re.findall(rb"/Type\s*/Page\b", content)) > 2
+        (tmp_path / "slab.pdf").write_bytes(content[: content.rindex(b"%")])
+        assert cli.main(["report", str(folder), "--pdf"]) == 2
+
+    def test_without_a_browser(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        """Where none can be started, the hint says what to install and what goes without."""
+        monkeypatch.setattr(pdf, "_ways", lambda: iter([{"executable_path": str(tmp_path / "none")}]))
+        with pytest.raises(InputError, match="Edge, Chrome or Chromium"):
+            groundslab.write_pdf(results_of(synthetic.results()), tmp_path / "slab.pdf")
+        assert not (tmp_path / "slab.pdf").exists()
