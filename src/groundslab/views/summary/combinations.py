@@ -78,7 +78,9 @@ def description(combined: Results) -> list[SummarySection]:
 def extremes(
     combined: Results, limit_states: Sequence[str] | None = None
 ) -> list[tuple[SummarySection, tuple[Extreme, ...]]]:
-    """Return the sections of figures, each with its rows' extremes over the certified combinations of limit states, of all by default.
+    """Return the sections of figures, each with its rows' extremes over certified combinations.
+
+    Those of some limit states, or all by default.
 
     The largest governs, of a row called smallest and of the share in contact the smallest; the first of equal ones.
     """
