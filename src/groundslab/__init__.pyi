@@ -16,6 +16,8 @@ from .errors import NoEquilibrium as NoEquilibrium
 from .errors import NotCertified as NotCertified
 from .errors import NotConverged as NotConverged
 from .errors import SingularMatrix as SingularMatrix
+from .model.bars import Bars as Bars
+from .model.bars import BarZone as BarZone
 from .model.columns import Column as Column
 from .model.ground import InterfaceLayer as InterfaceLayer
 from .model.ground import Layered as Layered
@@ -38,7 +40,6 @@ from .model.loads.load_types import SettlementLoad as SettlementLoad
 from .model.loads.load_types import TemperatureLoad as TemperatureLoad
 from .model.loads.load_types import UniformLoad as UniformLoad
 from .model.model import Model as Model
-from .model.outputs import Bars as Bars
 from .model.outputs import Output as Output
 from .model.outputs import OutputLine as OutputLine
 from .model.outputs import OutputPoint as OutputPoint

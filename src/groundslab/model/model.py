@@ -12,6 +12,7 @@ import numpy as np  # noqa: F401  before pydantic, whose typing_extensions makes
 from pydantic import Field
 
 from groundslab.model import consistency, varying_ground
+from groundslab.model.bars import check_bar_zones
 from groundslab.model.columns import Column
 from groundslab.model.ground import Ground
 from groundslab.model.limits import Limits, SoilStrength
@@ -54,6 +55,7 @@ class Model(Section):
         varying_ground.check_boreholes,
         check_output,
         check_bar_distances,
+        check_bar_zones,
         check_design_combinations,
     )
 

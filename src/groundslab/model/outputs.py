@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
+from groundslab.model.bars import Bars, BarZone, MeshName, bars_of_mesh
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.placement import on_plate
 from groundslab.model.plate import Plate, PlateRegion
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 #: Strengths for which EN 1992-1-1 has rules (3.1.2(2), 3.2.2(3)).
 CONCRETE, STEEL = Range(at_least=12e6, at_most=90e6), Range(at_least=400e6, at_most=600e6)
 PARTIAL = Range(at_least=0.1, at_most=10)
-BAR, CRACK = Range(at_least=4e-3, at_most=0.05), Range(at_least=5e-5, at_most=1e-3)
+CRACK = Range(at_least=5e-5, at_most=1e-3)
 
 
 class Project(Section):
@@ -110,20 +111,47 @@ ConcreteClass = Literal[
 SteelClass = Literal["B450C", "B500A", "B500B", "B500C", "B550A", "B550B"]
 
 
-class Bars(Section):
-    """Bars of one layer, all over the slab."""
-
-    diameter: Annotated[float, Quantity("length", "phi", "diameter of the bars", BAR)]
-    spacing: Annotated[float, Quantity("length", "s", "from axis to axis", POSITIVE)]
-
-
 def _check_all_layers(
-    bottom_x: Bars | None, bottom_y: Bars | None, top_x: Bars | None, top_y: Bars | None, w_max: float | None
+    bottom_x: Bars | None,
+    bottom_y: Bars | None,
+    top_x: Bars | None,
+    top_y: Bars | None,
+    bottom_mesh: str | None,
+    top_mesh: str | None,
+    zones: tuple[BarZone, ...],
+    w_max: float | None,
 ) -> Iterator[RelativeIssue]:
     layers = {"bottom_x": bottom_x, "bottom_y": bottom_y, "top_x": top_x, "top_y": top_y}
-    missing = [name for name, bars in layers.items() if bars is None]
-    if missing and (len(missing) < len(layers) or w_max is not None):
-        yield RelativeIssue((missing[0],), "no bars", "bars in all four layers", "or in none, and no w_max")
+    meshes = {"bottom": bottom_mesh, "top": top_mesh}
+    missing = [name for name, bars in layers.items() if bars is None and meshes[name.split("_")[0]] is None]
+    if missing and (len(missing) < len(layers) or w_max is not None or zones):
+        yield RelativeIssue((missing[0],), "no bars", "bars in all four layers", "or in none, no zones and no w_max")
+
+
+def _check_meshes(
+    bottom_x: Bars | None,
+    bottom_y: Bars | None,
+    top_x: Bars | None,
+    top_y: Bars | None,
+    bottom_mesh: str | None,
+    top_mesh: str | None,
+) -> Iterator[RelativeIssue]:
+    faces = {"bottom_mesh": (bottom_mesh, bottom_x, bottom_y), "top_mesh": (top_mesh, top_x, top_y)}
+    for name, (mesh, *bars) in faces.items():
+        if mesh is not None and any(bars):
+            yield RelativeIssue((name,), "a mesh beside bars", "one of them", "further bars lie in zones")
+
+
+def _check_zones(
+    zones: tuple[BarZone, ...], bottom: tuple[float, float], top: tuple[float, float]
+) -> Iterator[RelativeIssue]:
+    yield from check_names("zones", [zone.name for zone in zones], needed=True)
+    axes = {"bottom_x": bottom[0], "bottom_y": bottom[1], "top_x": top[0], "top_y": top[1]}
+    for position, zone in enumerate(zones):
+        least = min(axes[layer] for layer in zone.layers)
+        if zone.bars.diameter / 2 >= least:
+            expected = f"bars thinner than {2 * least!r} m, whose axes lie {least!r} m from the face"
+            yield RelativeIssue(("zones", position), f"bars of {zone.bars.diameter!r} m", expected)
 
 
 def _check_cover(
@@ -156,7 +184,9 @@ def _check_steel(steel: str | None, f_yk: float | None) -> Iterator[RelativeIssu
 class Reinforcement(Section):
     """Concrete, steel and where the bars lie, for reinforcement by EN 1992-1-1."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_concrete, _check_steel, _check_all_layers, _check_cover)
+    checks: ClassVar[tuple[Check, ...]] = (
+        _check_concrete, _check_steel, _check_all_layers, _check_cover, _check_meshes, _check_zones,
+    )  # fmt: skip
 
     concrete: Annotated[ConcreteClass | None, Choice(ConcreteClass, "strength class of the concrete")] = None
     steel: Annotated[SteelClass | None, Choice(SteelClass, "class of the steel")] = None
@@ -187,10 +217,26 @@ class Reinforcement(Section):
     bottom_y: Annotated[Bars | None, Table("bars that are laid at the bottom along y")] = None
     top_x: Annotated[Bars | None, Table("bars that are laid at the top along x")] = None
     top_y: Annotated[Bars | None, Table("bars that are laid at the top along y")] = None
+    bottom_mesh: Annotated[
+        MeshName | None, Choice(MeshName, "welded mesh at the bottom, instead of bottom_x and bottom_y")
+    ] = None
+    top_mesh: Annotated[MeshName | None, Choice(MeshName, "welded mesh at the top, instead of top_x and top_y")] = None
+    zones: Annotated[tuple[BarZone, ...], Table("parts of the plan with further bars between these")] = ()
     w_max: Annotated[
         float | None,
         Quantity("length", "w_max", "largest crack width in quasi-permanent combinations, with bars laid", CRACK),
     ] = None
+
+    @property
+    def laid(self) -> bool:
+        """Return whether bars are laid, which are then in all four layers."""
+        return self.base_bars("bottom_x") is not None
+
+    def base_bars(self, layer: str) -> Bars | None:
+        """Return the bars of a layer that lie all over the slab, those of a mesh too; None if none are laid."""
+        mesh: str | None = getattr(self, f"{layer.split('_')[0]}_mesh")
+        bars: Bars | None = getattr(self, layer)
+        return bars if mesh is None else bars_of_mesh(mesh)
 
 
 def check_output(plate: Plate, output: Output) -> Iterator[RelativeIssue]:

@@ -8,11 +8,12 @@ import numpy as np
 
 from groundslab.design.checks.check import DesignCheck
 from groundslab.design.en1992 import cracking
+from groundslab.design.laid_bars import LaidBars, laid_bars
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.quantities import solved_results
 from groundslab.model.outputs import Reinforcement
 from groundslab.results.fields import LAYERS, extreme
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult, Results
 
 CM2, MM = 1e4, 1e3
 #: Bars are no farther apart than so many thicknesses, and than so much [m] (9.3.1.1(3), main reinforcement).
@@ -21,40 +22,35 @@ MOST_THICKNESSES, FARTHEST = 3.0, 0.4
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
     """Yield the checks of each layer of bars, if any are laid."""
-    steel = combined.model.reinforcement
-    if steel is None or steel.bottom_x is None:
+    steel, results = combined.model.reinforcement, solved_results(combined)
+    if steel is None or not steel.laid or not results:
         return
-    laid = {layer: _laid(steel, layer) for layer in LAYERS}
-    needs = reinforcement.governing_needs(combined, steel)
-    for layer, bars in laid.items():
-        yield from _area(layer, bars, [need for need in needs if need.layer == layer])
-    yield _spacing(combined, laid)
+    laid = {layer: laid_bars(steel, layer, results[0].plate.nodes) for layer in LAYERS}
+    needs = reinforcement.governing_needs(combined, steel, {layer: bars.area for layer, bars in laid.items()})
+    for layer in LAYERS:
+        yield from _area(layer, [need for need in needs if need.layer == layer])
+    yield _spacing(results[0], laid)
     if steel.w_max is not None:
         yield from _cracks(combined, steel, laid)
 
 
-def _laid(steel: Reinforcement, layer: str) -> cracking.Bars:
-    """Return the bars of a layer with their cover."""
-    bars = getattr(steel, layer)
-    return cracking.Bars(bars.diameter, bars.spacing, reinforcement.axis_of(steel, layer) - bars.diameter / 2)
-
-
-def _area(layer: str, bars: cracking.Bars, needs: list[reinforcement.Need]) -> Iterator[DesignCheck]:
-    """Yield whether the bars of a layer are as much as bending and the minimum need, in its worst section."""
+def _area(layer: str, needs: list[reinforcement.Need]) -> Iterator[DesignCheck]:
+    """Yield whether the bars of a layer are as much as bending and the minimum need, where it is used most."""
     if not needs:
         return
-    worst = max(needs, key=lambda need: need.area)
-    name = layer.replace("_", " ")
-    enough = worst.area <= bars.area
+    worst = max(needs, key=lambda need: need.area / (need.laid or np.inf))
+    name, laid = layer.replace("_", " "), worst.laid
+    assert laid is not None
+    enough = worst.area <= laid
     where = f" at ({worst.place[0]:.3f}, {worst.place[1]:.3f}) m" if worst.place is not None else ""
     by = f' in "{worst.combination}", by {worst.governed_by}' if worst.combination is not None else ""
     yield DesignCheck(
         f"bars at the {name}",
         "no failure found" if enough else "fails",
-        f"{worst.area * CM2:.4g} {'<=' if enough else '>'} {bars.area * CM2:.4g} cm2/m{where}{by} (6.1, 9.2.1.1(1))",
+        f"{worst.area * CM2:.4g} {'<=' if enough else '>'} {laid * CM2:.4g} cm2/m{where}{by} (6.1, 9.2.1.1(1))",
         of=name,
         demand=worst.area * CM2 if np.isfinite(worst.area) else None,
-        resistance=bars.area * CM2,
+        resistance=laid * CM2,
         unit="cm2/m",
         clause="EN 1992-1-1 6.1, 9.2.1.1(1)",
         combination=worst.combination or "",
@@ -62,12 +58,12 @@ def _area(layer: str, bars: cracking.Bars, needs: list[reinforcement.Need]) -> I
     )
 
 
-def _spacing(combined: Results, laid: dict[str, cracking.Bars]) -> DesignCheck:
+def _spacing(results: CombinationResult, laid: dict[str, LaidBars]) -> DesignCheck:
     """Return whether bars are close enough for a slab (9.3.1.1(3))."""
-    zones = [zone.thickness for zone in combined.model.plate.zones if zone.thickness is not None]
-    most = min(MOST_THICKNESSES * min([combined.model.plate.thickness, *zones]), FARTHEST) * MM
-    layer, bars = max(laid.items(), key=lambda each: each[1].spacing)
-    spacing = bars.spacing * MM
+    allowed = np.minimum(MOST_THICKNESSES * results.elements.at_nodes(results.plate)[0], FARTHEST) * MM
+    layer = max(laid, key=lambda each: float((laid[each].spacing * MM / allowed).max()))
+    node = int(np.argmax(laid[layer].spacing * MM / allowed))
+    spacing, most = float(laid[layer].spacing[node]) * MM, float(allowed[node])
     holds = spacing <= most
     return DesignCheck(
         "distance of bars",
@@ -81,7 +77,7 @@ def _spacing(combined: Results, laid: dict[str, cracking.Bars]) -> DesignCheck:
     )
 
 
-def _cracks(combined: Results, steel: Reinforcement, laid: dict[str, cracking.Bars]) -> Iterator[DesignCheck]:
+def _cracks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -> Iterator[DesignCheck]:
     """Yield the widest crack at each layer in the quasi-permanent combinations (7.3.4, Table 7.1N)."""
     assert steel.w_max is not None
     results = [each for each in solved_results(combined) if each.limit_state == "quasi-permanent"]
@@ -91,8 +87,9 @@ def _cracks(combined: Results, steel: Reinforcement, laid: dict[str, cracking.Ba
         return
     concrete, bars_of = reinforcement.materials(steel)
     thickness = results[0].elements.at_nodes(results[0].plate)[0]
-    for layer, bars in laid.items():
-        found = []
+    for layer, own in laid.items():
+        cover = reinforcement.axis_of(steel, layer) - own.diameter / 2
+        bars, found = cracking.Bars(own.diameter, own.spacing, cover, own.area), []
         for each in results:
             m = np.abs(getattr(reinforcement.design_moments(each.plate), layer))
             widths = cracking.crack_width(m, thickness, bars, concrete, bars_of)

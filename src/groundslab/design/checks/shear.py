@@ -17,6 +17,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags
 from groundslab.design.checks.check import DesignCheck, Status
 from groundslab.design.en1992 import shear
+from groundslab.design.laid_bars import laid_bars
 from groundslab.design.punching import outline
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.punching import demands
@@ -55,7 +56,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         found.append((float(v[node] / v_Rd_c[node]), node, float(v[node]), float(v_Rd_c[node]), each))
     used, node, v_Ed, resistance, worst = max(found, key=lambda one: one[0])
     x, y = place_of(worst.plate.nodes, node)
-    which = "laid" if steel.bottom_x is not None else "needed in bending"
+    which = "laid" if steel.laid else "needed in bending"
     words = (
         f'v_Ed {v_Ed / 1e3:.4g} kN/m at ({x:.3f}, {y:.3f}) m in "{worst.combination}" is {used:.3g} times v_Rd,c '
         f"{resistance / 1e3:.4g} kN/m with the bars that are {which} (6.2.2)"
@@ -83,18 +84,13 @@ def _section(steel: Reinforcement, results: list[CombinationResult], reach: Mapp
     plate = results[0].plate
     thickness = results[0].elements.at_nodes(plate)[0]
     d = thickness - max(sum(steel.bottom), sum(steel.top)) / 2
-    areas: dict[str, Array | float] = {layer: _laid(steel, layer) for layer in LAYERS}
-    if steel.bottom_x is None:
+    if steel.laid:
+        areas = {layer: laid_bars(steel, layer, plate.nodes).area for layer in LAYERS}
+    else:
         found = reinforcement.required_areas(steel, results)
         areas = {layer: reinforcement.largest_areas(found, layer)[0] for layer in LAYERS}
     ratios = {layer: np.minimum(area / d, shear.MOST_BARS) for layer, area in areas.items()}
     return _Section(d, thickness, ratios, _counts(results[0], d, thickness, reach))
-
-
-def _laid(steel: Reinforcement, layer: str) -> float:
-    """Return the area of the bars that are laid in a layer [m2/m], 0 of none."""
-    bars = getattr(steel, layer)
-    return 0.0 if bars is None else np.pi * bars.diameter**2 / 4 / bars.spacing
 
 
 def _counts(results: CombinationResult, d: Array, thickness: Array, reach: Mapping[str, float]) -> Flags:

@@ -6,16 +6,17 @@ known, and anchorage is not looked at.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
 from groundslab.design.checks.check import DesignCheck, Status
 from groundslab.design.en1992 import punching as punching_resistance
+from groundslab.design.laid_bars import punching_ratio
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.punching import Demand, Demands, Stress, demands
 from groundslab.model.loads.load_cases import STRENGTH
+from groundslab.model.model import Model
 from groundslab.model.outputs import Reinforcement
 from groundslab.results.results import Results
 
@@ -39,7 +40,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if combined.model.columns:
         punched = demands(combined)
         yield _face(steel, punched)
-        yield _within_2d(steel, punched)
+        yield _within_2d(steel, punched, _ratios(combined.model, punched))
     missing = [each for each in combined.combinations if each.limit_state in STRENGTH and each.name in combined.refused]
     if missing:
         names = ", ".join(f'"{each.name}"' for each in missing[:5]) + (" ..." if len(missing) > 5 else "")
@@ -92,16 +93,16 @@ def _face(steel: Reinforcement, punched: Demands) -> DesignCheck:
     return _punching("punching at the column's face", "v_Rd,max", stresses, punched, "fails", "6.4.5(3)")
 
 
-def _within_2d(steel: Reinforcement, punched: Demands) -> DesignCheck:
+def _within_2d(steel: Reinforcement, punched: Demands, ratios: Mapping[str, float]) -> DesignCheck:
     """Return whether punching within 2 d needs links, or exceeds what they can carry at 2 d.
 
-    With the bars that are laid at the bottom, or with the most that count, whatever will be laid.
+    The ratios of bars are those that are laid at the bottom, or the most that count, whatever will be laid.
     """
-    name, which = "punching within 2 d", "the bars that are laid" if steel.bottom_x else "the most bars that count"
+    name, which = "punching within 2 d", "the bars that are laid" if steel.laid else "the most bars that count"
     most, there = [], []
     for each in punched.found.values():
         concrete, _ = reinforcement.materials(steel, each.limit_state)
-        v_Rd_c = punching_resistance.resistance_without_links(concrete, each.d, _ratio(steel, each.d))
+        v_Rd_c = punching_resistance.resistance_without_links(concrete, each.d, ratios[each.column])
         there += [(each, stress, v_Rd_c * 2 * each.d / stress.distance) for stress in each.around]
         if each.around:
             outer = each.around[-1]
@@ -123,12 +124,13 @@ def _within_2d(steel: Reinforcement, punched: Demands) -> DesignCheck:
     return replace(without, words=words)
 
 
-def _ratio(steel: Reinforcement, d: float) -> float:
-    """Return rho_l of the bars that are laid at the bottom (6.4.4(1)), or the most that counts."""
-    if steel.bottom_x is None or steel.bottom_y is None:
-        return punching_resistance.MOST_BARS
-    areas = [math.pi * bars.diameter**2 / 4 / bars.spacing for bars in (steel.bottom_x, steel.bottom_y)]
-    return math.sqrt(areas[0] * areas[1]) / d
+def _ratios(model: Model, punched: Demands) -> dict[str, float]:
+    """Return rho_l at each column of the bars that are laid at the bottom (6.4.4(1)), or the most that counts."""
+    depths, steel = {each.column: each.d for each in punched.found.values()}, model.reinforcement
+    if steel is None or not steel.laid:
+        return dict.fromkeys(depths, punching_resistance.MOST_BARS)
+    columns = {column.name: column for column in model.columns}
+    return {name: punching_ratio(model, columns[name], d) for name, d in depths.items()}
 
 
 def _at(stress: Stress, d: float) -> str:

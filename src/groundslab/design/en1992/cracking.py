@@ -28,16 +28,17 @@ LONG_TERM, SHORT_TERM = 0.4, 0.6
 
 @dataclass(frozen=True, slots=True)
 class Bars:
-    """Bars of one layer in one direction: diameter and distance from axis to axis [m], cover of the bars [m]."""
+    """Bars of one layer in one direction, the same everywhere or (n,)."""
 
-    diameter: float
-    spacing: float
-    cover: float
+    diameter: Array | float  # of sets of several diameters that of 7.12 [m]
+    spacing: Array | float  # from axis to axis [m]
+    cover: Array | float  # of the bars [m]
+    total: Array | None = None  # area of sets that lie between each other [m2/m]
 
     @property
-    def area(self) -> float:
+    def area(self) -> Array | float:
         """Return the area [m2/m]."""
-        return np.pi * self.diameter**2 / 4 / self.spacing
+        return np.pi * self.diameter**2 / 4 / self.spacing if self.total is None else self.total
 
 
 def neutral_axis(d: Array, area: Array, modular_ratio: float) -> Array:
@@ -65,9 +66,8 @@ def mean_strain(sigma_s: Array, rho: Array, concrete: Concrete, steel: Steel, k_
 
 def largest_spacing(bars: Bars, h: Array, x: Array, rho: Array) -> Array:
     """Return s_r,max (n,) [m] by 7.11, or by 7.14 where bars lie too far apart for it."""
-    if bars.spacing > 5 * (bars.cover + bars.diameter / 2):
-        return np.asarray(1.3 * (h - x))
-    return np.asarray(K_3 * bars.cover + K_1 * K_2 * K_4 * bars.diameter / rho)
+    apart = np.asarray(bars.spacing > 5 * (bars.cover + bars.diameter / 2))
+    return np.where(apart, 1.3 * (h - x), K_3 * bars.cover + K_1 * K_2 * K_4 * bars.diameter / rho)
 
 
 def crack_width(

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -94,13 +95,14 @@ class Need:
     minimum: float  # [m2/m]
     fails: float  # share of the plate's area where the concrete is too weak
     links: float  # share of the plate's area where bars in compression are counted on, in any layer
+    laid: float | None = None  # area of the bars that are laid there, where needs are told by it [m2/m]
 
 
-def governing_needs(combined: Results, steel: Reinforcement) -> list[Need]:
+def governing_needs(combined: Results, steel: Reinforcement, laid: Mapping[str, Array] | None = None) -> list[Need]:
     """Return what each layer needs in each section that the plate has, over all ultimate combinations.
 
     Within a section the depth is one, so that the largest moment of each face governs in each limit state: all that a
-    layer needs grows with them.
+    layer needs grows with them. With areas that are laid (n,) [m2/m], by layer, a section is divided by them.
     """
     results = ultimate_results(combined)
     found = required_areas(steel, results)
@@ -115,15 +117,17 @@ def governing_needs(combined: Results, steel: Reinforcement) -> list[Need]:
     rows = []
     for layer in LAYERS:
         area = largest_areas(found, layer)[0]
-        for number in np.unique(section):
-            nodes = np.flatnonzero(section == number)
+        there = np.zeros(len(section)) if laid is None else laid[layer]
+        for number, own_area in np.unique(np.column_stack([section, there]), axis=0):
+            nodes = np.flatnonzero((section == number) & (there == own_area))
             shares = [_share(plate, nodes[flags[nodes]]) for flags in (np.isinf(area), linked)]
             needs = []
             for state, own in largest.items():
                 moments = [_peak(plate, nodes, *own[each]) for each in (layer, _OTHER[layer])]
                 t = float(thickness[nodes[0]])
                 needs.append(_need(layer, int(number), t, steel, materials(steel, state), moments, shares))
-            rows.append(max(needs, key=lambda need: (need.area, abs(need.moment or 0.0))))
+            worst = max(needs, key=lambda need: (need.area, abs(need.moment or 0.0)))
+            rows.append(worst if laid is None else replace(worst, laid=float(own_area)))
     return rows
 
 

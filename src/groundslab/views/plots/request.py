@@ -8,10 +8,18 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
+from groundslab.design.bar_fields import bar_fields
 from groundslab.errors import InputError, Issue, NotConverged
 from groundslab.model.loads.load_cases import LimitState
 from groundslab.results.contact_zone import require_finite
-from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, RANGED_FIELDS, SHOWN_ELEMENT_FIELDS, ResultField
+from groundslab.results.fields import (
+    BAR_FIELDS,
+    LINE_FORCE,
+    PLATE_FIELDS,
+    RANGED_FIELDS,
+    SHOWN_ELEMENT_FIELDS,
+    ResultField,
+)
 from groundslab.results.record import Step
 from groundslab.results.results import CombinationResult, Results
 from groundslab.schema.wording import describe, listed, one_of, quote, suggestion
@@ -32,8 +40,9 @@ class PlotQuantity:
     @property
     def symbol(self) -> str:
         """Return the symbol as a formula."""
-        if self.field.symbol:
-            return math_symbol(self.field.symbol)
+        symbol, _, words = self.field.symbol.partition(" ")
+        if symbol:
+            return f"{math_symbol(symbol)} {words}".rstrip()
         face, _, axis = self.name.partition("_")
         return rf"$m^*_{{{axis},\mathrm{{{face}}}}}$"
 
@@ -51,7 +60,7 @@ class PlotQuantity:
 #: A force along the edge is no field over the plate; plans of the pressure name its largest.
 QUANTITIES = {
     name: PlotQuantity(name, field)
-    for name, field in (RANGED_FIELDS | SHOWN_ELEMENT_FIELDS).items()
+    for name, field in (RANGED_FIELDS | SHOWN_ELEMENT_FIELDS | BAR_FIELDS).items()
     if name != LINE_FORCE
 }
 #: Symbols serve as names too.
@@ -176,6 +185,7 @@ def parse_request(
     for each in combinations:
         require_finite(each.results)
     _require_element_fields(quantities, combinations)
+    _require_bar_fields(quantities, combined)
     shown = lines or listed_lines
     return PlotRequest(combined, chosen_kind, quantities, combinations, (), shown, envelope or "", mesh)
 
@@ -212,6 +222,22 @@ def _require_element_fields(quantities: Sequence[PlotQuantity], combinations: Se
         raise InputError(issues)
 
 
+def _require_bar_fields(quantities: Sequence[PlotQuantity], combined: Results) -> None:
+    """Raise InputError if there is none of a field of bars that is to be drawn, or no bars are enough somewhere."""
+    wanted = [quantity for quantity in quantities if quantity.name in BAR_FIELDS]
+    there = bar_fields(combined) if wanted else {}
+    hint = (
+        "the case needs [reinforcement] and ultimate combinations, and bars that are laid in all but what is required"
+    )
+    issues = [Issue("FIELD", quote(each.name), "a field that these results have", hint)
+              for each in wanted if each.name not in there]  # fmt: skip
+    weak = "a thicker slab or a stronger concrete is needed; summary and envelope.vtu say where"
+    issues += [Issue("FIELD", f"{quote(each.name)}, which no reinforcement is enough for somewhere", "finite areas", weak)
+               for each in wanted if each.name in there and not np.isfinite(there[each.name]).all()]  # fmt: skip
+    if issues:
+        raise InputError(issues)
+
+
 def _find_conflicts(
     kind: str, fields: Sequence[str], combinations: tuple[str, ...], envelope: str | None, lines: bool, mesh: bool
 ) -> list[Issue]:
@@ -221,6 +247,12 @@ def _find_conflicts(
     issues = []
     if fields and kind not in DEFAULT_QUANTITIES:
         issues.append(Issue("FIELD", quote(fields[0]), f"none, as kind is {quote(kind)}"))
+    of_bars = [name for name in fields if name in BAR_FIELDS]
+    if of_bars and kind in ("deformed", "lines"):
+        issues.append(Issue("FIELD", quote(of_bars[0]), f"a field of combinations, as kind is {quote(kind)}"))
+    if of_bars and (combinations or envelope is not None):
+        found = f"{quote(of_bars[0])} of chosen combinations"
+        issues.append(Issue("FIELD", found, "none chosen, as it is over all ultimate combinations"))
     of_elements = [name for name in fields if SYMBOLS.get(name, name) in SHOWN_ELEMENT_FIELDS]
     if of_elements and kind == "lines":
         issues.append(Issue("FIELD", quote(of_elements[0]), 'a nodal field, as kind is "lines"'))
