@@ -138,7 +138,8 @@ class PlotRequest:
     @property
     def panel_count(self) -> int:
         """Return about how many panels there are."""
-        panels = len(self.quantities) * (2 if self.envelope else len(self.combinations))
+        of_bars = sum(each.name in BAR_FIELDS for each in self.quantities)
+        panels = of_bars + (len(self.quantities) - of_bars) * (2 if self.envelope else len(self.combinations))
         return {
             "convergence": len(self.histories),
             "mesh": 1,
@@ -224,16 +225,16 @@ def _require_element_fields(quantities: Sequence[PlotQuantity], combinations: Se
 
 def _require_bar_fields(quantities: Sequence[PlotQuantity], combined: Results) -> None:
     """Raise InputError if there is none of a field of bars that is to be drawn, or no bars are enough somewhere."""
-    wanted = [quantity for quantity in quantities if quantity.name in BAR_FIELDS]
+    wanted = [quantity.name for quantity in quantities if quantity.name in BAR_FIELDS]
     there = bar_fields(combined) if wanted else {}
-    hint = (
-        "the case needs [reinforcement] and ultimate combinations, and bars that are laid in all but what is required"
-    )
-    issues = [Issue("FIELD", quote(each.name), "a field that these results have", hint)
-              for each in wanted if each.name not in there]  # fmt: skip
-    weak = "a thicker slab or a stronger concrete is needed; summary and envelope.vtu say where"
-    issues += [Issue("FIELD", f"{quote(each.name)}, which no reinforcement is enough for somewhere", "finite areas", weak)
-               for each in wanted if each.name in there and not np.isfinite(there[each.name]).all()]  # fmt: skip
+    issues = []
+    for name in wanted:
+        if name not in there:
+            hint = "it needs [reinforcement] and ultimate combinations; all but what is required, bars that are laid"
+            issues.append(Issue("FIELD", quote(name), "a field that these results have", hint))
+        elif not np.isfinite(there[name]).all():
+            hint = "the table reinforcement says where; a thicker slab or a stronger concrete helps"
+            issues.append(Issue("FIELD", quote(name), "finite areas; somewhere no reinforcement is enough", hint))
     if issues:
         raise InputError(issues)
 
