@@ -16,8 +16,6 @@ from .errors import NoEquilibrium as NoEquilibrium
 from .errors import NotCertified as NotCertified
 from .errors import NotConverged as NotConverged
 from .errors import SingularMatrix as SingularMatrix
-from .model.bars import Bars as Bars
-from .model.bars import BarZone as BarZone
 from .model.columns import Column as Column
 from .model.ground import InterfaceLayer as InterfaceLayer
 from .model.ground import Layered as Layered
@@ -49,6 +47,8 @@ from .model.outputs import Reinforcement as Reinforcement
 from .model.plate import Edges as Edges
 from .model.plate import Plate as Plate
 from .model.plate import Zone as Zone
+from .model.reinforcement.bars import Bars as Bars
+from .model.reinforcement.bars import BarZone as BarZone
 from .model.settings import Analysis as Analysis
 from .model.settings import Beyond as Beyond
 from .model.settings import Contact as Contact
@@ -66,6 +66,7 @@ from .model.varying_ground import Void as Void
 from .results.results import CombinationResult as CombinationResult
 from .results.results import Results as Results
 from .study.evaluation.study import open_study as open_study
+from .views.bars import write_bars as write_bars
 from .views.files.results_folder import load_results as load_results
 from .views.files.results_folder import save_results as save_results
 from .views.files.xlsx import write_workbook as write_workbook

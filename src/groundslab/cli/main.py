@@ -1,4 +1,4 @@
-"""The command line: groundslab solve, study, evaluate, plot, report, tables, app, check, new, dxf, verify, schema.
+"""The command line: groundslab solve, study, evaluate, plot, report, tables, bars, app, check, new, dxf, verify, ...
 
 Exit codes: 0 fine; 1 no certified result (of one combination of loads at least), or a verification case that fails;
 2 wrong input or usage; 3 certified results of a design that fails a check; 130 interrupted.
@@ -116,6 +116,19 @@ def _parser() -> argparse.ArgumentParser:
     tables.add_argument("results", metavar="RESULTS", help="folder of results that groundslab solve has written")
     tables.add_argument("--out", metavar="FILE", help="file to make (default: RESULTS.xlsx beside the folder)")
 
+    bars = _command(commands, "bars", _bars, "draw the bars that a case lays, with their quantities: SVG and DXF")
+    bars.epilog = (
+        "A plan of each face with one bar of each set, and a table of numbers, lengths and masses, without laps. An "
+        "existing file is replaced only if groundslab drew it."
+    )
+    bars.add_argument("results", metavar="RESULTS", help="folder of results that groundslab solve has written")
+    bars.add_argument(
+        "--out",
+        metavar="FILE",
+        help="file to make, which ends with .dxf, .svg, .pdf or .png (default: RESULTS-bars.svg and RESULTS-bars.dxf "
+        "beside the folder)",
+    )
+
     verify = _command(commands, "verify", _verify, "solve cases with known answers and compare")
     verify.add_argument("names", nargs="*", metavar="NAME", help="cases to run (default: all)")
     verify.add_argument("--list", action="store_true", help="print the names of the cases and stop")
@@ -172,6 +185,21 @@ def _tables(options: argparse.Namespace) -> int:
     xlsx.check(target)
     xlsx.write_workbook(results_folder.load_results(options.results), target)
     console.print_stderr(f"wrote {target}")
+    return console.EXIT_OK
+
+
+def _bars(options: argparse.Namespace) -> int:
+    """Draw the bars of a folder of results."""
+    from groundslab.views import bars
+    from groundslab.views.files import results_folder
+
+    targets = bars.default_paths(options.results) if options.out is None else (Path(options.out),)
+    for target in targets:
+        bars.check(target)
+    model = results_folder.load_results(options.results).model
+    for target in targets:
+        bars.write_bars(model, target)
+        console.print_stderr(f"wrote {target}")
     return console.EXIT_OK
 
 

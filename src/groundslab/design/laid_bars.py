@@ -18,11 +18,11 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.geometry.plan import Ring
-from groundslab.model.bars import Bars
 from groundslab.model.columns import Column
 from groundslab.model.model import Model
 from groundslab.model.outputs import Reinforcement
 from groundslab.model.plate import ROUNDING, PlateRegion
+from groundslab.model.reinforcement.bars import Bars
 from groundslab.model.shapes import CHORD
 
 if TYPE_CHECKING:
@@ -61,7 +61,7 @@ def laid_bars(steel: Reinforcement, layer: str, places: Array) -> LaidBars:
     sets, there = [base], [np.ones(len(places), dtype=bool)]
     for zone in steel.zones:
         if layer in zone.layers:
-            region = _polygon(zone.shape.ring()).buffer(near, join_style="mitre")
+            region = polygon_of(zone.shape.ring()).buffer(near, join_style="mitre")
             sets.append(zone.bars)
             there.append(intersects_xy(region, x, y))
     diameter, spacing = (np.array([getattr(each, name) for each in sets])[:, None] for name in ("diameter", "spacing"))
@@ -86,7 +86,7 @@ def mean_area(model: Model, layer: str, column: Column, d: float) -> float:
     axis = "xy".index(layer[-1])
     x0, x1, y0, y1 = column.ring().bounds
     along, across = ((x0, x1), (y0, y1))[axis], ((x0, x1), (y0, y1))[1 - axis]
-    zones = [(zone, _polygon(zone.shape.ring())) for zone in steel.zones if layer in zone.layers]
+    zones = [(zone, polygon_of(zone.shape.ring())) for zone in steel.zones if layer in zone.layers]
     if not zones:
         return bar_area(base)
     plan, found = PlateRegion(model.plate).area, []
@@ -104,7 +104,7 @@ def punching_ratio(model: Model, column: Column, d: float) -> float:
     return math.sqrt(mean_area(model, "bottom_x", column, d) * mean_area(model, "bottom_y", column, d)) / d
 
 
-def _polygon(ring: Ring) -> Polygon:
+def polygon_of(ring: Ring) -> Polygon:
     """Return the polygon inside a ring."""
     x0, x1, y0, y1 = ring.bounds
     return ring.polygon(CHORD * max(x1 - x0, y1 - y0))

@@ -12,7 +12,6 @@ import numpy as np  # noqa: F401  before pydantic, whose typing_extensions makes
 from pydantic import Field
 
 from groundslab.model import consistency, varying_ground
-from groundslab.model.bars import check_bar_zones
 from groundslab.model.columns import Column
 from groundslab.model.ground import Ground
 from groundslab.model.limits import Limits, SoilStrength
@@ -21,7 +20,7 @@ from groundslab.model.loads.en1990 import check_combine
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations
 from groundslab.model.loads.load_types import Load
 from groundslab.model.loads.placement import check_load_columns, check_point_loads
-from groundslab.model.outputs import Output, Project, Reinforcement, check_bar_distances, check_output
+from groundslab.model.outputs import Output, Project, Reinforcement, check_bar_distances, check_bar_zones, check_output
 from groundslab.model.plate import Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.supports import Support

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
-from groundslab.model.bars import Bars, BarZone, MeshName, bars_of_mesh
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.placement import on_plate
 from groundslab.model.plate import Plate, PlateRegion
-from groundslab.model.shapes import Place
+from groundslab.model.reinforcement.bars import Bars, BarZone, MeshName, bars_of_mesh
+from groundslab.model.shapes import CHORD, Place
 from groundslab.model.supports import check_names
 from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Choice, Integer, ListOf, Number, Quantity, Text, list_quantities
@@ -266,3 +266,14 @@ def check_bar_distances(plate: Plate, reinforcement: Reinforcement | None) -> It
             if distance >= thinnest / 2:
                 expected = f"less than half of the least thickness, {thinnest / 2!r} m"
                 yield RelativeIssue(("reinforcement", face, position), f"{distance!r} m", expected)
+
+
+def check_bar_zones(plate: Plate, reinforcement: Reinforcement | None) -> Iterator[RelativeIssue]:
+    """Find zones of bars beside the plate."""
+    if reinforcement is None or not reinforcement.zones:
+        return
+    covered = PlateRegion(plate)
+    for position, zone in enumerate(reinforcement.zones):
+        if covered.area.intersection(zone.shape.ring().polygon(CHORD * covered.size)).area == 0:
+            place = ("reinforcement", "zones", position, "shape")
+            yield RelativeIssue(place, "a zone beside the plate", "one that lies on it in part")

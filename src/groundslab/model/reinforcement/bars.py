@@ -3,19 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 from groundslab.model.ground import POSITIVE
-from groundslab.model.plate import Plate, PlateRegion
-from groundslab.model.shapes import CHORD, Shape
+from groundslab.model.shapes import Shape
 from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Choice, ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import quote
-
-if TYPE_CHECKING:
-    from groundslab.model.outputs import Reinforcement
 
 BAR = Range(at_least=4e-3, at_most=0.05)
 
@@ -82,14 +78,3 @@ class BarZone(Section):
         assert self.diameter is not None
         assert self.spacing is not None
         return Bars(diameter=self.diameter, spacing=self.spacing)
-
-
-def check_bar_zones(plate: Plate, reinforcement: Reinforcement | None) -> Iterator[RelativeIssue]:
-    """Find zones of bars beside the plate."""
-    if reinforcement is None or not reinforcement.zones:
-        return
-    covered = PlateRegion(plate)
-    for position, zone in enumerate(reinforcement.zones):
-        if covered.area.intersection(zone.shape.ring().polygon(CHORD * covered.size)).area == 0:
-            place = ("reinforcement", "zones", position, "shape")
-            yield RelativeIssue(place, "a zone beside the plate", "one that lies on it in part")
