@@ -80,7 +80,8 @@ def bar_sets(model: Model) -> list[BarSet]:
 
 def straight_bars(region: BaseGeometry, axis: int, spacing: float) -> Array:
     """Return the ends (k, 2, 2) [m] of bars along an axis in a region, from the lowest upwards."""
-    from shapely import get_coordinates, get_parts, get_type_id, intersection, length, linestrings
+    from shapely import bounds as bounds_of
+    from shapely import get_parts, intersection, length, line_merge, linestrings
 
     bounds = np.array(region.bounds).reshape(2, 2)  # low, high
     (start, end), (low, high) = bounds[:, axis], bounds[:, 1 - axis]
@@ -88,8 +89,7 @@ def straight_bars(region: BaseGeometry, axis: int, spacing: float) -> Array:
     across = (low + high) / 2 + spacing * (np.arange(count) - (count - 1) / 2)
     lines = np.empty((count, 2, 2))
     lines[:, :, axis], lines[:, :, 1 - axis] = (start, end), across[:, None]
-    cut = get_parts(intersection(linestrings(lines), region))
-    pieces = cut[(get_type_id(cut) == 1) & (length(cut) > SHORTEST)]
-    found = get_coordinates(pieces).reshape(-1, 2, 2)
-    found = np.sort(found, axis=1)
-    return found[np.lexsort((found[:, 0, axis], found[:, 0, 1 - axis]))]
+    # along an edge of the region a line is cut at its corners, and so joined again
+    cut = get_parts(line_merge(intersection(linestrings(lines), region)))
+    found = bounds_of(cut[length(cut) > SHORTEST]).reshape(-1, 2, 2)
+    return np.asarray(found[np.lexsort((found[:, 0, axis], found[:, 0, 1 - axis]))])

@@ -12,7 +12,7 @@ from groundslab.model.model import Model
 from groundslab.model.plate import PlateRegion
 
 #: Bars of one set have a row for each length, to the millimeter, unless there are more lengths than this.
-MOST_LENGTHS = 12
+MOST_LENGTHS = 6
 MM = 1e3
 
 

@@ -29,13 +29,18 @@ LAYERS = {
 #: The layer with broken lines.
 BROKEN = "BAR_ZONES"
 #: Height of letters over the longer side of the slab, and distances in heights.
-LETTERS = 1 / 70
+LETTERS = 1 / 90
 GAP, LINE = 6.0, 1.9
 #: Width of a letter on average, over its height.
 WIDE = 0.85
 #: Where the bar that is drawn stands among its set, and where along it the line of distribution crosses: for the bars
 #: all over the slab, and for the zones in turn.
 PLACES = ((0.36, 0.7), (0.5, 0.35), (0.62, 0.55), (0.42, 0.45))
+#: Columns of the table of quantities that the drawing has, and what stands above them.
+COLUMNS = {
+    "layer": "layer", "zone": "zone", "mesh": "mesh", "diameter": "diameter", "spacing": "spacing", "number": "number",
+    "least length": "length", "greatest length": "to", "total length": "total", "mass": "kg", "mass per area": "kg/m2",
+}  # fmt: skip
 #: What is written below the table.
 NOTES = (
     "Lengths in meters, diameters and spacings in millimeters. Further bars of zones lie between those of the layer.",
@@ -133,7 +138,7 @@ def _bar_set(each: BarSet, place: tuple[float, float], h: float) -> Iterator[Sha
 
 def label_of(each: BarSet) -> str:
     """Return what is written at a set of bars: how many of which diameter, how far apart, how long; what mesh."""
-    shortest, longest = (format_number(length, 4, trim=True) for length in (each.lengths.min(), each.lengths.max()))
+    shortest, longest = f"{each.lengths.min():.2f}", f"{each.lengths.max():.2f}"
     long = longest if shortest == longest else f"{shortest} to {longest}"
     phi, spacing = (format_number(1e3 * value, 4, trim=True) for value in (each.bars.diameter, each.bars.spacing))
     mesh = f"{each.mesh}: " if each.mesh else ""
@@ -161,7 +166,7 @@ def _across(each: BarSet, place: Array) -> Array:
 def _table(model: Model, corner: tuple[float, float], h: float) -> Iterator[Shape]:
     """Yield the table of quantities as texts, its upper left corner at a place [m]."""
     table = bars_table(model)
-    columns = [[column.header, *map(_cell, column.values)] for column in table.columns]
+    columns = [[head, *map(_cell, table[name])] for name, head in COLUMNS.items()]
     columns = [column for column in columns if any(column[1:])]
     x, y = corner
     for column in columns:

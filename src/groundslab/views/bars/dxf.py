@@ -5,10 +5,14 @@ from __future__ import annotations
 import io
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from groundslab._version import __version__
 from groundslab.errors import InputError, Issue
 from groundslab.views.bars.drawing import BROKEN, LAYERS, Circle, Line, Shape
+
+if TYPE_CHECKING:
+    from ezdxf.document import Drawing as Document
 
 #: What a drawing says of itself, by which it is known, and within how many bytes of its beginning.
 MARK, LOOK = "Bars drawn by groundslab", 100_000
@@ -20,10 +24,24 @@ def to_bytes(shapes: Sequence[Shape], path: str | Path) -> bytes:
     """Return a drawing as the content of a DXF file; the path is named where ezdxf is missing."""
     try:
         import ezdxf
-        from ezdxf.filemanagement import new
     except ImportError:
         hint = "pip install groundslab[dxf]"
         raise InputError([Issue(str(path), "a DXF drawing", "ezdxf to write it", hint)]) from None
+    dated = ezdxf.options.write_fixed_meta_data_for_testing
+    ezdxf.options.write_fixed_meta_data_for_testing = True  # neither dates nor random numbers
+    try:
+        document = _document(shapes)
+        stream = io.StringIO()
+        document.write(stream)
+    finally:
+        ezdxf.options.write_fixed_meta_data_for_testing = dated
+    return document.encode(stream.getvalue())
+
+
+def _document(shapes: Sequence[Shape]) -> Document:
+    """Return a drawing as ezdxf holds it."""
+    from ezdxf.filemanagement import new
+
     document = new("R2010", setup=["linetypes"], units=METER)
     document.header.custom_vars.append("Creator", f"{MARK} {__version__}")
     for name, color in LAYERS.items():
@@ -38,14 +56,7 @@ def to_bytes(shapes: Sequence[Shape], path: str | Path) -> bytes:
         else:
             text = space.add_text(shape.words, height=shape.height, rotation=shape.turned, dxfattribs=on)
             text.set_placement(shape.place)
-    stream = io.StringIO()
-    dated = ezdxf.options.write_fixed_meta_data_for_testing
-    ezdxf.options.write_fixed_meta_data_for_testing = True  # neither dates nor random numbers
-    try:
-        document.write(stream)
-    finally:
-        ezdxf.options.write_fixed_meta_data_for_testing = dated
-    return document.encode(stream.getvalue())
+    return document
 
 
 def is_ours(path: Path) -> bool:

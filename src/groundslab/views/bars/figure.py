@@ -27,6 +27,7 @@ def to_figure(title: str, shapes: Sequence[Shape]) -> Figure:
     """Return a drawing as one sheet."""
     places = np.concatenate([_extent(shape) for shape in shapes])
     (x0, y0), (x1, y1) = places.min(axis=0), places.max(axis=0)
+    y1 += 0.02 * (x1 - x0)
     page = style.Page(style.WIDE)
     top = page.write_heading(title)
     scale = (style.WIDE - 2 * MARGIN) / (x1 - x0)  # [mm/m]
@@ -47,6 +48,7 @@ def to_figure(title: str, shapes: Sequence[Shape]) -> Figure:
             axes.text(
                 *shape.place, style.plain_text(shape.words), fontsize=shape.height * scale / style.PT / CAPITALS,
                 color=color, rotation=shape.turned, rotation_mode="anchor", va="baseline", parse_math=False,
+                bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.3},
             )  # fmt: skip
     return page.finish(top + height)
 
