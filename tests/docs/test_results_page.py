@@ -40,10 +40,17 @@ def test_every_column_is_explained() -> None:
             "lines": [{"name": "L", "start": (0, 0), "end": (1, 0)}],
             "strips": [{"name": "S", "start": (0, 0), "end": (1, 0), "width": 1}],
         },
-        reinforcement={"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.04, 0.05)},
+        reinforcement={
+            "f_ck": 30e6,
+            "f_yk": 500e6,
+            "bottom": (0.04, 0.05),
+            "top": (0.04, 0.05),
+            "bottom_mesh": "Q335A",
+            "top_mesh": "A393",
+        },
     )
     tables = tables_of(Results(model, list_combinations(model), {}, {"ULS": Exception("not solved")}))
-    assert len(tables) == 11
+    assert len(tables) == 12
     assert explained("Quantities") == EXPLAINED
     for table in tables:
         columns = [(column.name, column.unit) for column in table.columns]
