@@ -7,7 +7,7 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.design.laid_bars import laid_bars
 from groundslab.design.tables import reinforcement
-from groundslab.results.fields import LAYERS
+from groundslab.results.fields import BAR_FIELDS, LAYERS
 from groundslab.results.results import Results
 
 
@@ -27,4 +27,4 @@ def bar_fields(combined: Results) -> dict[str, Array]:
             provided = fields[f"provided_{layer}"] = laid_bars(steel, layer, results[0].plate.nodes).area
             fields[f"utilisation_{layer}"] = required / provided
             fields[f"missing_{layer}"] = np.maximum(required - provided, 0.0)
-    return fields
+    return {name: fields[name] for name in BAR_FIELDS if name in fields}

@@ -72,9 +72,9 @@ def test_dxf_read_back(tmp_path: Path) -> None:
 
 
 def test_labels_and_table_say_what_the_table_of_results_says() -> None:
-    """7.2 m hold 48 bars along x at 150 mm, 7 of them cut in two by the opening: 55 pieces; the sum stands below."""
+    """7.2 m hold 48 bars along x at 150 mm, 6 of them cut in two by the opening: 54 pieces; the sum stands below."""
     one = bar_sets(model())[0]
-    assert label_of(one) == "55 ø12 / 150, l = 2.80 to 9.60 m"
+    assert label_of(one) == "54 ø12 / 150, l = 2.80 to 9.60 m"
     shapes = draw(model())
     written = [shape.words for shape in shapes if isinstance(shape, Text) and shape.layer == "TABLE"]
     table = bars(model())
