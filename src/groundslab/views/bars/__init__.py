@@ -8,6 +8,7 @@ from pathlib import Path
 from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
+from groundslab.schema.wording import listed, quote
 from groundslab.storage.ownership import check_replaceable
 from groundslab.views.bars import dxf
 from groundslab.views.bars.drawing import draw
@@ -65,6 +66,9 @@ def check(path: str | Path) -> Path:
     """Return the full path if a drawing of bars may be written there; else raise InputError saying why not."""
     if _is_dxf(path):
         return check_replaceable(path, dxf.is_ours, "a drawing of groundslab")
+    if Path(path).suffix.lower() not in export.FORMATS:
+        expected = f"{listed(('.dxf', *export.FORMATS))} at its end"
+        raise InputError([Issue(str(path), f"a name that ends with {quote(Path(path).suffix)}", expected)])
     return export.check(path)
 
 
