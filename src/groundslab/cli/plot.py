@@ -21,8 +21,9 @@ def describe(plot: argparse.ArgumentParser) -> None:
         metavar="FIELD",
         help="what to draw, by name or symbol: settlement (w), rotation_x, rotation_y, gap (g), penetration (s), "
         "pressure (p), moment_x (m_x), moment_y, moment_xy, shear_x (q_x), shear_y; principal moments m_1, m_2; "
-        "design moments bottom_x, bottom_y, top_x, top_y; discretization_error, large where the mesh is too coarse "
-        "(default: a usual choice for the kind)",
+        "design moments bottom_x, bottom_y, top_x, top_y; of these layers of bars over all ultimate combinations "
+        "required_bottom_x, provided_bottom_x, utilisation_bottom_x, missing_bottom_x, ...; discretization_error, "
+        "large where the mesh is too coarse (default: a usual choice for the kind)",
     )
     plot.add_argument(
         "--kind",
