@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, get_args
 
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.placement import on_plate
 from groundslab.model.plate import Plate, PlateRegion
-from groundslab.model.reinforcement.bars import Bars, BarZone, MeshName, bars_of_mesh
+from groundslab.model.reinforcement.bars import Bars, BarZone, Layer, MeshName, bars_of_mesh
 from groundslab.model.shapes import CHORD, Place
 from groundslab.model.supports import check_names
 from groundslab.schema.base import Check, Section, Table
@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 CONCRETE, STEEL = Range(at_least=12e6, at_most=90e6), Range(at_least=400e6, at_most=600e6)
 PARTIAL = Range(at_least=0.1, at_most=10)
 CRACK = Range(at_least=5e-5, at_most=1e-3)
+#: Of one layer.
+MOST_BARS = 100_000
 
 
 class Project(Section):
@@ -269,9 +271,14 @@ def check_bar_distances(plate: Plate, reinforcement: Reinforcement | None) -> It
 
 
 def check_bar_zones(plate: Plate, reinforcement: Reinforcement | None) -> Iterator[RelativeIssue]:
-    """Find zones of bars beside the plate."""
-    if reinforcement is None or not reinforcement.zones:
+    """Find zones of bars beside the plate, and plates with so many bars that they cannot be counted."""
+    if reinforcement is None or not reinforcement.laid:
         return
+    base = [reinforcement.base_bars(layer) for layer in get_args(Layer)]
+    count = max(plate.sides) / min(bars.spacing for bars in (*base, *(z.bars for z in reinforcement.zones)) if bars)
+    if count > MOST_BARS:
+        found = f"about {count:.3g} bars beside each other"
+        yield RelativeIssue(("reinforcement",), found, f"at most {MOST_BARS:,}", "a larger spacing")
     covered = PlateRegion(plate)
     for position, zone in enumerate(reinforcement.zones):
         if covered.area.intersection(zone.shape.ring().polygon(CHORD * covered.size)).area == 0:

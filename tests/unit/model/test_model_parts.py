@@ -267,6 +267,8 @@ ONE_FAULT = [
      "reinforcement.zones[1].shape", "a zone beside the plate", "one that lies on it in part"),
     (designed({**LAID, "bottom": ["8 mm", "20 mm"], "zones": [BAR_ZONE]}), "reinforcement.zones[1]",
      "bars of 0.016 m", "bars thinner than 0.016 m, whose axes lie 0.008 m from the face"),
+    (designed({**LAID, "top_x": {**SPACED, "spacing": "19 mm"}}), "reinforcement.top_x.spacing",
+     '"19 mm"', "a length at least 20 mm"),
     (designed({**LAID, "bottom_mesh": "A393"}), "reinforcement.bottom_mesh", "a mesh beside bars", "one of them"),
     (case(reinforcement={**BARS, "alpha_cc": 1.1}),
      "reinforcement.alpha_cc", "1.1", "a number above 0 and at most 1"),

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
-from groundslab.model.ground import POSITIVE
 from groundslab.model.shapes import Shape
 from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Choice, ListOf, Quantity, Text
@@ -13,7 +12,8 @@ from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import quote
 
-BAR = Range(at_least=4e-3, at_most=0.05)
+#: Bars, and how far apart they are at least (EN 1992-1-1 8.2(2): 20 mm between them).
+BAR, APART = Range(at_least=4e-3, at_most=0.05), Range(at_least=0.02)
 
 #: A layer of bars: the face that it is near, and the axis that its bars run along.
 Layer = Literal["bottom_x", "bottom_y", "top_x", "top_y"]
@@ -32,7 +32,7 @@ class Bars(Section):
     """Bars of one layer, all over the slab."""
 
     diameter: Annotated[float, Quantity("length", "phi", "diameter of the bars", BAR)]
-    spacing: Annotated[float, Quantity("length", "s", "from axis to axis", POSITIVE)]
+    spacing: Annotated[float, Quantity("length", "s", "from axis to axis", APART)]
 
 
 def bars_of_mesh(mesh: str) -> Bars:
@@ -65,7 +65,7 @@ class BarZone(Section):
     shape: Annotated[Shape, Table("where; what reaches over the plate's edge is cut off")]
     layers: Annotated[tuple[Layer, ...], ListOf(Choice(Layer, ""), "", "layers of the bars", unique=True)]
     diameter: Annotated[float | None, Quantity("length", "phi", "diameter of the bars", BAR)] = None
-    spacing: Annotated[float | None, Quantity("length", "s", "of these bars, from axis to axis", POSITIVE)] = None
+    spacing: Annotated[float | None, Quantity("length", "s", "of these bars, from axis to axis", APART)] = None
     mesh: Annotated[
         MeshName | None, Choice(MeshName, "welded mesh in both layers of a face, instead of diameter and spacing")
     ] = None
