@@ -55,6 +55,11 @@ def request(of: Results, *fields: str, **options: Any) -> Any:
     return parse_request(of, fields, **given)
 
 
+def words_of(figure: Any) -> str:
+    """Return all that is written in a figure."""
+    return "\n".join(text.get_text() for text in figure.findobj(Text))
+
+
 def test_one_panel_over_all_ultimate_combinations() -> None:
     """Beside a settlement for each combination there is one panel of each field of bars, with its values and unit."""
     of = results(**LAID)
@@ -70,8 +75,12 @@ def test_one_panel_over_all_ultimate_combinations() -> None:
     # of the combination with twice the moments alone it is the same, of the other one less
     alone = bar_fields(replace(of, results={"two": of.results["two"]}))
     assert np.array_equal(alone["required_bottom_x"], bar_fields(of)["required_bottom_x"])
-    figure = plots.plot(of, "utilisation_bottom_x", "missing_top_y")
-    words = "\n".join(text.get_text() for text in figure.findobj(Text))
+    assert "zone of further bars" not in words_of(plots.plot(of, "provided_bottom_x"))
+    shape = {"kind": "circle", "radius": 1}
+    zone = {"name": "Z", "shape": shape, "layers": ["bottom_x"], "diameter": 0.02, "spacing": 0.1}
+    figure = plots.plot(results(**LAID, zones=[zone]), "utilisation_bottom_x", "missing_top_y")
+    words = words_of(figure)
+    assert words.count("zone of further bars") == 1
     assert "Utilisation bottom x" in words
     assert "Missing area top y" in words
 
