@@ -89,7 +89,7 @@ def mean_area(model: Model, layer: str, column: Column, d: float) -> float:
     zones = [(zone, polygon_of(zone.shape.ring())) for zone in steel.zones if layer in zone.layers]
     if not zones:
         return bar_area(base)
-    plan, found = PlateRegion(model.plate).area, []
+    plan, found = PlateRegion(model.plate).area, list[float]()
     for where in (along[0] - BEYOND * d, (along[0] + along[1]) / 2, along[1] + BEYOND * d):
         ends = [(where, across[0] - BESIDE * d), (where, across[1] + BESIDE * d)]
         cut = LineString(ends if axis == 0 else [end[::-1] for end in ends]).intersection(plan)

@@ -8,7 +8,6 @@ from typing import get_args
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.design.bar_fields import bar_fields
 from groundslab.design.envelope import envelope
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.quantities import nodal_values, ranged_fields, solved_results
@@ -80,7 +79,7 @@ def _reinforcement(combined: Results) -> dict[str, Array | Integers]:
         f"reinforcement {layer.replace('_', ' ')} [cm2/m]": area * reinforcement.CM2 for layer, area in areas.items()
     }
     fails: Flags = np.any([np.isinf(area) for area in areas.values()], axis=0)
-    for name, values in bar_fields(combined).items():
+    for name, values in reinforcement.bar_fields(combined).items():
         if not name.startswith("required"):  # which is there as reinforcement
             fields[f"{BAR_FIELDS[name].quantity} [{BAR_FIELDS[name].unit}]"] = values * BAR_FIELDS[name].scale
     fields["reinforcement fails"] = fails.astype(np.int64)

@@ -12,11 +12,12 @@ from groundslab.design.design_moments import DesignMoments, wood_armer
 from groundslab.design.en1992.bending import Axes, SlabReinforcement, minimum, required, slab
 from groundslab.design.en1992.materials import CONCRETE_CLASSES, STEEL_CLASSES, Concrete, Steel
 from groundslab.design.envelope import Envelope, envelope
+from groundslab.design.laid_bars import laid_bars
 from groundslab.design.tables.quantities import solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.model.outputs import Reinforcement
-from groundslab.results.fields import LAYERS, extreme_node, place_of
+from groundslab.results.fields import BAR_FIELDS, LAYERS, extreme_node, place_of
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult, Results
 
@@ -60,6 +61,25 @@ def largest_areas(found: dict[str, SlabReinforcement], layer: str) -> tuple[Arra
     areas = {name: getattr(each, layer) for name, each in found.items()}
     finite = {name: np.where(np.isinf(area), np.finfo(float).max, area) for name, area in areas.items()}
     return np.max(list(areas.values()), axis=0), envelope(finite)
+
+
+def bar_fields(combined: Results) -> dict[str, Array]:
+    """Return the fields of BAR_FIELDS (n,) at the plate's nodes that there are, in SI units.
+
+    Areas are inf where the concrete is too weak for any reinforcement. Without bars that are laid there is only what is
+    required, without ultimate combinations nothing.
+    """
+    steel, results = combined.model.reinforcement, ultimate_results(combined)
+    if steel is None or not results:
+        return {}
+    found, fields = required_areas(steel, results), dict[str, Array]()
+    for layer in LAYERS:
+        required = fields[f"required_{layer}"] = largest_areas(found, layer)[0]
+        if steel.laid:
+            provided = fields[f"provided_{layer}"] = laid_bars(steel, layer, results[0].plate.nodes).area
+            fields[f"utilisation_{layer}"] = required / provided
+            fields[f"missing_{layer}"] = np.maximum(required - provided, 0.0)
+    return {name: fields[name] for name in BAR_FIELDS if name in fields}
 
 
 def needs_links(found: dict[str, SlabReinforcement]) -> Flags:

@@ -19,7 +19,7 @@ from groundslab.model.model import Model
 from groundslab.units import format_number
 
 if TYPE_CHECKING:
-    from shapely import Polygon
+    from shapely import LinearRing, Polygon
 
 #: Layers of a drawing, with the color of each: a number of AutoCAD's palette, whose 7 is black on white.
 LAYERS = {
@@ -191,7 +191,7 @@ def _closed(layer: str, ring: Ring, chord: float) -> Line:
     return Line(layer, ring.flat(chord), closed=True)
 
 
-def _rings(polygon: Polygon) -> Sequence[object]:
+def _rings(polygon: Polygon) -> Sequence[LinearRing]:
     """Return the curves around a polygon and its holes."""
     return [polygon.exterior, *polygon.interiors]
 

@@ -35,7 +35,8 @@ def to_bytes(shapes: Sequence[Shape], path: str | Path) -> bytes:
         document.write(stream)
     finally:
         ezdxf.options.write_fixed_meta_data_for_testing = dated
-    return document.encode(stream.getvalue())
+    content: bytes = document.encode(stream.getvalue())
+    return content
 
 
 def _document(shapes: Sequence[Shape]) -> Document:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab._version import __version__
-from groundslab.design.bar_fields import bar_fields
 from groundslab.design.tables.quantities import nodal_values
+from groundslab.design.tables.reinforcement import bar_fields
 from groundslab.errors import GroundslabError
 from groundslab.results.contact_zone import contact_function, goes_below_zero, has_line_force
 from groundslab.results.fields import BAR_FIELDS, LINE_FORCE, PLATE_FIELDS, SHOWN_ELEMENT_FIELDS, extreme
@@ -126,7 +126,7 @@ def _combination(
     values = None
     if results is not None and kept:
         values = {name: blocks.put_range(nodal_values(results, name)) for name in names}
-        values |= shared | {"contact": blocks.put_signed(contact_function(results))}
+        values |= {**shared, "contact": blocks.put_signed(contact_function(results))}
     return {
         "name": entry.combination.name,
         "number": entry.number,

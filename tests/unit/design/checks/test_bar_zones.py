@@ -8,12 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.design.bar_fields import bar_fields
 from groundslab.design.checks import DesignCheck, check_design
 from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.materials import Concrete, Steel
 from groundslab.design.tables.envelopes import fields_of_envelope
-from groundslab.design.tables.reinforcement import largest_areas, required_areas, ultimate_results
+from groundslab.design.tables.reinforcement import bar_fields, largest_areas, required_areas, ultimate_results
 from groundslab.model.model import Model
 from groundslab.results.fields import BAR_FIELDS
 from groundslab.results.results import Results
