@@ -21,8 +21,11 @@ def describe(plot: argparse.ArgumentParser) -> None:
         metavar="FIELD",
         help="what to draw, by name or symbol: settlement (w), rotation_x, rotation_y, gap (g), penetration (s), "
         "pressure (p), moment_x (m_x), moment_y, moment_xy, shear_x (q_x), shear_y; principal moments m_1, m_2; "
-        "design moments bottom_x, bottom_y, top_x, top_y; of these layers of bars over all ultimate combinations "
-        "required_bottom_x, provided_bottom_x, utilisation_bottom_x, missing_bottom_x, ...; discretization_error, "
+        "design moments bottom_x, bottom_y, top_x, top_y; of bars over all ultimate combinations "
+        "required_bottom_x, required_bottom_y, required_top_x, required_top_y, "
+        "provided_bottom_x, provided_bottom_y, provided_top_x, provided_top_y, "
+        "utilisation_bottom_x, utilisation_bottom_y, utilisation_top_x, utilisation_top_y, "
+        "missing_bottom_x, missing_bottom_y, missing_top_x, missing_top_y; discretization_error, "
         "large where the mesh is too coarse (default: a usual choice for the kind)",
     )
     plot.add_argument(
