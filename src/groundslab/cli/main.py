@@ -116,18 +116,8 @@ def _parser() -> argparse.ArgumentParser:
     tables.add_argument("results", metavar="RESULTS", help="folder of results that groundslab solve has written")
     tables.add_argument("--out", metavar="FILE", help="file to make (default: RESULTS.xlsx beside the folder)")
 
-    bars = _command(commands, "bars", _bars, "draw the bars that a case lays, with their quantities: SVG and DXF")
-    bars.epilog = (
-        "A plan of each face with one bar of each set, and a table of numbers, lengths and masses, without laps. An "
-        "existing file is replaced only if groundslab drew it."
-    )
-    bars.add_argument("results", metavar="RESULTS", help="folder of results that groundslab solve has written")
-    bars.add_argument(
-        "--out",
-        metavar="FILE",
-        help="file to make, which ends with .dxf, .svg, .pdf or .png (default: RESULTS-bars.svg and RESULTS-bars.dxf "
-        "beside the folder)",
-    )
+    bars = _command(commands, "bars", plot.run_bars, "draw the bars that a case lays, with quantities: SVG and DXF")
+    plot.describe_bars(bars)
 
     verify = _command(commands, "verify", _verify, "solve cases with known answers and compare")
     verify.add_argument("names", nargs="*", metavar="NAME", help="cases to run (default: all)")
@@ -185,21 +175,6 @@ def _tables(options: argparse.Namespace) -> int:
     xlsx.check(target)
     xlsx.write_workbook(results_folder.load_results(options.results), target)
     console.print_stderr(f"wrote {target}")
-    return console.EXIT_OK
-
-
-def _bars(options: argparse.Namespace) -> int:
-    """Draw the bars of a folder of results."""
-    from groundslab.views import bars
-    from groundslab.views.files import results_folder
-
-    targets = bars.default_paths(options.results) if options.out is None else (Path(options.out),)
-    for target in targets:
-        bars.check(target)
-    model = results_folder.load_results(options.results).model
-    for target in targets:
-        bars.write_bars(model, target)
-        console.print_stderr(f"wrote {target}")
     return console.EXIT_OK
 
 
