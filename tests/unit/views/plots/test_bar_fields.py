@@ -85,6 +85,23 @@ def test_one_panel_over_all_ultimate_combinations() -> None:
     assert "Missing area top y" in words
 
 
+@pytest.mark.slow
+def test_each_field_has_a_panel_with_its_unit() -> None:
+    """All of them are drawn, with the layer beside the symbol and the unit, and a bar that covers the values."""
+    of = results(**LAID)
+    figure, fields = plots.plot(of, *BAR_FIELDS), bar_fields(of)
+    boxes = [axes for axes in figure.axes if axes.axison]
+    assert len(boxes) == len(BAR_FIELDS)
+    for axes, (name, about) in zip(boxes, BAR_FIELDS.items(), strict=True):
+        _, face, axis = name.split("_")
+        (bar,) = axes.child_axes
+        assert bar.get_ylabel().endswith(f"{face} {axis} [{about.unit}]")
+        low, high = bar.get_ylim()
+        values = fields[name] * about.scale
+        assert low <= values.min() + 1e-9
+        assert high >= values.max() - 1e-9
+
+
 @pytest.mark.parametrize(
     ("steel", "fields", "options", "found"),
     [
