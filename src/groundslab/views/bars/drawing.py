@@ -36,6 +36,8 @@ WIDE = 0.85
 #: Where the bar that is drawn stands among its set, and where along it the line of distribution crosses: for the bars
 #: all over the slab, and for the zones in turn.
 PLACES = ((0.36, 0.7), (0.5, 0.35), (0.62, 0.55), (0.42, 0.45))
+#: It is at least so long, over the longest.
+LONG = 0.6
 #: Columns of the table of quantities that the drawing has, and what stands above them.
 COLUMNS = {
     "layer": "layer", "zone": "zone", "mesh": "mesh", "diameter": "diameter", "spacing": "spacing", "number": "number",
@@ -146,11 +148,11 @@ def label_of(each: BarSet) -> str:
 
 
 def _shown_bar(each: BarSet, part: float) -> Array:
-    """Return the ends (2, 2) of the bar of a set that is drawn: of the longest ones that nearest to a part of all."""
+    """Return the ends (2, 2) of the bar of a set that is drawn: of the long ones that nearest to a part of all."""
     across = each.ends[:, 0, 1 - each.axis]
-    longest = np.flatnonzero(each.lengths >= 0.999 * each.lengths.max())
+    long = np.flatnonzero(each.lengths >= LONG * each.lengths.max())
     wanted = across.min() + part * np.ptp(across)
-    return np.asarray(each.ends[longest[np.argmin(np.abs(across[longest] - wanted))]])
+    return np.asarray(each.ends[long[np.argmin(np.abs(across[long] - wanted))]])
 
 
 def _across(each: BarSet, place: Array) -> Array:
