@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from functools import partial
 
+from groundslab.design.bar_quantities import bars
 from groundslab.design.checks.table import checks_table
 from groundslab.design.tables import errors
-from groundslab.design.tables.bars import bars
 from groundslab.design.tables.columns import column_table
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
 from groundslab.design.tables.locations import lines, points, strips

@@ -13,7 +13,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.bar_layout import BarSet, bar_sets
-from groundslab.design.tables.bars import bars as bars_table
+from groundslab.design.bar_quantities import bars as bars_table
 from groundslab.geometry.plan import DRAWN_CHORD, Ring
 from groundslab.model.model import Model
 from groundslab.units import format_number

@@ -10,7 +10,7 @@ import pytest
 
 from groundslab.cli import main
 from groundslab.design.bar_layout import bar_sets
-from groundslab.design.tables.bars import bars
+from groundslab.design.bar_quantities import bars
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.results.results import Results
