@@ -82,7 +82,7 @@ class Model(Section):
     output: Annotated[Output, Table("where values are listed")] = Output()
     reinforcement: Annotated[
         Reinforcement | None,
-        Table("what reinforcement by EN 1992-1-1 is found for; needs ultimate combinations of loads"),
+        Table("what reinforcement by EN 1992-1-1 or ACI 318 is found for; needs ultimate combinations of loads"),
     ] = None
     limits: Annotated[Limits | None, Table("what settlements, tilt and pressures are checked against")] = None
     soil_strength: Annotated[

@@ -26,7 +26,7 @@ def _lever_arm(K: float, f_ck: float, f_yk: float, alpha_cc: float) -> float:
 
 def _least_ratio(f_ck: float, f_yk: float) -> float:
     """Return the least ratio of bars in tension [%]."""
-    return float(bending.minimum(np.array(_D), Concrete(f_ck), Steel(f_yk)) / _D * 100)
+    return float(bending.minimum(np.array(_D), concrete=Concrete(f_ck), steel=Steel(f_yk)) / _D * 100)
 
 
 def _without_links(f_ck: float, d: float, rho: float) -> float:
