@@ -81,8 +81,8 @@ def _notes(steel: Reinforcement | None) -> list[str]:
     if steel is not None and steel.code == "ACI 318":
         notes += [
             "Two-way shear by ACI 318-19 22.6.5.2 and 8.4.4.2, in ultimate combinations: V_u = load + other loads "
-            "inside - pressure inside, on the critical section at d / 2, v_u with the moments of all forces inside about "
-            "its center. Supports inside are not counted.",
+            "inside - pressure inside, on the critical section at d / 2, v_u with the moments of all forces inside "
+            "about its center. Supports inside are not counted.",
             "d is the least thickness under the column less the mean distance of the bottom bars' axes.",
         ]
     elif steel is not None:
