@@ -51,3 +51,10 @@ def test_every_column_is_explained() -> None:
             assert columns[-len(QUANTITIES) :] == QUANTITIES
             columns = columns[: -len(QUANTITIES)]
         assert explained(table.name) == columns, table.name
+    steel = model.reinforcement.replace(code="ACI 318")
+    other = model.replace(reinforcement=steel)
+    (columns,) = [
+        each for each in tables_of(Results(other, list_combinations(other), {}, {})) if each.name == "columns"
+    ]
+    own = explained("columns, by ACI 318")
+    assert [(column.name, column.unit) for column in columns.columns][-len(own) :] == own
