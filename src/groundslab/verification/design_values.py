@@ -12,6 +12,7 @@ from groundslab.arrays import Array
 from groundslab.design.aci318 import bending as aci_bending
 from groundslab.design.aci318 import punching as aci_punching
 from groundslab.design.aci318 import shear as aci_shear
+from groundslab.design.aci318.materials import PHI_BENDING, PHI_SHEAR
 from groundslab.design.aci318.materials import Concrete as AciConcrete
 from groundslab.design.aci318.materials import Steel as AciSteel
 from groundslab.design.design_moments import wood_armer
@@ -74,7 +75,7 @@ def _crack(what: str) -> Callable[..., float]:
 
 def _aci_ratio(R: float, f_c: float, f_y: float) -> float:
     """Return the ratio of bars [%] for R = M_u / (phi b d^2) by ACI 318."""
-    m = np.array(aci_bending.PHI_BENDING * R * _D**2)
+    m = np.array(PHI_BENDING * R * _D**2)
     return float(aci_bending.required(m, _D, AciConcrete(f_c), AciSteel(f_y)).tension / _D * 100)
 
 
@@ -152,7 +153,7 @@ VALUES: dict[str, tuple[str | None, Callable[..., float]]] = {
     "eps_sm - eps_cm": (None, _crack("strain")),
     "w_k": ("length", _crack("width")),
     "v_Ed / v_Rd,c": (None, _punching_used),
-    "v_Rd,max": ("pressure", lambda f_ck, annex: punching.max_resistance(_concrete(f_ck, annex))),
+    "v_Rd,max": ("pressure", lambda f_ck, annex: punching.max_resistance(_concrete(f_ck, annex)) or 0.0),
     "strut": ("pressure", lambda f_ck, annex: _concrete(f_ck, annex).strut),
     "cot theta": (None, lambda **given: float(_struts(**given).cot_theta[0])),
     "rho by ACI 318": (None, _aci_ratio),
@@ -160,7 +161,7 @@ VALUES: dict[str, tuple[str | None, Callable[..., float]]] = {
     "beta_1": (None, lambda f_c: AciConcrete(f_c).beta_1),
     "least bars by ACI 318": (None, lambda h: float(aci_bending.minimum(np.array(h), h))),
     "v_c by ACI 318": (None, _aci_two_way),
-    "phi V_c by ACI 318": (None, lambda **of: aci_punching.PHI_SHEAR * _aci_two_way(**of) * of["b_o"] * of["d"]),
+    "phi V_c by ACI 318": (None, lambda **of: PHI_SHEAR * _aci_two_way(**of) * of["b_o"] * of["d"]),
     "gamma_v": (None, aci_punching.gamma_v),
     "J_c": (None, lambda b_1, b_2, d: float(aci_punching.polar_moments(_edge_section(b_1, b_2), np.zeros(2), d)[0])),
     "v_u by ACI 318": (None, _aci_stress),

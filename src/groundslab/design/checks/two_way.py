@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from groundslab.design.aci318 import punching as aci318
+from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.checks.check import DesignCheck, Status
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.two_way import TwoWay, strength, two_way
@@ -39,7 +40,7 @@ def _worst(demand: TwoWay, steel: Reinforcement) -> DesignCheck:
     status: Status = "no failure found"
     if v_u > resistance:
         concrete, bars = reinforcement.aci318_materials(steel)
-        most = aci318.PHI_SHEAR * aci318.most_with_links(concrete)
+        most = PHI_SHEAR * aci318.most_with_links(concrete)
         thin = demand.d < aci318.LEAST_DEPTH
         status = "fails" if v_u > most or thin else "attention"
         per_meter = aci318.links(v_u, demand.d, demand.b_o, concrete, bars)

@@ -51,8 +51,14 @@ class Annex:
 @cache
 def annex_of(name: str) -> Annex:
     """Return the parameters of an annex, the recommended ones where it has none of its own."""
-    values = {key: each["value"] for key, each in {**table("recommended"), **table(name)}.items()}
-    return Annex(**{key: tuple(value) if isinstance(value, list) else value for key, value in values.items()})
+    found = {**table("recommended"), **table(name)}
+    values: dict[str, Any] = {key: _frozen(each["value"]) for key, each in found.items()}
+    return Annex(**values)
+
+
+def _frozen(value: Any) -> Any:
+    """Return a list of a file as a tuple, anything else as it is."""
+    return tuple(value) if isinstance(value, list) else value
 
 
 def table(name: str) -> dict[str, dict[str, Any]]:

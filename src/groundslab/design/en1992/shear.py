@@ -85,7 +85,7 @@ def _flattest(v: Array, z: Array, concrete: Concrete) -> Array:
     if not annex.crack_friction:
         return np.full(np.broadcast(v, z).shape, annex.flattest)
     left = 1 - annex.crack_friction * np.cbrt(concrete.f_ck / _MPA) * _MPA * z / np.maximum(v, 1e-12)
-    return np.clip(1.2 / np.maximum(left, 1e-12), 1.0, annex.flattest)
+    return np.asarray(np.clip(1.2 / np.maximum(left, 1e-12), 1.0, annex.flattest))
 
 
 def minimum_links(concrete: Concrete, steel: Steel) -> float:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from groundslab.arrays import Array, Memo
 from groundslab.design import punching
 from groundslab.design.aci318 import punching as aci318
+from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.punching import OPENING_REACH
 from groundslab.design.tables import column_loads, reinforcement
 from groundslab.design.tables.punching import Around, around_column, depth_under, forces_inside, shape_of_column
@@ -110,4 +111,4 @@ def strength(demand: TwoWay, steel: Reinforcement) -> float:
     """Return phi v_c [Pa] of a critical section without shear reinforcement."""
     concrete, _ = reinforcement.aci318_materials(steel)
     v_c = aci318.without_links(concrete, demand.d, demand.b_o, demand.beta, demand.alpha_s)
-    return aci318.PHI_SHEAR * v_c
+    return PHI_SHEAR * v_c
