@@ -2,9 +2,10 @@
 
 The shear force is the largest of any direction at a node, the bars that count are those of the face that is in tension
 in that direction: those that are laid, or those that bending needs. Left out are places where it is not this that is
-checked: near columns as far as punching is, which is 2 d unless that perimeter cuts the slab from edge to edge (d by
-ACI 318-19 7.4.3.2), and within 2 d of supports; within a thickness of free edges (a quarter of the width of a narrow
-slab), where the shear force along the edge is what the twisting moment has become; and near singular places.
+checked: near columns as far as punching is, which is 2 d unless that perimeter cuts the slab from edge to edge, and
+within 2 d of supports; within a thickness of free edges (a quarter of the width of a narrow slab), where the shear
+force along the edge is what the twisting moment has become; and near singular places. Nearer to columns ACI 318 asks
+for means across the slab (`wide_beam`).
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from groundslab.design.aci318 import shear as aci318
 from groundslab.design.aci318.bending import LEAST
 from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.checks.check import DesignCheck, Status
+from groundslab.design.checks.wide_beam import cuts
 from groundslab.design.en1992 import shear
 from groundslab.design.punching import outline
 from groundslab.design.tables import reinforcement
@@ -45,12 +47,14 @@ class _Section:
 
 @dataclass(frozen=True, slots=True)
 class _Worst:
-    """The node of a combination at which the shear force is largest against what needs no links."""
+    """Where a combination's shear force is largest against what needs no links."""
 
     results: CombinationResult
-    node: int
+    place: tuple[float, float]  # [m]
     v: float  # [N/m]
     without_links: float  # [N/m]
+    d: float  # [m]
+    thickness: float  # [m]
 
     @property
     def used(self) -> float:
@@ -60,14 +64,13 @@ class _Worst:
     @property
     def where(self) -> str:
         """Return place and combination in words."""
-        x, y = place_of(self.results.plate.nodes, self.node)
-        return f'({x:.3f}, {y:.3f}) m in "{self.results.combination}"'
+        return f'({self.place[0]:.3f}, {self.place[1]:.3f}) m in "{self.results.combination}"'
 
     def check(self, status: Status, words: str, clause: str) -> DesignCheck:
-        """Return the check of this node."""
+        """Return the check of this place."""
         return DesignCheck(
             "one-way shear", status, words, demand=self.v / 1e3, resistance=self.without_links / 1e3, unit="kN/m",
-            clause=clause, combination=self.results.combination, place=place_of(self.results.plate.nodes, self.node),
+            clause=clause, combination=self.results.combination, place=self.place,
         )  # fmt: skip
 
 
@@ -76,20 +79,36 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     steel, results = combined.model.reinforcement, reinforcement.ultimate_results(combined)
     if steel is None or not results:
         return
-    reach = demands(combined).reach if steel.code == "EN 1992-1-1" else None
-    section = _section(steel, results, reach)
-    if not section.counts.any():
-        return
-    found = []
-    for each in results:
-        v, without_links = _demand(each, section, steel)
-        node = int(np.argmax(np.where(section.counts, v / without_links, -1.0)))
-        found.append(_Worst(each, node, float(v[node]), float(without_links[node])))
-    worst = max(found, key=lambda one: one.used)
-    yield (_by_en1992 if steel.code == "EN 1992-1-1" else _by_aci318)(steel, section, worst)
+    aci = steel.code == "ACI 318"
+    section = _section(steel, results, {} if aci else demands(combined).reach)
+    found = [_at_nodes(each, section, steel) for each in results] if section.counts.any() else []
+    if aci:
+        found += _across(results, section, steel)
+    if found:
+        worst = max(found, key=lambda one: one.used)
+        yield (_by_aci318 if aci else _by_en1992)(steel, worst)
 
 
-def _by_en1992(steel: Reinforcement, section: _Section, worst: _Worst) -> DesignCheck:
+def _at_nodes(results: CombinationResult, section: _Section, steel: Reinforcement) -> _Worst:
+    """Return the node that counts with the largest share of what needs no links."""
+    v, without_links = _demand(results, section, steel)
+    node = int(np.argmax(np.where(section.counts, v / without_links, -1.0)))
+    place = place_of(results.plate.nodes, node)
+    sizes = float(section.d[node]), float(section.thickness[node])
+    return _Worst(results, place, float(v[node]), float(without_links[node]), *sizes)
+
+
+def _across(results: list[CombinationResult], section: _Section, steel: Reinforcement) -> Iterator[_Worst]:
+    """Yield the means over the cuts beside columns by ACI 318, in every combination."""
+    concrete, _ = reinforcement.aci318_materials(steel)
+    v_c = {layer: PHI_SHEAR * aci318.without_links(concrete, section.d, rho) for layer, rho in section.ratios.items()}
+    for cut in cuts(results[0], steel):
+        d, thickness = cut.mean(section.d), cut.mean(section.thickness)
+        for each in results:
+            yield _Worst(each, cut.place, *cut.forces(each.plate, v_c), d, thickness)
+
+
+def _by_en1992(steel: Reinforcement, worst: _Worst) -> DesignCheck:
     """Return the check at the place that governs by EN 1992-1-1."""
     which = "laid" if steel.bottom_x is not None else "needed in bending"
     words = (
@@ -99,9 +118,9 @@ def _by_en1992(steel: Reinforcement, section: _Section, worst: _Worst) -> Design
     status: Status = "no failure found"
     if worst.used > 1:
         concrete, bars = reinforcement.materials(steel, worst.results.limit_state)
-        links = shear.required_links(np.array([worst.v]), section.d[[worst.node]], concrete, bars)
+        links = shear.required_links(np.array([worst.v]), np.array([worst.d]), concrete, bars)
         area = max(float(links.area[0]), shear.minimum_links(concrete, bars))
-        thin = section.thickness[worst.node] < LEAST_WITH_LINKS
+        thin = worst.thickness < LEAST_WITH_LINKS
         status = "fails" if np.isinf(area) or thin else "attention"
         words += (
             "; no links help (6.2.3(3))" if np.isinf(area)
@@ -111,7 +130,7 @@ def _by_en1992(steel: Reinforcement, section: _Section, worst: _Worst) -> Design
     return worst.check(status, words, "EN 1992-1-1 6.2.2, 6.2.3")
 
 
-def _by_aci318(steel: Reinforcement, section: _Section, worst: _Worst) -> DesignCheck:
+def _by_aci318(steel: Reinforcement, worst: _Worst) -> DesignCheck:
     """Return the check at the place that governs by ACI 318-19."""
     which = "laid" if steel.bottom_x is not None else "needed in bending"
     words = (
@@ -120,7 +139,7 @@ def _by_aci318(steel: Reinforcement, section: _Section, worst: _Worst) -> Design
     )
     status: Status = "no failure found"
     if worst.used > 1:
-        area = aci318.links(worst.v, float(section.d[worst.node]), *reinforcement.aci318_materials(steel))
+        area = aci318.links(worst.v, worst.d, *reinforcement.aci318_materials(steel))
         status = "fails" if np.isinf(area) else "attention"
         words += (
             "; no links help (22.5.1.2)" if np.isinf(area)
@@ -129,11 +148,8 @@ def _by_aci318(steel: Reinforcement, section: _Section, worst: _Worst) -> Design
     return worst.check(status, words, "ACI 318-19 22.5.5.1")
 
 
-def _section(steel: Reinforcement, results: list[CombinationResult], reach: Mapping[str, float] | None) -> _Section:
-    """Return depths, bars and what counts at the plate's nodes; `reach` is how far from columns punching is [m].
-
-    Without it that is d.
-    """
+def _section(steel: Reinforcement, results: list[CombinationResult], reach: Mapping[str, float]) -> _Section:
+    """Return depths, bars and what counts at the plate's nodes."""
     plate = results[0].plate
     thickness = results[0].elements.at_nodes(plate)[0]
     d = thickness - max(sum(steel.bottom_axes), sum(steel.top_axes)) / 2
@@ -152,16 +168,13 @@ def _laid(steel: Reinforcement, layer: str) -> float:
     return 0.0 if bars is None else np.pi * bars.diameter**2 / 4 / bars.spacing
 
 
-def _counts(results: CombinationResult, d: Array, thickness: Array, reach: Mapping[str, float] | None) -> Flags:
-    """Return at which nodes one-way shear is checked."""
+def _counts(results: CombinationResult, d: Array, thickness: Array, reach: Mapping[str, float]) -> Flags:
+    """Return at which nodes one-way shear is checked; `reach` is how far from columns punching is [m], else 2 d."""
     from shapely import LineString, Point, distance, points, union_all
 
     model, nodes = results.model, points(results.plate.nodes)
     chord = 1e-3 * max(model.plate.sides)
-    nearer = [
-        distance(nodes, column.to_shapely(chord)) <= (d if reach is None else reach.get(column.name, 2 * d))
-        for column in model.columns
-    ]
+    nearer = [distance(nodes, column.to_shapely(chord)) <= reach.get(column.name, 2 * d) for column in model.columns]
     stands = [LineString(each.points) if isinstance(each, LineSupport) else Point(each.x, each.y)
                for each in model.supports]  # fmt: skip
     far = distance(nodes, union_all(stands)) > 2 * d if stands else np.ones(len(nodes), dtype=bool)

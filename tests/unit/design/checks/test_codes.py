@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from groundslab.design.checks import DesignCheck, check_design
+from groundslab.design.checks.wide_beam import cuts
 from groundslab.design.result_tables import tables_of
 from groundslab.errors import InputError
 from groundslab.model.model import Model
@@ -110,6 +111,27 @@ def test_one_way_shear_of_aci_318() -> None:
     assert found.resistance is not None
     assert bounds[0] * 0.999 <= found.resistance <= bounds[1] * 1.001
     assert found.clause == "ACI 318-19 22.5.5.1"
+
+
+def test_cuts_beside_columns_are_means_over_a_share() -> None:
+    """At d from both faces along x and y; between two columns to the middle. Means of linear fields are exact."""
+    columns = [COLUMN, {"name": "C2", "x": 0.2, "y": 1.0, "diameter": 0.4}]
+    of = solved({**ACI, **AXES}, columns=columns).results["ULS"]
+    steel = of.model.reinforcement
+    assert steel is not None
+    found = [cut for cut in cuts(of, steel) if cut.axis == 0]
+    x, y = of.plate.nodes.T
+    assert len(found) == 4
+    places = [(-0.15 - D, 0), (0.15 + D, 0), (0.2 - 0.2 - D, 1), (0.2 + 0.2 + D, 1)]
+    # from the plate's edge to the middle between the columns at y = 0.5
+    shares = [(-LENGTH_Y / 2, 0.5)] * 2 + [(0.5, LENGTH_Y / 2)] * 2
+    for cut, (at, _), (low, high) in zip(found, places, shares, strict=True):
+        assert cut.place == pytest.approx((at, (low + high) / 2))
+        assert cut.mean(3 + 2 * x - y) == pytest.approx(3 + 2 * at - (low + high) / 2)
+    force, v_c = found[1].forces(
+        replace(of.plate, shear_x=-1e5 * x, moment_x=np.ones_like(x)), {"bottom_x": x + 7, "top_x": x - 7}
+    )
+    assert (force, v_c) == (pytest.approx(1e5 * places[1][0]), pytest.approx(places[1][0] + 7))
 
 
 def test_combinations_of_another_code_need_attention() -> None:
