@@ -346,3 +346,29 @@ def test_all_faults_come_at_once() -> None:
     with pytest.raises(InputError) as error:
         combinations([G, Q], ["ultimate", "final"], {"permanent": (1.0, 1.35), "variable": (1.5, -0.5)})
     assert [issue.location for issue in error.value.issues] == ["Combine.sets[2]", "Combine.variable[2]"]
+
+
+@pytest.mark.parametrize(
+    ("category", "psi"),
+    [
+        ("A", "0.7 0.5 0.3"), ("B", "0.7 0.5 0.3"), ("C", "0.7 0.7 0.6"), ("D", "0.7 0.7 0.6"), ("E", "1.0 0.9 0.8"),
+        ("F", "0.7 0.7 0.6"), ("G", "0.7 0.5 0.3"), ("H", "0 0 0"), ("snow", "0.5 0.2 0"),
+        ("snow above 1000 m", "0.7 0.5 0.2"), ("wind", "0.6 0.2 0"), ("temperature", "0.6 0.5 0"),
+    ],
+)  # fmt: skip
+def test_psi_by_category(category: str, psi: str) -> None:
+    """EN 1990 Table A1.1 as printed; a psi that is given comes first, and another category brings its own."""
+    case = LoadCase(name="Q", action="variable", category=category)
+    assert (case.psi_0, case.psi_1, case.psi_2) == tuple(map(float, psi.split()))
+    own = LoadCase(name="Q", action="variable", category=category, psi_0=0.95)
+    assert (own.psi_0, own.psi_1) == (0.95, case.psi_1)
+    assert own.replace(category="wind") == LoadCase(name="Q", action="variable", category="wind")
+    assert case.replace(psi_2=0.0).psi_1 == case.psi_1
+
+
+def test_a_case_without_category_keeps_its_psi() -> None:
+    """0.7, 0.5 and 0.3 as ever; a category that is not there is refused."""
+    case = LoadCase(name="Q", action="variable")
+    assert (case.psi_0, case.psi_1, case.psi_2, case.category) == (0.7, 0.5, 0.3, None)
+    with pytest.raises(InputError, match="category"):
+        LoadCase(name="Q", category="K")
