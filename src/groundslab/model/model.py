@@ -78,7 +78,7 @@ class Model(Section):
     combinations: Annotated[
         tuple[Combination, ...], Table("what to solve; without any, each case by itself, or what combine makes")
     ] = ()
-    combine: Annotated[Combine | None, Table("automatic combinations by EN 1990, beside those given")] = None
+    combine: Annotated[Combine | None, Table("automatic combinations by EN 1990 or ACI 318, beside those given")] = None
     output: Annotated[Output, Table("where values are listed")] = Output()
     reinforcement: Annotated[
         Reinforcement | None,

@@ -121,18 +121,22 @@ def _effect(
     limit_state: LimitState,
     least: bool = False,
     rare: float = 0.0,
+    category: Mapping[str, str] | None = None,
     **rules: Any,
 ) -> float:
-    """Return the largest effect over combinations by EN 1990, or the least; of variable cases effect and psi 0 to 2.
+    """Return the largest effect over combinations, or the least; of variable cases effect and psi 0 to 2 if any.
 
-    `rare` is the effect of the accidental or seismic action.
+    `rare` is the effect of the accidental or seismic action, `category` that of variable cases; winds exclude each
+    other.
     """
     cases = [LoadCase(name=name) for name in permanent]
     if limit_state in ("accidental", "seismic"):
         cases.append(LoadCase(name="rare", action=limit_state))
     for name, (_, *psi) in variable.items():
-        factors = dict(zip(("psi_0", "psi_1", "psi_2"), psi, strict=True))
-        cases.append(LoadCase(name=name, action="variable", **factors))
+        factors = dict(zip(("psi_0", "psi_1", "psi_2"), psi, strict=True)) if psi else {}
+        kind = (category or {}).get(name)
+        group = "wind" if kind == "wind" else ""
+        cases.append(LoadCase(name=name, action="variable", category=kind, group=group, **factors))
     effects = {**permanent, "rare": rare, **{name: effect for name, (effect, *_) in variable.items()}}
     made = make_combinations(Combine(sets=(limit_state,), **rules), cases)
     sums = [sum(factor * effects[name] for name, factor in each.factors) for each in made]

@@ -43,8 +43,9 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         yield DesignCheck("ultimate combinations", "attention", words)
     if reinforcement.without_partial_factors(combined):
         yield DesignCheck("partial factors", "attention", reinforcement.UNFACTORED)
-    if steel.code == "ACI 318" and any(each.rule.startswith("EN 1990") for each in combined.combinations):
-        words = "combinations made by EN 1990 are not those of ACI 318-19 5.3, whose factors [[combinations]] can have"
+    rules = [each.rule for each in combined.combinations if each.limit_state in STRENGTH]
+    if steel.code == "ACI 318" and any(rule.startswith("EN 1990") for rule in rules):
+        words = "combinations made by EN 1990 are not those of ACI 318-19 5.3, which combine.expression can ask for"
         yield DesignCheck("load combinations", "attention", words, clause="ACI 318-19 5.3.1")
 
 

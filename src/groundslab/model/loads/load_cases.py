@@ -20,7 +20,7 @@ LimitState = Literal[
 #: Limit states in which strength is checked, of the slab and of the ground, and those of serviceability.
 STRENGTH: tuple[LimitState, ...] = ("ultimate", "accidental", "seismic")
 SERVICEABILITY: tuple[LimitState, ...] = ("characteristic", "frequent", "quasi-permanent")
-Expression = Literal["6.10", "6.10a and 6.10b"]
+Expression = Literal["6.10", "6.10a and 6.10b", "ACI 318"]
 
 Category = Literal["A", "B", "C", "D", "E", "F", "G", "H", "snow", "snow above 1000 m", "wind", "temperature"]
 #: psi_0, psi_1 and psi_2 by category of action, the recommended values of EN 1990 Table A1.1.
@@ -125,17 +125,24 @@ def _three_factors(symbol: str, state: str) -> ListOf:
     return ListOf(Number(symbol, "", PARTIAL), symbol, meaning, 3)
 
 
-class Combine(Section):
-    """Automatic combinations of the load cases by EN 1990."""
+def _check_expression(expression: str, given: set[str]) -> Iterator[RelativeIssue]:
+    for key in ("permanent", "variable", "xi", "separate"):
+        if expression == "ACI 318" and key in given:
+            yield RelativeIssue((key,), f"{key} with ACI 318", f"no {key}", "the factors are those of ACI 318-19 5.3.1")
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_partial_factors,)
+
+class Combine(Section):
+    """Automatic combinations of the load cases by EN 1990, or the strength combinations of ACI 318."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_check_partial_factors, _check_expression)
 
     sets: Annotated[
         tuple[LimitState, ...],
         ListOf(Choice(LimitState, ""), "", "limit states to make combinations for", unique=True),
     ]
     expression: Annotated[
-        Expression, Choice(Expression, "expressions of EN 1990 6.4.3.2(3) that ultimate combinations follow")
+        Expression,
+        Choice(Expression, "expressions of EN 1990 6.4.3.2(3), or ACI 318-19 5.3.1, for ultimate and seismic sets"),
     ] = "6.10"
     xi: Annotated[float, Number("xi", "reduction of unfavourable permanent actions in 6.10b", SHARE)] = 0.85
     separate: Annotated[

@@ -45,8 +45,8 @@ FIELDS: dict[str, OutputQuantity] = {
     },
     "shear": OutputQuantity("force per length", "transverse shear force in its own direction, never negative"),
     "tensile stress": OutputQuantity("pressure", "largest tension by bending at either face, 6 m / t^2"),
-    "reinforcement bottom x": OutputQuantity(_STEEL, "bars along x at the bottom by the code of the case, infinite where "
-        "the concrete is too weak, over the ultimate combinations; the case needs [reinforcement]"),
+    "reinforcement bottom x": OutputQuantity(_STEEL, "bars along x at the bottom by the code of the case, infinite "
+        "where the concrete is too weak, over the ultimate combinations; the case needs [reinforcement]"),
     "reinforcement bottom y": OutputQuantity(_STEEL, "the same along y"),
     "reinforcement top x": OutputQuantity(_STEEL, "the same along x at the top"),
     "reinforcement top y": OutputQuantity(_STEEL, "the same along y at the top"),
