@@ -58,3 +58,10 @@ def test_every_column_is_explained() -> None:
             assert columns[-len(QUANTITIES) :] == QUANTITIES
             columns = columns[: -len(QUANTITIES)]
         assert explained(table.name) == columns, table.name
+    steel = model.reinforcement.replace(code="ACI 318")
+    other = model.replace(reinforcement=steel)
+    found = {
+        each.name: each for each in tables_of(Results(other, list_combinations(other), {}, {"ULS": Exception("no")}))
+    }
+    own = explained("columns, by ACI 318")
+    assert [(column.name, column.unit) for column in found["columns"].columns][-len(own) :] == own

@@ -380,8 +380,9 @@ def load_cases(draw: st.DrawFn) -> list[LoadCase]:
 
 
 def combines() -> st.SearchStrategy[Combine]:
-    """Return automatic combinations of some limit states."""
-    sets = st.lists(any_of_each(Combine, "sets"), min_size=1, max_size=2, unique=True)
+    """Return automatic combinations of some limit states, of those that need no rare action."""
+    states = any_of_each(Combine, "sets").filter(lambda state: state not in ("accidental", "seismic"))
+    sets = st.lists(states, min_size=1, max_size=2, unique=True)
     return st.builds(Combine, sets=sets, permanent=st.sampled_from([(1.35, 1.0), (1.1, 0.9)]))
 
 
@@ -412,9 +413,9 @@ def outputs(draw: st.DrawFn, plate: Plate) -> Output:
 
 @st.composite
 def reinforcements(draw: st.DrawFn, plate: Plate) -> Reinforcement:
-    """Return concrete, steel and bars that fit into the plate, with zones of further ones where it is thick enough."""
+    """Return concrete, steel and bars that fit into the plate, by any code and annex, with zones where it is thick."""
     cover = st.floats(0.05, 0.45).map(lambda share: share * plate.thickness)
-    pair = st.tuples(cover, cover)
+    axes = {"bottom": st.tuples(cover, cover), "top": st.tuples(cover, cover), "f_yk": st.floats(4e8, 6e8)}
     laid: dict[str, Any] = {}
     if 0.05 * plate.thickness > 6e-3 and draw(st.booleans()):
         bars = st.builds(Bars, diameter=st.floats(4e-3, 12e-3), spacing=st.floats(0.05, 0.5))
@@ -422,12 +423,15 @@ def reinforcements(draw: st.DrawFn, plate: Plate) -> Reinforcement:
         shape = Rectangle(x=(-plate.length_x / 2, 0.0), y=(0.0, plate.length_y))
         laid["zones"] = [BarZone(name=name, shape=shape, layers=("top_x",), diameter=8e-3, spacing=0.2)
                          for name in _unique_names(draw, draw(st.integers(0, 2)), "", True)]  # fmt: skip
-    given = {name: st.just(value) for name, value in laid.items()}
-    built = st.builds(
-        Reinforcement, f_ck=st.floats(12e6, 90e6), f_yk=st.floats(4e8, 6e8), gamma_c=st.floats(1.0, 2.0),
-        gamma_s=st.floats(1.0, 2.0), alpha_cc=st.floats(0.5, 1.0), bottom=pair, top=pair, **given,
+    given = axes | {name: st.just(value) for name, value in laid.items()}
+    by_en = st.builds(
+        Reinforcement, f_ck=st.floats(12e6, 90e6), gamma_c=st.none() | st.floats(1.0, 2.0),
+        gamma_s=st.none() | st.floats(1.0, 2.0), alpha_cc=st.none() | st.floats(0.5, 1.0),
+        annex=any_of(Reinforcement, "annex"), **given,
     )  # fmt: skip
-    return draw(built)
+    size = st.booleans()
+    by_aci = st.builds(Reinforcement, code=st.just("ACI 318"), f_ck=st.floats(17e6, 90e6), size_effect=size, **given)
+    return draw(by_en | by_aci)
 
 
 @st.composite

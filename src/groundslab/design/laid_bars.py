@@ -47,6 +47,13 @@ def bar_area(bars: Bars) -> float:
     return math.pi * bars.diameter**2 / 4 / bars.spacing
 
 
+def bars_of(steel: Reinforcement, layer: str) -> list[Bars]:
+    """Return the sets of bars of a layer: those all over the slab, then those of its zones. Some must be laid."""
+    base = steel.base_bars(layer)
+    assert base is not None
+    return [base, *(zone.bars for zone in steel.zones if layer in zone.layers)]
+
+
 def laid_bars(steel: Reinforcement, layer: str, places: Array) -> LaidBars:
     """Return the bars of a layer at places (n, 2) [m]; those on the border of a zone have its bars. Some must be laid.
 
@@ -54,15 +61,12 @@ def laid_bars(steel: Reinforcement, layer: str, places: Array) -> LaidBars:
     """
     from shapely import intersects_xy
 
-    base = steel.base_bars(layer)
-    assert base is not None
     x, y = places.T
     near = ROUNDING * float(np.ptp(places, axis=0).max(initial=0.0))
-    sets, there = [base], [np.ones(len(places), dtype=bool)]
+    sets, there = bars_of(steel, layer), [np.ones(len(places), dtype=bool)]
     for zone in steel.zones:
         if layer in zone.layers:
             region = polygon_of(zone.shape.ring()).buffer(near, join_style="mitre")
-            sets.append(zone.bars)
             there.append(intersects_xy(region, x, y))
     diameter, spacing = (np.array([getattr(each, name) for each in sets])[:, None] for name in ("diameter", "spacing"))
     count = np.array(there) / spacing  # per length

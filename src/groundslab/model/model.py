@@ -79,11 +79,11 @@ class Model(Section):
     combinations: Annotated[
         tuple[Combination, ...], Table("what to solve; without any, each case by itself, or what combine makes")
     ] = ()
-    combine: Annotated[Combine | None, Table("automatic combinations by EN 1990, beside those given")] = None
+    combine: Annotated[Combine | None, Table("automatic combinations by EN 1990 or ACI 318, beside those given")] = None
     output: Annotated[Output, Table("where values are listed")] = Output()
     reinforcement: Annotated[
         Reinforcement | None,
-        Table("what reinforcement by EN 1992-1-1 is found for; needs ultimate combinations of loads"),
+        Table("what reinforcement by EN 1992-1-1 or ACI 318 is found for; needs ultimate combinations of loads"),
     ] = None
     limits: Annotated[Limits | None, Table("what settlements, tilt and pressures are checked against")] = None
     soil_strength: Annotated[

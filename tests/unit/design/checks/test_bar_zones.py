@@ -145,3 +145,22 @@ def test_fields_without_bars_that_are_laid() -> None:
     of = results(60e3, **dict.fromkeys(LAYERS), w_max=None)
     assert set(bar_fields(of)) == {f"required_{layer}" for layer in LAYERS}
     assert bar_fields(replace(of, model=of.model.replace(reinforcement=None))) == {}
+
+
+def test_cover_of_thicker_bars_in_zones() -> None:
+    """Cover of 35 mm to bars of 12 mm: their axis at 41 mm; bars of 25 mm there have 28.5 mm, and 25 + 10 mm are due."""
+    given = {"bottom": None, "top": None, "cover": (0.035, 0.035), "exposure": "XC1"}
+    found = checks(results(1e3, **given))["cover"]
+    assert (found.status, found.demand, found.resistance) == ("no failure found", pytest.approx(35), pytest.approx(25))
+    thick = checks(results(1e3, zones=[zone(RIGHT, 0.025, ["bottom_x"])], **given))["cover"]
+    assert (thick.status, thick.of) == ("fails", "bottom x")
+    assert (thick.demand, thick.resistance) == (pytest.approx(28.5), pytest.approx(35))
+
+
+def test_axes_by_cover_and_a_mesh() -> None:
+    """Q335A, 8 mm, outer along x with 35 mm of cover: axes at 39 and 47 mm."""
+    bare = dict.fromkeys(LAYERS)
+    meshes = {"bottom_mesh": "Q335A", "top_mesh": "Q335A", "bottom": None, "top": None, "cover": (0.035, 0.035)}
+    steel = results(1e3, **bare, **meshes).model.reinforcement
+    assert steel is not None
+    assert steel.bottom_axes == pytest.approx((0.039, 0.047))
