@@ -148,7 +148,7 @@ def test_fields_without_bars_that_are_laid() -> None:
 
 
 def test_cover_of_thicker_bars_in_zones() -> None:
-    """Cover of 35 mm to bars of 12 mm: their axis at 41 mm; bars of 25 mm there have 28.5 mm, and 25 + 10 mm are due."""
+    """Cover of 35 mm to bars of 12 mm: their axis at 41 mm; bars of 25 mm there have 28.5 mm, 25 + 10 mm are due."""
     given = {"bottom": None, "top": None, "cover": (0.035, 0.035), "exposure": "XC1"}
     found = checks(results(1e3, **given))["cover"]
     assert (found.status, found.demand, found.resistance) == ("no failure found", pytest.approx(35), pytest.approx(25))
