@@ -38,7 +38,6 @@ from .model.loads.load_types import SettlementLoad as SettlementLoad
 from .model.loads.load_types import TemperatureLoad as TemperatureLoad
 from .model.loads.load_types import UniformLoad as UniformLoad
 from .model.model import Model as Model
-from .model.outputs import Bars as Bars
 from .model.outputs import Output as Output
 from .model.outputs import OutputLine as OutputLine
 from .model.outputs import OutputPoint as OutputPoint
@@ -49,6 +48,8 @@ from .model.outputs import Report as Report
 from .model.plate import Edges as Edges
 from .model.plate import Plate as Plate
 from .model.plate import Zone as Zone
+from .model.reinforcement.bars import Bars as Bars
+from .model.reinforcement.bars import BarZone as BarZone
 from .model.settings import Analysis as Analysis
 from .model.settings import Beyond as Beyond
 from .model.settings import Contact as Contact
@@ -66,6 +67,7 @@ from .model.varying_ground import Void as Void
 from .results.results import CombinationResult as CombinationResult
 from .results.results import Results as Results
 from .study.evaluation.study import open_study as open_study
+from .views.bars import write_bars as write_bars
 from .views.files.results_folder import load_results as load_results
 from .views.files.results_folder import save_results as save_results
 from .views.files.xlsx import write_workbook as write_workbook

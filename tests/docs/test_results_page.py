@@ -40,7 +40,14 @@ def test_every_column_is_explained() -> None:
             "lines": [{"name": "L", "start": (0, 0), "end": (1, 0)}],
             "strips": [{"name": "S", "start": (0, 0), "end": (1, 0), "width": 1}],
         },
-        reinforcement={"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.04, 0.05)},
+        reinforcement={
+            "f_ck": 30e6,
+            "f_yk": 500e6,
+            "bottom": (0.04, 0.05),
+            "top": (0.04, 0.05),
+            "bottom_mesh": "Q335A",
+            "top_mesh": "A393",
+        },
     )
     tables = tables_of(Results(model, list_combinations(model), {}, {"ULS": Exception("not solved")}))
     assert len(tables) == 12
@@ -51,3 +58,10 @@ def test_every_column_is_explained() -> None:
             assert columns[-len(QUANTITIES) :] == QUANTITIES
             columns = columns[: -len(QUANTITIES)]
         assert explained(table.name) == columns, table.name
+    steel = model.reinforcement.replace(code="ACI 318")
+    other = model.replace(reinforcement=steel)
+    found = {
+        each.name: each for each in tables_of(Results(other, list_combinations(other), {}, {"ULS": Exception("no")}))
+    }
+    own = explained("columns, by ACI 318")
+    assert [(column.name, column.unit) for column in found["columns"].columns][-len(own) :] == own

@@ -22,6 +22,7 @@ from groundslab.model.loads.load_types import (
 from groundslab.model.model import Model
 from groundslab.model.outputs import Output, OutputLine, OutputPoint, OutputStrip, Reinforcement
 from groundslab.model.plate import Edges, Plate
+from groundslab.model.reinforcement.bars import MESHES, Bars, BarZone
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.model.supports import LineSupport, PointSupport
@@ -412,14 +413,27 @@ def outputs(draw: st.DrawFn, plate: Plate) -> Output:
     return Output(points=points, lines=lines, strips=strips)
 
 
-def reinforcements(plate: Plate) -> st.SearchStrategy[Reinforcement]:
-    """Return concrete, steel and bars that fit into the plate."""
+@st.composite
+def reinforcements(draw: st.DrawFn, plate: Plate) -> Reinforcement:
+    """Return concrete, steel and bars that fit into the plate, by any code and annex, with zones where it is thick."""
     cover = st.floats(0.05, 0.45).map(lambda share: share * plate.thickness)
-    pair = st.tuples(cover, cover)
-    return st.builds(
-        Reinforcement, f_ck=st.floats(12e6, 90e6), f_yk=st.floats(4e8, 6e8), gamma_c=st.floats(1.0, 2.0),
-        gamma_s=st.floats(1.0, 2.0), alpha_cc=st.floats(0.5, 1.0), bottom=pair, top=pair,
+    axes = {"bottom": st.tuples(cover, cover), "top": st.tuples(cover, cover), "f_yk": st.floats(4e8, 6e8)}
+    laid: dict[str, Any] = {}
+    if 0.05 * plate.thickness > 6e-3 and draw(st.booleans()):
+        bars = st.builds(Bars, diameter=st.floats(4e-3, 12e-3), spacing=st.floats(0.05, 0.5))
+        laid = {name: draw(bars) for name in ("bottom_x", "bottom_y")} | {"top_mesh": draw(st.sampled_from([*MESHES]))}
+        shape = Rectangle(x=(-plate.length_x / 2, 0.0), y=(0.0, plate.length_y))
+        laid["zones"] = [BarZone(name=name, shape=shape, layers=("top_x",), diameter=8e-3, spacing=0.2)
+                         for name in _unique_names(draw, draw(st.integers(0, 2)), "", True)]  # fmt: skip
+    given = axes | {name: st.just(value) for name, value in laid.items()}
+    by_en = st.builds(
+        Reinforcement, f_ck=st.floats(12e6, 90e6), gamma_c=st.none() | st.floats(1.0, 2.0),
+        gamma_s=st.none() | st.floats(1.0, 2.0), alpha_cc=st.none() | st.floats(0.5, 1.0),
+        annex=any_of(Reinforcement, "annex"), **given,
     )  # fmt: skip
+    size = st.booleans()
+    by_aci = st.builds(Reinforcement, code=st.just("ACI 318"), f_ck=st.floats(17e6, 90e6), size_effect=size, **given)
+    return draw(by_en | by_aci)
 
 
 @st.composite

@@ -1,4 +1,4 @@
-"""The command line: groundslab solve, study, evaluate, plot, report, tables, app, check, new, dxf, verify, schema.
+"""The command line: groundslab solve, study, evaluate, plot, report, tables, bars, app, check, new, dxf, verify, ...
 
 Exit codes: 0 fine; 1 no certified result (of one combination of loads at least), or a verification case that fails;
 2 wrong input or usage; 3 certified results of a design that fails a check; 130 interrupted.
@@ -122,6 +122,9 @@ def _parser() -> argparse.ArgumentParser:
     )
     tables.add_argument("results", metavar="RESULTS", help="folder of results that groundslab solve has written")
     tables.add_argument("--out", metavar="FILE", help="file to make (default: RESULTS.xlsx beside the folder)")
+
+    bars = _command(commands, "bars", plot.run_bars, "draw the bars that a case lays, with quantities: SVG and DXF")
+    plot.describe_bars(bars)
 
     verify = _command(commands, "verify", _verify, "solve cases with known answers and compare")
     verify.add_argument("names", nargs="*", metavar="NAME", help="cases to run (default: all)")

@@ -1,4 +1,4 @@
-"""The command plot: what it understands, and what it does."""
+"""The commands plot and bars: what they understand, and what they do."""
 
 from __future__ import annotations
 
@@ -21,8 +21,12 @@ def describe(plot: argparse.ArgumentParser) -> None:
         metavar="FIELD",
         help="what to draw, by name or symbol: settlement (w), rotation_x, rotation_y, gap (g), penetration (s), "
         "pressure (p), moment_x (m_x), moment_y, moment_xy, shear_x (q_x), shear_y; principal moments m_1, m_2; "
-        "design moments bottom_x, bottom_y, top_x, top_y; discretization_error, large where the mesh is too coarse "
-        "(default: a usual choice for the kind)",
+        "design moments bottom_x, bottom_y, top_x, top_y; of bars over all ultimate combinations "
+        "required_bottom_x, required_bottom_y, required_top_x, required_top_y, "
+        "provided_bottom_x, provided_bottom_y, provided_top_x, provided_top_y, "
+        "utilisation_bottom_x, utilisation_bottom_y, utilisation_top_x, utilisation_top_y, "
+        "missing_bottom_x, missing_bottom_y, missing_top_x, missing_top_y; discretization_error, "
+        "large where the mesh is too coarse (default: a usual choice for the kind)",
     )
     plot.add_argument(
         "--kind",
@@ -83,6 +87,38 @@ def run(options: argparse.Namespace) -> int:
         raise InputError([Issue("--out", f"{file}, inside the folder of results", "a place outside it", hint)])
     pages = len(plots.write(request, file))
     print_stderr(f"wrote {file}" + (f", {pages} pages" if pages > 1 else ""))
+    return EXIT_OK
+
+
+def describe_bars(bars: argparse.ArgumentParser) -> None:
+    """Add what the command bars understands."""
+    bars.epilog = (
+        "A plan of each face with one bar of each set, and a table of numbers, lengths and masses, without laps. An "
+        "existing file is replaced only if groundslab drew it."
+    )
+    bars.add_argument("results", metavar="RESULTS", help="folder of results that groundslab solve has written")
+    bars.add_argument(
+        "--out",
+        metavar="FILE",
+        help="file to make, which ends with .dxf, .svg, .pdf or .png (default: RESULTS-bars.svg and RESULTS-bars.dxf "
+        "beside the folder)",
+    )
+
+
+def run_bars(options: argparse.Namespace) -> int:
+    """Draw the bars of a folder of results."""
+    from pathlib import Path
+
+    from groundslab.views import bars
+    from groundslab.views.files import results_folder
+
+    targets = bars.default_paths(options.results) if options.out is None else (Path(options.out),)
+    for target in targets:
+        bars.check(target)
+    model = results_folder.load_results(options.results).model
+    for target in targets:
+        bars.write_bars(model, target)
+        print_stderr(f"wrote {target}")
     return EXIT_OK
 
 

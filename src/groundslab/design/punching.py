@@ -148,14 +148,19 @@ def demand(
 
 
 def perimeter(
-    plate: PlateResult, column: RectangularColumn | RoundColumn, distance: float, opening_reach: float
+    plate: PlateResult,
+    column: RectangularColumn | RoundColumn,
+    distance: float,
+    opening_reach: float,
+    square: bool = False,
 ) -> Perimeter:
     """Return the shortest control perimeter on the plate at a distance [m] from a column (EN 1992-1-1 6.4.2).
 
     It runs around the column, with rounded corners, and ends where it meets the plate's edge (Figure 6.13), or runs
     straight out to one or several near edges at a right angle, if that is shorter (Figure 6.15). Lengths of the free
     edge itself do not count, nor what lies between the tangents from the column's center to an opening within
-    `opening_reach` [m] (Figure 6.14; an opening longer along the ray than across it is not widened as there).
+    `opening_reach` [m] (Figure 6.14; an opening longer along the ray than across it is not widened as there). With
+    `square` its corners are square, as those of ACI 318-19 22.6.4.1.
     """
     plan = outline(plate)
     footprint = column.footprint()
@@ -164,7 +169,8 @@ def perimeter(
     where = f"a column at ({column.x:g}, {column.y:g}) m"
     if footprint.area == 0 or not plan.buffer(near).covers(footprint):
         raise InputError([Issue("column", where, "a footprint that lies on the plate")])
-    found = [_cut_off(plan, swept.buffer(distance, quad_segs=QUARTER_CHORDS), footprint, near)
+    join: Literal["mitre", "round"] = "mitre" if square else "round"
+    found = [_cut_off(plan, swept.buffer(distance, quad_segs=QUARTER_CHORDS, join_style=join), footprint, near)
              for swept in _swept(plan, footprint, distance, near)]  # fmt: skip
     inside, legs = min(found, key=lambda one: float(np.linalg.norm(one[1][:, 1] - one[1][:, 0], axis=1).sum()))
     u = _effective(plan, footprint, legs, opening_reach)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
+from groundslab.design.bar_quantities import bars
 from groundslab.design.checks.table import checks_table
 from groundslab.design.tables import errors
 from groundslab.design.tables.columns import column_envelope, column_table
@@ -21,8 +22,8 @@ __all__ = ["Column", "Table", "fields_of_envelope", "tables_of"]
 def tables_of(combined: Results) -> tuple[Table, ...]:
     """Return the tables of results: combinations, extremes, envelopes and tilt, and those that the model asks for.
 
-    Points, section lines, design strips, supports, columns and reinforcement have a table each if the model names any.
-    Discretization errors stand in columns at the right. docs/results.md explains every column.
+    Points, section lines, design strips, supports, columns, reinforcement and bars that are laid have a table each if
+    the model names any. Discretization errors stand in columns at the right. docs/results.md explains every column.
 
     Parameters
     ----------
@@ -71,4 +72,6 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
         tables.append(column_envelope(combined, tables[-1]))
     if model.reinforcement is not None:
         tables.append(errors.with_errors_of_governing(partial(reinforcement, steel=model.reinforcement), combined))
+        if model.reinforcement.laid:
+            tables.append(bars(model))
     return tuple(tables)

@@ -20,7 +20,15 @@ from groundslab.model.loads.en1990 import check_combine
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations
 from groundslab.model.loads.load_types import Load
 from groundslab.model.loads.placement import check_load_columns, check_point_loads
-from groundslab.model.outputs import Output, Project, Reinforcement, Report, check_bar_distances, check_output
+from groundslab.model.outputs import (
+    Output,
+    Project,
+    Reinforcement,
+    Report,
+    check_bar_distances,
+    check_bar_zones,
+    check_output,
+)
 from groundslab.model.plate import Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.supports import Support
@@ -54,6 +62,7 @@ class Model(Section):
         varying_ground.check_boreholes,
         check_output,
         check_bar_distances,
+        check_bar_zones,
         check_design_combinations,
     )
 
@@ -79,11 +88,11 @@ class Model(Section):
     combinations: Annotated[
         tuple[Combination, ...], Table("what to solve; without any, each case by itself, or what combine makes")
     ] = ()
-    combine: Annotated[Combine | None, Table("automatic combinations by EN 1990, beside those given")] = None
+    combine: Annotated[Combine | None, Table("automatic combinations by EN 1990 or ACI 318, beside those given")] = None
     output: Annotated[Output, Table("where values are listed")] = Output()
     reinforcement: Annotated[
         Reinforcement | None,
-        Table("what reinforcement by EN 1992-1-1 is found for; needs ultimate combinations of loads"),
+        Table("what reinforcement by EN 1992-1-1 or ACI 318 is found for; needs ultimate combinations of loads"),
     ] = None
     limits: Annotated[Limits | None, Table("what settlements, tilt and pressures are checked against")] = None
     soil_strength: Annotated[

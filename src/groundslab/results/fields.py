@@ -133,6 +133,25 @@ LAYERS: dict[str, ResultField] = {
     for axis in "xy"
 }
 
+_ULTIMATE = "over all ultimate combinations"
+#: What is told of bars: symbol, unit, dimension, quantity, meaning.
+_OF_BARS = {
+    "required": ("a_req", "cm2/m", "area per length", "required area", f"the largest {_ULTIMATE}"),
+    "provided": ("a_prov", "cm2/m", "area per length", "provided area", "of the bars that are laid there"),
+    "utilisation": ("eta", "%", "share", "utilisation", f"required over provided area {_ULTIMATE}"),
+    "missing": ("a_miss", "cm2/m", "area per length", "missing area", f"required less provided {_ULTIMATE}"),
+}
+#: Fields of the four layers of bars that belong to no single combination: what bending and the minimum need, what is
+#: laid, and both compared.
+BAR_FIELDS: dict[str, ResultField] = {
+    f"{what}_{face}_{axis}": ResultField(
+        f"{quantity} {face} {axis}", f"{symbol} {face} {axis}", unit, dimension, f"{quantity} {face} {axis}, {meaning}",
+        "not negative", "of recovered moments",
+    )
+    for what, (symbol, unit, dimension, quantity, meaning) in _OF_BARS.items()
+    for face, axis in (layer.split("_") for layer in LAYERS)
+}  # fmt: skip
+
 #: The quantities that are listed at a point of the plate; a force along the edge belongs to no point inside.
 POINT_FIELDS = {name: field for name, field in PLATE_FIELDS.items() if name != LINE_FORCE}
 POINT_FIELDS |= PRINCIPAL | DIRECTION | LAYERS

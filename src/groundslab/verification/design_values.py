@@ -8,8 +8,16 @@ from typing import Any
 
 import numpy as np
 
+from groundslab.arrays import Array
+from groundslab.design.aci318 import bending as aci_bending
+from groundslab.design.aci318 import punching as aci_punching
+from groundslab.design.aci318 import shear as aci_shear
+from groundslab.design.aci318.materials import PHI_BENDING, PHI_SHEAR
+from groundslab.design.aci318.materials import Concrete as AciConcrete
+from groundslab.design.aci318.materials import Steel as AciSteel
 from groundslab.design.design_moments import wood_armer
 from groundslab.design.en1992 import bending, cracking, punching, shear
+from groundslab.design.en1992.annex import annex_of
 from groundslab.design.en1992.materials import Concrete, Steel
 from groundslab.model.loads.en1990 import make_combinations
 from groundslab.model.loads.load_cases import Combine, LimitState, LoadCase
@@ -26,18 +34,28 @@ def _lever_arm(K: float, f_ck: float, f_yk: float, alpha_cc: float) -> float:
 
 def _least_ratio(f_ck: float, f_yk: float) -> float:
     """Return the least ratio of bars in tension [%]."""
-    return float(bending.minimum(np.array(_D), Concrete(f_ck), Steel(f_yk)) / _D * 100)
+    return float(bending.minimum(np.array(_D), concrete=Concrete(f_ck), steel=Steel(f_yk)) / _D * 100)
 
 
-def _without_links(f_ck: float, d: float, rho: float) -> float:
+def _concrete(f_ck: float, annex: str) -> Concrete:
+    """Return concrete with the factors and rules of an annex."""
+    own = annex_of(annex)
+    return Concrete(f_ck, own.gamma_c, own.alpha_cc, own)
+
+
+def _without_links(f_ck: float, d: float, rho: float, annex: str = "recommended") -> float:
     """Return v_Rd,c / d of one-way shear."""
-    return float(shear.resistance_without_links(Concrete(f_ck), np.array([d]), np.array([rho]))[0] / d)
+    return float(shear.resistance_without_links(_concrete(f_ck, annex), np.array([d]), np.array([rho]))[0] / d)
 
 
-def _links(v: float, z: float, f_ck: float, f_yk: float) -> float:
-    """Return links per area of the plan [%] for a shear force per width v with the lever arm z."""
-    links = shear.required_links(np.array([v]), np.array([z / shear.LEVER]), Concrete(f_ck), Steel(f_yk))
-    return float(links.area[0]) * 100
+def _struts(v: float, z: float, f_ck: float, f_yk: float, annex: str = "recommended") -> shear.Links:
+    """Return links and struts for a shear force per width v with the lever arm z."""
+    return shear.required_links(np.array([v]), np.array([z / shear.LEVER]), _concrete(f_ck, annex), Steel(f_yk))
+
+
+def _links(**given: Any) -> float:
+    """Return links per area of the plan [%], see _struts."""
+    return float(_struts(**given).area[0]) * 100
 
 
 def _crack(what: str) -> Callable[..., float]:
@@ -53,6 +71,34 @@ def _crack(what: str) -> Callable[..., float]:
         return {"spacing": s_r, "strain": strain, "width": s_r * strain}[what]
 
     return find
+
+
+def _aci_ratio(R: float, f_c: float, f_y: float) -> float:
+    """Return the ratio of bars [%] for R = M_u / (phi b d^2) by ACI 318."""
+    m = np.array(PHI_BENDING * R * _D**2)
+    return float(aci_bending.required(m, _D, AciConcrete(f_c), AciSteel(f_y)).tension / _D * 100)
+
+
+def _aci_area(m: float, d: float, f_c: float, f_y: float) -> float:
+    """Return the area of bars [m2/m] for a factored moment by ACI 318."""
+    return float(aci_bending.required(np.array(m), d, AciConcrete(f_c), AciSteel(f_y)).tension)
+
+
+def _aci_two_way(f_c: float, d: float, b_o: float, beta: float, alpha_s: float) -> float:
+    """Return v_c [Pa] of two-way shear without size effect by ACI 318."""
+    return aci_punching.without_links(AciConcrete(f_c, size_effect=False), d, b_o, beta, alpha_s)
+
+
+def _edge_section(b_1: float, b_2: float) -> Array:
+    """Return the three sides (3, 2, 2) of a critical section at an edge, b_1 along x, about their centroid."""
+    x = b_1**2 / (2 * b_1 + b_2)  # from the inner side to the centroid
+    corners = np.array([[x - b_1, -b_2 / 2], [x, -b_2 / 2], [x, b_2 / 2], [x - b_1, b_2 / 2]])
+    return np.stack([corners[:-1], corners[1:]], axis=1)
+
+
+def _aci_stress(b_1: float, b_2: float, d: float, V_u: float, M: float) -> float:
+    """Return the largest v_u [Pa] of a critical section at an edge by ACI 318."""
+    return aci_punching.stress(V_u, [M, 0.0], _edge_section(b_1, b_2), 2 * b_1 + b_2, d)
 
 
 def _punching_used(v_Ed: float, f_ck: float, d: float, rho: float) -> float:
@@ -75,18 +121,22 @@ def _effect(
     limit_state: LimitState,
     least: bool = False,
     rare: float = 0.0,
+    category: Mapping[str, str] | None = None,
     **rules: Any,
 ) -> float:
-    """Return the largest effect over combinations by EN 1990, or the least; of variable cases effect and psi 0 to 2.
+    """Return the largest effect over combinations, or the least; of variable cases effect and psi 0 to 2 if any.
 
-    `rare` is the effect of the accidental or seismic action.
+    `rare` is the effect of the accidental or seismic action, `category` that of variable cases; winds exclude each
+    other.
     """
     cases = [LoadCase(name=name) for name in permanent]
     if limit_state in ("accidental", "seismic"):
         cases.append(LoadCase(name="rare", action=limit_state))
     for name, (_, *psi) in variable.items():
-        factors = dict(zip(("psi_0", "psi_1", "psi_2"), psi, strict=True))
-        cases.append(LoadCase(name=name, action="variable", **factors))
+        factors = dict(zip(("psi_0", "psi_1", "psi_2"), psi, strict=True)) if psi else {}
+        kind = (category or {}).get(name)
+        group = "wind" if kind == "wind" else ""
+        cases.append(LoadCase(name=name, action="variable", category=kind, group=group, **factors))
     effects = {**permanent, "rare": rare, **{name: effect for name, (effect, *_) in variable.items()}}
     made = make_combinations(Combine(sets=(limit_state,), **rules), cases)
     sums = [sum(factor * effects[name] for name, factor in each.factors) for each in made]
@@ -107,7 +157,25 @@ VALUES: dict[str, tuple[str | None, Callable[..., float]]] = {
     "eps_sm - eps_cm": (None, _crack("strain")),
     "w_k": ("length", _crack("width")),
     "v_Ed / v_Rd,c": (None, _punching_used),
-    "v_Ed / v_Rd,max": (None, lambda v_Ed, f_ck: 100 * v_Ed / punching.max_resistance(Concrete(f_ck))),
+    "v_Rd,max": ("pressure", lambda f_ck, annex: punching.max_resistance(_concrete(f_ck, annex)) or 0.0),
+    "strut": ("pressure", lambda f_ck, annex: _concrete(f_ck, annex).strut),
+    "cot theta": (None, lambda **given: float(_struts(**given).cot_theta[0])),
+    "rho by ACI 318": (None, _aci_ratio),
+    "A_s by ACI 318": (None, _aci_area),
+    "beta_1": (None, lambda f_c: AciConcrete(f_c).beta_1),
+    "least bars by ACI 318": (None, lambda h: float(aci_bending.minimum(np.array(h), h))),
+    "v_c by ACI 318": (None, _aci_two_way),
+    "phi V_c by ACI 318": (None, lambda **of: PHI_SHEAR * _aci_two_way(**of) * of["b_o"] * of["d"]),
+    "gamma_v": (None, aci_punching.gamma_v),
+    "J_c": (None, lambda b_1, b_2, d: float(aci_punching.polar_moments(_edge_section(b_1, b_2), np.zeros(2), d)[0])),
+    "v_u by ACI 318": (None, _aci_stress),
+    "lambda_s": (None, lambda d: AciConcrete(30e6).lambda_s(d)),
+    "one-way v_c by ACI 318": (
+        None,
+        lambda f_c, d, rho: float(aci_shear.without_links(AciConcrete(f_c), np.array(d), np.array(rho))),
+    ),
+    "links by ACI 318": (None, lambda v_u, d, f_c, f_y: aci_shear.links(v_u, d, AciConcrete(f_c), AciSteel(f_y))),
+    "v_Ed / v_Rd,max": (None, lambda v_Ed, f_ck: 100 * v_Ed / (punching.max_resistance(Concrete(f_ck)) or 0.0)),
     "k of Table 6.1": (None, punching.transfer_share),
     "f_ywd,ef": ("pressure", lambda d: punching.effective_strength(d, math.inf)),
 }

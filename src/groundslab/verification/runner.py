@@ -321,7 +321,7 @@ def _print(case: Case, outcomes: Sequence[Outcome], console: Console) -> None:
         computed = f"{outcome.computed:.6g}"
         error = "" if outcome.error is None else f"+-{outcome.error:.1g}"
         verdict = Text(outcome.verdict + mark, style=style)
-        table.add_row(outcome.label, outcome.published, computed, error, outcome.difference, verdict)
+        table.add_row(Text(outcome.label), outcome.published, computed, error, outcome.difference, verdict)
     console.print(Text(f"source: {case.source}"))
     console.print(table)
     for number, reason in enumerate(reasons, start=1):

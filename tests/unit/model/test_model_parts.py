@@ -32,6 +32,15 @@ GAP: dict[str, Any] = {"x": "0 m", "y": "0 m", "gap": "1 mm"}
 OUT: dict[str, Any] = {"name": "a", "x": "0 m", "y": "0 m"}
 CUT: dict[str, Any] = {"name": "a", "start": ["-3 m", "0 m"], "end": ["3 m", "0 m"]}
 BARS: dict[str, Any] = {"f_ck": "30 MPa", "f_yk": "500 MPa", "bottom": ["40 mm", "50 mm"], "top": ["40 mm", "50 mm"]}
+SPACED: dict[str, Any] = {"diameter": "12 mm", "spacing": "150 mm"}
+LAID: dict[str, Any] = BARS | dict.fromkeys(("bottom_x", "bottom_y", "top_x", "top_y"), SPACED)
+BAR_ZONE: dict[str, Any] = {
+    **SPACED,
+    "name": "Z",
+    "shape": BOX,
+    "layers": ["bottom_x", "bottom_y"],
+    "diameter": "16 mm",
+}
 CASES: list[dict[str, Any]] = [{"name": "dead"}, {"name": "live", "action": "variable"}]
 DEAD: dict[str, Any] = {**UNIFORM, "case": "dead"}
 MIX: dict[str, Any] = {"name": "K1", "factors": {"dead": 1.35, "live": 1.5}}
@@ -245,6 +254,22 @@ ONE_FAULT = [
     (designed({**BARS, "bottom": ["10 mm", "60 mm"], "top": ["10 mm", "10 mm"]},
               plate={**PLATE, "zones": [{**ZONE, "thickness": "0.1 m"}]}),
      "reinforcement.bottom[2]", "0.06 m", "less than half of the least thickness, 0.05 m"),
+    (designed({**LAID, "zones": [BAR_ZONE, BAR_ZONE]}),
+     "reinforcement.zones[2].name", '"Z" again', "a name of its own"),
+    (designed({**BARS, "zones": [BAR_ZONE]}), "reinforcement.bottom_x", "no bars", "bars in all four layers"),
+    (designed({**LAID, "zones": [{key: value for key, value in BAR_ZONE.items() if key != "spacing"}]}),
+     "reinforcement.zones[1].spacing", "nothing", "diameter and spacing, or mesh"),
+    (designed({**LAID, "zones": [{**BAR_ZONE, "mesh": "Q335A"}]}), "reinforcement.zones[1].mesh",
+     "a mesh beside diameter or spacing", "one of them"),
+    (designed({**LAID, "zones": [{"name": "Z", "shape": BOX, "layers": ["top_x"], "mesh": "Q335A"}]}),
+     "reinforcement.zones[1].layers", '"top_x"', "both layers of a face, as a mesh has wires both ways"),
+    (designed({**LAID, "zones": [{**BAR_ZONE, "shape": {**BOX, "x": ["20 m", "21 m"]}}]}),
+     "reinforcement.zones[1].shape", "a zone beside the plate", "one that lies on it in part"),
+    (designed({**LAID, "bottom": ["8 mm", "20 mm"], "zones": [BAR_ZONE]}), "reinforcement.zones[1]",
+     "bars of 0.016 m", "bars thinner than 0.016 m, whose axes lie 0.008 m from the face"),
+    (designed({**LAID, "top_x": {**SPACED, "spacing": "19 mm"}}), "reinforcement.top_x.spacing",
+     '"19 mm"', "a length at least 20 mm"),
+    (designed({**LAID, "bottom_mesh": "A393"}), "reinforcement.bottom_mesh", "a mesh beside bars", "one of them"),
     (case(reinforcement={**BARS, "alpha_cc": 1.1}),
      "reinforcement.alpha_cc", "1.1", "a number above 0 and at most 1"),
     # what is designed for

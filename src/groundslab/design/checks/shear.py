@@ -1,10 +1,11 @@
-"""One-way shear by EN 1992-1-1 6.2: where a slab needs links away from columns, and where no links help.
+"""One-way shear by EN 1992-1-1 6.2 or ACI 318-19 22.5: where a slab needs links away from columns, where none help.
 
 The shear force is the largest of any direction at a node, the bars that count are those of the face that is in tension
 in that direction: those that are laid, or those that bending needs. Left out are places where it is not this that is
 checked: near columns as far as punching is, which is 2 d unless that perimeter cuts the slab from edge to edge, and
 within 2 d of supports; within a thickness of free edges (a quarter of the width of a narrow slab), where the shear
-force along the edge is what the twisting moment has become; and near singular places.
+force along the edge is what the twisting moment has become; and near singular places. Nearer to columns ACI 318 asks
+for means across the slab (`wide_beam`).
 """
 
 from __future__ import annotations
@@ -15,8 +16,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array, Flags
+from groundslab.design.aci318 import shear as aci318
+from groundslab.design.aci318.bending import LEAST
+from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.checks.check import DesignCheck, Status
+from groundslab.design.checks.wide_beam import cuts
 from groundslab.design.en1992 import shear
+from groundslab.design.laid_bars import laid_bars
 from groundslab.design.punching import outline
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.punching import demands
@@ -40,65 +46,126 @@ class _Section:
     counts: Flags  # (n,): whether one-way shear is checked there
 
 
+@dataclass(frozen=True, slots=True)
+class _Worst:
+    """Where a combination's shear force is largest against what needs no links."""
+
+    results: CombinationResult
+    place: tuple[float, float]  # [m]
+    v: float  # [N/m]
+    without_links: float  # [N/m]
+    d: float  # [m]
+    thickness: float  # [m]
+
+    @property
+    def used(self) -> float:
+        """Return the force over what needs no links."""
+        return self.v / self.without_links
+
+    @property
+    def where(self) -> str:
+        """Return place and combination in words."""
+        return f'({self.place[0]:.3f}, {self.place[1]:.3f}) m in "{self.results.combination}"'
+
+    def check(self, status: Status, words: str, clause: str) -> DesignCheck:
+        """Return the check of this place."""
+        return DesignCheck(
+            "one-way shear", status, words, demand=self.v / 1e3, resistance=self.without_links / 1e3, unit="kN/m",
+            clause=clause, combination=self.results.combination, place=self.place,
+        )  # fmt: skip
+
+
 def checks(combined: Results) -> Iterator[DesignCheck]:
     """Yield the check of one-way shear over all ultimate combinations."""
     steel, results = combined.model.reinforcement, reinforcement.ultimate_results(combined)
     if steel is None or not results:
         return
-    section = _section(steel, results, demands(combined).reach)
-    if not section.counts.any():
-        return
-    found = []
-    for each in results:
-        v, v_Rd_c = _demand(each, section, steel)
-        node = int(np.argmax(np.where(section.counts, v / v_Rd_c, -1.0)))
-        found.append((float(v[node] / v_Rd_c[node]), node, float(v[node]), float(v_Rd_c[node]), each))
-    used, node, v_Ed, resistance, worst = max(found, key=lambda one: one[0])
-    x, y = place_of(worst.plate.nodes, node)
-    which = "laid" if steel.bottom_x is not None else "needed in bending"
+    aci = steel.code == "ACI 318"
+    section = _section(steel, results, {} if aci else demands(combined).reach)
+    found = [_at_nodes(each, section, steel) for each in results] if section.counts.any() else []
+    if aci:
+        found += _across(results, section, steel)
+    if found:
+        worst = max(found, key=lambda one: one.used)
+        yield (_by_aci318 if aci else _by_en1992)(steel, worst)
+
+
+def _at_nodes(results: CombinationResult, section: _Section, steel: Reinforcement) -> _Worst:
+    """Return the node that counts with the largest share of what needs no links."""
+    v, without_links = _demand(results, section, steel)
+    node = int(np.argmax(np.where(section.counts, v / without_links, -1.0)))
+    place = place_of(results.plate.nodes, node)
+    sizes = float(section.d[node]), float(section.thickness[node])
+    return _Worst(results, place, float(v[node]), float(without_links[node]), *sizes)
+
+
+def _across(results: list[CombinationResult], section: _Section, steel: Reinforcement) -> Iterator[_Worst]:
+    """Yield the means over the cuts beside columns by ACI 318, in every combination."""
+    concrete, _ = reinforcement.aci318_materials(steel)
+    v_c = {layer: PHI_SHEAR * aci318.without_links(concrete, section.d, rho) for layer, rho in section.ratios.items()}
+    for cut in cuts(results[0], steel):
+        d, thickness = cut.mean(section.d), cut.mean(section.thickness)
+        for each in results:
+            yield _Worst(each, cut.place, *cut.forces(each.plate, v_c), d, thickness)
+
+
+def _by_en1992(steel: Reinforcement, worst: _Worst) -> DesignCheck:
+    """Return the check at the place that governs by EN 1992-1-1."""
+    which = "laid" if steel.laid else "needed in bending"
     words = (
-        f'v_Ed {v_Ed / 1e3:.4g} kN/m at ({x:.3f}, {y:.3f}) m in "{worst.combination}" is {used:.3g} times v_Rd,c '
-        f"{resistance / 1e3:.4g} kN/m with the bars that are {which} (6.2.2)"
+        f"v_Ed {worst.v / 1e3:.4g} kN/m at {worst.where} is {worst.used:.3g} times v_Rd,c "
+        f"{worst.without_links / 1e3:.4g} kN/m with the bars that are {which} (6.2.2)"
     )
     status: Status = "no failure found"
-    if used > 1:
-        concrete, bars = reinforcement.materials(steel, worst.limit_state)
-        links = shear.required_links(np.array([v_Ed]), section.d[[node]], concrete, bars)
+    if worst.used > 1:
+        concrete, bars = reinforcement.materials(steel, worst.results.limit_state)
+        links = shear.required_links(np.array([worst.v]), np.array([worst.d]), concrete, bars)
         area = max(float(links.area[0]), shear.minimum_links(concrete, bars))
-        thin = section.thickness[node] < LEAST_WITH_LINKS
+        thin = worst.thickness < LEAST_WITH_LINKS
         status = "fails" if np.isinf(area) or thin else "attention"
         words += (
             "; no links help (6.2.3(3))" if np.isinf(area)
             else "; too thin for links (9.3.2(1))" if thin
             else f"; links of {area * 1e4:.3g} cm2/m2 are needed there (6.2.3)"
         )  # fmt: skip
-    yield DesignCheck(
-        "one-way shear", status, words, demand=v_Ed / 1e3, resistance=resistance / 1e3, unit="kN/m",
-        clause="EN 1992-1-1 6.2.2, 6.2.3", combination=worst.combination, place=(x, y),
-    )  # fmt: skip
+    return worst.check(status, words, "EN 1992-1-1 6.2.2, 6.2.3")
+
+
+def _by_aci318(steel: Reinforcement, worst: _Worst) -> DesignCheck:
+    """Return the check at the place that governs by ACI 318-19."""
+    which = "laid" if steel.laid else "needed in bending"
+    words = (
+        f"v_u {worst.v / 1e3:.4g} kN/m at {worst.where} is {worst.used:.3g} times phi v_c "
+        f"{worst.without_links / 1e3:.4g} kN/m with the bars that are {which} (22.5.5.1)"
+    )
+    status: Status = "no failure found"
+    if worst.used > 1:
+        area = aci318.links(worst.v, worst.d, *reinforcement.aci318_materials(steel))
+        status = "fails" if np.isinf(area) else "attention"
+        words += (
+            "; no links help (22.5.1.2)" if np.isinf(area)
+            else f"; links of {area * 1e4:.3g} cm2/m2 are needed there (22.5.8.5.3)"
+        )  # fmt: skip
+    return worst.check(status, words, "ACI 318-19 22.5.5.1")
 
 
 def _section(steel: Reinforcement, results: list[CombinationResult], reach: Mapping[str, float]) -> _Section:
     """Return depths, bars and what counts at the plate's nodes."""
     plate = results[0].plate
     thickness = results[0].elements.at_nodes(plate)[0]
-    d = thickness - max(sum(steel.bottom), sum(steel.top)) / 2
-    areas: dict[str, Array | float] = {layer: _laid(steel, layer) for layer in LAYERS}
-    if steel.bottom_x is None:
+    d = thickness - max(sum(steel.bottom_axes), sum(steel.top_axes)) / 2
+    if steel.laid:
+        areas = {layer: laid_bars(steel, layer, plate.nodes).area for layer in LAYERS}
+    else:
         found = reinforcement.required_areas(steel, results)
         areas = {layer: reinforcement.largest_areas(found, layer)[0] for layer in LAYERS}
-    ratios = {layer: np.minimum(area / d, shear.MOST_BARS) for layer, area in areas.items()}
+    least = LEAST * thickness if steel.code == "ACI 318" else 0.0  # of a slab that has its least bars
+    ratios = {layer: np.minimum(np.maximum(area, least) / d, shear.MOST_BARS) for layer, area in areas.items()}
     return _Section(d, thickness, ratios, _counts(results[0], d, thickness, reach))
 
 
-def _laid(steel: Reinforcement, layer: str) -> float:
-    """Return the area of the bars that are laid in a layer [m2/m], 0 of none."""
-    bars = getattr(steel, layer)
-    return 0.0 if bars is None else np.pi * bars.diameter**2 / 4 / bars.spacing
-
-
 def _counts(results: CombinationResult, d: Array, thickness: Array, reach: Mapping[str, float]) -> Flags:
-    """Return at which nodes one-way shear is checked; `reach` is how far from columns punching is [m]."""
+    """Return at which nodes one-way shear is checked; `reach` is how far from columns punching is [m], else 2 d."""
     from shapely import LineString, Point, distance, points, union_all
 
     model, nodes = results.model, points(results.plate.nodes)
@@ -124,4 +191,6 @@ def _demand(results: CombinationResult, section: _Section, steel: Reinforcement)
         np.where(bottom, section.ratios[f"bottom_{axis}"], section.ratios[f"top_{axis}"]) for axis in ("x", "y")
     )
     rho = shear.ratio_along(along, rho_x, rho_y)
+    if steel.code == "ACI 318":
+        return v, PHI_SHEAR * aci318.without_links(reinforcement.aci318_materials(steel)[0], section.d, rho)
     return v, shear.resistance_without_links(reinforcement.materials(steel, results.limit_state)[0], section.d, rho)

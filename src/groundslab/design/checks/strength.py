@@ -1,4 +1,4 @@
-"""What can be judged of the strength by EN 1992-1-1 from the given data.
+"""What can be judged of the strength from the given data, by the code of the case.
 
 Only what fails whatever is built is called a failure. That nothing fails here is no approval: provided bars are not
 known, and anchorage is not looked at.
@@ -6,21 +6,19 @@ known, and anchorage is not looked at.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator
-from dataclasses import replace
-from typing import Any
+from collections.abc import Callable, Iterator
 
-from groundslab.design.checks.check import DesignCheck, Status
-from groundslab.design.en1992 import punching as punching_resistance
+from groundslab.design.checks import punching, two_way
+from groundslab.design.checks.check import DesignCheck
 from groundslab.design.tables import reinforcement
-from groundslab.design.tables.punching import Demand, Demands, Stress, demands
 from groundslab.model.loads.load_cases import STRENGTH
-from groundslab.model.outputs import Reinforcement
 from groundslab.results.results import Results
 
-#: Radial distance of the perimeters of links over the effective depth, the largest that 9.4.3(1) allows.
-LINK_SPACING = 0.75
+#: Checks of columns by the codes of [reinforcement].
+PUNCHING: dict[str, Callable[[Results], Iterator[DesignCheck]]] = {
+    "EN 1992-1-1": punching.checks,
+    "ACI 318": two_way.checks,
+}
 
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
@@ -35,11 +33,9 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         return
     needs = reinforcement.governing_needs(combined, steel)
     yield _bending(needs)
-    yield _compression(needs)
+    yield _compression(needs, reinforcement.CLAUSES[steel.code][2])
     if combined.model.columns:
-        punched = demands(combined)
-        yield _face(steel, punched)
-        yield _within_2d(steel, punched)
+        yield from PUNCHING[steel.code](combined)
     missing = [each for each in combined.combinations if each.limit_state in STRENGTH and each.name in combined.refused]
     if missing:
         names = ", ".join(f'"{each.name}"' for each in missing[:5]) + (" ..." if len(missing) > 5 else "")
@@ -47,6 +43,10 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         yield DesignCheck("ultimate combinations", "attention", words)
     if reinforcement.without_partial_factors(combined):
         yield DesignCheck("partial factors", "attention", reinforcement.UNFACTORED)
+    rules = [each.rule for each in combined.combinations if each.limit_state in STRENGTH]
+    if steel.code == "ACI 318" and any(rule.startswith("EN 1990") for rule in rules):
+        words = "combinations made by EN 1990 are not those of ACI 318-19 5.3, which combine.expression can ask for"
+        yield DesignCheck("load combinations", "attention", words, clause="ACI 318-19 5.3.1")
 
 
 def _bending(needs: list[reinforcement.Need]) -> DesignCheck:
@@ -59,13 +59,13 @@ def _bending(needs: list[reinforcement.Need]) -> DesignCheck:
     return DesignCheck("bending", "fails", f"the concrete is too weak for any reinforcement on {share}{_where(worst)}")
 
 
-def _compression(needs: list[reinforcement.Need]) -> DesignCheck:
+def _compression(needs: list[reinforcement.Need], clause: str) -> DesignCheck:
     """Return whether bars in compression are counted on."""
     name = "compression reinforcement"
     share = sum({need.section: need.links for need in needs}.values())
     if not share:
         return DesignCheck(name, "no failure found", "the concrete carries bending without bars in compression")
-    words = f"bars in compression, held by links (9.2.1.2(3)), are needed on {100 * share:.3g} % of the plate's area"
+    words = f"bars in compression, held by links ({clause}), are needed on {100 * share:.3g} % of the plate's area"
     of_them = [need for need in needs if need.governed_by == reinforcement.COMPRESSION]
     return DesignCheck(name, "attention", words + (_where(max(of_them, key=lambda need: need.area)) if of_them else ""))
 
@@ -80,95 +80,3 @@ def _where(need: reinforcement.Need) -> str:
         f"; {need.layer.replace('_', ' ')}{part}: {need.moment / 1e3:.4g} kNm/m at ({x:.3f}, {y:.3f}) m"
         f' in "{need.combination}", thickness {need.thickness:g} m'
     )
-
-
-def _face(steel: Reinforcement, punched: Demands) -> DesignCheck:
-    """Return whether punching exceeds v_Rd,max at the face of any column (EN 1992-1-1 6.4.5(3))."""
-    stresses = [
-        (each, each.face, punching_resistance.max_resistance(reinforcement.materials(steel, each.limit_state)[0]))
-        for each in punched.found.values()
-        if each.face is not None
-    ]
-    return _punching("punching at the column's face", "v_Rd,max", stresses, punched, "fails", "6.4.5(3)")
-
-
-def _within_2d(steel: Reinforcement, punched: Demands) -> DesignCheck:
-    """Return whether punching within 2 d needs links, or exceeds what they can carry at 2 d.
-
-    With the bars that are laid at the bottom, or with the most that count, whatever will be laid.
-    """
-    name, which = "punching within 2 d", "the bars that are laid" if steel.bottom_x else "the most bars that count"
-    most, there = [], []
-    for each in punched.found.values():
-        concrete, _ = reinforcement.materials(steel, each.limit_state)
-        v_Rd_c = punching_resistance.resistance_without_links(concrete, each.d, _ratio(steel, each.d))
-        there += [(each, stress, v_Rd_c * 2 * each.d / stress.distance) for stress in each.around]
-        if each.around:
-            outer = each.around[-1]
-            most.append((each, outer, punching_resistance.K_MAX * v_Rd_c * 2 * each.d / outer.distance))
-    with_links = _punching(name, f"1.5 v_Rd,c with {which}", most, punched, "fails", "6.4.5(1)")
-    if with_links.status == "fails":
-        return with_links
-    without = _punching(name, f"v_Rd with {which}", there, punched, "attention", "6.4.4(2)")
-    needing = [each for each in there if each[1].v_Ed > each[2] and not each[1].supported]
-    if not needing:
-        return without
-    demand, stress, resistance = max(needing, key=lambda each: each[1].v_Ed / each[2])
-    s_r, (_, bars) = LINK_SPACING * demand.d, reinforcement.materials(steel, demand.limit_state)
-    A_sw = punching_resistance.links_per_perimeter(stress.v_Ed, resistance, stress.u, demand.d, s_r, bars.f_yd)
-    words = (
-        f"punching reinforcement is needed at {without.words}; there {A_sw * 1e4:.3g} cm2 of vertical links on each "
-        f"perimeter, {s_r:.2f} m apart (6.4.5(1), 9.4.3)"
-    )
-    return replace(without, words=words)
-
-
-def _ratio(steel: Reinforcement, d: float) -> float:
-    """Return rho_l of the bars that are laid at the bottom (6.4.4(1)), or the most that counts."""
-    if steel.bottom_x is None or steel.bottom_y is None:
-        return punching_resistance.MOST_BARS
-    areas = [math.pi * bars.diameter**2 / 4 / bars.spacing for bars in (steel.bottom_x, steel.bottom_y)]
-    return math.sqrt(areas[0] * areas[1]) / d
-
-
-def _at(stress: Stress, d: float) -> str:
-    """Return where a perimeter runs."""
-    return f" at {stress.distance / d:.2g} d" if stress.distance else ""
-
-
-def _punching(
-    name: str, limit: str, stresses: list[tuple[Demand, Stress, float]], punched: Demands, status: Status, clause: str
-) -> DesignCheck:
-    """Return whether any stress exceeds its limit, with the worst; a support inside leaves it open."""
-    judged = [each for each in stresses if not each[1].supported]
-    beyond = [each for each in judged if each[1].v_Ed > each[2]]
-    numbers: dict[str, Any] = {}
-    if judged:
-        demand, stress, most = max(judged, key=lambda each: each[1].v_Ed / each[2])
-        numbers = {
-            "of": demand.column,
-            "demand": max(stress.v_Ed, 0.0) / 1e6,
-            "resistance": most / 1e6,
-            "unit": "MPa",
-            "clause": f"EN 1992-1-1 {clause}",
-            "combination": demand.combination,
-            "place": punched.places[demand.column],
-        }
-    if beyond:
-        columns = len({each[0].column for each in beyond})
-        words = (
-            f'{columns} column{"s" if columns > 1 else ""}; worst {demand.column} in "{demand.combination}": v_Ed '
-            f"{stress.v_Ed / 1e6:.3g} MPa{_at(stress, demand.d)}, with beta {stress.beta:.2f}, is "
-            f"{stress.v_Ed / most:.3g} times {most / 1e6:.3g} MPa, {limit} ({clause})"
-        )
-        return DesignCheck(name, status, words, **numbers)
-    unjudged = sorted({each[0].column for each in stresses if each[1].supported} | punched.missing.keys())
-    if unjudged:
-        names = ", ".join(unjudged[:5]) + (" ..." if len(unjudged) > 5 else "")
-        words = f"not judged, for a support inside or no perimeter on the plate: columns {names}"
-        return DesignCheck(name, "attention", words, **numbers)
-    if not judged:
-        return DesignCheck(name, "no failure found", "no column pushes down")
-    used = max(stress.v_Ed / most for _, stress, most in judged)
-    words = f"v_Ed is at most {100 * max(used, 0.0):.3g} % of {limit}, {demand.column}{_at(stress, demand.d)}"
-    return DesignCheck(name, "no failure found", words, **numbers)

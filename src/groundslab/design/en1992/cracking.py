@@ -3,11 +3,11 @@
     w_k = s_r,max (eps_sm - eps_cm)                                                                7.8
     eps_sm - eps_cm = (sigma_s - k_t f_ct,eff / rho_p,eff (1 + alpha_e rho_p,eff)) / E_s
                       >= 0.6 sigma_s / E_s                                                         7.9
-    s_r,max = 3.4 c + 0.425 k_1 k_2 phi / rho_p,eff, bars no farther apart than 5 (c + phi / 2)    7.11
+    s_r,max = k_3 c + k_1 k_2 k_4 phi / rho_p,eff, bars no farther apart than 5 (c + phi / 2)      7.11
             = 1.3 (h - x) beyond                                                                   7.14
 
-The section is cracked and elastic, without bars in compression: k_1 = 0.8 of ribbed bars, k_2 = 0.5 of bending.
-Recommended parameters k_3 = 3.4 and k_4 = 0.425 (7.3.4(3)).
+The section is cracked and elastic, without bars in compression: k_1 = 0.8 of ribbed bars, k_2 = 0.5 of bending. k_3 and
+k_4, and whether s_r,max is at most sigma_s phi / (3.6 f_ct,eff), are those of the concrete's annex (7.3.4(3)).
 """
 
 from __future__ import annotations
@@ -17,27 +17,29 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.design.en1992.annex import RECOMMENDED, Annex
 from groundslab.design.en1992.materials import Concrete, Steel
 
 _MPA = 1e6
-#: Bond of ribbed bars, bending, and the recommended parameters of 7.11.
-K_1, K_2, K_3, K_4 = 0.8, 0.5, 3.4, 0.425
+#: Bond of ribbed bars, and bending.
+K_1, K_2 = 0.8, 0.5
 #: k_t of loads that last, and of others (7.3.4(2)).
 LONG_TERM, SHORT_TERM = 0.4, 0.6
 
 
 @dataclass(frozen=True, slots=True)
 class Bars:
-    """Bars of one layer in one direction: diameter and distance from axis to axis [m], cover of the bars [m]."""
+    """Bars of one layer in one direction, the same everywhere or (n,)."""
 
-    diameter: float
-    spacing: float
-    cover: float
+    diameter: Array | float  # of sets of several diameters that of 7.12 [m]
+    spacing: Array | float  # from axis to axis [m]
+    cover: Array | float  # of the bars [m]
+    total: Array | None = None  # area of sets that lie between each other [m2/m]
 
     @property
-    def area(self) -> float:
+    def area(self) -> Array | float:
         """Return the area [m2/m]."""
-        return np.pi * self.diameter**2 / 4 / self.spacing
+        return np.pi * self.diameter**2 / 4 / self.spacing if self.total is None else self.total
 
 
 def neutral_axis(d: Array, area: Array, modular_ratio: float) -> Array:
@@ -63,11 +65,10 @@ def mean_strain(sigma_s: Array, rho: Array, concrete: Concrete, steel: Steel, k_
     return np.asarray(np.maximum(stiffened, 0.6 * sigma_s) / steel.E_s)
 
 
-def largest_spacing(bars: Bars, h: Array, x: Array, rho: Array) -> Array:
+def largest_spacing(bars: Bars, h: Array, x: Array, rho: Array, annex: Annex = RECOMMENDED) -> Array:
     """Return s_r,max (n,) [m] by 7.11, or by 7.14 where bars lie too far apart for it."""
-    if bars.spacing > 5 * (bars.cover + bars.diameter / 2):
-        return np.asarray(1.3 * (h - x))
-    return np.asarray(K_3 * bars.cover + K_1 * K_2 * K_4 * bars.diameter / rho)
+    apart = np.asarray(bars.spacing > 5 * (bars.cover + bars.diameter / 2))
+    return np.where(apart, 1.3 * (h - x), annex.k_3 * bars.cover + K_1 * K_2 * annex.k_4 * bars.diameter / rho)
 
 
 def crack_width(
@@ -91,7 +92,10 @@ def crack_width(
     x = neutral_axis(d, np.asarray(bars.area), modular_ratio)
     rho = effective_ratio(h, d, x, np.asarray(bars.area))
     sigma_s = steel_stress(np.asarray(m), d, np.asarray(bars.area), modular_ratio)
-    return largest_spacing(bars, h, x, rho) * mean_strain(sigma_s, rho, concrete, steel, k_t)
+    s_r = largest_spacing(bars, h, x, rho, concrete.annex)
+    if concrete.annex.crack_spacing_by_stress:
+        s_r = np.minimum(s_r, sigma_s * bars.diameter / (3.6 * concrete.f_ctm))
+    return s_r * mean_strain(sigma_s, rho, concrete, steel, k_t)
 
 
 def minimum_area(h: Array, concrete: Concrete, sigma_s: float) -> Array:

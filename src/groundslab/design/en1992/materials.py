@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from groundslab.design.en1992.annex import RECOMMENDED, Annex
 from groundslab.errors import InputError, Issue
 
 _MPA = 1e6
@@ -26,11 +27,15 @@ STEEL_CLASSES = {name: float(name[1:4]) for name in ("B450C", "B500A", "B500B", 
 
 @dataclass(frozen=True, slots=True)
 class Concrete:
-    """Concrete: f_ck [Pa] from 12 to 90 MPa, gamma_c and alpha_cc (EN 1992-1-1 Table 3.1, 2.4.2.4, 3.1.6(1))."""
+    """Concrete: f_ck [Pa] from 12 to 90 MPa, gamma_c and alpha_cc (EN 1992-1-1 Table 3.1, 2.4.2.4, 3.1.6(1)).
+
+    The annex has the national parameters of the rules for members of this concrete.
+    """
 
     f_ck: float
     gamma_c: float = 1.5
     alpha_cc: float = 1.0
+    annex: Annex = RECOMMENDED
 
     def __post_init__(self) -> None:
         """Refuse what the rules are not made for."""
@@ -43,6 +48,23 @@ class Concrete:
     def f_cd(self) -> float:
         """Return the design strength [Pa], 3.1.6(1)."""
         return self.alpha_cc * self.f_ck / self.gamma_c
+
+    @property
+    def strut(self) -> float:
+        """Return nu f_cd [Pa], the strength of concrete with shear cracks: 6.2.2(6), 6.2.3(3).
+
+        alpha_cc is that of the annex for shear, unless another alpha_cc than the annex's is given.
+        """
+        a, b, c = self.annex.nu
+        alpha = self.annex.alpha_cc_shear if self.alpha_cc == self.annex.alpha_cc else self.alpha_cc
+        return a * min(1.0, b - self.f_ck / (c * _MPA)) * alpha * self.f_ck / self.gamma_c
+
+    @property
+    def v_min_factor(self) -> tuple[float, float]:
+        """Return the factors of k^(3/2) f_ck^(1/2) [MPa] of thin and of thick members in the least v_Rd,c, 6.3N."""
+        thin, thick = self.annex.v_min
+        by = self.gamma_c if self.annex.v_min_factored else 1.0
+        return thin / by, thick / by
 
     @property
     def eta(self) -> float:

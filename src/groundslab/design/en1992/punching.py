@@ -1,14 +1,14 @@
-"""Punching by EN 1992-1-1 6.4 with the recommended national parameters: resistances, beta, links.
+"""Punching by EN 1992-1-1 6.4 with the parameters of the concrete's annex: resistances, beta, links.
 
     v_Rd,max = 0.4 nu f_cd, nu = 0.6 (1 - f_ck / 250)                       at the column's face, 6.4.5(3), 6.2.2(6)
-    v_Rd,c   = C_Rd,c k (100 rho_l f_ck)^(1/3) >= 0.035 k^(3/2) f_ck^(1/2)  at 2 d, 6.4.4(1)
+    v_Rd,c   = C_Rd,c k (100 rho_l f_ck)^(1/3) >= v_min k^(3/2) f_ck^(1/2)  at 2 d, 6.4.4(1)
     v_Rd     = v_Rd,c 2 d / a                                               at a <= 2 d, 6.4.4(2), 6.50
     beta     = 1 + k M_Ed u / (V_Ed,red W)                                  6.4.4(2), 6.51, k by Table 6.1
     v_Rd,cs  = 0.75 v_Rd,c + 1.5 (d / s_r) A_sw f_ywd,ef / (u_1 d)          6.4.5(1), 6.52, f_ywd,ef = 250 + 0.25 d
 
-C_Rd,c = 0.18 / gamma_C and k = 1 + (200 / d)^(1/2) <= 2, f_ck in MPa and d in mm. With rho_l = 0.02, the most that
-counts, v_Rd,c is an upper bound whatever the bars. With punching reinforcement a slab carries at most k_max = 1.5 times
-as much (6.4.5(1) as amended in 2014, as is the factor 0.4).
+k = 1 + (200 / d)^(1/2) <= 2, f_ck in MPa and d in mm. With the largest ratio of bars that counts, 0.02 or less, v_Rd,c
+is an upper bound whatever the bars. With punching reinforcement a slab carries at most k_max times as much. Recommended
+are C_Rd,c = 0.18 / gamma_C, v_min = 0.035, and k_max = 1.5 (6.4.5(1) as amended in 2014, as is the factor 0.4).
 """
 
 from __future__ import annotations
@@ -18,26 +18,30 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from groundslab.design.en1992.materials import Concrete
+from groundslab.design.en1992.materials import Concrete, Steel
+from groundslab.design.en1992.shear import THICK, THIN
 
 _MPA = 1e6
 #: The largest ratio of bars that counts for v_Rd,c (6.4.4(1)).
 MOST_BARS = 0.02
-#: Times v_Rd,c that punching reinforcement makes of it at most (6.4.5(1)).
-K_MAX = 1.5
 
 
-def max_resistance(concrete: Concrete) -> float:
-    """Return v_Rd,max [Pa]."""
-    nu = 0.6 * (1 - concrete.f_ck / (250 * _MPA))
-    return 0.4 * nu * concrete.f_cd
+def max_resistance(concrete: Concrete) -> float | None:
+    """Return v_Rd,max [Pa] at the column's face, None where the annex has no such check."""
+    return concrete.annex.face * concrete.strut if concrete.annex.face else None
+
+
+def most_bars(concrete: Concrete, steel: Steel) -> float:
+    """Return the largest ratio of bars that counts (6.4.4(1))."""
+    return min(MOST_BARS, concrete.annex.rho_strength * concrete.f_cd / steel.f_yd)
 
 
 def resistance_without_links(concrete: Concrete, d: float, rho: float = MOST_BARS) -> float:
     """Return v_Rd,c [Pa] at 2 d for an effective depth d [m] and a ratio rho of bars."""
     f_ck, k = concrete.f_ck / _MPA, min(2.0, 1 + math.sqrt(200 / (1e3 * d)))
-    of_bars = 0.18 / concrete.gamma_c * k * math.cbrt(100 * min(rho, MOST_BARS) * f_ck)
-    return max(of_bars, 0.035 * k * math.sqrt(k * f_ck)) * _MPA
+    of_bars = concrete.annex.c_rd_c_punching / concrete.gamma_c * k * math.cbrt(100 * min(rho, MOST_BARS) * f_ck)
+    least = float(np.interp(d, [THIN, THICK], concrete.v_min_factor))
+    return max(of_bars, least * k * math.sqrt(k * f_ck)) * _MPA
 
 
 def transfer_share(ratio: float) -> float:
@@ -45,7 +49,7 @@ def transfer_share(ratio: float) -> float:
     return float(np.interp(ratio, [0.5, 1.0, 2.0, 3.0], [0.45, 0.6, 0.7, 0.8]))
 
 
-#: beta of a column at a corner (Figure 6.21N).
+#: beta of a column at a corner (Figure 6.21N), the same in all annexes here.
 CORNER = 1.5
 
 
@@ -69,6 +73,14 @@ def beta_at_an_edge(reduced: float, moment: float, share: float, force: float, u
 def links_per_perimeter(v_Ed: float, v_Rd_c: float, u: float, d: float, s_r: float, f_ywd: float) -> float:
     """Return A_sw [m2] of one perimeter of vertical links, s_r [m] apart radially, by 6.52; f_ywd [Pa] at most."""
     return max(0.0, (v_Ed - 0.75 * v_Rd_c) * u * s_r / (1.5 * effective_strength(d, f_ywd)))
+
+
+def links_alone(force: float, d: float, f_ywd: float) -> float:
+    """Return A_sw [m2] of the two inner rows of vertical links together that carry a force beta V_Ed,red [N] alone.
+
+    By DIN EN 1992-1-1/NA, 6.4.5(1), for foundations: A_sw,1+2 f_ywd,ef >= beta V_Ed,red.
+    """
+    return force / effective_strength(d, f_ywd)
 
 
 def effective_strength(d: float, f_ywd: float) -> float:

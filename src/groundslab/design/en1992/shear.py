@@ -1,11 +1,11 @@
 """One-way shear of slabs by EN 1992-1-1 6.2, per meter of width: what needs no links, and the links of the rest.
 
-    v_Rd,c = max(C_Rd,c k (100 rho_l f_ck)^(1/3), 0.035 k^(3/2) f_ck^(1/2)) d            6.2.2(1), 6.2, 6.3N
+    v_Rd,c = max(C_Rd,c k (100 rho_l f_ck)^(1/3), v_min k^(3/2) f_ck^(1/2)) d            6.2.2(1), 6.2, 6.3N
     v_Rd,max = z nu f_cd / (cot theta + tan theta)                                       6.2.3(3), 6.9
     a_sw = v_Ed / (z f_ywd cot theta)                                                    6.2.3(3), 6.8
 
-C_Rd,c = 0.18 / gamma_C and k = 1 + (200 / d)^(1/2) <= 2, f_ck in MPa and d in mm; nu = 0.6 (1 - f_ck / 250) by 6.6N;
-z = 0.9 d (6.2.3(1)) and 1 <= cot theta <= 2.5 (6.2.3(2)). National parameters are the recommended ones.
+k = 1 + (200 / d)^(1/2) <= 2, f_ck in MPa and d in mm; z = 0.9 d (6.2.3(1)). C_Rd,c, v_min, nu and the flattest strut
+are those of the concrete's annex, by default 0.18 / gamma_C, 0.035, 0.6 (1 - f_ck / 250) and cot theta = 2.5.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ from groundslab.design.en1992.materials import Concrete, Steel
 _MPA = 1e6
 #: The largest ratio of bars that counts (6.2.2(1)).
 MOST_BARS = 0.02
-#: The flattest strut that may be chosen, cot theta (6.2.3(2)).
-FLATTEST = 2.5
+#: Depths [m] up to which and from which v_min is that of thin and of thick members.
+THIN, THICK = 0.6, 0.8
 #: Lever arm over effective depth (6.2.3(1)).
 LEVER = 0.9
 
@@ -60,8 +60,9 @@ def resistance_without_links(concrete: Concrete, d: Array, rho: Array) -> Array:
     """Return v_Rd,c (n,) [N/m] for effective depths d (n,) [m] and ratios of bars in tension rho (n,)."""
     f_ck, d = concrete.f_ck / _MPA, np.asarray(d, dtype=float)
     k = np.minimum(2.0, 1 + np.sqrt(0.2 / d))
-    of_bars = 0.18 / concrete.gamma_c * k * np.cbrt(100 * np.minimum(rho, MOST_BARS) * f_ck)
-    return np.asarray(np.maximum(of_bars, 0.035 * k**1.5 * np.sqrt(f_ck)) * _MPA * d)
+    of_bars = concrete.annex.c_rd_c / concrete.gamma_c * k * np.cbrt(100 * np.minimum(rho, MOST_BARS) * f_ck)
+    least = np.interp(d, [THIN, THICK], concrete.v_min_factor) * k**1.5 * np.sqrt(f_ck)
+    return np.asarray(np.maximum(of_bars, least) * _MPA * d)
 
 
 def required_links(v: Array, d: Array, concrete: Concrete, steel: Steel) -> Links:
@@ -70,12 +71,21 @@ def required_links(v: Array, d: Array, concrete: Concrete, steel: Steel) -> Link
     Where no struts bear, cot theta is 1 and the area inf.
     """
     z = LEVER * np.asarray(d, dtype=float)
-    nu = 0.6 * (1 - concrete.f_ck / (250 * _MPA))
     # v = z nu f_cd sin(2 theta) / 2
-    sine = np.asarray(2 * v / (z * nu * concrete.f_cd))
+    sine = np.asarray(2 * v / (z * concrete.strut))
     steepest = np.minimum(sine, 1.0)
-    cot = np.clip((1 + np.sqrt(1 - steepest**2)) / np.maximum(steepest, 1e-12), 1.0, FLATTEST)
+    borne = (1 + np.sqrt(1 - steepest**2)) / np.maximum(steepest, 1e-12)
+    cot = np.clip(borne, 1.0, _flattest(np.asarray(v), z, concrete))
     return Links(np.where(sine > 1, np.inf, v / (z * steel.f_yd * cot)), cot)
+
+
+def _flattest(v: Array, z: Array, concrete: Concrete) -> Array:
+    """Return the largest cot theta (n,) by 6.2.3(2), with the concrete's share by friction in cracks, if any."""
+    annex = concrete.annex
+    if not annex.crack_friction:
+        return np.full(np.broadcast(v, z).shape, annex.flattest)
+    left = 1 - annex.crack_friction * np.cbrt(concrete.f_ck / _MPA) * _MPA * z / np.maximum(v, 1e-12)
+    return np.asarray(np.clip(1.2 / np.maximum(left, 1e-12), 1.0, annex.flattest))
 
 
 def minimum_links(concrete: Concrete, steel: Steel) -> float:

@@ -14,7 +14,7 @@ from groundslab.design.tables.quantities import nodal_values, ranged_fields, sol
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.errors import GroundslabError
 from groundslab.model.loads.load_cases import LimitState
-from groundslab.results.fields import LAYERS, RANGED_FIELDS, extreme_node, place_of
+from groundslab.results.fields import BAR_FIELDS, LAYERS, RANGED_FIELDS, extreme_node, place_of
 from groundslab.results.results import CombinationResult, Results
 
 
@@ -50,7 +50,8 @@ def fields_of_envelope(combined: Results) -> dict[str, Array | Integers]:
     "ultimate combination of greatest settlement w" holds which combination they come from: its position in
     `combined.combinations`, from 0. With reinforcement given, "reinforcement bottom x [cm2/m]" and so on hold the
     largest area over the ultimate combinations; it is inf where "reinforcement fails" is 1. "reinforcement needs links"
-    is 1 where bars in compression are counted on. Empty if no combination has a result.
+    is 1 where bars in compression are counted on. Where bars are laid, "provided area bottom x [cm2/m]", "utilisation
+    bottom x [%]" and "missing area bottom x [cm2/m]" compare with them. Empty if no combination has a result.
     """
     number = {each.name: i for i, each in enumerate(combined.combinations)}
     fields: dict[str, Array | Integers] = {}
@@ -78,6 +79,9 @@ def _reinforcement(combined: Results) -> dict[str, Array | Integers]:
         f"reinforcement {layer.replace('_', ' ')} [cm2/m]": area * reinforcement.CM2 for layer, area in areas.items()
     }
     fails: Flags = np.any([np.isinf(area) for area in areas.values()], axis=0)
+    for name, values in reinforcement.bar_fields(combined).items():
+        if not name.startswith("required"):  # which is there as reinforcement
+            fields[f"{BAR_FIELDS[name].quantity} [{BAR_FIELDS[name].unit}]"] = values * BAR_FIELDS[name].scale
     fields["reinforcement fails"] = fails.astype(np.int64)
     fields["reinforcement needs links"] = reinforcement.needs_links(found).astype(np.int64)
     return fields

@@ -135,23 +135,23 @@ _PLACES: Memo[dict[str, _Place]] = Memo()
 
 def _place(results: CombinationResult, column: Column, steel: Reinforcement) -> _Place:
     """Return the perimeters around a column, or why there are none."""
-    plate, shape, around = results.plate, _shape(column), list[Around]()
-    d, face, why = _depth(results, shape, steel), None, ""
+    plate, shape, around = results.plate, shape_of_column(column), list[Around]()
+    d, face, why = depth_under(results, shape, steel), None, ""
     try:
         u = punching.face_length(plate, shape, d)
-        face = _around(results, column, punching.perimeter(plate, shape, 0.0, 0.0), 0.0, u, d)
+        face = around_column(results, column, punching.perimeter(plate, shape, 0.0, 0.0), 0.0, u, d)
         for ratio in DISTANCES:
             line = punching.perimeter(plate, shape, ratio * d, OPENING_REACH * d)
             if punching.shape_of(line.legs)[0] == "cut":
                 why = "" if around else "its control perimeters cut the slab from edge to edge, which is one-way shear"
                 break
-            around.append(_around(results, column, line, ratio * d, line.u, d))
+            around.append(around_column(results, column, line, ratio * d, line.u, d))
     except InputError as error:
         why = str(error)
     return _Place(d, face, tuple(around), why)
 
 
-def _shape(column: Column) -> RectangularColumn | RoundColumn:
+def shape_of_column(column: Column) -> RectangularColumn | RoundColumn:
     """Return a column's footprint for punching."""
     if column.diameter is not None:
         return RoundColumn(column.x, column.y, column.diameter)
@@ -160,16 +160,18 @@ def _shape(column: Column) -> RectangularColumn | RoundColumn:
     return RectangularColumn(column.x, column.y, column.width_x, column.width_y)
 
 
-def _depth(results: CombinationResult, shape: RectangularColumn | RoundColumn, steel: Reinforcement) -> float:
+def depth_under(results: CombinationResult, shape: RectangularColumn | RoundColumn, steel: Reinforcement) -> float:
     """Return the least thickness under a column less the mean distance of the bottom bars' axes [m]."""
     mesh = Mesh(results.plate.nodes, results.plate.elements)
     elements = load_vectors.find_elements_near(mesh, shape.footprint())
     covered = load_vectors.integrate_over_polygon(mesh, elements, shape.footprint()).sum(axis=1)
     under = elements[covered > 1e-9 * covered.max()]
-    return float(results.elements.thickness[under].min()) - sum(steel.bottom) / 2
+    return float(results.elements.thickness[under].min()) - sum(steel.bottom_axes) / 2
 
 
-def _around(results: CombinationResult, column: Column, line: Perimeter, distance: float, u: float, d: float) -> Around:
+def around_column(
+    results: CombinationResult, column: Column, line: Perimeter, distance: float, u: float, d: float
+) -> Around:
     """Return a perimeter around a column with what is inside it."""
     from shapely import LineString, Point, get_coordinates
 
@@ -184,7 +186,7 @@ def _around(results: CombinationResult, column: Column, line: Perimeter, distanc
     shape, along = punching.shape_of(line.legs)
     frame = np.array([along, [-along[1], along[0]]])
     moduli = punching.moduli(line.legs @ frame.T, frame @ center)
-    footprint = _shape(column).footprint()
+    footprint = shape_of_column(column).footprint()
     extents = np.ptp(get_coordinates(footprint) @ frame.T, axis=0)
     shares = np.array([en1992.transfer_share(extents[0] / extents[1]), en1992.transfer_share(extents[1] / extents[0])])
     reduced = punching.reduced_share(line.legs, footprint, along, d) if shape == "edge" else 1.0
@@ -194,19 +196,28 @@ def _around(results: CombinationResult, column: Column, line: Perimeter, distanc
     return Around(distance, u, area, others, supported, center, middle, shape, frame, moduli, shares, reduced)
 
 
-def _stress(results: CombinationResult, around: Around, column: Column, force: float, d: float) -> Stress:
-    """Return the demand of a column's force [N] on a perimeter in a combination (see punching.demand).
+def forces_inside(
+    results: CombinationResult, around: Around, column: Column, force: float
+) -> tuple[float, Array, float, float]:
+    """Return V_Ed [N], the moments (2,) [N m] of all forces inside about the perimeter's center, pressure, other loads.
 
-    beta is that of the moments of all forces inside about the perimeter's center, of loads and pressure; other loads
-    act in the middle of the area inside.
+    The column's force [N] and its moments, loads and pressure [N] inside; other loads act in the middle of the area.
     """
     others = column_loads.factored_sum(results, around.others)
     carried = around.area * (results.plate.contact_force / results.plate.area)
     pressure = float(carried.sum())
-    V_Ed = force + others - pressure
     place = np.array([column.x, column.y])
     moments = _moments_of_column(results, column) + force * (place - around.center)
     moments = moments + others * (around.middle - around.center) - carried @ (results.plate.nodes - around.center)
+    return force + others - pressure, moments, pressure, others
+
+
+def _stress(results: CombinationResult, around: Around, column: Column, force: float, d: float) -> Stress:
+    """Return the demand of a column's force [N] on a perimeter in a combination (see punching.demand).
+
+    beta is that of the moments of all forces inside about the perimeter's center, of loads and pressure.
+    """
+    V_Ed, moments, pressure, others = forces_inside(results, around, column, force)
     beta = _beta(around, moments, V_Ed) if V_Ed > 0 else 1.0
     v_Ed = beta * V_Ed / (around.u * d)
     return Stress(around.distance, V_Ed, beta, v_Ed, around.u, pressure, others, around.supported)

@@ -2,20 +2,27 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
+from groundslab.design.aci318 import bending as aci318
+from groundslab.design.aci318.materials import Concrete as Aci318Concrete
+from groundslab.design.aci318.materials import Steel as Aci318Steel
+from groundslab.design.bending import Axes, BendingRule, SlabReinforcement, slab
 from groundslab.design.design_moments import DesignMoments, wood_armer
-from groundslab.design.en1992.bending import Axes, SlabReinforcement, minimum, required, slab
+from groundslab.design.en1992 import bending as en1992
+from groundslab.design.en1992.annex import annex_of
 from groundslab.design.en1992.materials import CONCRETE_CLASSES, STEEL_CLASSES, Concrete, Steel
 from groundslab.design.envelope import Envelope, envelope
+from groundslab.design.laid_bars import laid_bars
 from groundslab.design.tables.quantities import solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.model.outputs import Reinforcement
-from groundslab.results.fields import LAYERS, extreme_node, place_of
+from groundslab.results.fields import BAR_FIELDS, LAYERS, extreme_node, place_of
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult, Results
 
@@ -34,21 +41,47 @@ def required_areas(steel: Reinforcement, results: list[CombinationResult]) -> di
     if not results:
         return {}
     t, _ = results[0].elements.at_nodes(results[0].plate)
-    axes = Axes(*steel.bottom, *steel.top)
+    axes = Axes(*steel.bottom_axes, *steel.top_axes)
     return {
-        each.combination: slab(design_moments(each.plate), t, axes, *materials(steel, each.limit_state))
+        each.combination: slab(design_moments(each.plate), t, axes, bending_rule(steel, each.limit_state).required)
         for each in results
     }
 
 
 def materials(steel: Reinforcement, limit_state: str = "ultimate") -> tuple[Concrete, Steel]:
-    """Return concrete and steel in a limit state; InputError where EN 1992-1-1 is not made for them."""
+    """Return concrete and steel in a limit state; InputError where EN 1992-1-1 is not made for them.
+
+    Factors that the case does not give are those of its annex.
+    """
+    annex, (f_ck, f_yk) = annex_of(steel.annex), strengths(steel)
+    gamma_c = annex.gamma_c if steel.gamma_c is None else steel.gamma_c
+    gamma_s = annex.gamma_s if steel.gamma_s is None else steel.gamma_s
+    if limit_state == "accidental":
+        gamma_c, gamma_s = steel.accidental or annex.accidental
+    alpha_cc = annex.alpha_cc if steel.alpha_cc is None else steel.alpha_cc
+    return Concrete(f_ck, gamma_c, alpha_cc, annex), Steel(f_yk, gamma_s)
+
+
+def strengths(steel: Reinforcement) -> tuple[float, float]:
+    """Return the strengths of concrete and steel [Pa], by class or as given."""
     f_ck = steel.f_ck if steel.concrete is None else CONCRETE_CLASSES[steel.concrete] * MPA
     f_yk = steel.f_yk if steel.steel is None else STEEL_CLASSES[steel.steel] * MPA
     assert f_ck is not None
     assert f_yk is not None
-    gamma_c, gamma_s = steel.accidental if limit_state == "accidental" else (steel.gamma_c, steel.gamma_s)
-    return Concrete(f_ck, gamma_c, steel.alpha_cc), Steel(f_yk, gamma_s)
+    return f_ck, f_yk
+
+
+def aci318_materials(steel: Reinforcement) -> tuple[Aci318Concrete, Aci318Steel]:
+    """Return concrete and steel by ACI 318; InputError where it is not made for them."""
+    f_c, f_y = strengths(steel)
+    return Aci318Concrete(f_c, size_effect=steel.size_effect), Aci318Steel(f_y)
+
+
+def bending_rule(steel: Reinforcement, limit_state: str = "ultimate") -> BendingRule:
+    """Return how the case's code finds bars for bending in a limit state."""
+    if steel.code == "ACI 318":
+        return aci318.rule(*aci318_materials(steel))
+    return en1992.rule(*materials(steel, limit_state))
 
 
 def largest_areas(found: dict[str, SlabReinforcement], layer: str) -> tuple[Array, Envelope]:
@@ -61,11 +94,36 @@ def largest_areas(found: dict[str, SlabReinforcement], layer: str) -> tuple[Arra
     return np.max(list(areas.values()), axis=0), envelope(finite)
 
 
+def bar_fields(combined: Results) -> dict[str, Array]:
+    """Return the fields of BAR_FIELDS (n,) at the plate's nodes that there are, in SI units.
+
+    Areas are inf where the concrete is too weak for any reinforcement. Without bars that are laid there is only what is
+    required, without ultimate combinations nothing.
+    """
+    steel, results = combined.model.reinforcement, ultimate_results(combined)
+    if steel is None or not results:
+        return {}
+    found, fields = required_areas(steel, results), dict[str, Array]()
+    for layer in LAYERS:
+        required = fields[f"required_{layer}"] = largest_areas(found, layer)[0]
+        if steel.laid:
+            provided = fields[f"provided_{layer}"] = laid_bars(steel, layer, results[0].plate.nodes).area
+            fields[f"utilisation_{layer}"] = required / provided
+            fields[f"missing_{layer}"] = np.maximum(required - provided, 0.0)
+    return {name: fields[name] for name in BAR_FIELDS if name in fields}
+
+
 def needs_links(found: dict[str, SlabReinforcement]) -> Flags:
     """Return where bars in compression are counted in any combination (n,), which links must hold."""
     counted: Flags = np.any([each.links for each in found.values()], axis=0)
     return counted
 
+
+#: By code: what it is called, and its clauses on the least bars and on what holds bars in compression.
+CLAUSES = {
+    "EN 1992-1-1": ("EN 1992-1-1", "9.2.1.1(1)", "9.2.1.2(3)"),
+    "ACI 318": ("ACI 318-19", "8.6.1.1", "9.7.6.4"),
+}
 
 #: What a reader of a design without partial factors must know.
 UNFACTORED = "No factor of the ultimate combinations is above 1: the loads must hold the partial factors already."
@@ -94,13 +152,14 @@ class Need:
     minimum: float  # [m2/m]
     fails: float  # share of the plate's area where the concrete is too weak
     links: float  # share of the plate's area where bars in compression are counted on, in any layer
+    laid: float | None = None  # area of the bars that are laid there, where needs are told by it [m2/m]
 
 
-def governing_needs(combined: Results, steel: Reinforcement) -> list[Need]:
+def governing_needs(combined: Results, steel: Reinforcement, laid: Mapping[str, Array] | None = None) -> list[Need]:
     """Return what each layer needs in each section that the plate has, over all ultimate combinations.
 
     Within a section the depth is one, so that the largest moment of each face governs in each limit state: all that a
-    layer needs grows with them.
+    layer needs grows with them. With areas that are laid (n,) [m2/m], by layer, a section is divided by them.
     """
     results = ultimate_results(combined)
     found = required_areas(steel, results)
@@ -115,15 +174,17 @@ def governing_needs(combined: Results, steel: Reinforcement) -> list[Need]:
     rows = []
     for layer in LAYERS:
         area = largest_areas(found, layer)[0]
-        for number in np.unique(section):
-            nodes = np.flatnonzero(section == number)
+        there = np.zeros(len(section)) if laid is None else laid[layer]
+        for number, own_area in np.unique(np.column_stack([section, there]), axis=0):
+            nodes = np.flatnonzero((section == number) & (there == own_area))
             shares = [_share(plate, nodes[flags[nodes]]) for flags in (np.isinf(area), linked)]
             needs = []
             for state, own in largest.items():
                 moments = [_peak(plate, nodes, *own[each]) for each in (layer, _OTHER[layer])]
                 t = float(thickness[nodes[0]])
-                needs.append(_need(layer, int(number), t, steel, materials(steel, state), moments, shares))
-            rows.append(max(needs, key=lambda need: (need.area, abs(need.moment or 0.0))))
+                needs.append(_need(layer, int(number), t, steel, bending_rule(steel, state), moments, shares))
+            worst = max(needs, key=lambda need: (need.area, abs(need.moment or 0.0)))
+            rows.append(worst if laid is None else replace(worst, laid=float(own_area)))
     return rows
 
 
@@ -150,16 +211,15 @@ def _need(
     section: int,
     t: float,
     steel: Reinforcement,
-    of: tuple[Concrete, Steel],
+    rule: BendingRule,
     moments: list[_Peak],
     shares: list[float],
 ) -> Need:
-    """Return what a layer of some materials needs for the largest moments of its own face and of the other one."""
-    concrete, bars = of
+    """Return what a layer needs by a code's rule for the largest moments of its own face and of the other one."""
     here, there = axis_of(steel, layer), axis_of(steel, _OTHER[layer])
     depths = t - here, t - there
     own, other = (
-        required(np.array(peak[0]), d, concrete, bars, d_2=d_2, thickness=t)
+        rule.required(np.array(peak[0]), d, d_2=d_2, thickness=t)
         for peak, d, d_2 in zip(moments, depths, (there, here), strict=True)
     )
     areas = {MINIMUM: own.minimum, MOMENT: own.tension, COMPRESSION: other.compression}
@@ -171,7 +231,7 @@ def _need(
         governed_by, face = TOO_WEAK, int(np.argmax(loads))
     size, where, name = moments[face]
     at_top = layer.startswith("top") != (face == 1)
-    least, needed = float(minimum(np.array(depths[0]), concrete, bars)), area > 0
+    least, needed = float(rule.minimum(np.array(depths[0]), t)), area > 0
     return Need(
         layer=layer,
         section=section,
@@ -190,7 +250,7 @@ def _need(
 def axis_of(steel: Reinforcement, layer: str) -> float:
     """Return the distance of a layer's bars from their face [m]."""
     face, axis = layer.split("_")
-    distance: float = getattr(steel, face)["xy".index(axis)]
+    distance: float = getattr(steel, f"{face}_axes")["xy".index(axis)]
     return distance
 
 
@@ -202,15 +262,16 @@ def reinforcement(combined: Results, steel: Reinforcement) -> Table:
         ("part of the plate that fails", "%"), ("part of the plate that needs links", "%"),
     ]  # fmt: skip
     rows = [_row(each) for each in governing_needs(combined, steel)]
+    code, least, held = CLAUSES[steel.code]
     notes = [
-        "By EN 1992-1-1 for Wood's design moments of each node in each ultimate combination, not of averages. The "
-        "required area is not less than the minimum of 9.2.1.1(1) where there is a moment.",
+        f"By {code} for Wood's design moments of each node in each ultimate combination, not of averages. The "
+        f"required area is not less than the minimum of {least} where there is a moment.",
         "Place, combination and design moment are those that govern the area; where it is governed by the minimum, "
         "those of the largest moment. The design moment is positive with tension at the bottom: for bars in "
         "compression it is that of the other face.",
         "inf: the concrete is too weak in bending for any reinforcement. Links must hold bars in compression "
-        "(9.2.1.2(3)) where these are counted on.",
-        "Minimum area of tension bars by 9.2.1.1(1) for the section. Crack widths, shear and punching are not in it.",
+        f"({held}) where these are counted on.",
+        f"Minimum area of tension bars by {least} for the section. Crack widths, shear and punching are not in it.",
     ]
     if not rows:
         notes.insert(0, "No ultimate combination has a result.")

@@ -1,4 +1,4 @@
-"""Combinations of actions by EN 1990, each as factors of the load cases.
+"""Combinations of actions by EN 1990, each as factors of the load cases; strength by ACI 318 if that is wanted.
 
     ultimate           sum gamma_G G + gamma_Q,1 Q_1 + sum gamma_Q,i psi_0,i Q_i     expression 6.10,  6.4.3.2(3)
       or the two of    sum gamma_G G + gamma_Q,1 psi_0,1 Q_1 + sum gamma_Q,i psi_0,i Q_i         6.10a
@@ -23,12 +23,13 @@ as separate actions: there each is so by itself. xi multiplies unfavourable perm
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
 from typing import Literal
 
 from groundslab.errors import InputError, Issue
+from groundslab.model.loads import aci318
 from groundslab.model.loads.load_cases import Combination, Combine, LimitState, LoadCase
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import describe
@@ -91,6 +92,10 @@ def make_combinations(combine: Combine, cases: Sequence[LoadCase]) -> tuple[Comb
 
 def _all_terms(combine: Combine, cases: Sequence[LoadCase], limit_state: LimitState) -> Iterator[tuple[str, Terms]]:
     """Yield the factors of each combination of a limit state with its rule; some of them may come twice."""
+    if combine.expression == "ACI 318" and limit_state in ("ultimate", "seismic"):
+        for name, factors in aci318.combine(cases, limit_state == "seismic", _beside(cases, limit_state), _subsets):
+            yield name, _in_order(cases, factors)
+        return
     permanent = [case.name for case in cases if case.action == "permanent"]
     for rule in _rules(combine, limit_state):
         for gammas in _partial_factors(len(permanent), rule.permanent, rule.separate):
@@ -160,9 +165,14 @@ def _terms(actions: Sequence[LoadCase], rule: _Rule, given: dict[str, float]) ->
             chosen = given | {action.name: rule.variable * psi[action.name] for action in company}
             if leader is not None:
                 chosen[leader.name] = rule.variable * (getattr(leader, rule.leading) if rule.leading else 1.0)
-            # ten digits, so that 1.5 * 0.6 is 0.9 and not 0.8999999999999999
-            rounded = ((action.name, float(f"{chosen.get(action.name, 0.0):.10g}")) for action in actions)
-            yield tuple((name, factor) for name, factor in rounded if factor)
+            yield _in_order(actions, chosen)
+
+
+def _in_order(actions: Sequence[LoadCase], factors: Mapping[str, float]) -> Terms:
+    """Return factors by case in the order of the cases, those that are not zero."""
+    # ten digits, so that 1.5 * 0.6 is 0.9 and not 0.8999999999999999
+    rounded = ((action.name, float(f"{factors.get(action.name, 0.0):.10g}")) for action in actions)
+    return tuple((name, factor) for name, factor in rounded if factor)
 
 
 def _may_join(action: LoadCase, leader: LoadCase | None) -> bool:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Annotated, ClassVar, Literal
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any, ClassVar, Literal, Self
+
+from pydantic import model_validator
 
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Boolean, Choice, Factors, ListOf, Number, Quantity, Text
@@ -18,7 +20,15 @@ LimitState = Literal[
 #: Limit states in which strength is checked, of the slab and of the ground, and those of serviceability.
 STRENGTH: tuple[LimitState, ...] = ("ultimate", "accidental", "seismic")
 SERVICEABILITY: tuple[LimitState, ...] = ("characteristic", "frequent", "quasi-permanent")
-Expression = Literal["6.10", "6.10a and 6.10b"]
+Expression = Literal["6.10", "6.10a and 6.10b", "ACI 318"]
+
+Category = Literal["A", "B", "C", "D", "E", "F", "G", "H", "snow", "snow above 1000 m", "wind", "temperature"]
+#: psi_0, psi_1 and psi_2 by category of action, the recommended values of EN 1990 Table A1.1.
+PSI: Mapping[str, tuple[float, float, float]] = {
+    "A": (0.7, 0.5, 0.3), "B": (0.7, 0.5, 0.3), "C": (0.7, 0.7, 0.6), "D": (0.7, 0.7, 0.6), "E": (1.0, 0.9, 0.8),
+    "F": (0.7, 0.7, 0.6), "G": (0.7, 0.5, 0.3), "H": (0.0, 0.0, 0.0), "snow": (0.5, 0.2, 0.0),
+    "snow above 1000 m": (0.7, 0.5, 0.2), "wind": (0.6, 0.2, 0.0), "temperature": (0.6, 0.5, 0.0),
+}  # fmt: skip
 
 SHARE = Range(at_least=0, at_most=1)
 PARTIAL = Range(at_least=0, at_most=100)
@@ -37,6 +47,9 @@ class LoadCase(Section):
 
     name: Annotated[str, Text("name of the case, by which loads and combinations call it")]
     action: Annotated[Kind, Choice(Kind, "kind of action, for automatic combinations")] = "permanent"
+    category: Annotated[
+        Category | None, Choice(Category, "category of a variable action, for psi of EN 1990 Table A1.1 unless given")
+    ] = None
     psi_0: Annotated[float, Number("psi_0", "factor of its combination value, if variable", SHARE)] = 0.7
     psi_1: Annotated[float, Number("psi_1", "factor of its frequent value, if variable", SHARE)] = 0.5
     psi_2: Annotated[float, Number("psi_2", "factor of its quasi-permanent value, if variable", SHARE)] = 0.3
@@ -47,6 +60,26 @@ class LoadCase(Section):
         0.0
     )
     H_y: Annotated[float, Quantity("force", "H_y", "horizontal force on the slab along y")] = 0.0
+
+    @model_validator(mode="before")
+    @classmethod
+    def _psi_of_category(cls, data: Any) -> Any:
+        """Fill in the psi that are not given, by the category."""
+        category = data.get("category") if isinstance(data, Mapping) else None
+        if not isinstance(category, str) or category not in PSI:
+            return data
+        return {**dict(zip(("psi_0", "psi_1", "psi_2"), PSI[category], strict=True)), **data}
+
+    def replace(self, **changes: Any) -> Self:
+        """Return a copy with some fields changed, validated again; another category brings its psi.
+
+        Parameters
+        ----------
+        **changes
+            New values by field name; None resets a field to its default.
+        """
+        reset = dict.fromkeys(("psi_0", "psi_1", "psi_2")) if "category" in changes else {}
+        return super().replace(**{**reset, **changes})
 
 
 def _check_factors(factors: tuple[tuple[str, float], ...]) -> Iterator[RelativeIssue]:
@@ -92,17 +125,24 @@ def _three_factors(symbol: str, state: str) -> ListOf:
     return ListOf(Number(symbol, "", PARTIAL), symbol, meaning, 3)
 
 
-class Combine(Section):
-    """Automatic combinations of the load cases by EN 1990."""
+def _check_expression(expression: str, given: set[str]) -> Iterator[RelativeIssue]:
+    for key in ("permanent", "variable", "xi", "separate"):
+        if expression == "ACI 318" and key in given:
+            yield RelativeIssue((key,), f"{key} with ACI 318", f"no {key}", "the factors are those of ACI 318-19 5.3.1")
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_partial_factors,)
+
+class Combine(Section):
+    """Automatic combinations of the load cases by EN 1990, or the strength combinations of ACI 318."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_check_partial_factors, _check_expression)
 
     sets: Annotated[
         tuple[LimitState, ...],
         ListOf(Choice(LimitState, ""), "", "limit states to make combinations for", unique=True),
     ]
     expression: Annotated[
-        Expression, Choice(Expression, "expressions of EN 1990 6.4.3.2(3) that ultimate combinations follow")
+        Expression,
+        Choice(Expression, "expressions of EN 1990 6.4.3.2(3), or ACI 318-19 5.3.1, for ultimate and seismic sets"),
     ] = "6.10"
     xi: Annotated[float, Number("xi", "reduction of unfavourable permanent actions in 6.10b", SHARE)] = 0.85
     separate: Annotated[

@@ -45,8 +45,8 @@ FIELDS: dict[str, OutputQuantity] = {
     },
     "shear": OutputQuantity("force per length", "transverse shear force in its own direction, never negative"),
     "tensile stress": OutputQuantity("pressure", "largest tension by bending at either face, 6 m / t^2"),
-    "reinforcement bottom x": OutputQuantity(_STEEL, "bars along x at the bottom by EN 1992-1-1, infinite where "
-        "the concrete is too weak, over the ultimate combinations; the case needs [reinforcement]"),
+    "reinforcement bottom x": OutputQuantity(_STEEL, "bars along x at the bottom by the code of the case, infinite "
+        "where the concrete is too weak, over the ultimate combinations; the case needs [reinforcement]"),
     "reinforcement bottom y": OutputQuantity(_STEEL, "the same along y"),
     "reinforcement top x": OutputQuantity(_STEEL, "the same along x at the top"),
     "reinforcement top y": OutputQuantity(_STEEL, "the same along y at the top"),
@@ -273,13 +273,12 @@ def _derive(results: CombinationResult, name: str, fields: dict[str, Array], thi
 
 def _required_bars(results: CombinationResult, name: str, design: Any, thickness: Array) -> Array:
     """Return required areas of bars (n,) [m2/m] for design moments (n,)."""
-    from groundslab.design.en1992.bending import Axes, slab
-    from groundslab.design.tables.reinforcement import materials
+    from groundslab.design.bending import Axes, slab
+    from groundslab.design.tables.reinforcement import bending_rule
 
     steel = results.model.reinforcement
     assert steel is not None
-    concrete, bars = materials(steel)
-    found = slab(design, thickness, Axes(*steel.bottom, *steel.top), concrete, bars)
+    found = slab(design, thickness, Axes(*steel.bottom_axes, *steel.top_axes), bending_rule(steel).required)
     layers = {layer: getattr(found, layer) for layer in LAYERS}
     wanted = name.removeprefix("reinforcement").strip().replace(" ", "_")
     area: Array = layers[wanted] if wanted else np.max(list(layers.values()), axis=0)

@@ -36,9 +36,9 @@ def plot(
     results : Results or Combined
         Results of one or of several combinations.
     *fields : str
-        Quantities to draw, by name or symbol: the nodal fields of the plate ("settlement" or "w", "pressure" or "p",
-        "moment_x" or "m_x", ...), the principal moments "m_1" and "m_2", and the design moments "bottom_x",
-        "bottom_y", "top_x" and "top_y"; "discretization_error". Without any, a usual choice for the kind.
+        Quantities to draw, by name or symbol, as docs/plots.md lists them: nodal fields of the plate ("settlement" or
+        "w", "moment_x" or "m_x", ...), principal moments "m_1" and "m_2", design moments "bottom_x", ...,
+        "discretization_error", bars "required_bottom_x", ... Without any, a usual choice for the kind.
     kind : str, optional
         "plan" (default), "deformed", "lines" (default with a line), "mesh", "soil" or "convergence"; see docs/plots.md.
     combination : str or sequence of str, optional

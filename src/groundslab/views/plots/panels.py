@@ -11,8 +11,9 @@ import numpy as np
 
 from groundslab.design.envelope import envelope
 from groundslab.design.tables.quantities import nodal_values
+from groundslab.design.tables.reinforcement import bar_fields, ultimate_results
 from groundslab.results.contact_zone import contact_function, has_line_force
-from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, extreme, extreme_node, place_of
+from groundslab.results.fields import BAR_FIELDS, LINE_FORCE, PLATE_FIELDS, extreme, extreme_node, place_of
 from groundslab.views.plots.contours import ColorScale, make_scale
 from groundslab.views.plots.request import PlotQuantity
 from groundslab.views.plots.symbols import load_filter
@@ -45,7 +46,11 @@ class Panel:
 
 
 def build_panels(request: PlotRequest) -> list[Panel]:
-    """Return the panels of a request: by combination, then by quantity."""
+    """Return the panels of a request: by combination, then by quantity; last the fields of bars."""
+    of_bars = [quantity for quantity in request.quantities if quantity.name in BAR_FIELDS]
+    if of_bars:
+        others = replace(request, quantities=tuple(each for each in request.quantities if each not in of_bars))
+        return [*(build_panels(others) if others.quantities else ()), *_bar_panels(of_bars, request)]
     if request.envelope:
         several = (_envelope_panels(each, request.combinations, request.envelope) for each in request.quantities)
         return [replace(panel, mesh=request.mesh) for panel in chain.from_iterable(several)]
@@ -95,6 +100,17 @@ def _envelope_panels(quantity: PlotQuantity, combinations: Sequence[PlottedCombi
             source = f"{word} of the {len(combinations)} {state} combination{'s' if len(combinations) > 1 else ''}"
             force, governs = line_force if word == "Largest" else None, (found.names, by)
             yield Panel(quantity, source, values, plate.nodes, plate.elements, takes_part, force, governs=governs)
+
+
+def _bar_panels(quantities: Sequence[PlotQuantity], request: PlotRequest) -> Iterator[Panel]:
+    """Yield the fields of bars, over all ultimate combinations."""
+    results, fields = ultimate_results(request.combined), bar_fields(request.combined)
+    plate = results[0].plate
+    takes_part = load_filter([pair for each in results for pair in each.factors if pair[1]])
+    source = f"All {len(results)} ultimate combinations" if len(results) > 1 else results[0].combination
+    for quantity in quantities:
+        values = fields[quantity.name] * quantity.field.scale
+        yield Panel(quantity, source, values, plate.nodes, plate.elements, takes_part, None, mesh=request.mesh)
 
 
 def shared_scales(panels: Sequence[Panel]) -> dict[str, ColorScale]:

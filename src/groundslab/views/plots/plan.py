@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from groundslab.accuracy.mesh_statistics import mesh_statistics
+from groundslab.results.fields import BAR_FIELDS
 from groundslab.views.plots import symbols
 from groundslab.views.plots.annotations import draw_labels, draw_title, panel_title, title_height
 from groundslab.views.plots.contours import ColorScale, draw_color_bar, draw_contours, triangulation
@@ -166,6 +167,8 @@ def draw_panel(axes: Axes, model: Model, panel: Panel, scale: ColorScale, width:
     draw_contours(axes, triangles, panel.values, scale)
     hatched = symbols.hatch_uplift(axes, triangles, panel.contact) if panel.quantity.name == "pressure" else {}
     legend = symbols.draw_contact_boundary(axes, triangles, panel.contact) | hatched
+    if panel.quantity.name in BAR_FIELDS:
+        legend |= symbols.draw_bar_zones(axes, model, panel.quantity.name.split("_", 1)[1])
     if panel.mesh:
         color = INK if scale.parts_at_zero else "white"
         symbols.draw_elements(axes, panel.nodes, panel.elements, width / (x1 - x0), color)

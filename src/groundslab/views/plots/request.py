@@ -8,10 +8,18 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
+from groundslab.design.tables.reinforcement import bar_fields
 from groundslab.errors import InputError, Issue, NotConverged
 from groundslab.model.loads.load_cases import LimitState
 from groundslab.results.contact_zone import require_finite
-from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, RANGED_FIELDS, SHOWN_ELEMENT_FIELDS, ResultField
+from groundslab.results.fields import (
+    BAR_FIELDS,
+    LINE_FORCE,
+    PLATE_FIELDS,
+    RANGED_FIELDS,
+    SHOWN_ELEMENT_FIELDS,
+    ResultField,
+)
 from groundslab.results.record import Step
 from groundslab.results.results import CombinationResult, Results
 from groundslab.schema.wording import describe, listed, one_of, quote, suggestion
@@ -32,8 +40,9 @@ class PlotQuantity:
     @property
     def symbol(self) -> str:
         """Return the symbol as a formula."""
-        if self.field.symbol:
-            return math_symbol(self.field.symbol)
+        symbol, _, words = self.field.symbol.partition(" ")
+        if symbol:
+            return f"{math_symbol(symbol)} {words}".rstrip()
         face, _, axis = self.name.partition("_")
         return rf"$m^*_{{{axis},\mathrm{{{face}}}}}$"
 
@@ -51,7 +60,7 @@ class PlotQuantity:
 #: A force along the edge is no field over the plate; plans of the pressure name its largest.
 QUANTITIES = {
     name: PlotQuantity(name, field)
-    for name, field in (RANGED_FIELDS | SHOWN_ELEMENT_FIELDS).items()
+    for name, field in (RANGED_FIELDS | SHOWN_ELEMENT_FIELDS | BAR_FIELDS).items()
     if name != LINE_FORCE
 }
 #: Symbols serve as names too.
@@ -129,7 +138,8 @@ class PlotRequest:
     @property
     def panel_count(self) -> int:
         """Return about how many panels there are."""
-        panels = len(self.quantities) * (2 if self.envelope else len(self.combinations))
+        of_bars = sum(each.name in BAR_FIELDS for each in self.quantities)
+        panels = of_bars + (len(self.quantities) - of_bars) * (2 if self.envelope else len(self.combinations))
         return {
             "convergence": len(self.histories),
             "mesh": 1,
@@ -176,6 +186,7 @@ def parse_request(
     for each in combinations:
         require_finite(each.results)
     _require_element_fields(quantities, combinations)
+    _require_bar_fields(quantities, combined)
     shown = lines or listed_lines
     return PlotRequest(combined, chosen_kind, quantities, combinations, (), shown, envelope or "", mesh)
 
@@ -212,6 +223,22 @@ def _require_element_fields(quantities: Sequence[PlotQuantity], combinations: Se
         raise InputError(issues)
 
 
+def _require_bar_fields(quantities: Sequence[PlotQuantity], combined: Results) -> None:
+    """Raise InputError if there is none of a field of bars that is to be drawn, or no bars are enough somewhere."""
+    wanted = [quantity.name for quantity in quantities if quantity.name in BAR_FIELDS]
+    there = bar_fields(combined) if wanted else {}
+    issues = []
+    for name in wanted:
+        if name not in there:
+            hint = "it needs [reinforcement] and ultimate combinations; all but what is required, bars that are laid"
+            issues.append(Issue("FIELD", quote(name), "a field that these results have", hint))
+        elif not np.isfinite(there[name]).all():
+            hint = "the table reinforcement says where; a thicker slab or a stronger concrete helps"
+            issues.append(Issue("FIELD", quote(name), "finite areas; somewhere no reinforcement is enough", hint))
+    if issues:
+        raise InputError(issues)
+
+
 def _find_conflicts(
     kind: str, fields: Sequence[str], combinations: tuple[str, ...], envelope: str | None, lines: bool, mesh: bool
 ) -> list[Issue]:
@@ -221,6 +248,12 @@ def _find_conflicts(
     issues = []
     if fields and kind not in DEFAULT_QUANTITIES:
         issues.append(Issue("FIELD", quote(fields[0]), f"none, as kind is {quote(kind)}"))
+    of_bars = [name for name in fields if name in BAR_FIELDS]
+    if of_bars and kind in ("deformed", "lines"):
+        issues.append(Issue("FIELD", quote(of_bars[0]), f"a field of combinations, as kind is {quote(kind)}"))
+    if of_bars and (combinations or envelope is not None):
+        found = f"{quote(of_bars[0])} of chosen combinations"
+        issues.append(Issue("FIELD", found, "none chosen, as it is over all ultimate combinations"))
     of_elements = [name for name in fields if SYMBOLS.get(name, name) in SHOWN_ELEMENT_FIELDS]
     if of_elements and kind == "lines":
         issues.append(Issue("FIELD", quote(of_elements[0]), 'a nodal field, as kind is "lines"'))

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from groundslab.design.bar_layout import bar_sets
 from groundslab.fem.mesh import SIDES
 from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.views.plots.contours import MOST_ELEMENTS
@@ -60,6 +61,19 @@ def draw_plate(axes: Axes, model: Model, fill: str = "none") -> Entries:
         for piece in (each for each in shapely.get_parts(part) if each.geom_type == "Polygon"):
             look = {"edgecolor": GREY, "linewidth": 0.8, "linestyle": (0, (6, 2, 1, 2)), "zorder": 3.5}
             entries["zone"] = draw_ring(axes, np.asarray(piece.exterior.coords), **look)
+    return entries
+
+
+def draw_bar_zones(axes: Axes, model: Model, layer: str) -> Entries:
+    """Outline the zones of further bars of a layer, as far as the plate reaches."""
+    import shapely
+
+    entries: Entries = {}
+    for each in bar_sets(model):
+        for piece in shapely.get_parts(each.region) if each.zone and each.layer == layer else ():
+            if piece.geom_type == "Polygon":
+                look = {"edgecolor": LOAD, "linewidth": 0.9, "linestyle": (0, (4, 2)), "zorder": 3.6}
+                entries["zone of further bars"] = draw_ring(axes, np.asarray(piece.exterior.coords), **look)
     return entries
 
 

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from groundslab._version import __version__
 from groundslab.design.tables.quantities import nodal_values
+from groundslab.design.tables.reinforcement import bar_fields
 from groundslab.errors import GroundslabError
 from groundslab.results.contact_zone import contact_function, goes_below_zero, has_line_force
-from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, SHOWN_ELEMENT_FIELDS, extreme
+from groundslab.results.fields import BAR_FIELDS, LINE_FORCE, PLATE_FIELDS, SHOWN_ELEMENT_FIELDS, extreme
 from groundslab.views.scene.binary import Blocks, Scene
 from groundslab.views.scene.plan import plan_of
 from groundslab.views.summary import combinations
@@ -27,6 +28,8 @@ FORMAT = 2
 SHOWN = (
     "settlement", "pressure", "gap", "penetration", "moment_x", "moment_y", "moment_xy", "shear_x", "shear_y",
 )  # fmt: skip
+#: The fields of bars that a scene has begin with these.
+SHOWN_OF_BARS = ("required_", "utilisation_")
 
 
 def scene_of(combined: Results, most: int | None = None) -> Scene:
@@ -41,21 +44,22 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
     plates = [results.plate for results in there]
     _require_one_mesh(plates)
     names = _fields_of(there)
-    blocks = Blocks()
+    blocks, of_bars = Blocks(), _fields_of_bars(combined)
     nodes, elements, section = np.zeros((0, 2)), np.zeros((0, 9), dtype=np.int64), np.zeros(0, dtype=np.int64)
     if there:
         nodes, elements, section = plates[0].nodes, plates[0].elements, there[0].elements.section
     mesh = {"nodes": blocks.put(nodes, "f32"), "elements": blocks.put(elements, "u32")}
     mesh["section"] = blocks.put(section, "u16")
     kept = _kept(found, names, len(found) if most is None else most)
+    shared = {name: blocks.put_range(values) for name, values in of_bars.items()}
     head = {
         "format": FORMAT,
         "title": combined.model.title,
         "version": __version__,
         "plan": plan_of(combined.model),
         "mesh": mesh,
-        "fields": [_about(name, there) for name in names] + [_CONTACT],
-        "combinations": [_combination(entry, names, blocks, entry.number in kept) for entry in found],
+        "fields": [_about(name, there) for name in names] + [_words(name, False) for name in of_bars] + [_CONTACT],
+        "combinations": [_combination(entry, names, blocks, entry.number in kept, shared) for entry in found],
         "left_out": [
             entry.combination.name for entry in found if entry.results is not None and entry.number not in kept
         ],
@@ -87,19 +91,42 @@ def _fields_of(there: list[CombinationResult]) -> list[str]:
 
 def _about(name: str, there: list[CombinationResult]) -> dict[str, Any]:
     """Return how a field is called and shown; it is signed if its sign matters."""
-    about = (PLATE_FIELDS | SHOWN_ELEMENT_FIELDS)[name]
-    signed = about.sign == "any" or any(goes_below_zero(nodal_values(each, name)) for each in there)
+    sign = (PLATE_FIELDS | SHOWN_ELEMENT_FIELDS)[name].sign
+    return _words(name, sign == "any" or any(goes_below_zero(nodal_values(each, name)) for each in there))
+
+
+def _words(name: str, signed: bool) -> dict[str, Any]:
+    """Return how a field is called and shown, signed or not."""
+    about = (PLATE_FIELDS | SHOWN_ELEMENT_FIELDS | BAR_FIELDS)[name]
     words = {each: getattr(about, each) for each in ("symbol", "unit", "meaning", "averaged")}
     return {"name": name, **words, "signed": signed}
 
 
-def _combination(entry: Entry, names: list[str], blocks: Blocks, kept: bool) -> dict[str, Any]:
-    """Return one combination: what acts together, its fields, their extremes, or why there are none."""
+def _fields_of_bars(combined: Results) -> dict[str, Array]:
+    """Return what bars are required and how far they are used (n,), where any are enough; the same in all combinations.
+
+    One of them is left out where the concrete is too weak somewhere.
+    """
+    fields = bar_fields(combined)
+    return {
+        name: values * BAR_FIELDS[name].scale
+        for name, values in fields.items()
+        if name.startswith(SHOWN_OF_BARS) and np.isfinite(values).all()
+    }
+
+
+def _combination(
+    entry: Entry, names: list[str], blocks: Blocks, kept: bool, shared: Mapping[str, dict[str, Any]]
+) -> dict[str, Any]:
+    """Return one combination: what acts together, its fields, their extremes, or why there are none.
+
+    The blocks that are shared belong to all combinations.
+    """
     results = entry.results
     values = None
     if results is not None and kept:
         values = {name: blocks.put_range(nodal_values(results, name)) for name in names}
-        values["contact"] = blocks.put_signed(contact_function(results))
+        values |= {**shared, "contact": blocks.put_signed(contact_function(results))}
     return {
         "name": entry.combination.name,
         "number": entry.number,

@@ -346,3 +346,71 @@ def test_all_faults_come_at_once() -> None:
     with pytest.raises(InputError) as error:
         combinations([G, Q], ["ultimate", "final"], {"permanent": (1.0, 1.35), "variable": (1.5, -0.5)})
     assert [issue.location for issue in error.value.issues] == ["Combine.sets[2]", "Combine.variable[2]"]
+
+
+@pytest.mark.parametrize(
+    ("category", "psi"),
+    [
+        ("A", "0.7 0.5 0.3"), ("B", "0.7 0.5 0.3"), ("C", "0.7 0.7 0.6"), ("D", "0.7 0.7 0.6"), ("E", "1.0 0.9 0.8"),
+        ("F", "0.7 0.7 0.6"), ("G", "0.7 0.5 0.3"), ("H", "0 0 0"), ("snow", "0.5 0.2 0"),
+        ("snow above 1000 m", "0.7 0.5 0.2"), ("wind", "0.6 0.2 0"), ("temperature", "0.6 0.5 0"),
+    ],
+)  # fmt: skip
+def test_psi_by_category(category: str, psi: str) -> None:
+    """EN 1990 Table A1.1 as printed; a psi that is given comes first, and another category brings its own."""
+    case = LoadCase(name="Q", action="variable", category=category)
+    assert (case.psi_0, case.psi_1, case.psi_2) == tuple(map(float, psi.split()))
+    own = LoadCase(name="Q", action="variable", category=category, psi_0=0.95)
+    assert (own.psi_0, own.psi_1) == (0.95, case.psi_1)
+    assert own.replace(category="wind") == LoadCase(name="Q", action="variable", category="wind")
+    assert case.replace(psi_2=0.0).psi_1 == case.psi_1
+
+
+def test_a_case_without_category_keeps_its_psi() -> None:
+    """0.7, 0.5 and 0.3 as ever; a category that is not there is refused."""
+    case = LoadCase(name="Q", action="variable")
+    assert (case.psi_0, case.psi_1, case.psi_2, case.category) == (0.7, 0.5, 0.3, None)
+    with pytest.raises(InputError, match="category"):
+        LoadCase(name="Q", category="K")
+
+
+def aci(*cases: LoadCase, state: str = "ultimate") -> dict[str, set[tuple[tuple[str, float], ...]]]:
+    """Return the factors of the combinations by ACI 318, by their equation."""
+    found: dict[str, set[tuple[tuple[str, float], ...]]] = {}
+    for each in make_combinations(Combine(sets=(state,), expression="ACI 318"), cases):
+        found.setdefault(each.rule.removeprefix("ACI 318-19 "), set()).add(each.factors)
+    return found
+
+
+def test_combinations_of_aci_318() -> None:
+    """Dead, live, snow and wind: all of ACI 318-19 5.3.1 by hand, every variable load once present and once absent."""
+    D, L = LoadCase(name="D"), LoadCase(name="L", action="variable", category="B")
+    S = LoadCase(name="S", action="variable", category="snow")
+    W = LoadCase(name="W", action="variable", category="wind")
+    found = aci(D, L, S, W)
+    assert found["5.3.1a"] == {(("D", 1.4),)}
+    dead = ("D", 1.2)
+    assert found["5.3.1b"] == {(dead, ("L", 1.6), ("S", 0.5)), (dead, ("L", 1.6)), (dead, ("S", 0.5)), (dead,)}
+    full = {(dead, ("L", 1.0), ("S", 1.6)), (dead, ("S", 1.6), ("W", 0.5)), (dead, ("S", 1.6)), (dead, ("W", 0.5))}
+    assert found["5.3.1c"] == full | {(dead, ("L", 1.0))}
+    assert (dead, ("L", 1.0), ("S", 0.5), ("W", 1.0)) in found["5.3.1d"]
+    assert found["5.3.1f"] == {(("D", 0.9), ("W", 1.0)), (("D", 0.9),)}
+
+
+def test_earthquakes_of_aci_318() -> None:
+    """1.2 D + E + L + 0.2 S and 0.9 D + E, in both directions; they are a set of their own."""
+    D, L = LoadCase(name="D"), LoadCase(name="L", action="variable")
+    S, quake = LoadCase(name="S", action="variable", category="snow"), LoadCase(name="E", action="seismic")
+    found = aci(D, L, S, quake, state="seismic")
+    for sign in (1.0, -1.0):
+        assert (("D", 1.2), ("L", 1.0), ("S", 0.2), ("E", sign)) in found["5.3.1e"]
+        assert (("D", 0.9), ("E", sign)) in found["5.3.1g"]
+    assert not [each for each in aci(D, L, S, quake).values() for factors in each if "E" in dict(factors)]
+
+
+def test_what_aci_318_has_no_combination_for() -> None:
+    """Temperature is ruled elsewhere (5.3.6), partial factors of EN 1990 have no part in it."""
+    with pytest.raises(InputError, match="temperature"):
+        aci(LoadCase(name="D"), LoadCase(name="T", action="variable", category="temperature"))
+    with pytest.raises(InputError, match="permanent with ACI 318"):
+        Combine(sets=("ultimate",), expression="ACI 318", permanent=(1.2, 0.9))

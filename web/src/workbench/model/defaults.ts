@@ -27,6 +27,7 @@ const DEFAULTS: Record<string, Table> = {
   LoadCase: { action: "permanent" },
   Combination: { limit_state: "ultimate" },
   Combine: { sets: ["ultimate", "characteristic"] },
+  BarZone: { layers: ["bottom_x", "bottom_y"], diameter: "12 mm", spacing: "150 mm" },
   Reinforcement: { concrete: "C30/37", steel: "B500B", bottom: ["40 mm", "50 mm"], top: ["40 mm", "50 mm"] },
   Void: { depth: "10 mm" },
 };

@@ -1,0 +1,74 @@
+"""Two-way shear by ACI 318-19 22.6 and the transfer of moments by shear, 8.4.4.2; stresses, f'c in MPa.
+
+    v_c = min(0.33, 0.17 (1 + 2 / beta), 0.083 (2 + alpha_s d / b_o)) lambda_s (f'c)^(1/2)            Table 22.6.5.2
+    v_c = 0.17 lambda_s (f'c)^(1/2), v_u <= phi 0.5 (f'c)^(1/2)              with stirrups, 22.6.6.1, 22.6.6.3
+    A_v / s = (v_u / phi - v_c) b_o / f_yt                                               22.6.7.2
+    v_u = V_u / (b_o d) + gamma_v M_sc c / J_c,  gamma_v = 1 - 1 / (1 + 2/3 (b_1 / b_2)^(1/2))     8.4.4.2, 8.4.2.2.2
+
+on the critical section at d / 2 from the column, of straight sides around a rectangular one (22.6.4.1). J_c is that of
+the section's sides, d int e^2 dl + d^3 / 12 int cos^2 dl, as in the commentary R8.4.4.2.3; b_1 is along the
+eccentricity.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.design.aci318.materials import PHI_SHEAR, Concrete, Steel
+
+#: alpha_s of columns inside, at an edge and at a corner (22.6.5.3), by how the critical section runs.
+ALPHA_S = {"closed": 40.0, "edge": 30.0, "corner": 20.0}
+#: A slab with stirrups as shear reinforcement is at least so deep [m] (22.6.7.1).
+LEAST_DEPTH = 0.15
+
+
+def without_links(concrete: Concrete, d: float, b_o: float, beta: float, alpha_s: float) -> float:
+    """Return v_c [Pa] of a critical section b_o [m] long and d [m] deep.
+
+    beta is the long side of the column over the short one, of a round column 1.
+    """
+    factor = min(0.33, 0.17 * (1 + 2 / beta), 0.083 * (2 + alpha_s * d / b_o))
+    return factor * concrete.lambda_s(d) * concrete.root
+
+
+def most_with_links(concrete: Concrete) -> float:
+    """Return the largest nominal stress [Pa] that stirrups can make of it, 22.6.6.3."""
+    return 0.5 * concrete.root
+
+
+def links(v_u: float, d: float, b_o: float, concrete: Concrete, steel: Steel) -> float:
+    """Return A_v / s [m2/m] of stirrups on all sides of the critical section for a factored stress v_u [Pa]."""
+    v_c = 0.17 * concrete.lambda_s(d) * concrete.root
+    return max(0.0, (v_u / PHI_SHEAR - v_c) * b_o / steel.f_yt)
+
+
+def gamma_v(b_1: float, b_2: float) -> float:
+    """Return the share of a moment that shear transfers, of a section b_1 along its eccentricity, b_2 across."""
+    return 1 - 1 / (1 + 2 / 3 * math.sqrt(b_1 / b_2))
+
+
+def polar_moments(legs: Array, axes: Array, d: float) -> Array:
+    """Return J_c (2,) [m4] of the sides (l, 2, 2) of a critical section, for e along x and along y from axes (2,)."""
+    length = np.linalg.norm(legs[:, 1] - legs[:, 0], axis=1)[:, None]
+    start, end = legs[:, 0] - axes, legs[:, 1] - axes
+    second = (length * (start**2 + start * end + end**2) / 3).sum(axis=0)
+    along = ((end - start) ** 2 / length).sum(axis=0)
+    return np.asarray(d * second + d**3 / 12 * along)
+
+
+def stress(V_u: float, moments: Sequence[float], legs: Array, b_o: float, d: float) -> float:
+    """Return the largest v_u [Pa] on the sides (l, 2, 2) of a critical section, about their centroid at the origin.
+
+    V_u [N] acts with moments [N m] of forces along x and along y. Where openings shorten the section to b_o [m], J_c is
+    shortened alike.
+    """
+    length = float(np.linalg.norm(legs[:, 1] - legs[:, 0], axis=1).sum())
+    J = polar_moments(legs, np.zeros(2), d) * b_o / length
+    b_1, b_2 = np.ptp(legs.reshape(-1, 2), axis=0)
+    shares = np.array([gamma_v(b_1, b_2), gamma_v(b_2, b_1)])
+    by_moment = legs.reshape(-1, 2) @ (shares * np.asarray(moments) / J)
+    return float(V_u / (b_o * d) + by_moment.max())

@@ -1,0 +1,95 @@
+"""The straight bars of a slab one by one: where each lies, how long it is, and what all of them weigh.
+
+Bars of a set lie as far apart as is given or a little closer at both borders: over a width b there are n = ceil(b / s)
+of them, the outer ones (b - (n - 1) s) / 2 from the borders. Each is cut by the outline, by openings and by the border
+of its zone. Neither laps nor hooks nor the cover at its ends are in its length.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.design.laid_bars import polygon_of
+from groundslab.model.model import Model
+from groundslab.model.plate import PlateRegion
+from groundslab.model.reinforcement.bars import Bars
+from groundslab.results.fields import LAYERS
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
+#: Density of steel [kg/m3] (EN 1992-1-1 3.2.7(3)).
+DENSITY = 7850.0
+#: A count is not one more for what a width is larger than a multiple of the spacing by rounding, and what remains of a
+#: bar by rounding is none [m].
+ROUNDING, SHORTEST = 1e-9, 1e-6
+
+
+@dataclass(frozen=True)
+class BarSet:
+    """The bars of one layer that are laid together: all over the slab, or in a zone."""
+
+    layer: str
+    zone: str  # its name; empty all over the slab
+    mesh: str  # what welded mesh they belong to; empty of single bars
+    bars: Bars
+    region: BaseGeometry  # where they lie
+    ends: Array  # (k, 2, 2): each from its lower end [m]
+
+    @property
+    def axis(self) -> int:
+        """Return the axis along which they run, 0 of x."""
+        return "xy".index(self.layer[-1])
+
+    @cached_property
+    def lengths(self) -> Array:
+        """Return the lengths (k,) [m]."""
+        return np.asarray(np.linalg.norm(self.ends[:, 1] - self.ends[:, 0], axis=1))
+
+    def mass_of(self, length: float) -> float:
+        """Return what so many meters of the bars weigh [kg]."""
+        return DENSITY * math.pi * self.bars.diameter**2 / 4 * length
+
+
+def bar_sets(model: Model) -> list[BarSet]:
+    """Return all bars that are laid, layer by layer: first those all over the slab, then zone by zone."""
+    steel, plan = model.reinforcement, PlateRegion(model.plate).area
+    if steel is None or not steel.laid:
+        return []
+    found = []
+    for layer in LAYERS:
+        base = steel.base_bars(layer)
+        assert base is not None
+        sets = [("", getattr(steel, f"{layer.split('_')[0]}_mesh") or "", base, plan)]
+        sets += [
+            (zone.name, zone.mesh or "", zone.bars, polygon_of(zone.shape.ring()).intersection(plan))
+            for zone in steel.zones
+            if layer in zone.layers
+        ]
+        for name, mesh, bars, region in sets:
+            ends = straight_bars(region, "xy".index(layer[-1]), bars.spacing)
+            found.append(BarSet(layer, name, mesh, bars, region, ends))
+    return found
+
+
+def straight_bars(region: BaseGeometry, axis: int, spacing: float) -> Array:
+    """Return the ends (k, 2, 2) [m] of bars along an axis in a region, from the lowest upwards."""
+    from shapely import bounds as bounds_of
+    from shapely import get_parts, intersection, length, line_merge, linestrings
+
+    bounds = np.array(region.bounds).reshape(2, 2)  # low, high
+    (start, end), (low, high) = bounds[:, axis], bounds[:, 1 - axis]
+    count = max(1, math.ceil((high - low) / spacing - ROUNDING))
+    across = (low + high) / 2 + spacing * (np.arange(count) - (count - 1) / 2)
+    lines = np.empty((count, 2, 2))
+    lines[:, :, axis], lines[:, :, 1 - axis] = (start, end), across[:, None]
+    # along an edge of the region a line is cut at its corners, and so joined again
+    cut = get_parts(line_merge(intersection(linestrings(lines), region)))
+    found = bounds_of(cut[length(cut) > SHORTEST]).reshape(-1, 2, 2)
+    return np.asarray(found[np.lexsort((found[:, 0, axis], found[:, 0, 1 - axis]))])

@@ -1,0 +1,163 @@
+"""Punching by EN 1992-1-1 6.4 of the columns of a case: at their faces, within 2 d, and the links that it takes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import Any
+
+from groundslab.design.checks.check import DesignCheck, Status
+from groundslab.design.en1992 import punching as en1992
+from groundslab.design.laid_bars import punching_ratio
+from groundslab.design.tables import reinforcement
+from groundslab.design.tables.punching import Demand, Demands, Stress, demands
+from groundslab.model.model import Model
+from groundslab.model.outputs import Reinforcement
+from groundslab.results.results import Results
+
+#: Radial distance of the perimeters of links over the effective depth, the largest that 9.4.3(1) allows.
+LINK_SPACING = 0.75
+#: How far inside the outer perimeter the outermost links are at most, over the effective depth (6.4.5(4)).
+LAST_LINKS = 1.5
+
+#: A demand, the stress on one of its perimeters, and what resists it there [Pa].
+Judged = tuple[Demand, Stress, float]
+
+
+def checks(combined: Results) -> Iterator[DesignCheck]:
+    """Yield the checks of punching over all ultimate combinations."""
+    steel = combined.model.reinforcement
+    assert steel is not None
+    punched = demands(combined)
+    face = _face(steel, punched)
+    if face is not None:
+        yield face
+    yield _within_2d(steel, punched, _ratios(combined.model, punched))
+
+
+def _face(steel: Reinforcement, punched: Demands) -> DesignCheck | None:
+    """Return whether punching exceeds v_Rd,max at the face of any column (EN 1992-1-1 6.4.5(3)), if it is limited."""
+    if en1992.max_resistance(reinforcement.materials(steel)[0]) is None:
+        return None
+    stresses = [
+        (each, each.face, en1992.max_resistance(reinforcement.materials(steel, each.limit_state)[0]) or 0.0)
+        for each in punched.found.values()
+        if each.face is not None
+    ]
+    return _punching("punching at the column's face", "v_Rd,max", stresses, punched, "fails", "6.4.5(3)")
+
+
+def _within_2d(steel: Reinforcement, punched: Demands, ratios: Mapping[str, float]) -> DesignCheck:
+    """Return whether punching within 2 d needs links, or exceeds what they can carry.
+
+    With the bars that are laid at the bottom, whose ratios are given by column, or with the most that count, whatever
+    will be laid. What links can carry
+    is limited at 2 d, or on all perimeters where the face has no limit of its own.
+    """
+    name, which = "punching within 2 d", "the bars that are laid" if steel.laid else "the most bars that count"
+    most: list[Judged] = []
+    there: list[Judged] = []
+    k_max = reinforcement.materials(steel)[0].annex.k_max
+    for each in punched.found.values():
+        concrete, bars = reinforcement.materials(steel, each.limit_state)
+        ratio = min(ratios.get(each.column, math.inf), en1992.most_bars(concrete, bars))
+        v_Rd_c = en1992.resistance_without_links(concrete, each.d, ratio)
+        own = [(each, stress, v_Rd_c * 2 * each.d / stress.distance) for stress in each.around]
+        there += own
+        limited = own[-1:] if concrete.annex.face else own
+        most += [(each, stress, k_max * resistance) for each, stress, resistance in limited]
+    with_links = _punching(name, f"{k_max:g} v_Rd,c with {which}", most, punched, "fails", "6.4.5(1)")
+    if with_links.status == "fails":
+        return with_links
+    without = _punching(name, f"v_Rd with {which}", there, punched, "attention", "6.4.4(2)")
+    needing = [each for each in there if each[1].v_Ed > each[2] and not each[1].supported]
+    if not needing:
+        return without
+    worst = max(needing, key=lambda each: each[1].v_Ed / each[2])
+    links, reach = _links(steel, worst), _outer(worst[0], [each for each in there if each[0] is worst[0]])
+    return replace(without, words=f"punching reinforcement is needed at {without.words}; {links}, {reach}")
+
+
+def _links(steel: Reinforcement, worst: Judged) -> str:
+    """Return the links that a perimeter needs, in words."""
+    demand, stress, resistance = worst
+    concrete, bars = reinforcement.materials(steel, demand.limit_state)
+    if concrete.annex.links_alone:
+        A_sw = en1992.links_alone(stress.v_Ed * stress.u * demand.d, demand.d, bars.f_yd)
+        return f"there {A_sw * 1e4:.3g} cm2 of vertical links in the two inner rows together (6.4.5(1) of the annex)"
+    s_r = LINK_SPACING * demand.d
+    A_sw = en1992.links_per_perimeter(stress.v_Ed, resistance, stress.u, demand.d, s_r, bars.f_yd)
+    return f"there {A_sw * 1e4:.3g} cm2 of vertical links on each perimeter, {s_r:.2f} m apart (6.4.5(1), 9.4.3)"
+
+
+def _outer(demand: Demand, own: list[Judged]) -> str:
+    """Return in words where links are needed no more, of the perimeters of one demand from the inner to the outer one.
+
+    Beyond the outermost one by 6.54, its length growing as it does between the two last ones.
+    """
+    last = max(number for number, (_, stress, resistance) in enumerate(own) if stress.v_Ed > resistance)
+    if last + 1 < len(own):
+        u, distance = own[last + 1][1].u, own[last + 1][1].distance
+    else:
+        _, stress, resistance = own[-1]
+        u = en1992.outer_perimeter(stress.v_Ed, resistance * stress.distance / (2 * demand.d), stress.u)
+        inner = own[-2][1] if len(own) > 1 else None
+        grows = (stress.u - inner.u) / (stress.distance - inner.distance) if inner is not None else 2 * math.pi
+        distance = stress.distance + max(u - stress.u, 0.0) / max(grows, 1e-9)
+    return (
+        f"to within {LAST_LINKS * demand.d:.2f} m of the perimeter beyond which none are needed, u_out {u:.2f} m long, "
+        f"{distance:.2f} m from the column (6.4.5(4), 6.54)"
+    )
+
+
+def _ratios(model: Model, punched: Demands) -> dict[str, float]:
+    """Return rho_l of the bars that are laid at the bottom by column (6.4.4(1)); nothing if none are."""
+    if model.reinforcement is None or not model.reinforcement.laid:
+        return {}
+    columns = {column.name: column for column in model.columns}
+    depths = {each.column: each.d for each in punched.found.values()}
+    return {name: punching_ratio(model, columns[name], d) for name, d in depths.items()}
+
+
+def _at(stress: Stress, d: float) -> str:
+    """Return where a perimeter runs."""
+    return f" at {stress.distance / d:.2g} d" if stress.distance else ""
+
+
+def _punching(
+    name: str, limit: str, stresses: list[Judged], punched: Demands, status: Status, clause: str
+) -> DesignCheck:
+    """Return whether any stress exceeds its limit, with the worst; a support inside leaves it open."""
+    judged = [each for each in stresses if not each[1].supported]
+    beyond = [each for each in judged if each[1].v_Ed > each[2]]
+    numbers: dict[str, Any] = {}
+    if judged:
+        demand, stress, most = max(judged, key=lambda each: each[1].v_Ed / each[2])
+        numbers = {
+            "of": demand.column,
+            "demand": max(stress.v_Ed, 0.0) / 1e6,
+            "resistance": most / 1e6,
+            "unit": "MPa",
+            "clause": f"EN 1992-1-1 {clause}",
+            "combination": demand.combination,
+            "place": punched.places[demand.column],
+        }
+    if beyond:
+        columns = len({each[0].column for each in beyond})
+        words = (
+            f'{columns} column{"s" if columns > 1 else ""}; worst {demand.column} in "{demand.combination}": v_Ed '
+            f"{stress.v_Ed / 1e6:.3g} MPa{_at(stress, demand.d)}, with beta {stress.beta:.2f}, is "
+            f"{stress.v_Ed / most:.3g} times {most / 1e6:.3g} MPa, {limit} ({clause})"
+        )
+        return DesignCheck(name, status, words, **numbers)
+    unjudged = sorted({each[0].column for each in stresses if each[1].supported} | punched.missing.keys())
+    if unjudged:
+        names = ", ".join(unjudged[:5]) + (" ..." if len(unjudged) > 5 else "")
+        words = f"not judged, for a support inside or no perimeter on the plate: columns {names}"
+        return DesignCheck(name, "attention", words, **numbers)
+    if not judged:
+        return DesignCheck(name, "no failure found", "no column pushes down")
+    used = max(stress.v_Ed / most for _, stress, most in judged)
+    words = f"v_Ed is at most {100 * max(used, 0.0):.3g} % of {limit}, {demand.column}{_at(stress, demand.d)}"
+    return DesignCheck(name, "no failure found", words, **numbers)

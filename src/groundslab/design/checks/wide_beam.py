@@ -1,0 +1,86 @@
+"""One-way shear of a slab as a wide beam by ACI 318-19: across it at the distance d from columns (7.4.3.2, 8.4.3.2).
+
+A cut runs straight across the plate, a column's share of it: to the middle between the column and the next ones beside
+it, or to the plate's edge. The shear force and what needs no links are means over the cut.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.arrays import Array, Integers
+from groundslab.design.punching import outline
+from groundslab.design.tables.punching import depth_under, shape_of_column
+from groundslab.fem.line_traversal import interpolation, pieces
+from groundslab.fem.mesh import Mesh
+from groundslab.model.columns import Column
+from groundslab.model.outputs import Reinforcement
+from groundslab.results.mesh_results import PlateResult
+from groundslab.results.results import CombinationResult
+
+if TYPE_CHECKING:
+    from shapely import MultiPolygon, Polygon
+
+
+@dataclass(frozen=True, slots=True)
+class Cut:
+    """A cut beside a column, and what takes means over it."""
+
+    axis: int  # of the bars that cross it, 0 along x
+    place: tuple[float, float]  # its middle [m]
+    nodes: Integers  # (k, 9): of the elements at its Gauss points
+    weights: Array  # (k, 9): of the nodes' values in the mean
+
+    def mean(self, values: Array) -> float:
+        """Return the mean of nodal values (n,) over the cut."""
+        return float((self.weights * values[self.nodes]).sum())
+
+    def forces(self, plate: PlateResult, without_links: Mapping[str, Array]) -> tuple[float, float]:
+        """Return the mean shear force, and of what needs no links (n,) by layer that of the bars in tension [N/m]."""
+        letter = "xy"[self.axis]
+        face = "bottom" if self.mean(getattr(plate, f"moment_{letter}")) > 0 else "top"
+        return abs(self.mean(getattr(plate, f"shear_{letter}"))), self.mean(without_links[f"{face}_{letter}"])
+
+
+def cuts(results: CombinationResult, steel: Reinforcement) -> Iterator[Cut]:
+    """Yield the cuts on both sides of every column along x and along y, where they lie on the plate."""
+    plan, columns = outline(results.plate), results.model.columns
+    mesh = Mesh(results.plate.nodes, results.plate.elements)
+    for column in columns:
+        d = depth_under(results, shape_of_column(column), steel)
+        for axis in (0, 1):
+            half = (column.diameter or (column.width_x, column.width_y)[axis] or 0.0) / 2
+            for side in (-1.0, 1.0):
+                at = (column.x, column.y)[axis] + side * (half + d)
+                legs = _legs(plan, columns, column, axis, at)
+                if len(legs):
+                    yield _cut(mesh, axis, legs)
+
+
+def _legs(plan: Polygon | MultiPolygon, columns: tuple[Column, ...], column: Column, axis: int, at: float) -> Array:
+    """Return the straight pieces (l, 2, 2) [m] of a column's share of the line x = at or y = at on the plate."""
+    from shapely import LineString, get_coordinates, get_parts, intersection
+
+    bounds = np.reshape(plan.bounds, (2, 2))[:, 1 - axis]
+    here = (column.x, column.y)[1 - axis]
+    middles = [(here + (each.x, each.y)[1 - axis]) / 2 for each in columns]
+    near = 1e-6 * np.ptp(bounds)
+    low = max([bounds[0], *(middle for middle in middles if middle < here - near)])
+    high = min([bounds[1], *(middle for middle in middles if middle > here + near)])
+    ends = [(at, low), (at, high)] if axis == 0 else [(low, at), (high, at)]
+    parts = get_parts(intersection(plan, LineString(ends)))
+    found = [get_coordinates(part)[[0, -1]] for part in parts if part.length > near]
+    return np.array(found).reshape(-1, 2, 2)
+
+
+def _cut(mesh: Mesh, axis: int, legs: Array) -> Cut:
+    """Return a cut of straight pieces (l, 2, 2)."""
+    line = pieces(mesh, legs)
+    piece, s, ds = line.gauss()
+    nodes, N = interpolation(mesh, line, piece, s)
+    x, y = legs.reshape(-1, 2).mean(axis=0)
+    return Cut(axis, (float(x), float(y)), nodes, N * (ds / ds.sum())[:, None])

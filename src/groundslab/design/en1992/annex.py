@@ -1,0 +1,72 @@
+"""National parameters of EN 1992-1-1: values and clauses of an annex, from its file in the folder annexes.
+
+A file has what differs from the recommended values. Each parameter is explained in annexes/recommended.toml.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+#: Names of the annexes, and their files.
+ANNEXES = {"recommended": "recommended", "Germany": "germany", "United Kingdom": "united_kingdom"}
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Annex:
+    """The parameters of an annex: lengths in meters, those of formulas for stresses in MPa, as clauses have them."""
+
+    gamma_c: float
+    gamma_s: float
+    accidental: tuple[float, float]
+    alpha_cc: float
+    alpha_cc_shear: float
+    c_rd_c: float
+    v_min: tuple[float, float]
+    v_min_factored: bool
+    nu: tuple[float, float, float]
+    flattest: float
+    crack_friction: float
+    c_rd_c_punching: float
+    face: float
+    k_max: float
+    rho_strength: float
+    links_alone: bool
+    minimum: tuple[float, float]
+    minimum_by_cracking: bool
+    most_bars: float
+    spacing: tuple[float, float, float]
+    k_3: float
+    k_4: float
+    crack_spacing_by_stress: bool
+    w_max: Mapping[str, float]
+    c_min_dur: Mapping[str, float]
+    delta_c_dev: float
+
+
+@cache
+def annex_of(name: str) -> Annex:
+    """Return the parameters of an annex, the recommended ones where it has none of its own."""
+    found = {**table("recommended"), **table(name)}
+    values: dict[str, Any] = {key: _frozen(each["value"]) for key, each in found.items()}
+    return Annex(**values)
+
+
+def _frozen(value: Any) -> Any:
+    """Return a list of a file as a tuple, anything else as it is."""
+    return tuple(value) if isinstance(value, list) else value
+
+
+def table(name: str) -> dict[str, dict[str, Any]]:
+    """Return what an annex's file says: of each parameter its value, clause and source."""
+    path = files("groundslab.design.en1992") / "annexes" / f"{ANNEXES[name]}.toml"
+    parameters: dict[str, dict[str, Any]] = tomllib.loads(path.read_text(encoding="utf-8"))["parameters"]
+    return parameters
+
+
+#: What is taken where no annex is named.
+RECOMMENDED = annex_of("recommended")

@@ -1,0 +1,114 @@
+"""What bars lie where: those all over the slab, and those of zones, which are laid between them.
+
+Where zones lie, areas add up. Cracks take one diameter in place of several (EN 1992-1-1 7.3.4(3), 7.12),
+
+    phi_eq = (n_1 phi_1^2 + n_2 phi_2^2) / (n_1 phi_1 + n_2 phi_2),
+
+n_i being the bars per length, 1 / s_i. How far apart bars are at most is the least of their distances: what the closest
+set among them has by itself, wherever the others lie. A bar counts in all of its zone; anchorage is not looked at.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.geometry.plan import Ring
+from groundslab.model.columns import Column
+from groundslab.model.model import Model
+from groundslab.model.outputs import Reinforcement
+from groundslab.model.plate import ROUNDING, PlateRegion
+from groundslab.model.reinforcement.bars import Bars
+from groundslab.model.shapes import CHORD
+
+if TYPE_CHECKING:
+    from shapely import Polygon
+
+#: Width beside a column in which bars count for punching, on each side, and how far from its faces they must reach, in
+#: effective depths (EN 1992-1-1 6.4.4(1), 6.4.2(1)).
+BESIDE, BEYOND = 3.0, 2.0
+
+
+@dataclass(frozen=True, slots=True)
+class LaidBars:
+    """The bars of one layer at places."""
+
+    area: Array  # (n,) [m2/m]
+    diameter: Array  # (n,): one for all of them, 7.12 [m]
+    spacing: Array  # (n,): from axis to axis at most [m]
+
+
+def bar_area(bars: Bars) -> float:
+    """Return the area of bars [m2/m]."""
+    return math.pi * bars.diameter**2 / 4 / bars.spacing
+
+
+def bars_of(steel: Reinforcement, layer: str) -> list[Bars]:
+    """Return the sets of bars of a layer: those all over the slab, then those of its zones. Some must be laid."""
+    base = steel.base_bars(layer)
+    assert base is not None
+    return [base, *(zone.bars for zone in steel.zones if layer in zone.layers)]
+
+
+def laid_bars(steel: Reinforcement, layer: str, places: Array) -> LaidBars:
+    """Return the bars of a layer at places (n, 2) [m]; those on the border of a zone have its bars. Some must be laid.
+
+    The places are the plate's nodes, whose extent says what counts as rounding there.
+    """
+    from shapely import intersects_xy
+
+    x, y = places.T
+    near = ROUNDING * float(np.ptp(places, axis=0).max(initial=0.0))
+    sets, there = bars_of(steel, layer), [np.ones(len(places), dtype=bool)]
+    for zone in steel.zones:
+        if layer in zone.layers:
+            region = polygon_of(zone.shape.ring()).buffer(near, join_style="mitre")
+            there.append(intersects_xy(region, x, y))
+    diameter, spacing = (np.array([getattr(each, name) for each in sets])[:, None] for name in ("diameter", "spacing"))
+    count = np.array(there) / spacing  # per length
+    squares = (count * diameter**2).sum(axis=0)
+    farthest = np.where(there, spacing, np.inf).min(axis=0)
+    return LaidBars(np.pi / 4 * squares, squares / (count * diameter).sum(axis=0), farthest)
+
+
+def mean_area(model: Model, layer: str, column: Column, d: float) -> float:
+    """Return the area of a layer's bars that counts for punching at a column [m2/m], d its effective depth [m].
+
+    It is the mean over the column's width and 3 d on each side (6.4.4(1)), as far as the plate reaches: the least of
+    those beside the column's center and 2 d off its faces, as bars of a short zone end within the perimeter.
+    """
+    from shapely import LineString
+
+    steel = model.reinforcement
+    assert steel is not None
+    base = steel.base_bars(layer)
+    assert base is not None
+    axis = "xy".index(layer[-1])
+    x0, x1, y0, y1 = column.ring().bounds
+    along, across = ((x0, x1), (y0, y1))[axis], ((x0, x1), (y0, y1))[1 - axis]
+    zones = [(zone, polygon_of(zone.shape.ring())) for zone in steel.zones if layer in zone.layers]
+    if not zones:
+        return bar_area(base)
+    plan, found = PlateRegion(model.plate).area, list[float]()
+    for where in (along[0] - BEYOND * d, (along[0] + along[1]) / 2, along[1] + BEYOND * d):
+        ends = [(where, across[0] - BESIDE * d), (where, across[1] + BESIDE * d)]
+        cut = LineString(ends if axis == 0 else [end[::-1] for end in ends]).intersection(plan)
+        if cut.length > 0:
+            more = sum(bar_area(zone.bars) * cut.intersection(region).length for zone, region in zones)
+            found.append(bar_area(base) + more / cut.length)
+    return min(found)
+
+
+def punching_ratio(model: Model, column: Column, d: float) -> float:
+    """Return rho_l of the bars that are laid at the bottom, for punching at a column (6.4.4(1))."""
+    return math.sqrt(mean_area(model, "bottom_x", column, d) * mean_area(model, "bottom_y", column, d)) / d
+
+
+def polygon_of(ring: Ring) -> Polygon:
+    """Return the polygon inside a ring."""
+    x0, x1, y0, y1 = ring.bounds
+    return ring.polygon(CHORD * max(x1 - x0, y1 - y0))

@@ -1,0 +1,1 @@
+"""Reinforcement as it is described: the bars that are laid."""

@@ -1,0 +1,82 @@
+"""The drawing of bars: a plan of each face with a table of quantities, as SVG, PDF, PNG or DXF."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from groundslab.errors import InputError, Issue
+from groundslab.model.model import Model
+from groundslab.results.results import CombinationResult, Results
+from groundslab.schema.wording import listed, quote
+from groundslab.storage.ownership import check_replaceable
+from groundslab.views.bars import dxf
+from groundslab.views.bars.drawing import draw
+from groundslab.views.plots import export
+
+
+def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Path:
+    """Draw the bars that are laid: a plan of each face, and how many there are, how long, and what they weigh.
+
+    One bar of each set stands for all of them, with a line across over which they are distributed. Bars are straight;
+    laps, hooks and edge bars are not in the drawing.
+
+    Parameters
+    ----------
+    of : Model, Results or CombinationResult
+        The model, or results of it.
+    path : str or pathlib.Path
+        File to write: .dxf (in meters, on the layers OUTLINE, OPENINGS, COLUMNS, BAR_ZONES, BARS_BOTTOM_X, and so on,
+        LABELS and TABLE), .svg, .pdf or .png. An existing file is replaced only if groundslab drew it.
+
+    Returns
+    -------
+    pathlib.Path
+        The path of the file.
+
+    Raises
+    ------
+    InputError
+        If no bars are laid, if the file cannot be written, or if ezdxf is missing (extra `dxf`).
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> path = groundslab.write_bars(groundslab.load("case.toml"), "bars.dxf")
+    """
+    model = of if isinstance(of, Model) else of.model
+    target = check(path)
+    if model.reinforcement is None or not model.reinforcement.laid:
+        hint = "give bottom_x, bottom_y, top_x and top_y, or bottom_mesh and top_mesh, in [reinforcement]"
+        raise InputError([Issue("reinforcement", "no bars that are laid", "bars in all four layers", hint)])
+    shapes = draw(model)
+    if _is_dxf(path):
+        export.write_file(path, target, dxf.to_bytes(shapes, path))
+    else:
+        from groundslab.views.bars.figure import to_figure
+        from groundslab.views.plots.style import apply_style
+
+        with apply_style():
+            figure = to_figure(model.title, shapes)
+        export.save([figure], path)
+    return Path(path)
+
+
+def check(path: str | Path) -> Path:
+    """Return the full path if a drawing of bars may be written there; else raise InputError saying why not."""
+    if _is_dxf(path):
+        return check_replaceable(path, dxf.is_ours, "a drawing of groundslab")
+    if Path(path).suffix.lower() not in export.FORMATS:
+        expected = f"{listed(('.dxf', *export.FORMATS))} at its end"
+        raise InputError([Issue(str(path), f"a name that ends with {quote(Path(path).suffix)}", expected)])
+    return export.check(path)
+
+
+def default_paths(folder: str | Path) -> tuple[Path, Path]:
+    """Return where the drawings of a folder of results are put: beside the folder, as SVG and as DXF."""
+    whole = Path(os.path.realpath(folder))
+    return whole.with_name(f"{whole.name}-bars.svg"), whole.with_name(f"{whole.name}-bars.dxf")
+
+
+def _is_dxf(path: str | Path) -> bool:
+    return Path(path).suffix.lower() == ".dxf"

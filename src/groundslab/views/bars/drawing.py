@@ -1,0 +1,207 @@
+"""What a drawing of bars consists of: lines, circles and texts on layers, in meters, whatever file it is written to.
+
+The plan of the bottom face lies where the case has it, that of the top face beside or below it, the table below both.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.design.bar_layout import BarSet, bar_sets
+from groundslab.design.bar_quantities import bars as bars_table
+from groundslab.geometry.plan import DRAWN_CHORD, Ring
+from groundslab.model.model import Model
+from groundslab.units import format_number
+
+if TYPE_CHECKING:
+    from shapely import LinearRing, Polygon
+
+#: Layers of a drawing, with the color of each: a number of AutoCAD's palette, whose 7 is black on white.
+LAYERS = {
+    "OUTLINE": 7, "OPENINGS": 8, "COLUMNS": 8, "BAR_ZONES": 6, "BARS_BOTTOM_X": 5, "BARS_BOTTOM_Y": 3, "BARS_TOP_X": 1,
+    "BARS_TOP_Y": 30, "LABELS": 7, "TABLE": 7,
+}  # fmt: skip
+#: The layer with broken lines.
+BROKEN = "BAR_ZONES"
+#: Height of letters over the longer side of the slab, and distances in heights.
+LETTERS = 1 / 90
+GAP, LINE = 6.0, 1.9
+#: Width of a letter on average, over its height.
+WIDE = 0.85
+#: Where the bar that is drawn stands among its set, and where along it the line of distribution crosses: for the bars
+#: all over the slab, and for the zones in turn.
+PLACES = ((0.36, 0.7), (0.5, 0.35), (0.62, 0.55), (0.42, 0.45))
+#: It is at least so long, over the longest.
+LONG = 0.6
+#: Columns of the table of quantities that the drawing has, and what stands above them.
+COLUMNS = {
+    "layer": "layer", "zone": "zone", "mesh": "mesh", "diameter": "diameter", "spacing": "spacing", "number": "number",
+    "least length": "length", "greatest length": "to", "total length": "total", "mass": "kg", "mass per area": "kg/m2",
+}  # fmt: skip
+#: What is written below the table.
+NOTES = (
+    "Lengths in meters, diameters and spacings in millimeters. Further bars of zones lie between those of the layer.",
+    "Laps, hooks and edge bars are not in the quantities, and the cover at the ends of bars is not taken off.",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A line through points (k, 2) [m], closed or not."""
+
+    layer: str
+    points: Array
+    closed: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Circle:
+    """A circle [m]."""
+
+    layer: str
+    center: tuple[float, float]
+    radius: float
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """A line of text whose lower left end is at a place [m]; its letters are so high [m], turned counter-clockwise."""
+
+    layer: str
+    place: tuple[float, float]
+    height: float
+    words: str
+    turned: float = 0.0  # [degrees]
+
+
+Shape = Line | Circle | Text
+
+
+def draw(model: Model) -> list[Shape]:
+    """Return the drawing of the bars that a model lays."""
+    x0, x1, y0, y1 = model.plate.bounds
+    h = LETTERS * max(model.plate.sides)
+    flat = x1 - x0 > y1 - y0
+    step = (0.0, -(y1 - y0) - 2 * GAP * h) if flat else (x1 - x0 + 2 * GAP * h, 0.0)
+    shapes: list[Shape] = []
+    for face, shift in (("bottom", (0.0, 0.0)), ("top", step)):
+        shapes += [_moved(each, shift) for each in _face(model, face, h)]
+    low = y0 + min(step[1], 0.0) - GAP * h
+    return shapes + list(_table(model, (x0, low), h))
+
+
+def _face(model: Model, face: str, h: float) -> Iterator[Shape]:
+    """Yield the plan of one face, where the case has it, with letters of a height [m]."""
+    x0, _, _, y1 = model.plate.bounds
+    chord = DRAWN_CHORD * max(model.plate.sides)
+    yield Text("LABELS", (x0, y1 + 1.5 * h), 1.4 * h, f"{face.capitalize()} bars")
+    yield _closed("OUTLINE", model.plate.ring(), chord)
+    for opening in model.plate.openings:
+        yield _closed("OPENINGS", opening.ring(), chord)
+    for column in model.columns:
+        yield _closed("COLUMNS", column.ring(), chord)
+        yield Text("LABELS", (column.x + 0.6 * h, column.y + 0.6 * h), h, column.name)
+    sets = [each for each in bar_sets(model) if each.layer.startswith(face)]
+    for name, region in {each.zone: each.region for each in sets if each.zone}.items():
+        pieces = getattr(region, "geoms", [region])
+        for piece in (each for each in pieces if each.geom_type == "Polygon"):
+            yield from (Line(BROKEN, np.asarray(ring.coords)[:-1], closed=True) for ring in _rings(piece))
+        left, _, _, top = region.bounds
+        yield Text("LABELS", (left + 0.4 * h, top - 1.4 * h), h, name)
+    turn = {name: number for number, name in enumerate(dict.fromkeys(each.zone for each in sets))}
+    for each in sets:
+        yield from _bar_set(each, PLACES[min(turn[each.zone], 1 + (turn[each.zone] - 1) % (len(PLACES) - 1))], h)
+
+
+def _bar_set(each: BarSet, place: tuple[float, float], h: float) -> Iterator[Shape]:
+    """Yield one bar of a set, what it says, and the line across over which all of them are distributed."""
+    if not len(each.ends):
+        return
+    layer, axis = f"BARS_{each.layer.upper()}", each.axis
+    bar = _shown_bar(each, place[0])
+    yield Line(layer, bar)
+    crossing = bar[0] + place[1] * (bar[1] - bar[0])
+    across = _across(each, crossing)
+    yield Line(layer, across)
+    yield Circle(layer, (float(crossing[0]), float(crossing[1])), 0.3 * h)
+    slash = 0.5 * h * np.array([1.0, 1.0])
+    for end in across:
+        yield Line(layer, np.array([end - slash, end + slash]))
+    # above the bar, read from the right where it runs upwards
+    off = np.array([0.6 * h, 0.5 * h]) if axis == 0 else np.array([-0.5 * h, 0.6 * h])
+    start = bar[0] + off
+    yield Text(layer, (float(start[0]), float(start[1])), h, label_of(each), 90.0 * axis)
+
+
+def label_of(each: BarSet) -> str:
+    """Return what is written at a set of bars: how many of which diameter, how far apart, how long; what mesh."""
+    shortest, longest = f"{each.lengths.min():.2f}", f"{each.lengths.max():.2f}"
+    long = longest if shortest == longest else f"{shortest} to {longest}"
+    phi, spacing = (format_number(1e3 * value, 4, trim=True) for value in (each.bars.diameter, each.bars.spacing))
+    mesh = f"{each.mesh}: " if each.mesh else ""
+    return f"{mesh}{len(each.ends)} \N{LATIN SMALL LETTER O WITH STROKE}{phi} / {spacing}, l = {long} m"
+
+
+def _shown_bar(each: BarSet, part: float) -> Array:
+    """Return the ends (2, 2) of the bar of a set that is drawn: of the long ones that nearest to a part of all."""
+    across = each.ends[:, 0, 1 - each.axis]
+    long = np.flatnonzero(each.lengths >= LONG * each.lengths.max())
+    wanted = across.min() + part * np.ptp(across)
+    return np.asarray(each.ends[long[np.argmin(np.abs(across[long] - wanted))]])
+
+
+def _across(each: BarSet, place: Array) -> Array:
+    """Return the ends (2, 2) of the line across the bars through a place, from the first to the last bar there."""
+    axis = each.axis
+    meets = (each.ends[:, 0, axis] <= place[axis]) & (each.ends[:, 1, axis] >= place[axis])
+    across = each.ends[meets, 0, 1 - axis]
+    ends = np.tile(place, (2, 1))
+    ends[:, 1 - axis] = across.min(), across.max()
+    return ends
+
+
+def _table(model: Model, corner: tuple[float, float], h: float) -> Iterator[Shape]:
+    """Yield the table of quantities as texts, its upper left corner at a place [m]."""
+    table = bars_table(model)
+    columns = [[head, *map(_cell, table[name])] for name, head in COLUMNS.items()]
+    columns = [column for column in columns if any(column[1:])]
+    x, y = corner
+    for column in columns:
+        for number, words in enumerate(column):
+            if words:
+                yield Text("TABLE", (x, y - (number + 1) * LINE * h), h, words)
+        x += (max(map(len, column)) * WIDE + 2) * h
+    below = y - (len(columns[0]) + 1.5) * LINE * h
+    for number, words in enumerate(NOTES):
+        yield Text("TABLE", (corner[0], below - number * LINE * h), h, words)
+
+
+def _cell(value: str | float | int | None) -> str:
+    """Return a cell as it is written."""
+    if isinstance(value, float):
+        return format_number(value, 4, trim=True)
+    return "" if value is None else str(value)
+
+
+def _closed(layer: str, ring: Ring, chord: float) -> Line:
+    """Return a closed curve by chords at most so far off [m]."""
+    return Line(layer, ring.flat(chord), closed=True)
+
+
+def _rings(polygon: Polygon) -> Sequence[LinearRing]:
+    """Return the curves around a polygon and its holes."""
+    return [polygon.exterior, *polygon.interiors]
+
+
+def _moved(shape: Shape, by: tuple[float, float]) -> Shape:
+    """Return a shape moved along x and y [m]."""
+    if isinstance(shape, Line):
+        return replace(shape, points=shape.points + by)
+    if isinstance(shape, Circle):
+        return replace(shape, center=(shape.center[0] + by[0], shape.center[1] + by[1]))
+    return replace(shape, place=(shape.place[0] + by[0], shape.place[1] + by[1]))
