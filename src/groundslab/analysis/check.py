@@ -39,6 +39,7 @@ def check(model: Model) -> None:
     """
     if model.analysis.solver != "auto":
         factorization.choose(model.analysis.solver)
+    model = model.placed
     ratio = estimate_elements(model.plate, model.mesh) / MAX_CHECKED_ELEMENTS
     if len(model.loads) > MAX_COMPARED_LOADS:
         model = model.model_copy(update={"mesh": model.mesh.replace(symmetry="off")})

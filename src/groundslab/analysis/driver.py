@@ -96,12 +96,12 @@ def solve_combinations(
     model: Model, on_step: OnStep | None = None, on_combination: OnCombination | None = None
 ) -> Results:
     """Solve every combination of a model as `solve` does, but keep a single one that is refused in `refused` too."""
-    combinations = list_combinations(model)
+    combinations, placed = list_combinations(model), model.placed
 
     def solve_on(meshes: Meshes) -> Results:
-        return _combine(model, combinations, _outcomes(model, combinations, on_step, meshes), on_combination)
+        return _combine(model, combinations, _outcomes(placed, combinations, on_step, meshes), on_combination)
 
-    return solve_adaptively(model, solve_on)
+    return solve_adaptively(placed, solve_on)
 
 
 class Variants:
@@ -113,14 +113,14 @@ class Variants:
 
     def __init__(self, base: Model) -> None:
         """Solve the base case, whose combinations may fail; raises InputError as `solve` does."""
-        combinations = list_combinations(base)
+        combinations, placed = list_combinations(base), base.placed
 
         def solve_on(meshes: Meshes) -> Results:
             self._reference = ReferenceSolutions(meshes)
-            return _combine(base, combinations, _outcomes(base, combinations, None, meshes, self._reference))
+            return _combine(base, combinations, _outcomes(placed, combinations, None, meshes, self._reference))
 
         #: The results of the base case, whose mesh all variants have.
-        self.base = solve_adaptively(base, solve_on, BASE_SHARE)
+        self.base = solve_adaptively(placed, solve_on, BASE_SHARE)
         self._reference.close()
 
     def solve_combinations(
@@ -137,7 +137,7 @@ class Variants:
         combinations = list_combinations(model)
         reference = self._reference
         return _combine(
-            model, combinations, _outcomes(model, combinations, on_step, reference.meshes, reference, factors)
+            model, combinations, _outcomes(model.placed, combinations, on_step, reference.meshes, reference, factors)
         )
 
 

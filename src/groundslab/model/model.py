@@ -14,11 +14,13 @@ from pydantic import Field
 from groundslab.model import consistency, varying_ground
 from groundslab.model.columns import Column
 from groundslab.model.ground import Ground
+from groundslab.model.floors import Floor, check_floor
 from groundslab.model.limits import Limits, SoilStrength
 from groundslab.model.loads.clipping import check_distributed_loads
 from groundslab.model.loads.en1990 import check_combine
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations
 from groundslab.model.loads.load_types import Load
+from groundslab.model.loads.patterns import Move, Pattern, check_patterns, check_positions
 from groundslab.model.loads.placement import check_load_columns, check_point_loads
 from groundslab.model.outputs import Output, Project, Reinforcement, check_bar_distances, check_output
 from groundslab.model.plate import Plate
@@ -46,6 +48,8 @@ class Model(Section):
         check_combine,
         consistency.check_columns,
         check_load_columns,
+        check_patterns,
+        check_positions,
         consistency.check_supports,
         consistency.check_settlement_loads,
         varying_ground.check_soil_zone_types,
@@ -55,6 +59,7 @@ class Model(Section):
         check_output,
         check_bar_distances,
         check_design_combinations,
+        check_floor,
     )
 
     title: Annotated[str, Text("title of the problem")] = ""
@@ -75,6 +80,12 @@ class Model(Section):
         tuple[LoadCase, ...], Table("load cases; without any, all loads act together, without factors")
     ] = ()
     loads: Annotated[tuple[Load, ...], Field(min_length=1), Table("the loads, at least one", 200_000)]
+    patterns: Annotated[
+        tuple[Pattern, ...], Table("vehicles and racks, which moves stand at places or move along paths")
+    ] = ()
+    moves: Annotated[
+        tuple[Move, ...], Table("where patterns stand, and paths along which cases are solved at each position")
+    ] = ()
     combinations: Annotated[
         tuple[Combination, ...], Table("what to solve; without any, each case by itself, or what combine makes")
     ] = ()
@@ -84,6 +95,7 @@ class Model(Section):
         Reinforcement | None,
         Table("what reinforcement by EN 1992-1-1 is found for; needs ultimate combinations of loads"),
     ] = None
+    floor: Annotated[Floor | None, Table("checks of an industrial floor, beside the elastic results")] = None
     limits: Annotated[Limits | None, Table("what settlements, tilt and pressures are checked against")] = None
     soil_strength: Annotated[
         SoilStrength | None, Table("strength of the soil, for bearing resistance and sliding by EN 1997-1")
@@ -95,6 +107,13 @@ class Model(Section):
     def root(cls) -> str:
         """Return nothing: paths of issues start with the section."""
         return ""
+
+    @property
+    def placed(self) -> Model:
+        """Return the model with its patterns placed, which is what is solved; itself if there are none."""
+        from groundslab.model.placed import place_patterns
+
+        return place_patterns(self) if self.moves else self
 
     @property
     def ground_carries_shear(self) -> bool:

@@ -226,6 +226,7 @@ def _several(path: Path, listed: Sequence[_Combination]) -> Results:
     from groundslab.model.loads.load_cases import Combination
 
     model = casefile.load(path / "case.toml")
+    placed = model.placed
     combinations, results, refused = [], {}, dict[str, GroundslabError]()
     for number, each in enumerate(listed, 1):
         combinations.append(Combination(name=each.name, limit_state=each.limit_state, factors=each.factors))
@@ -234,9 +235,9 @@ def _several(path: Path, listed: Sequence[_Combination]) -> Results:
                 raise ValueError(f'folder "{each.folder}" of combination "{each.name}"')
             archived = path / each.folder / "results.npz"
             found = npz.load(archived)
-            if found.model != model or found.combination != each.name:
+            if found.model != placed or found.combination != each.name:
                 raise _not_ours(archived, "results of another case or combination")
-            results[each.name] = replace(found, model=model)
+            results[each.name] = replace(found, model=placed)
         if each.refused is not None:
             refused[each.name] = _refused(each.refused, results.pop(each.name, None))
     names = {each.name for each in listed}

@@ -1,0 +1,51 @@
+"""A model with its patterns placed: plain loads, cases and combinations, which are what is solved."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from groundslab.model.combinations import list_combinations
+from groundslab.model.loads.load_types import AnyLoad
+from groundslab.model.loads.patterns import loads_on_plate, point_loads, position_name, stations
+from groundslab.model.plate import PlateRegion
+
+if TYPE_CHECKING:
+    from groundslab.model.loads.load_cases import LoadCase
+    from groundslab.model.model import Model
+
+
+@lru_cache(maxsize=8)
+def place_patterns(model: Model) -> Model:
+    """Return a model whose patterns are point loads, and whose moving cases are cases at each of their positions.
+
+    What stands in a case that moves stands in each of these. On a path, forces beside the plate do not act.
+    """
+    patterns = {pattern.name: pattern for pattern in model.patterns}
+    covered = PlateRegion(model.plate)
+    loads: list[AnyLoad] = list(model.loads)
+    moving: dict[str, dict[str, tuple[AnyLoad, ...]]] = {}
+    for move in model.moves:
+        pattern = patterns[move.pattern]
+        for station in stations(move):
+            if move.travels:
+                name = position_name(move, station)
+                own = loads_on_plate(covered, point_loads(pattern, station, name))
+                moving.setdefault(move.case, {})[name] = own
+            else:
+                loads += point_loads(pattern, station, move.case)
+    cases: list[LoadCase] = []
+    for case in model.cases:
+        positions = moving.get(case.name)
+        if positions is None:
+            cases.append(case)
+            continue
+        fixed = [load for load in loads if load.case == case.name]
+        loads = [load for load in loads if load.case != case.name]
+        for name, own in positions.items():
+            cases.append(case.model_copy(update={"name": name}))
+            loads += [*(load.model_copy(update={"case": name}) for load in fixed), *own]
+    changes = {"patterns": (), "moves": (), "cases": tuple(cases), "loads": tuple(loads)}
+    if moving:
+        changes |= {"combinations": list_combinations(model), "combine": None}
+    return model.model_copy(update=changes)
