@@ -38,7 +38,7 @@ class _Floor(Section):
     ] = None
     joint_spacing: Annotated[
         float | None,
-        Quantity("length", "L", "distance of joints that can open, for the restraint of shrinkage", POSITIVE),
+        Quantity("length", "L", "distance of joints that open, for the restraint of shrinkage", POSITIVE),
     ] = None
     unit_weight: Annotated[
         float, Quantity("weight per volume", "gamma", "weight of the concrete that rubs on the ground", POSITIVE)
@@ -48,7 +48,7 @@ class _Floor(Section):
 def _check_concrete(concrete: str | None, f_ck: float | None) -> Iterator[RelativeIssue]:
     if (concrete is None) == (f_ck is None):
         found = "neither concrete nor f_ck" if concrete is None else "both concrete and f_ck"
-        yield RelativeIssue(("concrete",), found, "one of them", 'such as concrete = "C32/40"')
+        yield RelativeIssue(("concrete",), found, "one of them", 'such as f_ck = "32 MPa" for C32/40')
 
 
 def _check_sagging(

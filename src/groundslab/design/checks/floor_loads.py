@@ -86,10 +86,11 @@ def forces(results: CombinationResult, borders: Borders, h: float, l: float, tra
     from shapely import union_all
 
     model, factors = results.model, factors_of(results)
-    given: list[tuple[float, BaseGeometry]] = []
-    for load in model.loads:
-        if isinstance(load, PointLoad) and factors.get(load.case, 0.0) * load.P > 0:
-            given.append((factors[load.case] * load.P, load.on(model.columns).to_shapely(borders.chord)))
+    given: list[tuple[float, BaseGeometry]] = [
+        (factors[load.case] * load.P, load.on(model.columns).to_shapely(borders.chord))
+        for load in model.loads
+        if isinstance(load, PointLoad) and factors.get(load.case, 0.0) * load.P > 0
+    ]
     found = []
     for members in _as_one([shape for _, shape in given], AS_ONE * h):
         P = sum(given[n][0] for n in members)

@@ -108,10 +108,9 @@ def _by_tr34(floor: TR34Floor, results: list[CombinationResult]) -> Iterator[Des
         alone = sum(yield_lines.single(lines, load.a, location) for load in loads)
         return alone if len(loads) == 1 else min(alone, yield_lines.group(lines, a, distances, location))
 
-    equations = {1: "TR34 equations 21 to 26", 2: "TR34 equations 27, 28", 4: "TR34 equations 29, 30"}
-    yield from _point_loads(floor, slab, results, fails, equations)
-    yield from _line_loads(slab, M_n, results, "TR34 7.11, Hetenyi 1946")
-    yield from _pressures(slab, M_n, results, "TR34 7.12, Hetenyi 1946")
+    yield from _point_loads(floor, slab, results, fails, dict.fromkeys(NAMES, "TR34, Meyerhof 1962"))
+    yield from _line_loads(slab, M_n, results, "TR34, Hetenyi 1946")
+    yield from _pressures(slab, M_n, results, "TR34, Hetenyi 1946")
     f_ctd = resistance.tensile_strength(concrete)
     yield from _restraint(floor, f_ctd, "mu gamma L / 2 against f_ctd, EN 1992-1-1 3.1.6(2)P")
 
@@ -186,15 +185,19 @@ def _point_loads(
         for members, distances in some:
             location = floor_loads.worst_location(members)
             demand = sum(load.share * load.P for load in members)
-            place = tuple(
-                sum(load.P * load.place[n] for load in members) / sum(load.P for load in members) for n in (0, 1)
-            )
-            use = Use(demand, fails(members, distances, location), (place[0], place[1]), each.combination)
+            use = Use(demand, fails(members, distances, location), _middle(members), each.combination)
             key = len(members), location
             if key not in worst or use.share > worst[key].share:
                 worst[key] = use
     for (count, location), use in sorted(worst.items()):
         yield _check(NAMES[count], location, use, "kN", 1e-3, clauses[count])
+
+
+def _middle(members: tuple[Force, ...]) -> tuple[float, float]:
+    """Return where the resultant of forces acts [m]."""
+    P = np.array([load.P for load in members])
+    x, y = P @ np.array([load.place for load in members]) / P.sum()
+    return float(x), float(y)
 
 
 def _line_loads(slab: Slab, M: float, results: list[CombinationResult], clause: str) -> Iterator[DesignCheck]:

@@ -6,14 +6,14 @@ import math
 
 from groundslab.design.en1992.materials import Concrete, Steel
 
-#: Stresses over f_R1 and f_R4, of fiber concrete at the crack's tip and at the face (TR34, 6.3.4).
+#: Stresses over f_R1 and f_R4, of fiber concrete at the crack's tip and at the face (TR34).
 SIGMA_1, SIGMA_4 = 0.45, 0.37
 #: A stress over the modulus of rupture that may be repeated for ever, and from which the line of PCA 1984 holds.
 ENDLESS, STRAIGHT = 0.45, 0.55
 
 
 def flexural_strength(concrete: Concrete, h: float) -> float:
-    """Return f_ctd,fl [Pa] of plain concrete, f_ctm (1.6 - h / m) / gamma_C, h [m] (TR34 equation 1, EN 1992 (3.23))."""
+    """Return f_ctd,fl [Pa] of plain concrete h [m] thick, f_ctm (1.6 - h / m) / gamma_C (EN 1992-1-1 (3.23))."""
     return max(1.6 - h, 1.0) * concrete.f_ctm / concrete.gamma_c
 
 
@@ -23,7 +23,7 @@ def plain_moment(concrete: Concrete, h: float) -> float:
 
 
 def fiber_moment(f_R1: float, f_R4: float, h: float, gamma: float) -> float:
-    """Return the moment [N m/m] of cracked fiber concrete of residual strengths f_R1, f_R4 [Pa] (TR34 6.3.4)."""
+    """Return the moment [N m/m] of cracked fiber concrete of residual strengths f_R1, f_R4 [Pa] (TR34)."""
     return h**2 / gamma * (0.29 * SIGMA_4 * f_R4 + 0.16 * SIGMA_1 * f_R1)
 
 

@@ -1,8 +1,9 @@
 """Line loads and loads beside aisles on a long strip of slab on springs (Hetenyi 1946), as TR34 and PCA have them.
 
-With lambda = (3 k / (E h^3))^(1/4) the moment of a line load P is P / (4 lambda) under it; of a pressure q on both sides
-of an aisle pi / (2 lambda) wide, each pi / lambda wide, it is q (B(pi/4) - B(5 pi/4)) / (2 lambda^2) over the aisle's
-middle, B(x) = e^-x sin x; no aisle has a larger one. TR34 rounds to 4 lambda M, 3 lambda M at an edge, 5.95 lambda^2 M.
+With lambda = (3 k / (E h^3))^(1/4) the moment of a line load P is P / (4 lambda) under it. That of a pressure q on both
+sides of an aisle pi / (2 lambda) wide, each pi / lambda wide, is q (B(pi/4) - B(5 pi/4)) / (2 lambda^2) over the
+aisle's middle, B(x) = e^-x sin x; no aisle has a larger one. TR34 has 4 lambda M, 3 lambda M at an edge and
+5.95 lambda^2 M for the loads.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Loads at which yield lines form around point loads on a slab on springs (Meyerhof 1962; TR34, fourth edition).
 
 The load on a circle of radius a makes a fan of sagging yield lines (M_p) inside a circle of hogging ones (M_n). Two
-sets of formulas: that of TR34, linear between a / l = 0 and 0.2 (equations 21 to 30), and the one that Meyerhof gives
-for M_0 = M_p + M_n, by which ACI 360R-10 11.3.3.3 goes.
+sets of formulas: that of TR34, linear between a / l = 0 and 0.2, and the one for M_0 = M_p + M_n by which
+ACI 360R-10 11.3.3.3 goes.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def relative_stiffness_radius(E: float, h: float, nu: float, k: float) -> float:
 
 def single(slab: YieldSlab, a: float, location: Location) -> float:
     """Return the load [N] on a circle of radius a [m] at which a slab fails."""
-    return _between(a / slab.l, lambda ratio: _small(slab, location), lambda ratio: _large(slab, location, ratio))
+    return _between(a / slab.l, _small(slab, location), lambda ratio: _large(slab, location, ratio))
 
 
 def group(slab: YieldSlab, a: float, distances: float, location: Location) -> float:
@@ -46,17 +46,15 @@ def group(slab: YieldSlab, a: float, distances: float, location: Location) -> fl
     both, spread = slab.M_p + slab.M_n, 1.8 * distances / slab.l
     inside = _between(
         a / slab.l,
-        lambda ratio: (2 * math.pi + spread) * both,
+        (2 * math.pi + spread) * both,
         lambda ratio: (4 * math.pi / (1 - ratio / 3) + spread / (1 - ratio / 2)) * both,
     )
     return inside * single(slab, a, location) / single(slab, a, "internal")
 
 
-def _between(ratio: float, small: Callable[[float], float], large: Callable[[float], float]) -> float:
-    """Return the load for a / l: by the second formula from LARGE on, linear from the first one up to there."""
-    if ratio >= LARGE:
-        return large(ratio)
-    return small(0.0) + ratio / LARGE * (large(LARGE) - small(0.0))
+def _between(ratio: float, small: float, large: Callable[[float], float]) -> float:
+    """Return the load [N] for a / l: that for 0, linear to the formula for large ratios, which holds from LARGE on."""
+    return large(ratio) if ratio >= LARGE else small + ratio / LARGE * (large(LARGE) - small)
 
 
 def _small(slab: YieldSlab, location: Location) -> float:
