@@ -17,6 +17,8 @@ from .errors import NotCertified as NotCertified
 from .errors import NotConverged as NotConverged
 from .errors import SingularMatrix as SingularMatrix
 from .model.columns import Column as Column
+from .model.floors import ACI360Floor as ACI360Floor
+from .model.floors import TR34Floor as TR34Floor
 from .model.ground import InterfaceLayer as InterfaceLayer
 from .model.ground import Layered as Layered
 from .model.ground import Pasternak as Pasternak
@@ -35,8 +37,13 @@ from .model.loads.load_types import PatchLoad as PatchLoad
 from .model.loads.load_types import PointLoad as PointLoad
 from .model.loads.load_types import SelfWeight as SelfWeight
 from .model.loads.load_types import SettlementLoad as SettlementLoad
+from .model.loads.load_types import ShrinkageLoad as ShrinkageLoad
 from .model.loads.load_types import TemperatureLoad as TemperatureLoad
 from .model.loads.load_types import UniformLoad as UniformLoad
+from .model.loads.patterns import Move as Move
+from .model.loads.patterns import Rack as Rack
+from .model.loads.patterns import Vehicle as Vehicle
+from .model.loads.patterns import Wheel as Wheel
 from .model.model import Model as Model
 from .model.outputs import Bars as Bars
 from .model.outputs import Output as Output

@@ -158,7 +158,7 @@ def check_settlement_loads(loads: tuple[AnyLoad, ...], supports: tuple[AnySuppor
 
 
 #: Fields of loads that are not all zero if anything acts.
-_ACTING = ("q", "q_end", "P", "M_x", "M_y", "unit_weight", "difference", "w", "slope", "bend")
+_ACTING = ("q", "q_end", "P", "M_x", "M_y", "unit_weight", "difference", "top", "bottom", "w", "slope", "bend")
 
 
 def check_some_load_acts(loads: tuple[AnyLoad, ...]) -> Iterator[RelativeIssue]:

@@ -32,6 +32,8 @@ from groundslab.schema.wording import describe, one_of, suggestion
 
 #: Steps are not smaller [m], so that positions with two decimals are told apart.
 LEAST_STEP = 0.05
+#: A position nearer than this to the path's end [m] is not told from it.
+SAME_POSITION = 0.01
 #: A rectangle that is turned by a right angle but for so much [rad] is a rectangle along x and y again.
 SQUARE = 1e-9
 
@@ -117,7 +119,7 @@ class Move(Section):
     ]
     step: Annotated[
         float | None,
-        Quantity("length", "s", "positions on the path are no farther apart", Range(at_least=LEAST_STEP)),
+        Quantity("length", "s", "distance of the positions along the path", Range(at_least=LEAST_STEP)),
     ] = None
     turn: Annotated[
         float, Number("alpha", "angle of the pattern's direction in degrees, from x, or from the path", TURN)
@@ -139,16 +141,13 @@ class Station:
 
 
 def stations(move: Move) -> tuple[Station, ...]:
-    """Return the places of a move, evenly spaced from the start of its path to the end."""
+    """Return the places of a move: at each step along its path, and at its end."""
     turn = math.radians(move.turn)
     if not move.travels:
         return (Station(0.0, move.points[0], turn),)
-    assert move.step is not None
     lengths = [math.dist(a, b) for a, b in pairwise(move.points)]
-    count = max(1, math.ceil(sum(lengths) / move.step - NO_LENGTH))
     found, piece, before = [], 0, 0.0
-    for number in range(count + 1):
-        way = sum(lengths) * number / count
+    for way in _ways(move, sum(lengths)):
         while way >= before + lengths[piece] - NO_LENGTH and piece < len(lengths) - 1:
             before += lengths[piece]
             piece += 1
@@ -157,6 +156,14 @@ def stations(move: Move) -> tuple[Station, ...]:
         origin = (x0 + share * (x1 - x0), y0 + share * (y1 - y0))
         found.append(Station(way, origin, math.atan2(y1 - y0, x1 - x0) + turn))
     return tuple(found)
+
+
+def _ways(move: Move, length: float) -> list[float]:
+    """Return the positions along a path of a length [m]; the end takes the place of one that is as good as there."""
+    assert move.step is not None
+    count = math.floor(length / move.step)
+    ways = [number * move.step for number in range(count + 1) if length - number * move.step > SAME_POSITION]
+    return [*ways, length]
 
 
 def position_name(move: Move, station: Station) -> str:
@@ -203,6 +210,20 @@ def _footprint(force: Wheel, cos: float, sin: float) -> dict[str, float]:
 def loads_on_plate(covered: PlateRegion, loads: tuple[PointLoad, ...]) -> tuple[PointLoad, ...]:
     """Return the loads whose footprints lie on the plate entirely; the others stand on what is beside it."""
     return tuple(load for load in loads if not any(on_plate(covered, load, ())))
+
+
+def absent_forces(plate: Plate, patterns: tuple[AnyPattern, ...], moves: tuple[Move, ...]) -> Iterator[str]:
+    """Yield a remark for each path on which forces stand beside the plate, where they do not act."""
+    known, covered = {pattern.name: pattern for pattern in patterns}, PlateRegion(plate)
+    for number, move in enumerate(moves, start=1):
+        pattern, places = known[move.pattern], stations(move)
+        beside = [
+            len(pattern.forces()) - len(loads_on_plate(covered, point_loads(pattern, station, move.case)))
+            for station in places
+        ]
+        if any(beside):
+            where = f"at {sum(map(bool, beside))} of {len(places)} positions"
+            yield f"moves[{number}]: up to {max(beside)} of {len(pattern.forces())} forces are off the plate {where}"
 
 
 def expand(combinations: tuple[Combination, ...], moves: tuple[Move, ...]) -> tuple[Combination, ...]:

@@ -1,0 +1,96 @@
+"""Moving loads: each position has the results that it has by itself, and the envelope is that of all of them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from groundslab.analysis.driver import solve
+from groundslab.design.result_tables import tables_of
+from groundslab.model.model import Model
+from groundslab.views.files.results_folder import load_results, save_results
+
+pytestmark = pytest.mark.slow
+
+WHEELS = [{"P": 40e3, "y": side, "width_x": 0.2, "width_y": 0.2} for side in (-0.5, 0.5)]
+BASE: dict[str, Any] = {
+    "plate": {"length_x": 6, "length_y": 4, "thickness": 0.16, "E": 30e9, "nu": 0.2},
+    "ground": {"kind": "winkler", "k": 40e6},
+    "cases": [{"name": "G"}, {"name": "truck", "action": "variable"}],
+    "mesh": {"counts": (12, 8)},
+    "combinations": [{"name": "ULS", "factors": {"G": 1.35, "truck": 1.5}}],
+}
+LOADS = [
+    {"kind": "self weight", "unit_weight": 25e3, "case": "G"},
+    {"kind": "temperature", "difference": 8.0, "case": "G"},
+]
+PLACES = (-2.9, -1.4, 0.1, 1.6)
+
+
+def moving(tensionless: bool) -> Model:
+    """Return a slab that curls with an axle that moves along it in four positions."""
+    return Model(
+        **BASE,
+        loads=LOADS,
+        contact={"tensionless": tensionless},
+        patterns=[{"kind": "vehicle", "name": "axle", "wheels": WHEELS}],
+        moves=[{"pattern": "axle", "case": "truck", "points": [(PLACES[0], 0.3), (PLACES[-1], 0.3)], "step": 1.5}],
+    )
+
+
+def fixed(x: float, tensionless: bool) -> Model:
+    """Return the same slab with the axle as two point loads at a place."""
+    wheels = [{"kind": "point", "case": "truck", "P": 40e3, "x": x, "y": 0.3 + side, "width_x": 0.2, "width_y": 0.2}
+              for side in (-0.5, 0.5)]  # fmt: skip
+    return Model(**BASE, loads=LOADS + wheels, contact={"tensionless": tensionless})
+
+
+@pytest.mark.parametrize("tensionless", [True, False])
+def test_the_envelope_is_that_of_separate_analyses(tensionless: bool) -> None:
+    """Brute force: four slabs with the axle at fixed places, each by itself, with contact and without."""
+    found = solve(moving(tensionless))
+    apart = {x: solve(fixed(x, tensionless)) for x in PLACES}
+    assert [each.name for each in found.combinations] == [f"ULS, truck at {x - PLACES[0]:.2f} m" for x in PLACES]
+    for (name, one), other in zip(found.items(), apart.values(), strict=True):
+        assert one.certificate.holds, name
+        for field in ("settlement", "moment_x", "moment_y", "pressure"):
+            ours, wanted = getattr(one.plate, field), getattr(other.plate, field)
+            np.testing.assert_allclose(ours, wanted, rtol=0, atol=1e-7 * np.abs(wanted).max())
+    moments = {x: each.plate.moment_x.max() / 1e3 for x, each in apart.items()}
+    worst = max(moments, key=moments.__getitem__)
+    envelope = next(table for table in tables_of(found) if table.name == "envelope")
+    row = envelope["quantity"].index("moment m_x")
+    assert envelope["greatest"][row] == pytest.approx(moments[worst], rel=1e-7)
+    assert envelope["combination of the greatest"][row] == f"ULS, truck at {worst - PLACES[0]:.2f} m"
+
+
+def test_results_of_moving_loads_come_back_from_their_folder(tmp_path: Path) -> None:
+    """The case stays the one with the path, each combination knows the loads at its position."""
+    model = moving(tensionless=True)
+    loaded = load_results(save_results(solve(model), tmp_path / "found", plot=False))
+    assert loaded.model == model
+    assert len(loaded) == len(PLACES)
+    for each in loaded.values():
+        assert each.model == model.placed
+
+
+def test_a_fixed_pattern_is_the_loads_that_it_stands_for(tmp_path: Path) -> None:
+    """A vehicle at one place is two point loads; its folder gives back the case with the pattern."""
+    given = moving(tensionless=True)
+    model = given.replace(moves=[{"pattern": "axle", "case": "truck", "points": [(0.1, 0.3)]}])
+    found, wanted = solve(model), solve(fixed(0.1, tensionless=True))
+    np.testing.assert_allclose(found.plate.settlement, wanted.plate.settlement, rtol=0, atol=1e-12)
+    assert load_results(save_results(found, tmp_path / "found", plot=False)).model == model
+
+
+def test_shrinkage_bends_as_a_colder_top() -> None:
+    """A top that shortens by more acts as one that is colder by the difference over 1e-5 1/K: the corners lift."""
+    shrunk = [LOADS[0], {"kind": "shrinkage", "top": 2.5e-4, "bottom": 1.7e-4, "case": "G"}]
+    cases = {"cases": [{"name": "G"}], "combinations": [{"name": "SLS", "factors": {"G": 1.0}}]}
+    found = solve(Model(**BASE | cases, loads=shrunk))
+    wanted = solve(Model(**BASE | cases, loads=LOADS))
+    np.testing.assert_allclose(found.plate.moment_x, wanted.plate.moment_x, rtol=0, atol=1e-3)
+    assert found.plate.value_at("settlement", 3.0, 2.0) < -1e-5 < found.plate.value_at("settlement", 0.0, 0.0)
