@@ -212,8 +212,14 @@ def _summary(folder: Path) -> _Summary | None:
 
 def _one(path: Path) -> Results:
     """Return the only combination of a folder; raises InputError."""
+    from groundslab.case import casefile
+
     archived = path / "results.npz"
     found = npz.load(archived)
+    with suppress(InputError):
+        model = casefile.load(path / "case.toml")
+        if model.moves and model.placed == found.model:
+            return replace(results_of(found), model=model)  # as it was described, with its patterns
     try:
         return results_of(found)
     except InputError as error:

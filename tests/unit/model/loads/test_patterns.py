@@ -69,9 +69,8 @@ def test_forces_turn_with_the_direction() -> None:
 def test_a_rack_has_its_legs_frame_by_frame() -> None:
     """Three frames 2.7 m apart with two legs each, turned by a right angle."""
     rack = Rack.model_validate(RACK, context=FROM_FILE)
-    found = [
-        (round(load.x, 9), round(load.y, 9)) for load in point_loads(rack, Station(0, (0, 0), math.pi / 2), "live")
-    ]
+    legs = point_loads(rack, Station(0, (0, 0), math.pi / 2), "live")
+    found = [(round(leg.x, 9), round(leg.y, 9)) for leg in legs]
     assert found == [(0, 0), (-1.1, 0), (0, 2.7), (-1.1, 2.7), (0, 5.4), (-1.1, 5.4)]
 
 
