@@ -12,6 +12,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.floors.yield_lines import Location
+from groundslab.design.punching import RectangularColumn, RoundColumn
 from groundslab.geometry.plan import FLAT
 from groundslab.model.loads.clipping import clip_line_load
 from groundslab.model.loads.load_types import AreaLoad, LineLoad, PatchLoad, PointLoad, UniformLoad, pressure_function
@@ -27,6 +28,8 @@ AS_ONE = 2.0
 TURN = math.pi / 4 - 1e-9
 #: Groups are looked for among so many nearest neighbors; two directions are at right angles to within this cosine.
 NEIGHBORS, RIGHT = 12, 1e-3
+#: A footprint that fills less of the rectangle around it is a circle: pi / 4 and a margin.
+ROUND = 0.8
 WORST: tuple[Location, ...] = ("internal", "edge", "corner")
 
 
@@ -39,6 +42,7 @@ class Force:
     place: tuple[float, float]
     location: Location
     share: float
+    shape: BaseGeometry  # what all of it stands on
 
 
 class Borders:
@@ -95,10 +99,10 @@ def forces(results: CombinationResult, borders: Borders, h: float, l: float, tra
     for members in _as_one([shape for _, shape in given], AS_ONE * h):
         P = sum(given[n][0] for n in members)
         x, y = (sum(given[n][0] * getattr(given[n][1].centroid, axis) for n in members) / P for axis in "xy")
-        area = union_all([given[n][1] for n in members]).convex_hull.area
-        a = math.sqrt(area / math.pi)
+        shape = union_all([given[n][1] for n in members]).convex_hull
+        a = math.sqrt(shape.area / math.pi)
         location, at_outline = borders.locate((x, y), l + a)
-        found.append(Force(P, a, (x, y), location, 1 - transfer if at_outline else 1.0))
+        found.append(Force(P, a, (x, y), location, 1 - transfer if at_outline else 1.0, shape))
     return found
 
 
@@ -143,6 +147,15 @@ def groups(loads: list[Force], reach: float) -> Iterator[tuple[tuple[Force, ...]
                 if off <= RIGHT * min(x, y) and four not in seen:
                     seen.add(four)
                     yield (loads[i], loads[j], loads[k], loads[int(m)]), x + y
+
+
+def as_column(load: Force) -> RectangularColumn | RoundColumn:
+    """Return a force's footprint for punching: a rectangle around it, or a circle where that is much larger."""
+    x0, y0, x1, y1 = load.shape.bounds
+    x, y, width_x, width_y = (x0 + x1) / 2, (y0 + y1) / 2, x1 - x0, y1 - y0
+    if load.shape.area < ROUND * width_x * width_y:
+        return RoundColumn(x, y, 2 * load.a)
+    return RectangularColumn(x, y, width_x, width_y)
 
 
 def worst_location(loads: tuple[Force, ...]) -> Location:

@@ -13,16 +13,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from groundslab.design import punching
 from groundslab.design.checks import floor_loads
 from groundslab.design.checks.check import DesignCheck
 from groundslab.design.checks.floor_loads import Borders, Force
 from groundslab.design.design_moments import principal_moments
+from groundslab.design.en1992 import punching as punching_resistance
 from groundslab.design.en1992.materials import CONCRETE_CLASSES, Concrete, Steel
 from groundslab.design.floors import resistance, strips, yield_lines
 from groundslab.design.floors.yield_lines import Location, YieldSlab
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.quantities import solved_results
 from groundslab.discretize.ground import grounds_of
+from groundslab.errors import InputError
 from groundslab.fem.foundation import Column
 from groundslab.model.floors import ACI360Floor, AnyFloor, TR34Floor
 from groundslab.model.loads.load_cases import SERVICEABILITY
@@ -30,6 +33,8 @@ from groundslab.model.model import Model
 from groundslab.results.fields import extreme
 from groundslab.results.results import CombinationResult, Results
 
+#: Effective depth over thickness where there is no mesh, as TR34 has it.
+FIBER_DEPTH = 0.75
 #: Within so many radii of relative stiffness loads may fail together.
 REACH = 7.0
 NAMES = {1: "point load", 2: "dual point load", 4: "quadruple point load"}
@@ -109,6 +114,7 @@ def _by_tr34(floor: TR34Floor, results: list[CombinationResult]) -> Iterator[Des
         return alone if len(loads) == 1 else min(alone, yield_lines.group(lines, a, distances, location))
 
     yield from _point_loads(floor, slab, results, fails, dict.fromkeys(NAMES, "TR34, Meyerhof 1962"))
+    yield from _punching(floor, concrete, slab, results)
     yield from _line_loads(slab, M_n, results, "TR34, Hetenyi 1946")
     yield from _pressures(slab, M_n, results, "TR34, Hetenyi 1946")
     f_ctd = resistance.tensile_strength(concrete)
@@ -129,6 +135,35 @@ def sagging_moment(floor: TR34Floor, concrete: Concrete, h: float) -> float:
     if floor.mesh_area is not None and floor.mesh_axis is not None:
         return resistance.mesh_moment(floor.mesh_area, h - floor.mesh_axis, Steel(floor.f_yk, floor.gamma_s))
     return 0.0
+
+
+def _punching(
+    floor: TR34Floor, concrete: Concrete, slab: Slab, results: list[CombinationResult]
+) -> Iterator[DesignCheck]:
+    """Yield punching by the largest force inside, at an edge and at a corner: at its footprint and 2 d from it."""
+    borders, largest = Borders(results[0].model), dict[Location, tuple[Force, CombinationResult]]()
+    for each in results:
+        for load in floor_loads.forces(each, borders, slab.h, slab.l, floor.joint_transfer):
+            known = largest.get(load.location)
+            if load.a and (known is None or load.share * load.P > known[0].share * known[0].P):
+                largest[load.location] = load, each
+    d = FIBER_DEPTH * slab.h if floor.mesh_axis is None else slab.h - floor.mesh_axis
+    rho = 0.0 if floor.mesh_area is None else floor.mesh_area / d
+    limits = (
+        punching_resistance.max_resistance(concrete),
+        punching_resistance.resistance_without_links(concrete, d, rho),
+    )
+    for location, (load, each) in sorted(largest.items()):
+        column, P = floor_loads.as_column(load), load.share * load.P
+        try:
+            at_face = P / (punching.face_length(each.plate, column, d) * d)
+            around = punching.demand(each.plate, column, d, P).v_Ed
+        except InputError as error:
+            yield DesignCheck("punching", "attention", f"{location}: not judged, {error}", of=location)
+            continue
+        for name, v_Ed, v_Rd in zip(("punching at the footprint", "punching"), (at_face, around), limits, strict=True):
+            use = Use(max(v_Ed, 0.0), v_Rd, load.place, each.combination)
+            yield _check(name, location, use, "MPa", 1e-6, "TR34, EN 1992-1-1 6.4")
 
 
 def _by_aci(floor: ACI360Floor, results: list[CombinationResult]) -> Iterator[DesignCheck]:

@@ -169,6 +169,24 @@ def test_groups_are_all_rectangles_by_brute_force() -> None:
     assert found.count([1.3, 2]) == 3 * 3
 
 
+def test_punching_by_hand() -> None:
+    """75 kN on 0.1 m x 0.1 m, d = 0.15 m: u_0 = 0.4 m, u_1 = 0.4 m + 4 pi d, less 20 MN/m3 x 28 mm on what is inside.
+
+    C30/37: v_Rd,max = 0.4 x 0.528 x 20 MPa; without bars 0.035 x 2^(3/2) x 30^(1/2) = 0.542 MPa.
+    """
+    found = checks(model_with(FIBERS, [leg(0, 0)]))
+    face, around = found["punching at the footprint", "internal"], found["punching", "internal"]
+    assert face.demand == pytest.approx(75e3 / (0.4 * 0.15) / 1e6)
+    assert face.resistance == pytest.approx(4.224)
+    assert around.resistance == pytest.approx(0.5422, rel=1e-3)
+    u, area = 0.4 + 4 * math.pi * 0.15, 0.01 + 0.4 * 0.3 + math.pi * 0.09
+    pressure = solved(model_with(FIBERS, [leg(0, 0)]))["ULS"].plate.pressure.max()
+    assert around.demand == pytest.approx((75e3 - pressure * area) / (u * 0.15) / 1e6, rel=0.01)
+    mesh = checks(model_with({**TR34, "mesh_area": 1e-3, "mesh_axis": 0.04}, [leg(0, 0)]))["punching", "internal"]
+    rho, k = 1e-3 / 0.16, 2.0
+    assert mesh.resistance == pytest.approx(0.12 * k * (100 * rho * 30) ** (1 / 3))
+
+
 def test_line_loads_and_aisles_by_hand() -> None:
     """4 lambda M_n inside, 3 lambda M_n near an edge, 5.95 lambda^2 M_n beside an aisle; permanent goods stay."""
     line = {"kind": "line", "case": "Q", "q": 20e3, "points": [(-1, 0), (1, 0)]}
