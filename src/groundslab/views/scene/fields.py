@@ -52,7 +52,7 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
         "format": FORMAT,
         "title": combined.model.title,
         "version": __version__,
-        "plan": plan_of(combined.model),
+        "plan": plan_of(combined.model.placed),
         "mesh": mesh,
         "fields": [_about(name, there) for name in names] + [_CONTACT],
         "combinations": [_combination(entry, names, blocks, entry.number in kept) for entry in found],
