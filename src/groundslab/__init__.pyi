@@ -52,6 +52,7 @@ from .model.outputs import OutputPoint as OutputPoint
 from .model.outputs import OutputStrip as OutputStrip
 from .model.outputs import Project as Project
 from .model.outputs import Reinforcement as Reinforcement
+from .model.placed import place_patterns as place_patterns
 from .model.plate import Edges as Edges
 from .model.plate import Plate as Plate
 from .model.plate import Zone as Zone

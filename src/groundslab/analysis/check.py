@@ -8,6 +8,7 @@ from groundslab.discretize.discretize import discretize
 from groundslab.fem.foundation import Column
 from groundslab.model.consistency import estimate_elements
 from groundslab.model.model import Model
+from groundslab.model.placed import place_patterns
 from groundslab.solvers import factorization
 
 #: `check` makes a mesh of at most so many elements,
@@ -39,7 +40,7 @@ def check(model: Model) -> None:
     """
     if model.analysis.solver != "auto":
         factorization.choose(model.analysis.solver)
-    model = model.placed
+    model = place_patterns(model)
     ratio = estimate_elements(model.plate, model.mesh) / MAX_CHECKED_ELEMENTS
     if len(model.loads) > MAX_COMPARED_LOADS:
         model = model.model_copy(update={"mesh": model.mesh.replace(symmetry="off")})

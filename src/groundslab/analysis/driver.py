@@ -21,6 +21,7 @@ from groundslab.errors import GroundslabError, IllConditioned, NoEquilibrium, No
 from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
+from groundslab.model.placed import place_patterns
 from groundslab.results.certificate import certificate, worst
 from groundslab.results.record import Step
 from groundslab.results.recovery import expand, recover, recover_fields
@@ -96,7 +97,7 @@ def solve_combinations(
     model: Model, on_step: OnStep | None = None, on_combination: OnCombination | None = None
 ) -> Results:
     """Solve every combination of a model as `solve` does, but keep a single one that is refused in `refused` too."""
-    combinations, placed = list_combinations(model), model.placed
+    combinations, placed = list_combinations(model), place_patterns(model)
 
     def solve_on(meshes: Meshes) -> Results:
         return _combine(model, combinations, _outcomes(placed, combinations, on_step, meshes), on_combination)
@@ -113,7 +114,7 @@ class Variants:
 
     def __init__(self, base: Model) -> None:
         """Solve the base case, whose combinations may fail; raises InputError as `solve` does."""
-        combinations, placed = list_combinations(base), base.placed
+        combinations, placed = list_combinations(base), place_patterns(base)
 
         def solve_on(meshes: Meshes) -> Results:
             self._reference = ReferenceSolutions(meshes)
@@ -134,10 +135,12 @@ class Variants:
         """
         if factors:
             model = model.replace(mesh=model.mesh.replace(symmetry="off"))
-        combinations = list_combinations(model)
+        combinations, placed = list_combinations(model), place_patterns(model)
         reference = self._reference
         return _combine(
-            model, combinations, _outcomes(model.placed, combinations, on_step, reference.meshes, reference, factors)
+            model,
+            combinations,
+            _outcomes(placed, combinations, on_step, reference.meshes, reference, factors),
         )
 
 

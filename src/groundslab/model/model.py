@@ -109,13 +109,6 @@ class Model(Section):
         return ""
 
     @property
-    def placed(self) -> Model:
-        """Return the model with its patterns placed, which is what is solved; itself if there are none."""
-        from groundslab.model.placed import place_patterns
-
-        return place_patterns(self) if self.moves else self
-
-    @property
     def ground_carries_shear(self) -> bool:
         """Return whether the ground carries shear in any layer anywhere."""
         grounds = (self.ground, *(zone.ground for zone in self.soil_zones))

@@ -11,6 +11,7 @@ import pytest
 from groundslab.analysis.driver import solve
 from groundslab.design.result_tables import tables_of
 from groundslab.model.model import Model
+from groundslab.model.placed import place_patterns
 from groundslab.views.files.results_folder import load_results, save_results
 
 pytestmark = pytest.mark.slow
@@ -74,7 +75,7 @@ def test_results_of_moving_loads_come_back_from_their_folder(tmp_path: Path) -> 
     assert loaded.model == model
     assert len(loaded) == len(PLACES)
     for each in loaded.values():
-        assert each.model == model.placed
+        assert each.model == place_patterns(model)
 
 
 def test_a_fixed_pattern_is_the_loads_that_it_stands_for(tmp_path: Path) -> None:

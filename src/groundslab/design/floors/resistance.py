@@ -53,4 +53,4 @@ def allowed_ratio(repetitions: float) -> float:
     """Return the stress over the modulus of rupture that may be repeated so often, at least ENDLESS."""
     if repetitions <= allowed_repetitions(STRAIGHT):
         return 0.97187 - 0.0828 * math.log10(repetitions)
-    return max(0.43248 + 4.2577 * repetitions ** (-1 / 3.268), ENDLESS)
+    return max(0.43248 + 4.2577 * math.pow(repetitions, -1 / 3.268), ENDLESS)

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from groundslab import errors
 from groundslab.errors import GroundslabError, InputError, Issue, NotCertified, NotConverged
+from groundslab.model.placed import place_patterns
 from groundslab.results.results import CombinationResult, Results, results_of
 from groundslab.storage import atomic, ownership
 from groundslab.views.files import manifest, npz
@@ -218,7 +219,7 @@ def _one(path: Path) -> Results:
     found = npz.load(archived)
     with suppress(InputError):
         model = casefile.load(path / "case.toml")
-        if model.moves and model.placed == found.model:
+        if model.moves and place_patterns(model) == found.model:
             return replace(results_of(found), model=model)  # as it was described, with its patterns
     try:
         return results_of(found)
@@ -232,7 +233,7 @@ def _several(path: Path, listed: Sequence[_Combination]) -> Results:
     from groundslab.model.loads.load_cases import Combination
 
     model = casefile.load(path / "case.toml")
-    placed = model.placed
+    placed = place_patterns(model)
     combinations, results, refused = [], {}, dict[str, GroundslabError]()
     for number, each in enumerate(listed, 1):
         combinations.append(Combination(name=each.name, limit_state=each.limit_state, factors=each.factors))

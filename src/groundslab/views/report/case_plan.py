@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 
 from groundslab.model.loads.load_types import AnyLoad
+from groundslab.model.placed import place_patterns
 from groundslab.views.plots import style, symbols
 from groundslab.views.plots.annotations import LabelPlacement, Point
 from groundslab.views.scene.plan import plan_of
@@ -52,7 +53,7 @@ def draw_case_plan(model: Model) -> Figure:
     legend = _draw_ground(axes, plan, labels) | symbols.draw_plate(axes, model, fill=style.PANEL)
     legend |= symbols.draw_voids(axes, model) | symbols.draw_supports(axes, model)
     legend |= symbols.draw_columns(axes, model, lambda _: True)
-    legend |= symbols.draw_loads(axes, model.placed, lambda load: load.kind != "uniform")
+    legend |= symbols.draw_loads(axes, place_patterns(model), lambda load: load.kind != "uniform")
     legend |= _draw_outputs(axes, plan, labels)
     _label_parts(plan, labels)
     _label_loads(axes, plan, labels)

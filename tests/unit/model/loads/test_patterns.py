@@ -13,6 +13,7 @@ from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.load_types import PointLoad
 from groundslab.model.loads.patterns import Move, Rack, Station, Vehicle, absent_forces, point_loads, stations
 from groundslab.model.model import Model
+from groundslab.model.placed import place_patterns
 from groundslab.schema.fields import FROM_FILE
 
 WHEEL = {"P": "20 kN", "x": "1 m", "y": "0.5 m", "width_x": "0.3 m", "width_y": "0.2 m"}
@@ -86,8 +87,8 @@ def test_combinations_are_named_by_their_positions() -> None:
     assert list(found) == [*(f"ULS live, live at {way:.2f} m" for way in range(5)), "dead"]
     assert found["ULS live, live at 3.00 m"] == {"G": 1.35, "live at 3.00 m": 1.5}
     assert loads(to_toml(model)) == model
-    assert list_combinations(model.placed) == list_combinations(model)
-    assert loads(to_toml(model.placed)) == model.placed
+    assert list_combinations(place_patterns(model)) == list_combinations(model)
+    assert loads(to_toml(place_patterns(model))) == place_patterns(model)
 
 
 def test_each_case_by_itself_is_called_by_its_position() -> None:
@@ -99,7 +100,7 @@ def test_what_stands_in_a_case_that_moves_is_there_at_every_position() -> None:
     """A rack at a fixed place and a load of the case beside the vehicle."""
     load = {"kind": "point", "P": "1 kN", "case": "live", "x": "0 m", "y": "2 m"}
     model = read(loads=[*described()["loads"], load], moves=[PATH, PLACE])
-    placed = model.placed
+    placed = place_patterns(model)
     assert [case.name for case in placed.cases] == ["G", *(f"live at {way:.2f} m" for way in range(5))]
     for case in placed.cases[1:]:
         forces = [each.P for each in placed.loads if isinstance(each, PointLoad) and each.case == case.name]
@@ -121,7 +122,7 @@ def test_a_case_moves_along_one_of_its_paths_at_a_time() -> None:
 def test_forces_beside_the_plate_do_not_act_on_a_path() -> None:
     """At the right edge the wheel ahead has left the plate, which is told."""
     model = read(moves=[{**PATH, "points": [["0 m", "0 m"], ["4 m", "0 m"]]}])
-    last = [load for load in model.placed.loads if load.case == "live at 4.00 m"]
+    last = [load for load in place_patterns(model).loads if load.case == "live at 4.00 m"]
     assert [load.P for load in last] == [5e3]
     remark = "moves[1]: up to 1 of 2 forces are off the plate at 2 of 5 positions"
     assert list(absent_forces(model.plate, model.patterns, model.moves)) == [remark]
@@ -138,7 +139,7 @@ FAULTS: list[tuple[dict[str, Any], str, str]] = [
     ({"moves": [PATH, PATH]}, "moves[1].name", 'several paths of "live"'),
     ({"moves": [{**PATH, "points": [["0 m", "0 m"], ["0 m", "0 m"]]}]}, "moves[1].points[2]", "(0.0, 0.0) m twice"),
     ({"patterns": [VEHICLE, VEHICLE]}, "patterns[2].name", '"truck" again'),
-    ({"patterns": [{**VEHICLE, "wheels": []}, RACK]}, "patterns[1].wheels", "[]"),
+    ({"patterns": [{**VEHICLE, "wheels": []}, RACK]}, "patterns[1].wheels", "an empty list"),
     ({"moves": [{**PATH, "points": [["-2 m", "0 m"], ["2 m", "0 m"], ["-2 m", "0 m"]] , "step": "0.01 m"}]},
      "moves[1].step", "0.01 m"),
 ]  # fmt: skip
@@ -173,5 +174,5 @@ def test_a_path_needs_a_case() -> None:
     with pytest.raises(InputError, match="a path without a case"):
         Model.model_validate(given, context=FROM_FILE)
     fixed = described(loads=[{"kind": "uniform", "q": "1 kPa"}], moves=[{**PLACE, "case": ""}], cases=[])
-    placed = Model.model_validate(fixed, context=FROM_FILE).placed
+    placed = place_patterns(Model.model_validate(fixed, context=FROM_FILE))
     assert sum(isinstance(load, PointLoad) for load in placed.loads) == 6
