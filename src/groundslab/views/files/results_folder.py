@@ -18,7 +18,6 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from groundslab import errors
 from groundslab.errors import GroundslabError, InputError, Issue, NotCertified, NotConverged
-from groundslab.model.placed import place_patterns
 from groundslab.results.results import CombinationResult, Results, results_of
 from groundslab.storage import atomic, ownership
 from groundslab.views.files import manifest, npz
@@ -214,6 +213,7 @@ def _summary(folder: Path) -> _Summary | None:
 def _one(path: Path) -> Results:
     """Return the only combination of a folder; raises InputError."""
     from groundslab.case import casefile
+    from groundslab.model.placed import place_patterns
 
     archived = path / "results.npz"
     found = npz.load(archived)
@@ -231,6 +231,7 @@ def _several(path: Path, listed: Sequence[_Combination]) -> Results:
     """Return the combinations that a summary lists, read from their folders; raises InputError or ValueError."""
     from groundslab.case import casefile
     from groundslab.model.loads.load_cases import Combination
+    from groundslab.model.placed import place_patterns
 
     model = casefile.load(path / "case.toml")
     placed = place_patterns(model)
