@@ -17,8 +17,7 @@ from .errors import NotCertified as NotCertified
 from .errors import NotConverged as NotConverged
 from .errors import SingularMatrix as SingularMatrix
 from .model.columns import Column as Column
-from .model.floors import ACI360Floor as ACI360Floor
-from .model.floors import TR34Floor as TR34Floor
+from .model.combinations import place_patterns as place_patterns
 from .model.ground import InterfaceLayer as InterfaceLayer
 from .model.ground import Layered as Layered
 from .model.ground import Pasternak as Pasternak
@@ -26,8 +25,10 @@ from .model.ground import Selvadurai as Selvadurai
 from .model.ground import SoilLayer as SoilLayer
 from .model.ground import Vlasov as Vlasov
 from .model.ground import Winkler as Winkler
+from .model.limits import ACI360Floor as ACI360Floor
 from .model.limits import Limits as Limits
 from .model.limits import SoilStrength as SoilStrength
+from .model.limits import TR34Floor as TR34Floor
 from .model.loads.load_cases import Combination as Combination
 from .model.loads.load_cases import Combine as Combine
 from .model.loads.load_cases import LoadCase as LoadCase
@@ -52,7 +53,6 @@ from .model.outputs import OutputPoint as OutputPoint
 from .model.outputs import OutputStrip as OutputStrip
 from .model.outputs import Project as Project
 from .model.outputs import Reinforcement as Reinforcement
-from .model.placed import place_patterns as place_patterns
 from .model.plate import Edges as Edges
 from .model.plate import Plate as Plate
 from .model.plate import Zone as Zone

@@ -6,9 +6,9 @@ import math
 
 from groundslab.discretize.discretize import discretize
 from groundslab.fem.foundation import Column
+from groundslab.model.combinations import place_patterns
 from groundslab.model.consistency import estimate_elements
 from groundslab.model.model import Model
-from groundslab.model.placed import place_patterns
 from groundslab.solvers import factorization
 
 #: `check` makes a mesh of at most so many elements,

@@ -18,10 +18,9 @@ from groundslab.arrays import Array
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes, coarsest
 from groundslab.errors import GroundslabError, IllConditioned, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
-from groundslab.model.combinations import list_combinations
+from groundslab.model.combinations import list_combinations, place_patterns
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
-from groundslab.model.placed import place_patterns
 from groundslab.results.certificate import certificate, worst
 from groundslab.results.record import Step
 from groundslab.results.recovery import expand, recover, recover_fields

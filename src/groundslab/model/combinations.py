@@ -1,12 +1,18 @@
-"""Combinations of a model: those it lists, those by EN 1990, or each load case by itself, at all positions."""
+"""Combinations of a model: those it lists, those by EN 1990, or each load case by itself, at all positions.
+
+What is solved is the model with its patterns placed: plain loads, cases and combinations.
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
 
 from groundslab.model.loads.en1990 import make_combinations
-from groundslab.model.loads.load_cases import Combination
-from groundslab.model.loads.patterns import expand
+from groundslab.model.loads.load_cases import Combination, LoadCase
+from groundslab.model.loads.load_types import AnyLoad, PointLoad
+from groundslab.model.loads.patterns import expand, loads_on_plate, point_loads, position_name, stations
+from groundslab.model.plate import PlateRegion
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
@@ -33,3 +39,67 @@ def _list_unmoved(model: Model) -> tuple[Combination, ...]:
             Combination(name=case.name, limit_state="characteristic", factors={case.name: 1.0}) for case in model.cases
         )
     return (*model.combinations, *made)
+
+
+def place_patterns(model: Model) -> Model:
+    """Return a model whose patterns are point loads, and whose moving cases are cases at each of their positions.
+
+    It is what is solved: the model itself if it has no moves. What stands in a case that moves stands in each of its
+    positions. On a path, forces beside the plate do not act.
+
+    Parameters
+    ----------
+    model : Model
+        The model.
+
+    Returns
+    -------
+    Model
+        The model without patterns and moves, its combinations those at all positions.
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> groundslab.place_patterns(model) is model
+    True
+    """
+    return _place(model) if model.moves else model
+
+
+@lru_cache(maxsize=8)
+def _place(model: Model) -> Model:
+    """Return the model with its patterns placed."""
+    loads, moving = _place_forces(model)
+    cases: list[LoadCase] = []
+    for case in model.cases:
+        positions = moving.get(case.name)
+        if positions is None:
+            cases.append(case)
+            continue
+        fixed = [load for load in loads if load.case == case.name]
+        loads = [load for load in loads if load.case != case.name]
+        for name, own in positions.items():
+            cases.append(case.model_copy(update={"name": name}))
+            loads += [*(load.model_copy(update={"case": name}) for load in fixed), *own]
+    changes: dict[str, Any] = {"patterns": (), "moves": (), "cases": tuple(cases), "loads": tuple(loads)}
+    if moving:
+        changes |= {"combinations": list_combinations(model), "combine": None}
+    return model.model_copy(update=changes)
+
+
+def _place_forces(model: Model) -> tuple[list[AnyLoad], dict[str, dict[str, tuple[PointLoad, ...]]]]:
+    """Return the loads with those of patterns at fixed places, and those at each position of each moving case."""
+    patterns = {pattern.name: pattern for pattern in model.patterns}
+    covered = PlateRegion(model.plate)
+    loads: list[AnyLoad] = list(model.loads)
+    moving: dict[str, dict[str, tuple[PointLoad, ...]]] = {}
+    for move in model.moves:
+        pattern = patterns[move.pattern]
+        for station in stations(move):
+            if move.travels:
+                name = position_name(move, station)
+                own = loads_on_plate(covered, point_loads(pattern, station, name))
+                moving.setdefault(move.case, {})[name] = own
+            else:
+                loads += point_loads(pattern, station, move.case)
+    return loads, moving

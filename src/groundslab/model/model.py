@@ -13,9 +13,8 @@ from pydantic import Field
 
 from groundslab.model import consistency, varying_ground
 from groundslab.model.columns import Column
-from groundslab.model.floors import Floor, check_floor
 from groundslab.model.ground import Ground
-from groundslab.model.limits import Limits, SoilStrength
+from groundslab.model.limits import Floor, Limits, SoilStrength, check_floor
 from groundslab.model.loads.clipping import check_distributed_loads
 from groundslab.model.loads.en1990 import check_combine
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations

@@ -10,8 +10,8 @@ import pytest
 
 from groundslab.analysis.driver import solve
 from groundslab.design.result_tables import tables_of
+from groundslab.model.combinations import place_patterns
 from groundslab.model.model import Model
-from groundslab.model.placed import place_patterns
 from groundslab.views.files.results_folder import load_results, save_results
 
 pytestmark = pytest.mark.slow

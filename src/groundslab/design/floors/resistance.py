@@ -13,7 +13,7 @@ ENDLESS, STRAIGHT = 0.45, 0.55
 
 
 def flexural_strength(concrete: Concrete, h: float) -> float:
-    """Return f_ctd,fl [Pa] of plain concrete h [m] thick, f_ctm (1.6 - h / m) / gamma_C (EN 1992-1-1 (3.23))."""
+    """Return f_ctd,fl [Pa] of plain concrete h [m] thick, f_ctm (1.6 - h / m) / gamma_C (EN 1992-1-1 3.1.8(1))."""
     return max(1.6 - h, 1.0) * concrete.f_ctm / concrete.gamma_c
 
 

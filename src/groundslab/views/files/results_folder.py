@@ -213,7 +213,7 @@ def _summary(folder: Path) -> _Summary | None:
 def _one(path: Path) -> Results:
     """Return the only combination of a folder; raises InputError."""
     from groundslab.case import casefile
-    from groundslab.model.placed import place_patterns
+    from groundslab.model.combinations import place_patterns
 
     archived = path / "results.npz"
     found = npz.load(archived)
@@ -230,8 +230,8 @@ def _one(path: Path) -> Results:
 def _several(path: Path, listed: Sequence[_Combination]) -> Results:
     """Return the combinations that a summary lists, read from their folders; raises InputError or ValueError."""
     from groundslab.case import casefile
+    from groundslab.model.combinations import place_patterns
     from groundslab.model.loads.load_cases import Combination
-    from groundslab.model.placed import place_patterns
 
     model = casefile.load(path / "case.toml")
     placed = place_patterns(model)

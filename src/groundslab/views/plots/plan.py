@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from groundslab.accuracy.mesh_statistics import mesh_statistics
-from groundslab.model.placed import place_patterns
+from groundslab.model.combinations import place_patterns
 from groundslab.views.plots import symbols
 from groundslab.views.plots.annotations import draw_labels, draw_title, panel_title, title_height
 from groundslab.views.plots.contours import ColorScale, draw_color_bar, draw_contours, triangulation

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
+from groundslab.model.combinations import place_patterns
 from groundslab.model.loads.load_types import AnyLoad
-from groundslab.model.placed import place_patterns
 from groundslab.views.plots import style, symbols
 from groundslab.views.plots.annotations import LabelPlacement, Point
 from groundslab.views.scene.plan import plan_of

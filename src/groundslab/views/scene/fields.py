@@ -10,7 +10,7 @@ import numpy as np
 from groundslab._version import __version__
 from groundslab.design.tables.quantities import nodal_values
 from groundslab.errors import GroundslabError
-from groundslab.model.placed import place_patterns
+from groundslab.model.combinations import place_patterns
 from groundslab.results.contact_zone import contact_function, goes_below_zero, has_line_force
 from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, SHOWN_ELEMENT_FIELDS, extreme
 from groundslab.views.scene.binary import Blocks, Scene

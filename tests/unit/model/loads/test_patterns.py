@@ -9,11 +9,10 @@ import pytest
 
 from groundslab.case.casefile import loads, to_toml
 from groundslab.errors import InputError
-from groundslab.model.combinations import list_combinations
+from groundslab.model.combinations import list_combinations, place_patterns
 from groundslab.model.loads.load_types import PointLoad
 from groundslab.model.loads.patterns import Move, Rack, Station, Vehicle, absent_forces, point_loads, stations
 from groundslab.model.model import Model
-from groundslab.model.placed import place_patterns
 from groundslab.schema.fields import FROM_FILE
 
 WHEEL = {"P": "20 kN", "x": "1 m", "y": "0.5 m", "width_x": "0.3 m", "width_y": "0.2 m"}
