@@ -89,10 +89,14 @@ RUPTURE, RESIDUAL = Range(at_least=5e5, at_most=2e7), Range(at_least=1e5, at_mos
 RATIO = Range(at_least=0.3, at_most=2)
 
 
-def _check_restraint(friction: float | None, joint_spacing: float | None) -> Iterator[RelativeIssue]:
+def _check_restraint(
+    friction: float | None, joint_spacing: float | None, unit_weight: float, given: set[str]
+) -> Iterator[RelativeIssue]:
     if (friction is None) != (joint_spacing is None):
         missing = "friction" if friction is None else "joint_spacing"
         yield RelativeIssue((missing,), "nothing", "friction and joint_spacing, both of them")
+    elif friction is None and "unit_weight" in given:
+        yield RelativeIssue(("unit_weight",), f"{unit_weight!r} N/m^3", "no weight without friction and joint_spacing")
 
 
 class _Floor(Section):
@@ -132,10 +136,22 @@ def _check_sagging(
         yield RelativeIssue(("mesh_area",), "a mesh beside fibers", "one of them", "that of the larger moment counts")
 
 
+def _check_bars(mesh_area: float | None, f_yk: float, gamma_s: float, given: set[str]) -> Iterator[RelativeIssue]:
+    for name, value in (("f_yk", f_yk), ("gamma_s", gamma_s)):
+        if mesh_area is None and name in given:
+            yield RelativeIssue((name,), repr(value), f"no {name} without a mesh")
+
+
+def _check_transfer(joint_transfer: float, R_e3: float | None, given: set[str]) -> Iterator[RelativeIssue]:
+    if R_e3 is None and "joint_transfer" in given:
+        hint = "stresses are those of a free edge"
+        yield RelativeIssue(("joint_transfer",), repr(joint_transfer), "none without R_e3 and its yield lines", hint)
+
+
 class TR34Floor(_Floor):
     """A floor by TR34, fourth edition: yield lines in the ultimate combinations."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_restraint, _check_concrete, _check_sagging)
+    checks: ClassVar[tuple[Check, ...]] = (_check_restraint, _check_concrete, _check_sagging, _check_bars)
 
     kind: Annotated[Literal["TR34"], Table("Concrete Society TR34, fourth edition: yield lines")] = "TR34"
     concrete: Annotated[ConcreteClass | None, Choice(ConcreteClass, "strength class of the concrete")] = None
@@ -162,7 +178,7 @@ class TR34Floor(_Floor):
 class ACI360Floor(_Floor):
     """A floor by ACI 360R-10 and PCA: flexural stresses in the combinations of serviceability."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_restraint,)
+    checks: ClassVar[tuple[Check, ...]] = (_check_restraint, _check_transfer)
 
     kind: Annotated[Literal["ACI 360"], Table("ACI 360R-10 and PCA: flexural stresses")] = "ACI 360"
     f_r: Annotated[float, Quantity("pressure", "f_r", "modulus of rupture of the concrete", RUPTURE)]

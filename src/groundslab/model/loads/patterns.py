@@ -30,6 +30,8 @@ from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import describe, one_of, suggestion
 
+#: Patterns have no more forces than this, at all of their places together.
+MOST_FORCES = 100_000
 #: Steps are not smaller [m], so that positions with two decimals are told apart.
 LEAST_STEP = 0.05
 #: A position nearer than this to the path's end [m] is not told from it.
@@ -78,7 +80,8 @@ class Rack(Section):
     frames: Annotated[int, Integer("number of frames in the direction of the rack", at_least=1, at_most=200)] = 1
     bay: Annotated[float, Quantity("length", "b", "distance from frame to frame", POSITIVE)] = 2.7
     rows: Annotated[
-        tuple[float, ...], ListOf(Offset, "y", "places of a frame's legs across the rack, to the left of its origin")
+        tuple[float, ...],
+        ListOf(Offset, "y", "places of a frame's legs across the rack, to the left of its origin", most=100),
     ] = (0.0,)
     width_x: Annotated[Width, Quantity("length", "c_x", "width of a base plate along the rack", POSITIVE)] = None
     width_y: Annotated[Width, Quantity("length", "c_y", "width across it", POSITIVE)] = None
@@ -261,7 +264,7 @@ def check_patterns(
             continue
         if move.travels and not cases:
             yield RelativeIssue(("moves", number, "case"), "a path without a case", "[[cases]], one of which moves")
-        if _too_many(move):
+        if _too_many(move) or _count_forces(known[move.pattern], move) > MOST_FORCES:
             continue
         yield from _check_places(covered, known[move.pattern], move, number)
     paths = [(move.case, move.name) for move in moves if move.travels]
@@ -284,6 +287,12 @@ def _check_places(covered: PlateRegion, pattern: AnyPattern, move: Move, number:
             return
 
 
+def _count_forces(pattern: AnyPattern, move: Move) -> int:
+    """Return how many forces a pattern has at all places of a move."""
+    each = len(pattern.wheels) if isinstance(pattern, Vehicle) else pattern.frames * len(pattern.rows)
+    return each * len(stations(move))
+
+
 def _too_many(move: Move) -> bool:
     """Return whether a path has more positions than combinations can have."""
     if not move.travels or move.step is None:
@@ -292,12 +301,19 @@ def _too_many(move: Move) -> bool:
 
 
 def check_positions(
+    patterns: tuple[AnyPattern, ...],
     moves: tuple[Move, ...],
     cases: tuple[LoadCase, ...],
     combinations: tuple[Combination, ...],
     combine: Combine | None,
 ) -> Iterator[RelativeIssue]:
-    """Find so many positions that there would be more than MOST_COMBINATIONS combinations with them."""
+    """Find more than MOST_COMBINATIONS combinations at all positions, and more than MOST_FORCES forces."""
+    known = {pattern.name: pattern for pattern in patterns}
+    sound = [move for move in moves if move.pattern in known and not _too_many(move)]
+    total = sum(_count_forces(known[move.pattern], move) for move in sound)
+    if total > MOST_FORCES:
+        expected = f"at most {MOST_FORCES:,} forces at all positions"
+        yield RelativeIssue(("moves",), f"{total:,} forces at all positions", expected)
     travelling = [move for move in moves if move.travels]
     if not travelling or not cases:
         return

@@ -250,6 +250,9 @@ def test_a_floor_that_fails_says_so_first() -> None:
         ({**FIBERS, "mesh_area": 4e-4, "mesh_axis": 0.05}, "a mesh beside fibers"),
         ({**TR34, "mesh_area": 4e-4, "mesh_axis": 0.15}, "0.15 m"),
         ({**ACI, "friction": 0.5}, "nothing"),
+        ({**ACI, "joint_transfer": 0.2}, "none without R_e3"),
+        ({**TR34, "unit_weight": 25e3}, "no weight without friction"),
+        ({**FIBERS, "f_yk": 460e6}, "no f_yk without a mesh"),
     ],
 )
 def test_faults_of_a_floor_are_told(floor: dict[str, Any], found: str) -> None:

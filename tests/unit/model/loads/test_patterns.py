@@ -167,6 +167,14 @@ def test_positions_times_combinations_are_bounded() -> None:
         read(moves=[{**PATH, "points": there_and_back, "step": "0.1 m"}])
 
 
+def test_forces_times_positions_are_bounded() -> None:
+    """200 frames with five legs at 401 positions are 401,000 forces, refused before any of them is made."""
+    train = {**RACK, "frames": 200, "bay": "10 mm", "rows": [f"{n / 10} m" for n in range(5)]}
+    long = {**PATH, "pattern": "rack", "points": [["-2 m", "0 m"], ["2 m", "0 m"]] * 5, "step": "0.09 m"}
+    with pytest.raises(InputError, match="forces at all positions"):
+        read(patterns=[train], moves=[long])
+
+
 def test_a_path_needs_a_case() -> None:
     """Without cases all loads act together, and nothing can be at one position after the other."""
     given = described(loads=[{"kind": "uniform", "q": "1 kPa"}], moves=[{**PATH, "case": ""}], cases=[])
