@@ -43,7 +43,7 @@ def test_cases_of_the_page_on_input_load() -> None:
     """The smallest case loads, and with each of the other blocks put behind it."""
     smallest, *others = blocks("input.md", "toml")
     assert len(others) == 5
-    shapes, checks, floor, moves, combinations = others
+    shapes, checks, combinations, moves, floor = others
     assert len(casefile.loads(f"{smallest}\n{shapes}").loads) == 4
     named = smallest.replace('q = "10 kPa"', 'q = "10 kPa"\ncase = "design loads"')
     assert len(casefile.loads(f"{named}\n{combinations}").combinations) == 1

@@ -94,11 +94,11 @@ class Model(Section):
         Reinforcement | None,
         Table("what reinforcement by EN 1992-1-1 is found for; needs ultimate combinations of loads"),
     ] = None
-    floor: Annotated[Floor | None, Table("checks of an industrial floor, beside the elastic results")] = None
     limits: Annotated[Limits | None, Table("what settlements, tilt and pressures are checked against")] = None
     soil_strength: Annotated[
         SoilStrength | None, Table("strength of the soil, for bearing resistance and sliding by EN 1997-1")
     ] = None
+    floor: Annotated[Floor | None, Table("checks of an industrial floor, beside the elastic results")] = None
     mesh: Annotated[Mesh, Table("the mesh; made for an accuracy by default")] = Mesh()
     analysis: Annotated[Analysis, Table("how the equations are solved")] = Analysis()
 
