@@ -25,6 +25,8 @@ from groundslab.views.files import manifest, npz
 if TYPE_CHECKING:
     from pydantic import TypeAdapter
 
+    from groundslab.model.model import Model
+
 
 def save_results(results: CombinationResult | Results, folder: str | Path, *, plot: bool = False) -> Path:
     """Write results into a folder, in place of earlier results there.
@@ -213,13 +215,12 @@ def _summary(folder: Path) -> _Summary | None:
 def _one(path: Path) -> Results:
     """Return the only combination of a folder; raises InputError."""
     from groundslab.case import casefile
-    from groundslab.model.combinations import place_patterns
 
     archived = path / "results.npz"
     found = npz.load(archived)
     with suppress(InputError):
         model = casefile.load(path / "case.toml")
-        if model.moves and place_patterns(model) == found.model:
+        if model.moves and _placed(model) == found.model:
             return replace(results_of(found), model=model)  # as it was described, with its patterns
     try:
         return results_of(found)
@@ -230,12 +231,11 @@ def _one(path: Path) -> Results:
 def _several(path: Path, listed: Sequence[_Combination]) -> Results:
     """Return the combinations that a summary lists, read from their folders; raises InputError or ValueError."""
     from groundslab.case import casefile
-    from groundslab.model.combinations import place_patterns
     from groundslab.model.loads.load_cases import Combination
 
     model = casefile.load(path / "case.toml")
-    placed = place_patterns(model)
     combinations, results, refused = [], {}, dict[str, GroundslabError]()
+    placed = _placed(model)
     for number, each in enumerate(listed, 1):
         combinations.append(Combination(name=each.name, limit_state=each.limit_state, factors=each.factors))
         if each.folder is not None:
@@ -252,6 +252,13 @@ def _several(path: Path, listed: Sequence[_Combination]) -> Results:
     if not names or len(names) < len(listed) or results.keys() | refused.keys() != names:
         raise ValueError("combinations that have neither results nor a reason, or the same name")
     return Results(model, tuple(combinations), results, refused)
+
+
+def _placed(model: Model) -> Model:
+    """Return the model that was solved, with its patterns placed."""
+    from groundslab.model.combinations import place_patterns
+
+    return place_patterns(model)
 
 
 def _refused(why: _Refused, results: CombinationResult | None) -> GroundslabError:
