@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array
+from groundslab.arrays import Array, Integers
 from groundslab.design.floors.yield_lines import Location
 from groundslab.design.punching import RectangularColumn, RoundColumn
 from groundslab.geometry.plan import FLAT
@@ -90,35 +90,37 @@ def forces(results: CombinationResult, borders: Borders, h: float, l: float, tra
     from shapely import union_all
 
     model, factors = results.model, factors_of(results)
-    given: list[tuple[float, BaseGeometry]] = [
-        (factors[load.case] * load.P, load.on(model.columns).to_shapely(borders.chord))
+    given = [
+        (factors[load.case] * load.P, load.on(model.columns))
         for load in model.loads
         if isinstance(load, PointLoad) and factors.get(load.case, 0.0) * load.P > 0
     ]
+    P = np.array([force for force, _ in given])
+    places = np.array([(load.x, load.y) for _, load in given], dtype=float).reshape(-1, 2)
     found = []
-    for members in _as_one([shape for _, shape in given], AS_ONE * h):
-        P = sum(given[n][0] for n in members)
-        x, y = (sum(given[n][0] * getattr(given[n][1].centroid, axis) for n in members) / P for axis in "xy")
-        shape = union_all([given[n][1] for n in members]).convex_hull
+    for members in _as_one(places, AS_ONE * h):
+        shapes = [given[n][1].to_shapely(borders.chord) for n in members]
+        shape = union_all(shapes).convex_hull if len(shapes) > 1 else shapes[0]
+        x, y = (P[members] @ places[members] / P[members].sum()).tolist()
         a = math.sqrt(shape.area / math.pi)
         location, at_outline = borders.locate((x, y), l + a)
-        found.append(Force(P, a, (x, y), location, 1 - transfer if at_outline else 1.0, shape))
+        share = 1 - transfer if at_outline else 1.0
+        found.append(Force(float(P[members].sum()), a, (x, y), location, share, shape))
     return found
 
 
-def _as_one(shapes: list[BaseGeometry], distance: float) -> list[list[int]]:
-    """Return the numbers of shapes whose centers are joined by steps shorter than a distance [m]."""
-    if not shapes:
+def _as_one(places: Array, distance: float) -> list[Integers]:
+    """Return the numbers of places (p, 2) that are joined by steps shorter than a distance [m]."""
+    if not len(places):
         return []
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
     from scipy.spatial import KDTree
 
-    centers = np.array([(shape.centroid.x, shape.centroid.y) for shape in shapes])
-    pairs = KDTree(centers).query_pairs(distance * (1 - 1e-9), output_type="ndarray")
-    joined = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(len(shapes), len(shapes)))
+    n, pairs = len(places), KDTree(places).query_pairs(distance * (1 - 1e-9), output_type="ndarray")
+    joined = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(n, n))
     count, label = connected_components(joined, directed=False)
-    return [np.flatnonzero(label == number).tolist() for number in range(count)]
+    return [np.flatnonzero(label == number) for number in range(count)]
 
 
 def groups(loads: list[Force], reach: float) -> Iterator[tuple[tuple[Force, ...], float]]:

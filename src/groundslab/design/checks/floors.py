@@ -113,8 +113,9 @@ def _by_tr34(floor: TR34Floor, results: list[CombinationResult]) -> Iterator[Des
         alone = sum(yield_lines.single(lines, load.a, location) for load in loads)
         return alone if len(loads) == 1 else min(alone, yield_lines.group(lines, a, distances, location))
 
-    yield from _point_loads(floor, slab, results, fails, dict.fromkeys(NAMES, "TR34, Meyerhof 1962"))
-    yield from _punching(floor, concrete, slab, results)
+    standing = _standing(floor, slab, results)
+    yield from _point_loads(slab, standing, fails, dict.fromkeys(NAMES, "TR34, Meyerhof 1962"))
+    yield from _punching(floor, concrete, slab, standing)
     yield from _line_loads(slab, M_n, results, "TR34, Hetenyi 1946")
     yield from _pressures(slab, M_n, results, "TR34, Hetenyi 1946")
     f_ctd = resistance.tensile_strength(concrete)
@@ -137,13 +138,11 @@ def sagging_moment(floor: TR34Floor, concrete: Concrete, h: float) -> float:
     return 0.0
 
 
-def _punching(
-    floor: TR34Floor, concrete: Concrete, slab: Slab, results: list[CombinationResult]
-) -> Iterator[DesignCheck]:
+def _punching(floor: TR34Floor, concrete: Concrete, slab: Slab, standing: Standing) -> Iterator[DesignCheck]:
     """Yield punching by the largest force inside, at an edge and at a corner: at its footprint and 2 d from it."""
-    borders, largest = Borders(results[0].model), dict[Location, tuple[Force, CombinationResult]]()
-    for each in results:
-        for load in floor_loads.forces(each, borders, slab.h, slab.l, floor.joint_transfer):
+    largest = dict[Location, tuple[Force, CombinationResult]]()
+    for each, loads in standing:
+        for load in loads:
             known = largest.get(load.location)
             if load.a and (known is None or load.share * load.P > known[0].share * known[0].P):
                 largest[load.location] = load, each
@@ -182,7 +181,9 @@ def _by_aci(floor: ACI360Floor, results: list[CombinationResult]) -> Iterator[De
             (load,) = loads
             return yield_lines.meyerhof(M_0, load.a, slab.l, location) / floor.safety_factor
 
-        yield from _point_loads(floor, slab, results, fails, {1: "ACI 360R-10 11.3.3.3, Meyerhof 1962"})
+        yield from _point_loads(
+            slab, _standing(floor, slab, results), fails, {1: "ACI 360R-10 11.3.3.3, Meyerhof 1962"}
+        )
     yield from _restraint(floor, allowed, "mu gamma L / 2 against the allowed stress, ACI 360R-10 10.3.2")
 
 
@@ -203,17 +204,22 @@ def _stress(results: CombinationResult, sign: int, drag: float, allowed: float) 
     return Use(max(stress, 0.0) + drag, allowed, place, results.combination)
 
 
+#: Results of combinations, with the forces in each.
+Standing = list[tuple[CombinationResult, list[Force]]]
 #: What a group of forces fails at [N]: the forces, the sum of their distances [m], where they are.
 Fails = Callable[[tuple[Force, ...], float, Location], float]
 
 
-def _point_loads(
-    floor: AnyFloor, slab: Slab, results: list[CombinationResult], fails: Fails, clauses: dict[int, str]
-) -> Iterator[DesignCheck]:
+def _standing(floor: AnyFloor, slab: Slab, results: list[CombinationResult]) -> Standing:
+    """Return the results of combinations with the forces in each."""
+    borders = Borders(results[0].model)
+    return [(each, floor_loads.forces(each, borders, slab.h, slab.l, floor.joint_transfer)) for each in results]
+
+
+def _point_loads(slab: Slab, standing: Standing, fails: Fails, clauses: dict[int, str]) -> Iterator[DesignCheck]:
     """Yield the worst of single forces, of two and of four, each inside, at edges and at corners."""
-    borders, worst = Borders(results[0].model), dict[tuple[int, Location], Use]()
-    for each in results:
-        loads = floor_loads.forces(each, borders, slab.h, slab.l, floor.joint_transfer)
+    worst = dict[tuple[int, Location], Use]()
+    for each, loads in standing:
         some: Iterable[tuple[tuple[Force, ...], float]] = [((load,), 0.0) for load in loads]
         if 2 in clauses:
             some = [*some, *floor_loads.groups(loads, REACH * slab.l)]
