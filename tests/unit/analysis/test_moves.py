@@ -9,10 +9,13 @@ import numpy as np
 import pytest
 
 from groundslab.analysis.driver import solve
+from groundslab.case.casefile import to_toml
+from groundslab.cli.main import main
 from groundslab.design.result_tables import tables_of
 from groundslab.model.combinations import place_patterns
 from groundslab.model.model import Model
 from groundslab.views.files.results_folder import load_results, save_results
+from groundslab.views.scene.fields import scene_of
 
 pytestmark = pytest.mark.slow
 
@@ -95,3 +98,28 @@ def test_shrinkage_bends_as_a_colder_top() -> None:
     wanted = solve(Model(**BASE | cases, loads=LOADS))
     np.testing.assert_allclose(found.plate.moment_x, wanted.plate.moment_x, rtol=0, atol=1e-3)
     assert found.plate.value_at("settlement", 3.0, 2.0) < -1e-5 < found.plate.value_at("settlement", 0.0, 0.0)
+
+
+def test_a_viewer_shows_the_load_where_each_combination_has_it() -> None:
+    """The plan of results has the wheels of each position in a case of its own, which the combination names."""
+    found = solve(moving(tensionless=True))
+    head = scene_of(found).head
+    wheels = {(each["case"], *each["points"][0]) for each in head["plan"]["loads"] if each["kind"] == "point"}
+    assert wheels == {
+        (f"truck at {x - PLACES[0]:.2f} m", round(x, 9), 0.3 + side) for x in PLACES for side in (-0.5, 0.5)
+    }
+    assert [name for name, factor in found.combinations[1].factors if factor == 1.5] == ["truck at 1.50 m"]
+
+
+def test_check_says_what_is_solved_and_what_stands_beside_the_plate(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Each position is listed, and that of the axle, turned across, one wheel is off at 4.0 and 4.3 m."""
+    given = moving(tensionless=True)
+    move = {"pattern": "axle", "case": "truck", "points": [(0, 0), (2.4, 0), (2.4, 1.9)], "step": 2.0, "turn": 90}
+    path = tmp_path / "case.toml"
+    path.write_text(to_toml(given.replace(moves=[move])))
+    assert main(["check", str(path)]) == 0
+    told = capsys.readouterr().out
+    assert "combination ULS, truck at 2.00 m (ultimate): 1.35 G + 1.5 truck at 2.00 m" in told
+    assert "remark: moves[1]: up to 1 of 2 forces are off the plate at 2 of 4 positions" in told
