@@ -24,7 +24,12 @@ def list_combinations(model: Model) -> tuple[Combination, ...]:
     With cases and neither of them it is each case by itself; without cases one nameless combination of all loads. Both
     are without partial factors: characteristic (EN 1990 6.5.3), never ultimate.
     """
-    return expand(_list_unmoved(model), model.moves)
+    return expand(_list_unmoved(model), model.moves, _fixed_cases(model))
+
+
+def _fixed_cases(model: Model) -> frozenset[str]:
+    """Return the cases in which something stands that does not move."""
+    return frozenset(load.case for load in model.loads) | {move.case for move in model.moves if not move.travels}
 
 
 def _list_unmoved(model: Model) -> tuple[Combination, ...]:
@@ -44,8 +49,8 @@ def _list_unmoved(model: Model) -> tuple[Combination, ...]:
 def place_patterns(model: Model) -> Model:
     """Return a model whose patterns are point loads, and whose moving cases are cases at each of their positions.
 
-    It is what is solved: the model itself if it has no moves. What stands in a case that moves stands in each of its
-    positions. On a path, forces beside the plate do not act.
+    It is what is solved: the model itself if it has no moves. What else stands in a case that moves keeps the case,
+    which then takes part beside each position. On a path, forces beside the plate do not act.
 
     Parameters
     ----------
@@ -70,17 +75,15 @@ def place_patterns(model: Model) -> Model:
 def _place(model: Model) -> Model:
     """Return the model with its patterns placed."""
     loads, moving = _place_forces(model)
-    cases: list[LoadCase] = []
+    cases, fixed = list[LoadCase](), _fixed_cases(model)
     for case in model.cases:
-        positions = moving.get(case.name)
-        if positions is None:
-            cases.append(case)
-            continue
-        fixed = [load for load in loads if load.case == case.name]
-        loads = [load for load in loads if load.case != case.name]
-        for name, own in positions.items():
-            cases.append(case.model_copy(update={"name": name}))
-            loads += [*(load.model_copy(update={"case": name}) for load in fixed), *own]
+        positions = moving.get(case.name, {})
+        stays = not positions or case.name in fixed
+        cases += [case] if stays else []
+        # horizontal forces stand in one of the cases only
+        once = {"H_x": 0.0, "H_y": 0.0} if stays else {}
+        cases += [case.model_copy(update={"name": name, **once}) for name in positions]
+        loads += [load for own in positions.values() for load in own]
     changes: dict[str, Any] = {"patterns": (), "moves": (), "cases": tuple(cases), "loads": tuple(loads)}
     if moving:
         changes |= {"combinations": list_combinations(model), "combine": None}

@@ -229,22 +229,29 @@ def absent_forces(plate: Plate, patterns: tuple[AnyPattern, ...], moves: tuple[M
             yield f"moves[{number}]: up to {max(beside)} of {len(pattern.forces())} forces are off the plate {where}"
 
 
-def expand(combinations: tuple[Combination, ...], moves: tuple[Move, ...]) -> tuple[Combination, ...]:
-    """Return the combinations at all positions of the cases in them that move."""
+def expand(
+    combinations: tuple[Combination, ...], moves: tuple[Move, ...], fixed: frozenset[str]
+) -> tuple[Combination, ...]:
+    """Return the combinations at all positions of the cases in them that move; in fixed cases something stands, too."""
     names = position_names(moves)
     found = combinations
     for case, positions in names.items():
-        found = tuple(each for combination in found for each in _at_positions(combination, case, positions))
+        found = tuple(each for combination in found for each in _at_positions(combination, case, positions, fixed))
     return found
 
 
-def _at_positions(combination: Combination, case: str, positions: tuple[str, ...]) -> Iterator[Combination]:
+def _at_positions(
+    combination: Combination, case: str, positions: tuple[str, ...], fixed: frozenset[str]
+) -> Iterator[Combination]:
     """Yield a combination at all positions of a case, itself if the case takes no part."""
     if not any(name == case and factor for name, factor in combination.factors):
         yield combination
         return
     for position in positions:
-        factors = tuple((position if name == case else name, factor) for name, factor in combination.factors)
+        here = (case, position) if case in fixed else (position,)
+        factors = tuple(
+            (name, factor) for own, factor in combination.factors for name in (here if own == case else (own,))
+        )
         name = position if combination.name == case else f"{combination.name}, {position}"
         yield combination.model_copy(update={"name": name, "factors": factors})
 

@@ -96,14 +96,20 @@ def test_each_case_by_itself_is_called_by_its_position() -> None:
 
 
 def test_what_stands_in_a_case_that_moves_is_there_at_every_position() -> None:
-    """A rack at a fixed place and a load of the case beside the vehicle."""
+    """A rack at a fixed place and a load of the case beside the vehicle keep the case; its horizontal force, too."""
     load = {"kind": "point", "P": "1 kN", "case": "live", "x": "0 m", "y": "2 m"}
-    model = read(loads=[*described()["loads"], load], moves=[PATH, PLACE])
+    cases = [{"name": "G"}, {"name": "live", "H_x": "3 kN"}]
+    model = read(loads=[*described()["loads"], load], moves=[PATH, PLACE], cases=cases)
     placed = place_patterns(model)
-    assert [case.name for case in placed.cases] == ["G", *(f"live at {way:.2f} m" for way in range(5))]
+    positions = [f"live at {way:.2f} m" for way in range(5)]
+    assert [case.name for case in placed.cases] == ["G", "live", *positions]
+    assert [case.H_x for case in placed.cases] == [0, 3e3, *[0] * 5]
     for case in placed.cases[1:]:
         forces = [each.P for each in placed.loads if isinstance(each, PointLoad) and each.case == case.name]
-        assert sorted(forces) == [1e3, 5e3, 20e3, *[60e3] * 6]
+        assert sorted(forces) == ([1e3, *[60e3] * 6] if case.name == "live" else [5e3, 20e3])
+    assert dict(list_combinations(model)[2].factors) == {"live": 1.0, positions[1]: 1.0}
+    alone = place_patterns(read(cases=cases))
+    assert [case.H_x for case in alone.cases] == [0, *[3e3] * 5]
 
 
 def test_a_case_moves_along_one_of_its_paths_at_a_time() -> None:
