@@ -17,6 +17,7 @@ from .errors import NotCertified as NotCertified
 from .errors import NotConverged as NotConverged
 from .errors import SingularMatrix as SingularMatrix
 from .model.columns import Column as Column
+from .model.combinations import place_patterns as place_patterns
 from .model.ground import InterfaceLayer as InterfaceLayer
 from .model.ground import Layered as Layered
 from .model.ground import Pasternak as Pasternak
@@ -24,8 +25,10 @@ from .model.ground import Selvadurai as Selvadurai
 from .model.ground import SoilLayer as SoilLayer
 from .model.ground import Vlasov as Vlasov
 from .model.ground import Winkler as Winkler
+from .model.limits import ACI360Floor as ACI360Floor
 from .model.limits import Limits as Limits
 from .model.limits import SoilStrength as SoilStrength
+from .model.limits import TR34Floor as TR34Floor
 from .model.loads.load_cases import Combination as Combination
 from .model.loads.load_cases import Combine as Combine
 from .model.loads.load_cases import LoadCase as LoadCase
@@ -35,8 +38,13 @@ from .model.loads.load_types import PatchLoad as PatchLoad
 from .model.loads.load_types import PointLoad as PointLoad
 from .model.loads.load_types import SelfWeight as SelfWeight
 from .model.loads.load_types import SettlementLoad as SettlementLoad
+from .model.loads.load_types import ShrinkageLoad as ShrinkageLoad
 from .model.loads.load_types import TemperatureLoad as TemperatureLoad
 from .model.loads.load_types import UniformLoad as UniformLoad
+from .model.loads.patterns import Move as Move
+from .model.loads.patterns import Rack as Rack
+from .model.loads.patterns import Vehicle as Vehicle
+from .model.loads.patterns import Wheel as Wheel
 from .model.model import Model as Model
 from .model.outputs import Output as Output
 from .model.outputs import OutputLine as OutputLine

@@ -16,6 +16,7 @@ from groundslab.model.loads.load_types import (
     PointLoad,
     SelfWeight,
     SettlementLoad,
+    ShrinkageLoad,
     TemperatureLoad,
     UniformLoad,
 )
@@ -291,7 +292,7 @@ def columns(draw: st.DrawFn, plate: Plate, names: list[str]) -> list[Column]:
 @st.composite
 def any_load(draw: st.DrawFn, plate: Plate, case: str, columns: list[Column], supports: list[Any]) -> Any:
     """Return a load of any kind, of either sign."""
-    kinds = ["uniform", "patch", "area", "line", "point", "footprint", "self weight", "temperature"]
+    kinds = ["uniform", "patch", "area", "line", "point", "footprint", "self weight", "temperature", "shrinkage"]
     kinds += ["column"] * bool(columns) + ["settlement"] * bool(supports)
     kind = draw(st.sampled_from(kinds))
     size = min(plate.sides)
@@ -330,6 +331,8 @@ def any_load(draw: st.DrawFn, plate: Plate, case: str, columns: list[Column], su
         return PointLoad(P=q, x=inside_x, y=inside_y, **foot, **moments, **keys)
     if kind == "temperature":
         return TemperatureLoad(difference=60 * draw(SHARES), **keys)
+    if kind == "shrinkage":
+        return ShrinkageLoad(top=draw(SHARES) / 1000, bottom=draw(SHARES) / 1000, **keys)
     if kind == "settlement":
         return SettlementLoad(support=draw(st.sampled_from(supports)).name, w=draw(SHARES) / 100, **keys)
     return SelfWeight(unit_weight=25e3, **keys)

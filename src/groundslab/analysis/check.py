@@ -6,6 +6,7 @@ import math
 
 from groundslab.discretize.discretize import discretize
 from groundslab.fem.foundation import Column
+from groundslab.model.combinations import place_patterns
 from groundslab.model.consistency import estimate_elements
 from groundslab.model.model import Model
 from groundslab.solvers import factorization
@@ -39,6 +40,7 @@ def check(model: Model) -> None:
     """
     if model.analysis.solver != "auto":
         factorization.choose(model.analysis.solver)
+    model = place_patterns(model)
     ratio = estimate_elements(model.plate, model.mesh) / MAX_CHECKED_ELEMENTS
     if len(model.loads) > MAX_COMPARED_LOADS:
         model = model.model_copy(update={"mesh": model.mesh.replace(symmetry="off")})

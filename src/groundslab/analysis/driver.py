@@ -18,7 +18,7 @@ from groundslab.arrays import Array
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes, coarsest
 from groundslab.errors import GroundslabError, IllConditioned, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
-from groundslab.model.combinations import list_combinations
+from groundslab.model.combinations import list_combinations, place_patterns
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.certificate import certificate, worst
@@ -96,12 +96,12 @@ def solve_combinations(
     model: Model, on_step: OnStep | None = None, on_combination: OnCombination | None = None
 ) -> Results:
     """Solve every combination of a model as `solve` does, but keep a single one that is refused in `refused` too."""
-    combinations = list_combinations(model)
+    combinations, placed = list_combinations(model), place_patterns(model)
 
     def solve_on(meshes: Meshes) -> Results:
-        return _combine(model, combinations, _outcomes(model, combinations, on_step, meshes), on_combination)
+        return _combine(model, combinations, _outcomes(placed, combinations, on_step, meshes), on_combination)
 
-    return solve_adaptively(model, solve_on)
+    return solve_adaptively(placed, solve_on)
 
 
 class Variants:
@@ -113,14 +113,14 @@ class Variants:
 
     def __init__(self, base: Model) -> None:
         """Solve the base case, whose combinations may fail; raises InputError as `solve` does."""
-        combinations = list_combinations(base)
+        combinations, placed = list_combinations(base), place_patterns(base)
 
         def solve_on(meshes: Meshes) -> Results:
             self._reference = ReferenceSolutions(meshes)
-            return _combine(base, combinations, _outcomes(base, combinations, None, meshes, self._reference))
+            return _combine(base, combinations, _outcomes(placed, combinations, None, meshes, self._reference))
 
         #: The results of the base case, whose mesh all variants have.
-        self.base = solve_adaptively(base, solve_on, BASE_SHARE)
+        self.base = solve_adaptively(placed, solve_on, BASE_SHARE)
         self._reference.close()
 
     def solve_combinations(
@@ -134,10 +134,12 @@ class Variants:
         """
         if factors:
             model = model.replace(mesh=model.mesh.replace(symmetry="off"))
-        combinations = list_combinations(model)
+        combinations, placed = list_combinations(model), place_patterns(model)
         reference = self._reference
         return _combine(
-            model, combinations, _outcomes(model, combinations, on_step, reference.meshes, reference, factors)
+            model,
+            combinations,
+            _outcomes(placed, combinations, on_step, reference.meshes, reference, factors),
         )
 
 

@@ -46,6 +46,7 @@ def check_case(options: argparse.Namespace) -> int:
     model = casefile.from_table(tables)
     from groundslab.analysis.check import check
     from groundslab.model.loads.clipping import find_clipped_loads
+    from groundslab.model.loads.patterns import absent_forces
 
     check(model)
     plate = model.plate
@@ -55,6 +56,7 @@ def check_case(options: argparse.Namespace) -> int:
     ]
     lines += _columns_and_supports(model) + _cases_and_combinations(model)
     lines += [f"  remark: {each.words()}" for each in find_clipped_loads(model.plate, model.loads)]
+    lines += [f"  remark: {each}" for each in absent_forces(model.plate, model.patterns, model.moves)]
     print_stdout("\n".join(lines))
     return EXIT_OK
 
@@ -85,7 +87,7 @@ def _cases_and_combinations(model: Model) -> list[str]:
 
     lines = []
     for case in model.cases:
-        count = sum(load.case == case.name for load in model.loads)
+        count = sum(load.case == case.name for load in (*model.loads, *model.moves))
         lines.append(f"  case {case.name}: {case.action}, {count} load{'' if count == 1 else 's'}")
     return lines + [
         f"  combination {each.name} ({each.limit_state}): {factors_text(each)}" for each in list_combinations(model)

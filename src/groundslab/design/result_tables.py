@@ -58,7 +58,7 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
     first = errors.with_errors_of_figures(errors.with_errors(combinations, combined), each)
     tables = [first, each, errors.with_errors_of_envelope(envelopes(combined), each)]
     tables.append(errors.with_errors(tilts, combined))
-    if model.reinforcement is not None or model.limits is not None:
+    if model.reinforcement is not None or model.limits is not None or model.floor is not None:
         tables.append(checks_table(combined))
     wanted = (
         (model.output.points, points),

@@ -45,9 +45,8 @@ def load_rings(load: loads.AnyLoad, model: Model) -> tuple[Ring, ...]:
         assert own.y is not None
         ring = footprint(own.x, own.y, own.width_x, own.width_y, own.diameter)
         return () if ring is None else (ring,)
-    if not isinstance(
-        load, loads.LineLoad | loads.UniformLoad | loads.SelfWeight | loads.TemperatureLoad | loads.SettlementLoad
-    ):
+    everywhere = loads.UniformLoad | loads.SelfWeight | loads.TemperatureLoad | loads.ShrinkageLoad
+    if not isinstance(load, loads.LineLoad | everywhere | loads.SettlementLoad):
         assert_never(load)
     return ()
 

@@ -46,6 +46,9 @@ def _loading(
         if isinstance(load, loads.TemperatureLoad):
             # u = -z beta_x, and the bottom, z = t/2, is warmer by the difference
             warp -= model.plate.thermal_expansion * load.difference / thickness
+        elif isinstance(load, loads.ShrinkageLoad):
+            # as if the top were colder by the difference over the thermal expansion
+            warp -= (load.top - load.bottom) / thickness
         elif isinstance(load, loads.SettlementLoad):
             settlement[[support.name for support in model.supports].index(load.support)] += load.w
         elif isinstance(load, loads.PointLoad):

@@ -47,7 +47,7 @@ def _is_everywhere(load: loads.AnyLoad) -> bool:
     """Return whether a load is the same at every place of the plate."""
     if isinstance(load, loads.UniformLoad):
         return (load.slope, load.bend) == (loads.NO_SLOPE, loads.NO_BEND)
-    return isinstance(load, loads.SelfWeight | loads.TemperatureLoad)
+    return isinstance(load, loads.SelfWeight | loads.TemperatureLoad | loads.ShrinkageLoad)
 
 
 def _locate(load: loads.AnyLoad, model: Model) -> tuple[tuple[object, ...], tuple[Interval, ...]] | None:

@@ -10,6 +10,7 @@ from groundslab.model.columns import Column
 from groundslab.model.ground import AnyGround, InterfaceLayer, Layered, Pasternak, SoilLayer, Winkler
 from groundslab.model.loads.load_cases import Combination, LoadCase, check_case_names, check_factors
 from groundslab.model.loads.load_types import AnyLoad, SettlementLoad
+from groundslab.model.loads.patterns import Move
 from groundslab.model.loads.placement import on_plate
 from groundslab.model.plate import Plate, PlateRegion
 from groundslab.model.settings import Beyond, Contact, Mesh
@@ -158,13 +159,13 @@ def check_settlement_loads(loads: tuple[AnyLoad, ...], supports: tuple[AnySuppor
 
 
 #: Fields of loads that are not all zero if anything acts.
-_ACTING = ("q", "q_end", "P", "M_x", "M_y", "unit_weight", "difference", "w", "slope", "bend")
+_ACTING = ("q", "q_end", "P", "M_x", "M_y", "unit_weight", "difference", "top", "bottom", "w", "slope", "bend")
 
 
-def check_some_load_acts(loads: tuple[AnyLoad, ...]) -> Iterator[RelativeIssue]:
-    """Find loads that are all zero."""
+def check_some_load_acts(loads: tuple[AnyLoad, ...], moves: tuple[Move, ...]) -> Iterator[RelativeIssue]:
+    """Find loads that are all zero, where no pattern stands anywhere."""
     given = (getattr(load, name, None) for load in loads for name in _ACTING)
-    if not any(any(value) if isinstance(value, tuple) else value for value in given):
+    if not moves and not any(any(value) if isinstance(value, tuple) else value for value in given):
         yield RelativeIssue(
             ("loads",), "loads that are all zero", "at least one load that is not", "nothing would settle"
         )

@@ -14,11 +14,12 @@ from pydantic import Field
 from groundslab.model import consistency, varying_ground
 from groundslab.model.columns import Column
 from groundslab.model.ground import Ground
-from groundslab.model.limits import Limits, SoilStrength
+from groundslab.model.limits import Floor, Limits, SoilStrength, check_floor
 from groundslab.model.loads.clipping import check_distributed_loads
 from groundslab.model.loads.en1990 import check_combine
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations
 from groundslab.model.loads.load_types import Load
+from groundslab.model.loads.patterns import Move, Pattern, check_patterns, check_positions
 from groundslab.model.loads.placement import check_load_columns, check_point_loads
 from groundslab.model.outputs import (
     Output,
@@ -54,6 +55,8 @@ class Model(Section):
         check_combine,
         consistency.check_columns,
         check_load_columns,
+        check_patterns,
+        check_positions,
         consistency.check_supports,
         consistency.check_settlement_loads,
         varying_ground.check_soil_zone_types,
@@ -64,6 +67,7 @@ class Model(Section):
         check_bar_distances,
         check_bar_zones,
         check_design_combinations,
+        check_floor,
     )
 
     title: Annotated[str, Text("title of the problem")] = ""
@@ -85,6 +89,12 @@ class Model(Section):
         tuple[LoadCase, ...], Table("load cases; without any, all loads act together, without factors")
     ] = ()
     loads: Annotated[tuple[Load, ...], Field(min_length=1), Table("the loads, at least one", 200_000)]
+    patterns: Annotated[
+        tuple[Pattern, ...], Table("vehicles and racks, which moves stand at places or move along paths")
+    ] = ()
+    moves: Annotated[
+        tuple[Move, ...], Table("where patterns stand, and paths along which cases are solved at each position")
+    ] = ()
     combinations: Annotated[
         tuple[Combination, ...], Table("what to solve; without any, each case by itself, or what combine makes")
     ] = ()
@@ -98,6 +108,7 @@ class Model(Section):
     soil_strength: Annotated[
         SoilStrength | None, Table("strength of the soil, for bearing resistance and sliding by EN 1997-1")
     ] = None
+    floor: Annotated[Floor | None, Table("checks of an industrial floor, beside the elastic results")] = None
     mesh: Annotated[Mesh, Table("the mesh; made for an accuracy by default")] = Mesh()
     analysis: Annotated[Analysis, Table("how the equations are solved")] = Analysis()
 

@@ -19,6 +19,8 @@ from groundslab.design.design_moments import wood_armer
 from groundslab.design.en1992 import bending, cracking, punching, shear
 from groundslab.design.en1992.annex import annex_of
 from groundslab.design.en1992.materials import Concrete, Steel
+from groundslab.design.floors import resistance, strips, yield_lines
+from groundslab.design.floors.yield_lines import Location
 from groundslab.model.loads.en1990 import make_combinations
 from groundslab.model.loads.load_cases import Combine, LimitState, LoadCase
 
@@ -106,6 +108,16 @@ def _punching_used(v_Ed: float, f_ck: float, d: float, rho: float) -> float:
     return 100 * v_Ed / punching.resistance_without_links(Concrete(f_ck), d, rho)
 
 
+def _meyerhof(P: float, area: float, l: float, location: Location, factor: float = 1.0) -> float:  # noqa: E741
+    """Return M_p + M_n that a force needs on an area, times a factor of safety; its unit is that of the force."""
+    return factor * P / yield_lines.meyerhof(1.0, math.sqrt(area / math.pi), l, location)
+
+
+def _beside_aisle(stress: float, E: float, h: float, k: float) -> float:
+    """Return the pressure beside the worst aisle that makes a stress."""
+    return strips.aisle_load(stress * h**2 / 6, strips.characteristic(E, h, k))
+
+
 def _design_moment(name: str) -> Callable[..., float]:
     """Return what finds a design moment of Wood and Armer."""
 
@@ -177,6 +189,13 @@ VALUES: dict[str, tuple[str | None, Callable[..., float]]] = {
     "links by ACI 318": (None, lambda v_u, d, f_c, f_y: aci_shear.links(v_u, d, AciConcrete(f_c), AciSteel(f_y))),
     "v_Ed / v_Rd,max": (None, lambda v_Ed, f_ck: 100 * v_Ed / (punching.max_resistance(Concrete(f_ck)) or 0.0)),
     "k of Table 6.1": (None, punching.transfer_share),
+    "l": ("length", yield_lines.relative_stiffness_radius),
+    "lambda": (None, strips.characteristic),
+    "M_un": ("force", lambda f_ck, h: resistance.plain_moment(Concrete(f_ck), h)),
+    "M_p of a mesh": ("force", lambda area, d, f_yk: resistance.mesh_moment(area, d, Steel(f_yk))),
+    "M_p + M_n by Meyerhof": (None, _meyerhof),
+    "pressure beside an aisle": ("pressure", _beside_aisle),
+    "repetitions": (None, resistance.allowed_repetitions),
     "f_ywd,ef": ("pressure", lambda d: punching.effective_strength(d, math.inf)),
 }
 for _name in ("bottom_x", "bottom_y", "top_x", "top_y"):

@@ -118,7 +118,8 @@ def switched_on(*names: str) -> str:
     lines, blocks = starter().splitlines(), blocks_of_the_starter()
     chosen = [number for name in names for number in blocks.pop(name)]
     if "[[cases]]" in names:
-        chosen += [number for number, line in enumerate(lines) if line.startswith("# case = ")]
+        within = {number for block in blocks_of_the_starter().values() for number in block}
+        chosen += [n for n, line in enumerate(lines) if line.startswith("# case = ") and n not in within]
     for number in chosen:
         lines[number] = lines[number][2:]
     return "\n".join(lines)
@@ -130,6 +131,9 @@ TOGETHER: list[tuple[str, ...]] = [
     (COLUMN, POINT),
     (SUPPORT, '[[loads]] kind = "settlement"'),
     ('[[loads]] kind = "temperature"',),
+    ('[[loads]] kind = "shrinkage"',),
+    ("[[cases]]", "[[patterns]] [[moves]]"),
+    ("[[cases]]", "[combine]", "[floor]"),
     ("[[cases]]",),
     ("[[cases]]", "[[combinations]]"),
     ("[[cases]]", "[combine]"),

@@ -65,7 +65,7 @@ def sum_of_others(results: CombinationResult, part: Polygon, column: str) -> dic
         elif isinstance(load, load_types.PointLoad):
             if load.column != column and _may_meet(load, model, part):
                 force[load.case] += _on_footprint(load.on(model.columns), part, chord)
-        elif not isinstance(load, load_types.TemperatureLoad | load_types.SettlementLoad):
+        elif not isinstance(load, load_types.TemperatureLoad | load_types.ShrinkageLoad | load_types.SettlementLoad):
             assert_never(load)
     return force
 

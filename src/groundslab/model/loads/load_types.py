@@ -15,14 +15,17 @@ from groundslab.model.columns import Column, check_footprint, footprint
 from groundslab.model.ground import POSITIVE
 from groundslab.model.shapes import BULGE, AcrossX, AcrossY, AnyShape, Place, Shape
 from groundslab.schema.base import ByKind, Check, Section, Table
-from groundslab.schema.fields import ListOf, Quantity, Text, list_quantities
+from groundslab.schema.fields import ListOf, Number, Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.ranges import Range
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
 
 NO_LENGTH = 1e-9  # m: lines shorter than this go nowhere
+
+STRAIN = Range(at_least=-0.01, at_most=0.01)
 
 NO_SLOPE, NO_BEND, ORIGIN = (0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0)
 
@@ -288,6 +291,14 @@ class TemperatureLoad(_Load):
     ]
 
 
+class ShrinkageLoad(_Load):
+    """Shrinkage that differs between the faces of the plate; of a uniform one friction makes tension, no bending."""
+
+    kind: Annotated[Literal["shrinkage"], Table("shrinkage that differs over the thickness")] = "shrinkage"
+    top: Annotated[float, Number("eps_top", "strain by which the top face shortens, such as 5e-4", STRAIN)]
+    bottom: Annotated[float, Number("eps_bottom", "strain by which the bottom face shortens", STRAIN)] = 0.0
+
+
 class SettlementLoad(_Load):
     """A settlement that is forced on a support."""
 
@@ -312,7 +323,17 @@ def pressure_function(load: UniformLoad | PatchLoad | AreaLoad) -> Callable[[Arr
     return pressure
 
 
-AnyLoad = UniformLoad | PatchLoad | AreaLoad | LineLoad | PointLoad | SelfWeight | TemperatureLoad | SettlementLoad
+AnyLoad = (
+    UniformLoad
+    | PatchLoad
+    | AreaLoad
+    | LineLoad
+    | PointLoad
+    | SelfWeight
+    | TemperatureLoad
+    | ShrinkageLoad
+    | SettlementLoad
+)
 #: Loads that may reach over the plate's edge, where they are cut off; others with a place must lie on the plate.
 Spread = PatchLoad | AreaLoad | LineLoad
 Load = Annotated[AnyLoad, ByKind()]

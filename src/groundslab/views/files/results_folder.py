@@ -25,6 +25,8 @@ from groundslab.views.files import manifest, npz
 if TYPE_CHECKING:
     from pydantic import TypeAdapter
 
+    from groundslab.model.model import Model
+
 
 def save_results(results: CombinationResult | Results, folder: str | Path, *, plot: bool = False) -> Path:
     """Write results into a folder, in place of earlier results there.
@@ -212,8 +214,14 @@ def _summary(folder: Path) -> _Summary | None:
 
 def _one(path: Path) -> Results:
     """Return the only combination of a folder; raises InputError."""
+    from groundslab.case import casefile
+
     archived = path / "results.npz"
     found = npz.load(archived)
+    with suppress(InputError):
+        model = casefile.load(path / "case.toml")
+        if model.moves and _placed(model) == found.model:
+            return replace(results_of(found), model=model)  # as it was described, with its patterns
     try:
         return results_of(found)
     except InputError as error:
@@ -229,6 +237,7 @@ def _several(path: Path, listed: Sequence[_Combination]) -> Results:
     model = casefile.load(path / "case.toml")
     rules = {each.name: each.rule for each in list_combinations(model)}
     combinations, results, refused = [], {}, dict[str, GroundslabError]()
+    placed = _placed(model)
     for number, each in enumerate(listed, 1):
         about = {"limit_state": each.limit_state, "factors": each.factors, "rule": rules.get(each.name, "")}
         combinations.append(Combination(name=each.name, **about))
@@ -237,15 +246,22 @@ def _several(path: Path, listed: Sequence[_Combination]) -> Results:
                 raise ValueError(f'folder "{each.folder}" of combination "{each.name}"')
             archived = path / each.folder / "results.npz"
             found = npz.load(archived)
-            if found.model != model or found.combination != each.name:
+            if found.model != placed or found.combination != each.name:
                 raise _not_ours(archived, "results of another case or combination")
-            results[each.name] = replace(found, model=model)
+            results[each.name] = replace(found, model=placed)
         if each.refused is not None:
             refused[each.name] = _refused(each.refused, results.pop(each.name, None))
     names = {each.name for each in listed}
     if not names or len(names) < len(listed) or results.keys() | refused.keys() != names:
         raise ValueError("combinations that have neither results nor a reason, or the same name")
     return Results(model, tuple(combinations), results, refused)
+
+
+def _placed(model: Model) -> Model:
+    """Return the model that was solved, with its patterns placed."""
+    from groundslab.model.combinations import place_patterns
+
+    return place_patterns(model)
 
 
 def _refused(why: _Refused, results: CombinationResult | None) -> GroundslabError:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from groundslab.accuracy.mesh_statistics import mesh_statistics
+from groundslab.model.combinations import place_patterns
 from groundslab.results.fields import BAR_FIELDS
 from groundslab.views.plots import symbols
 from groundslab.views.plots.annotations import draw_labels, draw_title, panel_title, title_height
@@ -92,7 +93,7 @@ def draw_sheet(request: PlotRequest) -> Figure:
         fitting = int(WIDE / (LEFT + RIGHT + min(WIDE / 2 - LEFT - RIGHT, UPRIGHT / ratio)))
         columns = min(len(panels), fitting)
         width = WIDE * columns / fitting
-    return draw_panels(request.combined.model, panels, shared_scales(panels), columns, width)
+    return draw_panels(place_patterns(request.combined.model), panels, shared_scales(panels), columns, width)
 
 
 def draw_pages(request: PlotRequest) -> list[Figure]:
@@ -100,7 +101,7 @@ def draw_pages(request: PlotRequest) -> list[Figure]:
     if request.kind == "mesh":
         return [draw_mesh(request.combinations[0].results)]
     panels = build_panels(request)
-    model, scales = request.combined.model, shared_scales(panels)
+    model, scales = place_patterns(request.combined.model), shared_scales(panels)
     columns, rows = panels_per_page(_ratio(model))
     groups: dict[str, list[Panel]] = {}
     for panel in panels:

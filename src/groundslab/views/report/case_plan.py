@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
+from groundslab.model.combinations import place_patterns
 from groundslab.model.loads.load_types import AnyLoad
 from groundslab.views.plots import style, symbols
 from groundslab.views.plots.annotations import LabelPlacement, Point
@@ -52,7 +53,7 @@ def draw_case_plan(model: Model) -> Figure:
     legend = _draw_ground(axes, plan, labels) | symbols.draw_plate(axes, model, fill=style.PANEL)
     legend |= symbols.draw_voids(axes, model) | symbols.draw_supports(axes, model)
     legend |= symbols.draw_columns(axes, model, lambda _: True)
-    legend |= symbols.draw_loads(axes, model, lambda load: load.kind != "uniform")
+    legend |= symbols.draw_loads(axes, place_patterns(model), lambda load: load.kind != "uniform")
     legend |= _draw_outputs(axes, plan, labels)
     _label_parts(plan, labels)
     _label_loads(axes, plan, labels)
@@ -67,6 +68,8 @@ def describe_omissions(model: Model) -> tuple[str, ...]:
     labels = "L and a number: the load of that number in the case; loads on columns have no label."
     notes = ["Dimensions in meters.", labels]
     everywhere = [f"L{n} ({load['kind']})" for n, load in enumerate(plan["loads"], 1) if load["kind"] not in PLACED]
+    if model.moves:
+        notes.append("Forces of patterns have no label; those on a path are drawn at all of its positions.")
     if everywhere:
         notes.append(f"Not drawn, as they act on the entire plate or on a support: {', '.join(everywhere)}.")
     near = {tuple(place) for place in nearby(plan).tolist()}

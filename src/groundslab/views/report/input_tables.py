@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.clipping import find_clipped_loads
+from groundslab.model.loads.patterns import absent_forces
 from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.schema.base import Section, get_field_type, get_meaning, get_sections
 from groundslab.schema.fields import Boolean, Choice, Factors, FieldType, Integer, ListOf, Number, Quantity, Text
@@ -43,11 +44,14 @@ SECTIONS = {
     "supports": "Supports",
     "cases": "Load cases",
     "loads": "Loads",
+    "patterns": "Vehicles and racks",
+    "moves": "Places and paths",
     "combinations": "Combinations",
     "combine": "Automatic combinations",
     "reinforcement": "Reinforcement",
     "limits": "Limits",
     "soil_strength": "Strength of the soil",
+    "floor": "Industrial floor",
     "output": "Points, lines and strips",
     "mesh": "Mesh",
     "analysis": "Analysis",
@@ -81,6 +85,8 @@ def input_tables(model: Model) -> list[InputTable]:
             grids = list(_list(value or (), name, ""))
         if name == "loads" and (clipped := find_clipped_loads(model.plate, model.loads)):
             grids[-1] = replace(grids[-1], notes=(*grids[-1].notes, *(each.words() for each in clipped)))
+        if name == "moves" and (absent := tuple(absent_forces(model.plate, model.patterns, model.moves))):
+            grids[-1] = replace(grids[-1], notes=(*grids[-1].notes, *absent))
         if grids:
             found.append(InputTable(name, title, tuple(grids)))
     return found

@@ -74,6 +74,8 @@ def load_parts(load: AnyLoad) -> list[list[Any]]:
         return [["gamma_c", _kilo(load.unit_weight), "kN/m^3"]]
     if load.kind == "temperature":
         return [["dT", load.difference, "K"]]
+    if load.kind == "shrinkage":
+        return [["eps_top", load.top, ""], ["eps_bottom", load.bottom, ""]]
     if load.kind == "settlement":
         return [["w_s", _tidied(load.w * 1e3), "mm"]]
     return [["q", _kilo(load.q), "kPa"]]

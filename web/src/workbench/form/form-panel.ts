@@ -16,13 +16,16 @@ const GROUPS: readonly { title: string; keys: readonly string[] }[] = [
   { title: "", keys: ["title"] },
   { title: "Slab", keys: ["plate", "columns", "supports"] },
   { title: "Ground", keys: ["ground", "soil_zones", "boreholes", "beyond", "contact"] },
-  { title: "Loads", keys: ["cases", "loads", "combinations", "combine"] },
-  { title: "Results", keys: ["output", "reinforcement"] },
+  { title: "Loads", keys: ["cases", "loads", "patterns", "moves", "combinations", "combine"] },
+  { title: "Results", keys: ["output", "reinforcement", "floor"] },
   { title: "Analysis", keys: ["mesh", "analysis"] },
 ];
 const HEADINGS: Record<string, string> = {
   plate: "Slab",
   cases: "Load cases",
+  patterns: "Vehicles and racks",
+  moves: "Places and paths",
+  floor: "Industrial floor",
   combine: "Combinations by EN 1990",
   beyond: "Ground beyond the slab",
   output: "Points, lines and strips",

@@ -21,6 +21,7 @@ const DEFAULTS: Record<string, Table> = {
   PointLoad: { kind: "point", P: "100 kN" },
   SelfWeight: { kind: "self weight", unit_weight: "25 kN/m^3" },
   TemperatureLoad: { kind: "temperature", difference: "10 K" },
+  ShrinkageLoad: { kind: "shrinkage", top: 0.0003 },
   SettlementLoad: { kind: "settlement", w: "5 mm" },
   PointSupport: { kind: "point" },
   LineSupport: { kind: "line" },
@@ -29,6 +30,11 @@ const DEFAULTS: Record<string, Table> = {
   Combine: { sets: ["ultimate", "characteristic"] },
   BarZone: { layers: ["bottom_x", "bottom_y"], diameter: "12 mm", spacing: "150 mm" },
   Reinforcement: { concrete: "C30/37", steel: "B500B", bottom: ["40 mm", "50 mm"], top: ["40 mm", "50 mm"] },
+  Vehicle: { kind: "vehicle", wheels: [{ P: "45 kN", width_x: "200 mm", width_y: "200 mm" }] },
+  Wheel: { P: "45 kN", width_x: "200 mm", width_y: "200 mm" },
+  Rack: { kind: "rack", P: "60 kN", rows: ["0 m", "1.1 m"], width_x: "150 mm", width_y: "150 mm" },
+  TR34Floor: { kind: "TR34", concrete: "C30/37" },
+  ACI360Floor: { kind: "ACI 360", f_r: "4 MPa" },
   Void: { depth: "10 mm" },
 };
 

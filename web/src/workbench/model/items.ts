@@ -53,7 +53,13 @@ const SOURCES: readonly Source[] = [
 ];
 
 /** Kinds of loads that have no place of their own in plan. */
-export const UNPLACED: ReadonlySet<string> = new Set(["uniform", "self weight", "temperature", "settlement"]);
+export const UNPLACED: ReadonlySet<string> = new Set([
+  "uniform",
+  "self weight",
+  "temperature",
+  "shrinkage",
+  "settlement",
+]);
 
 /** Everything that can be drawn, from below upwards; what cannot be read here is taken from the server's plan. */
 export function itemsOf(data: Table, plan: Table | null): Item[] {

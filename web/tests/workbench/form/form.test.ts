@@ -11,6 +11,49 @@ import { schema } from "../schema";
 
 beforeEach(() => void vi.useFakeTimers());
 
+describe("a floor with vehicles and racks", () => {
+  const floor: Table = {
+    ...PLATE,
+    cases: [{ name: "truck" }],
+    patterns: [
+      { kind: "vehicle", name: "forklift", wheels: [{ P: "45 kN", y: "0.5 m" }, { P: "45 kN" }] },
+      { kind: "rack", name: "pallets", P: "60 kN", rows: ["0 m", "1.1 m"] },
+    ],
+    moves: [
+      {
+        pattern: "forklift",
+        case: "truck",
+        points: [
+          ["0 m", "0 m"],
+          ["2 m", "0 m"],
+        ],
+        step: "0.5 m",
+      },
+    ],
+    floor: { kind: "TR34", f_ck: "32 MPa" },
+  };
+
+  it("is shown, each pattern with the keys of its kind", () => {
+    const page = new Page(floor);
+    page.show(["patterns", 0]);
+    expect(page.input(["patterns", 0, "name"]).value).toBe("forklift");
+    page.show(["patterns", 1]);
+    expect(page.input(["patterns", 1, "P"]).value).toBe("60 kN");
+    page.show(["moves", 0]);
+    expect(page.input(["moves", 0, "step"]).value).toBe("0.5 m");
+    page.show(["floor"]);
+    expect(page.input(["floor", "f_ck"]).value).toBe("32 MPa");
+  });
+
+  it("is kept when something else is changed", () => {
+    const page = new Page(floor);
+    page.show(["moves", 0]);
+    page.type(["moves", 0, "step"], "1 m");
+    vi.advanceTimersByTime(1000);
+    expect(page.data).toEqual({ ...floor, moves: [{ ...(floor.moves as Table[])[0], step: "1 m" }] });
+  });
+});
+
 describe("a field", () => {
   it("sends what was typed to the letter, wrong or not, once the keys rest", () => {
     const page = new Page(PLATE);

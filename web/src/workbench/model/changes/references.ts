@@ -10,6 +10,8 @@ const REFERENCES: readonly { names: string; list: string; key: string }[] = [
   { names: "columns", list: "loads", key: "column" },
   { names: "supports", list: "loads", key: "support" },
   { names: "cases", list: "loads", key: "case" },
+  { names: "cases", list: "moves", key: "case" },
+  { names: "patterns", list: "moves", key: "pattern" },
 ];
 
 /** The names that a key may call, null if it calls none. */

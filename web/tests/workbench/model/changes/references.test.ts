@@ -32,6 +32,20 @@ describe("names that others call", () => {
     });
   });
 
+  it("are changed in paths of vehicles, too", () => {
+    const moved: Table = {
+      cases: [{ name: "truck" }],
+      patterns: [{ kind: "vehicle", name: "forklift", wheels: [{ P: "45 kN" }] }],
+      moves: [{ pattern: "forklift", case: "truck", points: [["0 m", "0 m"]] }],
+    };
+    expect(renameReferences(moved, ["patterns", 0, "name"], "reach truck")).toEqual([
+      { op: "set", path: ["moves", 0, "pattern"], value: "reach truck" },
+    ]);
+    expect(renameReferences(moved, ["cases", 0, "name"], "traffic")).toEqual([
+      { op: "set", path: ["moves", 0, "case"], value: "traffic" },
+    ]);
+  });
+
   it("are not joined with a name that is taken", () => {
     expect(
       renameReferences({ ...data, columns: [{ name: "A1" }, { name: "A" }] }, ["columns", 0, "name"], "A"),

@@ -1,0 +1,293 @@
+"""Industrial floors: yield lines by TR34, flexural stresses by ACI 360R-10 and PCA, the restraint of shrinkage.
+
+The formulas are those of `design/floors`; they know the ground as springs, k being the pressure on it over its
+settlement. Stresses by ACI 360R are those of the contact analysis. Of zones the thinnest counts in the formulas, at
+stresses each node's own thickness.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from groundslab.design import punching
+from groundslab.design.checks import floor_loads
+from groundslab.design.checks.check import DesignCheck
+from groundslab.design.checks.floor_loads import Borders, Force
+from groundslab.design.design_moments import principal_moments
+from groundslab.design.en1992 import punching as punching_resistance
+from groundslab.design.en1992.materials import CONCRETE_CLASSES, Concrete, Steel
+from groundslab.design.floors import resistance, strips, yield_lines
+from groundslab.design.floors.yield_lines import Location, YieldSlab
+from groundslab.design.tables import reinforcement
+from groundslab.design.tables.quantities import solved_results
+from groundslab.discretize.ground import grounds_of
+from groundslab.errors import InputError
+from groundslab.fem.foundation import Column
+from groundslab.model.limits import ACI360Floor, AnyFloor, TR34Floor
+from groundslab.model.loads.load_cases import SERVICEABILITY
+from groundslab.model.model import Model
+from groundslab.results.fields import extreme
+from groundslab.results.results import CombinationResult, Results
+
+#: Effective depth over thickness where there is no mesh, as TR34 has it.
+FIBER_DEPTH = 0.75
+#: Within so many radii of relative stiffness loads may fail together.
+REACH = 7.0
+NAMES = {1: "point load", 2: "dual point load", 4: "quadruple point load"}
+
+
+@dataclass(frozen=True, slots=True)
+class Slab:
+    """What the formulas know of a floor: E [Pa], h [m], nu, k [Pa/m]."""
+
+    E: float
+    h: float
+    nu: float
+    k: float
+
+    @property
+    def l(self) -> float:  # noqa: E743  the field's letter
+        """Return the radius of relative stiffness [m]."""
+        return yield_lines.relative_stiffness_radius(self.E, self.h, self.nu, self.k)
+
+    @property
+    def lam(self) -> float:
+        """Return lambda [1/m] of a strip."""
+        return strips.characteristic(self.E, self.h, self.k)
+
+
+@dataclass(frozen=True, slots=True)
+class Use:
+    """A demand and what resists it, in SI units, with its place [m] and combination."""
+
+    demand: float
+    resistance: float
+    place: tuple[float, float]
+    combination: str
+
+    @property
+    def share(self) -> float:
+        """Return demand over resistance."""
+        return self.demand / self.resistance
+
+
+def checks(combined: Results) -> Iterator[DesignCheck]:
+    """Yield the checks of the floor by the method of the case."""
+    floor = combined.model.floor
+    if floor is None:
+        return
+    by_tr34 = isinstance(floor, TR34Floor)
+    found = reinforcement.ultimate_results(combined) if by_tr34 else _serviceable(combined)
+    if not found:
+        state = "ultimate combination" if by_tr34 else "combination of serviceability"
+        yield DesignCheck("floor", "attention", f"not checked: no {state} has a certified result")
+        return
+    yield from _by_tr34(floor, found) if isinstance(floor, TR34Floor) else _by_aci(floor, found)
+
+
+def _serviceable(combined: Results) -> list[CombinationResult]:
+    """Return the results of the combinations of serviceability, which have no partial factors."""
+    return [each for each in solved_results(combined) if each.limit_state in SERVICEABILITY]
+
+
+def slab_of(model: Model) -> Slab:
+    """Return what the formulas know of a model: its thinnest part on its softest ground."""
+    plate = model.plate
+    h = min([plate.thickness, *(zone.thickness for zone in plate.zones if zone.thickness is not None)])
+    grounds = [each if isinstance(each, Column) else each.first_column() for each in grounds_of(model)]
+    return Slab(plate.E, h, plate.nu, min(1 / float(np.linalg.inv(column.A0)[0, 0]) for column in grounds))
+
+
+def _by_tr34(floor: TR34Floor, results: list[CombinationResult]) -> Iterator[DesignCheck]:
+    """Yield point loads, line loads, pressures and restraint by TR34 in the ultimate combinations."""
+    slab, concrete = slab_of(results[0].model), concrete_of(floor)
+    M_n = resistance.plain_moment(concrete, slab.h)
+    lines = YieldSlab(slab.l, sagging_moment(floor, concrete, slab.h), M_n)
+
+    def fails(loads: tuple[Force, ...], distances: float, location: Location) -> float:
+        a = min(load.a for load in loads)
+        alone = sum(yield_lines.single(lines, load.a, location) for load in loads)
+        return alone if len(loads) == 1 else min(alone, yield_lines.group(lines, a, distances, location))
+
+    standing = _standing(floor, slab, results)
+    yield from _point_loads(slab, standing, fails, dict.fromkeys(NAMES, "TR34, Meyerhof 1962"))
+    yield from _punching(floor, concrete, slab, standing)
+    yield from _line_loads(slab, M_n, results, "TR34, Hetenyi 1946")
+    yield from _pressures(slab, M_n, results, "TR34, Hetenyi 1946")
+    f_ctd = resistance.tensile_strength(concrete)
+    yield from _restraint(floor, f_ctd, "mu gamma L / 2 against f_ctd, EN 1992-1-1 3.1.6(2)P")
+
+
+def concrete_of(floor: TR34Floor) -> Concrete:
+    """Return the concrete of a floor by TR34."""
+    f_ck = floor.f_ck if floor.concrete is None else CONCRETE_CLASSES[floor.concrete] * 1e6
+    assert f_ck is not None
+    return Concrete(f_ck, floor.gamma_c)
+
+
+def sagging_moment(floor: TR34Floor, concrete: Concrete, h: float) -> float:
+    """Return M_p [N m/m]: of fibers or a mesh; plain concrete has none once it has cracked."""
+    if floor.f_R1 is not None and floor.f_R4 is not None:
+        return resistance.fiber_moment(floor.f_R1, floor.f_R4, h, concrete.gamma_c)
+    if floor.mesh_area is not None and floor.mesh_axis is not None:
+        return resistance.mesh_moment(floor.mesh_area, h - floor.mesh_axis, Steel(floor.f_yk, floor.gamma_s))
+    return 0.0
+
+
+def _punching(floor: TR34Floor, concrete: Concrete, slab: Slab, standing: Standing) -> Iterator[DesignCheck]:
+    """Yield punching by the largest force inside, at an edge and at a corner: at its footprint and 2 d from it."""
+    largest = dict[Location, tuple[Force, CombinationResult]]()
+    for each, loads in standing:
+        for load in loads:
+            known = largest.get(load.location)
+            if load.a and (known is None or load.share * load.P > known[0].share * known[0].P):
+                largest[load.location] = load, each
+    d = FIBER_DEPTH * slab.h if floor.mesh_axis is None else slab.h - floor.mesh_axis
+    rho = 0.0 if floor.mesh_area is None else floor.mesh_area / d
+    limits = (
+        punching_resistance.max_resistance(concrete),
+        punching_resistance.resistance_without_links(concrete, d, rho),
+    )
+    for location, (load, each) in sorted(largest.items()):
+        column, P = floor_loads.as_column(load), load.share * load.P
+        try:
+            at_face = P / (punching.face_length(each.plate, column, d) * d)
+            around = punching.demand(each.plate, column, d, P).v_Ed
+        except InputError as error:
+            yield DesignCheck("punching", "attention", f"{location}: not judged, {error}", of=location)
+            continue
+        for name, v_Ed, v_Rd in zip(("punching at the footprint", "punching"), (at_face, around), limits, strict=True):
+            use = Use(max(v_Ed, 0.0), v_Rd, load.place, each.combination)
+            yield _check(name, location, use, "MPa", 1e-6, "TR34, EN 1992-1-1 6.4")
+
+
+def _by_aci(floor: ACI360Floor, results: list[CombinationResult]) -> Iterator[DesignCheck]:
+    """Yield stresses, pressures and, of fiber concrete, yield lines by ACI 360R in combinations of serviceability."""
+    slab, allowed = slab_of(results[0].model), allowed_stress(floor)
+    drag = _drag(floor)
+    for face, sign in (("bottom", 1), ("top", -1)):
+        uses = [_stress(each, sign, drag, allowed) for each in results]
+        clause = "ACI 360R-10 7.2, 5.9, table 5.3"
+        yield _check("flexural stress", face, max(uses, key=lambda use: use.share), "MPa", 1e-6, clause)
+    yield from _pressures(slab, (allowed - drag) * slab.h**2 / 6, results, "PCA, ACI 360R-10 A1")
+    if floor.R_e3 is not None:
+        M_0 = floor.f_r * (1 + floor.R_e3) * slab.h**2 / 6
+
+        def fails(loads: tuple[Force, ...], distances: float, location: Location) -> float:  # noqa: ARG001
+            (load,) = loads
+            return yield_lines.meyerhof(M_0, load.a, slab.l, location) / floor.safety_factor
+
+        yield from _point_loads(
+            slab, _standing(floor, slab, results), fails, {1: "ACI 360R-10 11.3.3.3, Meyerhof 1962"}
+        )
+    yield from _restraint(floor, allowed, "mu gamma L / 2 against the allowed stress, ACI 360R-10 10.3.2")
+
+
+def allowed_stress(floor: ACI360Floor) -> float:
+    """Return the allowed flexural stress [Pa]: f_r / SF, or as repetitions allow; f_r R_e,3 of fiber concrete."""
+    ratio = max(1 / floor.safety_factor, floor.R_e3 or 0.0)
+    if floor.repetitions is not None:
+        ratio = min(ratio, resistance.allowed_ratio(floor.repetitions))
+    return floor.f_r * min(ratio, 1.0)
+
+
+def _stress(results: CombinationResult, sign: int, drag: float, allowed: float) -> Use:
+    """Return the largest tension at a face, 6 m / h^2 of principal moments and what friction adds, against a stress."""
+    plate = results.plate
+    h, _ = results.elements.at_nodes(plate)
+    principal = principal_moments(plate.moment_x, plate.moment_y, plate.moment_xy)
+    stress, place = extreme(plate.nodes, 6 * (principal.m_1 if sign > 0 else -principal.m_2) / h**2, 1)
+    return Use(max(stress, 0.0) + drag, allowed, place, results.combination)
+
+
+#: Results of combinations, with the forces in each.
+Standing = list[tuple[CombinationResult, list[Force]]]
+#: What a group of forces fails at [N]: the forces, the sum of their distances [m], where they are.
+Fails = Callable[[tuple[Force, ...], float, Location], float]
+
+
+def _standing(floor: AnyFloor, slab: Slab, results: list[CombinationResult]) -> Standing:
+    """Return the results of combinations with the forces in each."""
+    borders = Borders(results[0].model)
+    return [(each, floor_loads.forces(each, borders, slab.h, slab.l, floor.joint_transfer)) for each in results]
+
+
+def _point_loads(slab: Slab, standing: Standing, fails: Fails, clauses: dict[int, str]) -> Iterator[DesignCheck]:
+    """Yield the worst of single forces, of two and of four, each inside, at edges and at corners."""
+    worst = dict[tuple[int, Location], Use]()
+    for each, loads in standing:
+        some: Iterable[tuple[tuple[Force, ...], float]] = [((load,), 0.0) for load in loads]
+        if 2 in clauses:
+            some = [*some, *floor_loads.groups(loads, REACH * slab.l)]
+        for members, distances in some:
+            location = floor_loads.worst_location(members)
+            demand = sum(load.share * load.P for load in members)
+            use = Use(demand, fails(members, distances, location), _middle(members), each.combination)
+            key = len(members), location
+            if key not in worst or use.share > worst[key].share:
+                worst[key] = use
+    for (count, location), use in sorted(worst.items()):
+        yield _check(NAMES[count], location, use, "kN", 1e-3, clauses[count])
+
+
+def _middle(members: tuple[Force, ...]) -> tuple[float, float]:
+    """Return where the resultant of forces acts [m]."""
+    P = np.array([load.P for load in members])
+    x, y = P @ np.array([load.place for load in members]) / P.sum()
+    return float(x), float(y)
+
+
+def _line_loads(slab: Slab, M: float, results: list[CombinationResult], clause: str) -> Iterator[DesignCheck]:
+    """Yield the worst line load."""
+    borders, near = Borders(results[0].model), strips.NEAR_EDGE / slab.lam
+    uses = [
+        Use(q, strips.line_load(M, slab.lam, away < near), place, each.combination)
+        for each in results
+        for q, away, place in floor_loads.line_loads(each, borders)
+    ]
+    if uses:
+        yield _check("line load", "", max(uses, key=lambda use: use.share), "kN/m", 1e-3, clause)
+
+
+def _pressures(slab: Slab, M: float, results: list[CombinationResult], clause: str) -> Iterator[DesignCheck]:
+    """Yield the largest pressure against the one that may stand beside any aisle."""
+    allowed = strips.aisle_load(max(M, math.ulp(1.0)), slab.lam)
+    uses = [Use(q, allowed, place, each.combination) for each in results for q, place in floor_loads.pressures(each)]
+    if uses:
+        yield _check("pressure beside aisles", "", max(uses, key=lambda use: use.share), "kPa", 1e-3, clause)
+
+
+def _drag(floor: AnyFloor) -> float:
+    """Return the tension [Pa] that friction adds where shrinkage is restrained."""
+    if floor.friction is None or floor.joint_spacing is None:
+        return 0.0
+    return resistance.restraint_stress(floor.friction, floor.unit_weight, floor.joint_spacing)
+
+
+def _restraint(floor: AnyFloor, strength: float, clause: str) -> Iterator[DesignCheck]:
+    """Yield the tension by friction against a strength, if there is any."""
+    if drag := _drag(floor):
+        yield _check("restraint of shrinkage", "", Use(drag, strength, (0.0, 0.0), ""), "MPa", 1e-6, clause)
+
+
+def _check(name: str, of: str, use: Use, unit: str, scale: float, clause: str) -> DesignCheck:
+    """Return a check of a demand at its place."""
+    holds = use.demand <= use.resistance
+    values = f"{use.demand * scale:.4g} {'<=' if holds else '>'} {use.resistance * scale:.4g} {unit}"
+    where = f' at ({use.place[0]:.3f}, {use.place[1]:.3f}) m in "{use.combination}"' if use.combination else ""
+    return DesignCheck(
+        name,
+        "no failure found" if holds else "fails",
+        f"{of + ': ' if of else ''}{values}{where} ({clause})",
+        of=of,
+        demand=use.demand * scale,
+        resistance=use.resistance * scale,
+        unit=unit,
+        clause=clause,
+        combination=use.combination,
+        place=use.place if use.combination else None,
+    )

@@ -1,0 +1,355 @@
+"""Patterns of point loads: vehicles and racks, which stand at a place or move along a path.
+
+A case that moves is solved at every position, as one case for each: on ground without tension no position follows from
+others. What governs is the envelope over them, as over any combinations.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field
+
+from groundslab.errors import InputError
+from groundslab.model.columns import check_footprint
+from groundslab.model.ground import POSITIVE
+from groundslab.model.loads.en1990 import MOST_COMBINATIONS, make_combinations
+from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_case_names
+from groundslab.model.loads.load_types import NO_LENGTH, PointLoad
+from groundslab.model.loads.placement import on_plate
+from groundslab.model.plate import Plate, PlateRegion
+from groundslab.model.shapes import Place
+from groundslab.model.supports import check_names
+from groundslab.schema.base import ByKind, Check, Section, Table
+from groundslab.schema.fields import Integer, ListOf, Number, Quantity, Text
+from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.ranges import Range
+from groundslab.schema.wording import describe, one_of, suggestion
+
+#: Patterns have no more forces than this, at all of their places together.
+MOST_FORCES = 100_000
+#: Steps are not smaller [m], so that positions with two decimals are told apart.
+LEAST_STEP = 0.05
+#: A position nearer than this to the path's end [m] is not told from it.
+SAME_POSITION = 0.01
+#: A rectangle that is turned by a right angle but for so much [rad] is a rectangle along x and y again.
+SQUARE = 1e-9
+
+Width = float | None
+Offset = Quantity("length", "y", "")
+TURN = Range(at_least=-360, at_most=360)
+
+
+class Wheel(Section):
+    """A wheel of a vehicle, or any other force of a pattern."""
+
+    checks: ClassVar[tuple[Check, ...]] = (check_footprint,)
+
+    P: Annotated[float, Quantity("force", "P", "force, downwards positive")]
+    x: Annotated[float, Quantity("length", "x", "place ahead of the pattern's origin, in its direction")] = 0.0
+    y: Annotated[float, Quantity("length", "y", "place to the left of the origin")] = 0.0
+    width_x: Annotated[Width, Quantity("length", "c_x", "width along the direction", POSITIVE)] = None
+    width_y: Annotated[Width, Quantity("length", "c_y", "width across it", POSITIVE)] = None
+    diameter: Annotated[Width, Quantity("length", "d", "diameter, instead of both widths", POSITIVE)] = None
+
+
+class Vehicle(Section):
+    """A vehicle, or any other pattern of forces."""
+
+    kind: Annotated[Literal["vehicle"], Table("forces at places relative to an origin")] = "vehicle"
+    name: Annotated[str, Text("name of the pattern, by which moves call it")]
+    wheels: Annotated[tuple[Wheel, ...], Field(min_length=1), Table("its wheels", 100)]
+
+    def forces(self) -> tuple[Wheel, ...]:
+        """Return its forces."""
+        return self.wheels
+
+
+class Rack(Section):
+    """A rack: frames one behind the other, each with the same legs."""
+
+    checks: ClassVar[tuple[Check, ...]] = (check_footprint,)
+
+    kind: Annotated[Literal["rack"], Table("legs of racks, in frames one behind the other")] = "rack"
+    name: Annotated[str, Text("name of the pattern, by which moves call it")]
+    P: Annotated[float, Quantity("force", "P", "force of each leg, downwards positive")]
+    frames: Annotated[int, Integer("number of frames in the direction of the rack", at_least=1, at_most=200)] = 1
+    bay: Annotated[float, Quantity("length", "b", "distance from frame to frame", POSITIVE)] = 2.7
+    rows: Annotated[
+        tuple[float, ...],
+        ListOf(Offset, "y", "places of a frame's legs across the rack, to the left of its origin", most=100),
+    ] = (0.0,)
+    width_x: Annotated[Width, Quantity("length", "c_x", "width of a base plate along the rack", POSITIVE)] = None
+    width_y: Annotated[Width, Quantity("length", "c_y", "width across it", POSITIVE)] = None
+    diameter: Annotated[Width, Quantity("length", "d", "diameter, instead of both widths", POSITIVE)] = None
+
+    def forces(self) -> tuple[Wheel, ...]:
+        """Return the forces of its legs, frame by frame."""
+        leg = {"P": self.P, "width_x": self.width_x, "width_y": self.width_y, "diameter": self.diameter}
+        return tuple(Wheel(x=frame * self.bay, y=y, **leg) for frame in range(self.frames) for y in self.rows)
+
+
+AnyPattern = Vehicle | Rack
+Pattern = Annotated[AnyPattern, ByKind()]
+
+
+def _check_path(points: tuple[tuple[float, float], ...], step: float | None) -> Iterator[RelativeIssue]:
+    for position, (a, b) in enumerate(pairwise(points), start=1):
+        if math.dist(a, b) < NO_LENGTH:
+            found = f"({b[0]!r}, {b[1]!r}) m twice"
+            yield RelativeIssue(("points", position), found, "another place than the one before")
+    if len(points) > 1 and step is None:
+        yield RelativeIssue(("step",), "nothing", 'a step along the path such as "0.5 m"', "one point is a fixed place")
+    elif len(points) == 1 and step is not None:
+        yield RelativeIssue(("step",), f"{step!r} m", "no step where the pattern stands at one point")
+
+
+class Move(Section):
+    """Where a pattern stands, or the path along which it moves."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_check_path,)
+
+    name: Annotated[str, Text("name of the path, needed where a case has several")] = ""
+    pattern: Annotated[str, Text("name of the pattern, one of [[patterns]]")]
+    case: Annotated[str, Text("load case that it belongs to; a path needs one")] = ""
+    points: Annotated[
+        tuple[tuple[float, float], ...],
+        ListOf(Place, "x, y", "one place of the pattern's origin, or the points of the path that it moves along"),
+    ]
+    step: Annotated[
+        float | None,
+        Quantity("length", "s", "distance of the positions along the path", Range(at_least=LEAST_STEP)),
+    ] = None
+    turn: Annotated[
+        float, Number("alpha", "angle of the pattern's direction in degrees, from x, or from the path", TURN)
+    ] = 0.0
+
+    @property
+    def travels(self) -> bool:
+        """Return whether there is a path."""
+        return len(self.points) > 1
+
+
+@dataclass(frozen=True, slots=True)
+class Station:
+    """A place of a pattern: way along the path [m], its origin [m], its direction [rad] from x."""
+
+    way: float
+    origin: tuple[float, float]
+    angle: float
+
+
+def stations(move: Move) -> tuple[Station, ...]:
+    """Return the places of a move: at each step along its path, and at its end."""
+    turn = math.radians(move.turn)
+    if not move.travels:
+        return (Station(0.0, move.points[0], turn),)
+    lengths = [math.dist(a, b) for a, b in pairwise(move.points)]
+    found, piece, before = [], 0, 0.0
+    for way in _ways(move, sum(lengths)):
+        while way >= before + lengths[piece] - NO_LENGTH and piece < len(lengths) - 1:
+            before += lengths[piece]
+            piece += 1
+        (x0, y0), (x1, y1) = move.points[piece : piece + 2]
+        share = (way - before) / lengths[piece]
+        origin = (x0 + share * (x1 - x0), y0 + share * (y1 - y0))
+        found.append(Station(way, origin, math.atan2(y1 - y0, x1 - x0) + turn))
+    return tuple(found)
+
+
+def _ways(move: Move, length: float) -> list[float]:
+    """Return the positions along a path of a length [m]; the end takes the place of one that is as good as there."""
+    assert move.step is not None
+    count = math.floor(length / move.step)
+    ways = [number * move.step for number in range(count + 1) if length - number * move.step > SAME_POSITION]
+    return [*ways, length]
+
+
+def position_name(move: Move, station: Station) -> str:
+    """Return what the case is called at a position, as in "forklift at 3.50 m"."""
+    return f"{move.case} at {station.way:.2f} m" + (f" of {move.name}" if move.name else "")
+
+
+def position_names(moves: tuple[Move, ...]) -> dict[str, tuple[str, ...]]:
+    """Return what each case that moves is called at its positions; on several paths it moves along one at a time."""
+    names: dict[str, tuple[str, ...]] = {}
+    for move in moves:
+        if move.travels:
+            own = tuple(position_name(move, station) for station in stations(move))
+            names[move.case] = (*names.get(move.case, ()), *own)
+    return names
+
+
+def point_loads(pattern: AnyPattern, station: Station, case: str) -> tuple[PointLoad, ...]:
+    """Return the loads of a pattern at a place.
+
+    A rectangle turned by other than right angles stands as a circle of the same area.
+    """
+    (x, y), cos, sin = station.origin, math.cos(station.angle), math.sin(station.angle)
+    found = []
+    for force in pattern.forces():
+        place = {"x": x + cos * force.x - sin * force.y, "y": y + sin * force.x + cos * force.y}
+        found.append(PointLoad(P=force.P, name=pattern.name, case=case, **place, **_footprint(force, cos, sin)))
+    return tuple(found)
+
+
+def _footprint(force: Wheel, cos: float, sin: float) -> dict[str, float]:
+    """Return the keys of a force's footprint in a direction."""
+    if force.diameter is not None:
+        return {"diameter": force.diameter}
+    if force.width_x is None or force.width_y is None:
+        return {}
+    if abs(sin) < SQUARE:
+        return {"width_x": force.width_x, "width_y": force.width_y}
+    if abs(cos) < SQUARE:
+        return {"width_x": force.width_y, "width_y": force.width_x}
+    return {"diameter": math.sqrt(4 * force.width_x * force.width_y / math.pi)}
+
+
+def loads_on_plate(covered: PlateRegion, loads: tuple[PointLoad, ...]) -> tuple[PointLoad, ...]:
+    """Return the loads whose footprints lie on the plate entirely; the others stand on what is beside it."""
+    return tuple(load for load in loads if not any(on_plate(covered, load, ())))
+
+
+def absent_forces(plate: Plate, patterns: tuple[AnyPattern, ...], moves: tuple[Move, ...]) -> Iterator[str]:
+    """Yield a remark for each path on which forces stand beside the plate, where they do not act."""
+    known, covered = {pattern.name: pattern for pattern in patterns}, PlateRegion(plate)
+    for number, move in enumerate(moves, start=1):
+        pattern, places = known[move.pattern], stations(move)
+        beside = [
+            len(pattern.forces()) - len(loads_on_plate(covered, point_loads(pattern, station, move.case)))
+            for station in places
+        ]
+        if any(beside):
+            where = f"at {sum(map(bool, beside))} of {len(places)} positions"
+            yield f"moves[{number}]: up to {max(beside)} of {len(pattern.forces())} forces are off the plate {where}"
+
+
+def expand(
+    combinations: tuple[Combination, ...], moves: tuple[Move, ...], fixed: frozenset[str]
+) -> tuple[Combination, ...]:
+    """Return the combinations at all positions of the cases in them that move; in fixed cases something stands, too."""
+    names = position_names(moves)
+    found = combinations
+    for case, positions in names.items():
+        found = tuple(each for combination in found for each in _at_positions(combination, case, positions, fixed))
+    return found
+
+
+def _at_positions(
+    combination: Combination, case: str, positions: tuple[str, ...], fixed: frozenset[str]
+) -> Iterator[Combination]:
+    """Yield a combination at all positions of a case, itself if the case takes no part."""
+    if not any(name == case and factor for name, factor in combination.factors):
+        yield combination
+        return
+    for position in positions:
+        here = (case, position) if case in fixed else (position,)
+        factors = tuple(
+            (name, factor) for own, factor in combination.factors for name in (here if own == case else (own,))
+        )
+        name = position if combination.name == case else f"{combination.name}, {position}"
+        yield combination.model_copy(update={"name": name, "factors": factors})
+
+
+def check_patterns(
+    plate: Plate, patterns: tuple[AnyPattern, ...], moves: tuple[Move, ...], cases: tuple[LoadCase, ...]
+) -> Iterator[RelativeIssue]:
+    """Find patterns without a unique name, moves of unknown patterns and cases, places off the plate."""
+    yield from check_names("patterns", [pattern.name for pattern in patterns], needed=True)
+    yield from check_case_names("moves", "case", [move.case for move in moves], cases)
+    known, covered = {pattern.name: pattern for pattern in patterns}, PlateRegion(plate)
+    for number, move in enumerate(moves):
+        if move.pattern not in known:
+            expected = one_of(list(known)) if known else "a pattern, and [[patterns]] that says what it is"
+            hint = suggestion(move.pattern, list(known))
+            yield RelativeIssue(("moves", number, "pattern"), describe(move.pattern), expected, hint)
+            continue
+        if move.travels and not cases:
+            yield RelativeIssue(("moves", number, "case"), "a path without a case", "[[cases]], one of which moves")
+        if _too_many(move) or _count_forces(known[move.pattern], move) > MOST_FORCES:
+            continue
+        yield from _check_places(covered, known[move.pattern], move, number)
+    paths = [(move.case, move.name) for move in moves if move.travels]
+    for number, move in enumerate(moves):
+        if move.travels and paths.count((move.case, move.name)) > 1:
+            found = f"several paths of {describe(move.case)}"
+            yield RelativeIssue(("moves", number, "name"), found, "a name of its own for each")
+
+
+def _check_places(covered: PlateRegion, pattern: AnyPattern, move: Move, number: int) -> Iterator[RelativeIssue]:
+    """Find a fixed place with a force off the plate, and positions on a path with none on it."""
+    for station in stations(move):
+        loads = point_loads(pattern, station, move.case)
+        standing = loads_on_plate(covered, loads)
+        if not standing or (not move.travels and len(standing) < len(loads)):
+            where = f"at {station.way:.2f} m of the path" if move.travels else "at its place"
+            found = f"{len(loads) - len(standing)} of {len(loads)} forces off the plate {where}"
+            expected = "some on it, with their footprints" if move.travels else "all on it, with their footprints"
+            yield RelativeIssue(("moves", number, "points"), found, expected)
+            return
+
+
+def _count_forces(pattern: AnyPattern, move: Move) -> int:
+    """Return how many forces a pattern has at all places of a move."""
+    each = len(pattern.wheels) if isinstance(pattern, Vehicle) else pattern.frames * len(pattern.rows)
+    return each * len(stations(move))
+
+
+def _too_many(move: Move) -> bool:
+    """Return whether a path has more positions than combinations can have."""
+    if not move.travels or move.step is None:
+        return False
+    return sum(math.dist(a, b) for a, b in pairwise(move.points)) / move.step > MOST_COMBINATIONS
+
+
+def check_positions(
+    patterns: tuple[AnyPattern, ...],
+    moves: tuple[Move, ...],
+    cases: tuple[LoadCase, ...],
+    combinations: tuple[Combination, ...],
+    combine: Combine | None,
+) -> Iterator[RelativeIssue]:
+    """Find more than MOST_COMBINATIONS combinations at all positions, and more than MOST_FORCES forces."""
+    known = {pattern.name: pattern for pattern in patterns}
+    sound = [move for move in moves if move.pattern in known and not _too_many(move)]
+    total = sum(_count_forces(known[move.pattern], move) for move in sound)
+    if total > MOST_FORCES:
+        expected = f"at most {MOST_FORCES:,} forces at all positions"
+        yield RelativeIssue(("moves",), f"{total:,} forces at all positions", expected)
+    travelling = [move for move in moves if move.travels]
+    if not travelling or not cases:
+        return
+    expected = f"at most {MOST_COMBINATIONS} combinations at all positions"
+    hint = "a larger step, a shorter path, or fewer combinations"
+    if any(map(_too_many, travelling)):
+        yield RelativeIssue(("moves",), "a path with more positions than that", expected, hint)
+        return
+    counts = {case: len(names) for case, names in position_names(moves).items()}
+    total = _count(_listed(cases, combinations, combine), counts)
+    if total > MOST_COMBINATIONS:
+        yield RelativeIssue(("moves",), f"{total:,} combinations at all positions", expected, hint)
+
+
+def _listed(
+    cases: tuple[LoadCase, ...], combinations: tuple[Combination, ...], combine: Combine | None
+) -> list[tuple[tuple[str, float], ...]]:
+    """Return the factors of all combinations before positions; of automatic ones that cannot be made, none."""
+    if not combinations and combine is None:
+        return [((case.name, 1.0),) for case in cases]
+    made: tuple[Combination, ...] = ()
+    if combine is not None:
+        try:
+            made = make_combinations(combine, cases)
+        except InputError:  # which its own check tells
+            made = ()
+    return [each.factors for each in (*combinations, *made)]
+
+
+def _count(factors: list[tuple[tuple[str, float], ...]], positions: Mapping[str, int]) -> int:
+    """Return how many combinations there are at all positions."""
+    return sum(math.prod(positions.get(name, 1) for name, factor in each if factor) for each in factors)

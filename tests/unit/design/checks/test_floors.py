@@ -1,0 +1,268 @@
+"""Checks of industrial floors: what stands together and where, each demand and resistance by hand."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from groundslab.design.checks import DesignCheck, check_design
+from groundslab.design.checks.floor_loads import Borders, forces, groups
+from groundslab.design.floors import yield_lines
+from groundslab.errors import InputError
+from groundslab.model.model import Model
+from groundslab.results.results import CombinationResult, Results
+from helpers import synthetic
+from helpers.synthetic import LENGTH_X, LENGTH_Y
+
+E, H, NU, K = 31e9, 0.2, 0.2, 50e6
+L = (E * H**3 / (12 * (1 - NU**2) * K)) ** 0.25
+LAM = (3 * K / (E * H**3)) ** 0.25
+F_CTM = 0.30 * 30 ** (2 / 3) * 1e6
+M_N = F_CTM * 1.4 / 1.5 * H**2 / 6
+TR34 = {"kind": "TR34", "concrete": "C30/37"}
+FIBERS = {**TR34, "f_R1": 2.5e6, "f_R4": 2e6}
+M_P = H**2 / 1.5 * (0.29 * 0.37 * 2e6 + 0.16 * 0.45 * 2.5e6)
+ACI = {"kind": "ACI 360", "f_r": 4e6, "safety_factor": 2.0}
+
+
+def leg(x: float, y: float, P: float = 50e3, **keys: Any) -> dict[str, Any]:
+    """Return the leg of a rack on a square plate of 0.1 m."""
+    return {"kind": "point", "case": "Q", "P": P, "x": x, "y": y, "width_x": 0.1, "width_y": 0.1, **keys}
+
+
+def model_with(floor: dict[str, Any], loads: list[dict[str, Any]], **changes: Any) -> Model:
+    """Return a floor of 9.6 m x 7.2 m x 0.2 m with one ultimate combination, and one of serviceability."""
+    return Model(
+        **{
+            "plate": {"length_x": LENGTH_X, "length_y": LENGTH_Y, "thickness": H, "E": E, "nu": NU},
+            "ground": {"kind": "winkler", "k": K},
+            "cases": [{"name": "Q", "action": "variable"}],
+            "loads": loads,
+            "combinations": [
+                {"name": "ULS", "factors": {"Q": 1.5}},
+                {"name": "SLS", "limit_state": "characteristic", "factors": {"Q": 1.0}},
+            ],
+            "floor": floor,
+        }
+        | changes
+    )
+
+
+def solved(model: Model, **moments: float) -> Results:
+    """Return made-up results with even moments [N m/m]."""
+    made = {}
+    for each in model.combinations:
+        one = synthetic.results(6, model=model, combination=each.name, limit_state=each.limit_state,
+                                factors=each.factors)  # fmt: skip
+        flat = np.zeros(len(one.plate.nodes))
+        own = {name: flat + moments.get(name, 0.0) for name in ("moment_x", "moment_y", "moment_xy")}
+        thickness = np.full_like(one.elements.thickness, H)
+        made[each.name] = replace(
+            one, plate=replace(one.plate, **own), elements=replace(one.elements, thickness=thickness)
+        )
+    return Results(model, model.combinations, made, {})
+
+
+def checks(model: Model, **moments: float) -> dict[tuple[str, str], DesignCheck]:
+    """Return the checks of the floor by name and what they are of."""
+    return {(each.name, each.of): each for each in check_design(solved(model, **moments)).checks}
+
+
+def ultimate(model: Model) -> CombinationResult:
+    """Return the made-up results of the ultimate combination."""
+    return solved(model)["ULS"]
+
+
+def test_a_force_inside_against_the_yield_lines_by_hand() -> None:
+    """75 kN on a circle as large as 0.1 m x 0.1 m, a / l = 0.077: between 2 pi and 4 pi (M_p + M_n) / (1 - a / 3 l)."""
+    check = checks(model_with(FIBERS, [leg(0, 0)]))["point load", "internal"]
+    ratio = math.sqrt(0.01 / math.pi) / L
+    none, large = 2 * math.pi * (M_P + M_N), 4 * math.pi * (M_P + M_N) / (1 - 0.2 / 3)
+    assert check.demand == pytest.approx(75.0)
+    assert check.resistance == pytest.approx((none + ratio / 0.2 * (large - none)) / 1e3)
+    assert check.combination == "ULS"
+    assert check.place == pytest.approx((0.0, 0.0))
+
+
+def test_plain_concrete_has_no_sagging_moment_and_a_mesh_its_own() -> None:
+    """Inside the loads are as M_p + M_n: of 393 mm2/m at d = 0.15 m 0.95 x 393 x 435 x 0.15."""
+    plain, mesh, fibers = (
+        checks(model_with(floor, [leg(0, 0)]))["point load", "internal"].resistance
+        for floor in (TR34, {**TR34, "mesh_area": 393e-6, "mesh_axis": 0.05}, FIBERS)
+    )
+    assert plain is not None
+    assert mesh == pytest.approx(plain * (0.95 * 393e-6 * 500e6 / 1.15 * 0.15 + M_N) / M_N)
+    assert fibers == pytest.approx(plain * (M_P + M_N) / M_N)
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "location"),
+    [(0, 0, "internal"), (LENGTH_X / 2 - 0.1, 0, "edge"), (LENGTH_X / 2 - 0.1, 3.5, "corner"), (0, -3.5, "edge")],
+)
+def test_where_a_force_stands_decides_how_it_fails(x: float, y: float, location: str) -> None:
+    """Nearer than l + a to an edge or a corner, where joints carry 20 % over to the next bay."""
+    check = checks(model_with({**FIBERS, "joint_transfer": 0.2}, [leg(x, y)]))["point load", location]
+    slab = yield_lines.YieldSlab(L, M_P, M_N)
+    wanted = yield_lines.single(slab, math.sqrt(0.01 / math.pi), location)  # type: ignore[arg-type]
+    assert check.resistance == pytest.approx(wanted / 1e3)
+    assert check.demand == pytest.approx(75.0 if location == "internal" else 60.0)
+
+
+def test_an_opening_has_edges_over_which_nothing_is_carried() -> None:
+    """A force beside an opening is at an edge, and all of it."""
+    opening = {"kind": "rectangle", "x": (0.2, 1.2), "y": (-0.5, 0.5)}
+    plate = {"length_x": LENGTH_X, "length_y": LENGTH_Y, "thickness": H, "E": E, "nu": NU, "openings": [opening]}
+    floor = {**FIBERS, "joint_transfer": 0.2}
+    assert checks(model_with(floor, [leg(0, 0)], plate=plate))["point load", "edge"].demand == pytest.approx(75.0)
+
+
+def test_forces_nearer_than_two_thicknesses_are_one() -> None:
+    """Two legs 0.3 m apart act on 0.4 m x 0.1 m with twice the force, in the middle; at 0.41 m they are two."""
+    result = ultimate(model_with(FIBERS, [leg(0, 0), leg(0.3, 0)]))
+    (one,) = forces(result, Borders(result.model), H, L, 0.0)
+    assert pytest.approx(150e3) == one.P
+    assert one.a == pytest.approx(math.sqrt(0.04 / math.pi))
+    assert one.place == pytest.approx((0.15, 0.0))
+    apart = ultimate(model_with(FIBERS, [leg(0, 0), leg(0.41, 0)]))
+    assert len(forces(apart, Borders(apart.model), H, L, 0.0)) == 2
+
+
+def test_groups_of_two_and_four_by_hand() -> None:
+    """Four legs 1 m x 1.4 m apart: two 1 m apart, and four with 2.4 m, (2 pi + 1.8 x 2.4 / l) for none and so on."""
+    legs = [leg(x, y) for x in (0.0, 1.4) for y in (0.0, 1.0)]
+    found = checks(model_with(FIBERS, legs))
+    a = math.sqrt(0.01 / math.pi)
+
+    def by_hand(distances: float) -> float:
+        none = 2 * math.pi + 1.8 * distances / L
+        large = 4 * math.pi / (1 - 0.2 / 3) + 1.8 * distances / (0.9 * L)
+        return (none + a / L / 0.2 * (large - none)) * (M_P + M_N)
+
+    assert found["dual point load", "internal"].demand == pytest.approx(150.0)
+    assert found["dual point load", "internal"].resistance == pytest.approx(by_hand(1.0) / 1e3)
+    assert found["quadruple point load", "internal"].demand == pytest.approx(300.0)
+    assert found["quadruple point load", "internal"].resistance == pytest.approx(by_hand(2.4) / 1e3)
+    assert found["quadruple point load", "internal"].place == pytest.approx((0.7, 0.5))
+
+
+def test_forces_far_apart_fail_by_themselves() -> None:
+    """Two legs 5 l apart bear together no more than each by itself."""
+    found = checks(model_with(FIBERS, [leg(-2.5 * L, 0), leg(2.5 * L, 0)]))
+    alone = found["point load", "internal"].resistance
+    assert alone is not None
+    assert found["dual point load", "internal"].resistance == pytest.approx(2 * alone)
+
+
+def test_groups_are_all_rectangles_by_brute_force() -> None:
+    """Of a turned raster of 3 x 4 forces the smallest rectangles and pairs are found once each."""
+    turn = np.array([[math.cos(0.4), -math.sin(0.4)], [math.sin(0.4), math.cos(0.4)]])
+    places = [turn @ (1.0 * i, 1.3 * j) for i in range(-1, 2) for j in range(-1, 3)]
+    result = ultimate(model_with(FIBERS, [leg(*place) for place in places]))
+    loads = forces(result, Borders(result.model), H, L, 0.0)
+    found = [[round(distance, 6), len(members)] for members, distance in groups(loads, 1.4)]
+    assert found.count([2.3, 4]) == 2 * 3
+    assert found.count([1.0, 2]) == 2 * 4
+    assert found.count([1.3, 2]) == 3 * 3
+
+
+def test_punching_by_hand() -> None:
+    """600 kN on 0.1 m x 0.1 m, d = 0.15 m: u_0 = 0.4 m, u_1 = 0.4 m + 4 pi d, less 20 MN/m3 x 28 mm on what is inside.
+
+    C30/37: v_Rd,max = 0.4 x 0.528 x 20 MPa; without bars 0.035 x 2^(3/2) x 30^(1/2) = 0.542 MPa.
+    """
+    found = checks(model_with(FIBERS, [leg(0, 0, P=400e3)]))
+    face, around = found["punching at the footprint", "internal"], found["punching", "internal"]
+    assert face.demand == pytest.approx(600e3 / (0.4 * 0.15) / 1e6)
+    assert face.resistance == pytest.approx(4.224)
+    assert around.resistance == pytest.approx(0.5422, rel=1e-3)
+    u, area = 0.4 + 4 * math.pi * 0.15, 0.01 + 0.4 * 0.3 + math.pi * 0.09
+    pressure = solved(model_with(FIBERS, [leg(0, 0, P=400e3)]))["ULS"].plate.pressure.max()
+    assert around.demand == pytest.approx((600e3 - pressure * area) / (u * 0.15) / 1e6, rel=0.01)
+    mesh = checks(model_with({**TR34, "mesh_area": 1e-3, "mesh_axis": 0.04}, [leg(0, 0, P=400e3)]))[
+        "punching", "internal"
+    ]
+    rho, k = 1e-3 / 0.16, 2.0
+    assert mesh.resistance == pytest.approx(0.12 * k * (100 * rho * 30) ** (1 / 3))
+
+
+def test_line_loads_and_aisles_by_hand() -> None:
+    """4 lambda M_n inside, 3 lambda M_n near an edge, 5.95 lambda^2 M_n beside an aisle; permanent goods stay."""
+    line = {"kind": "line", "case": "Q", "q": 20e3, "points": [(-1, 0), (1, 0)]}
+    goods = {"kind": "patch", "case": "Q", "q": 30e3, "x": (-3, -1), "y": (-2, 2)}
+    everywhere = {"kind": "uniform", "case": "Q", "q": 10e3}
+    found = checks(model_with(TR34, [line, goods, everywhere]))
+    assert found["line load", ""].demand == pytest.approx(30.0)
+    assert found["line load", ""].resistance == pytest.approx(4 * LAM * M_N / 1e3)
+    assert found["pressure beside aisles", ""].demand == pytest.approx(60.0)
+    assert found["pressure beside aisles", ""].resistance == pytest.approx(5.95 * LAM**2 * M_N / 1e3, rel=2e-3)
+    at_edge = {**line, "points": [(-1, 3.5), (1, 3.5)]}
+    assert checks(model_with(TR34, [at_edge]))["line load", ""].resistance == pytest.approx(3 * LAM * M_N / 1e3)
+    permanent = model_with(TR34, [everywhere], cases=[{"name": "Q"}])
+    assert ("pressure beside aisles", "") not in checks(permanent)
+
+
+def test_stresses_by_aci_360_in_combinations_of_serviceability() -> None:
+    """m_1 = 12 kNm/m makes 6 m / h^2 = 1.8 MPa below, m_2 = -4 kNm/m 0.6 MPa above, against 4 MPa over 2."""
+    model = model_with(ACI, [leg(0, 0)])
+    found = checks(model, moment_x=4e3, moment_y=4e3, moment_xy=8e3)
+    for face, stress in (("bottom", 1.8), ("top", 0.6)):
+        check = found["flexural stress", face]
+        assert (check.demand, check.resistance) == pytest.approx((stress, 2.0))
+        assert check.combination == "SLS"
+    assert not any(name == "point load" for name, _ in found)
+
+
+def test_friction_adds_to_stresses_and_repetitions_take_from_what_is_allowed() -> None:
+    """0.5 x 24 kN/m3 x 15 m = 0.18 MPa; a stress that is repeated 124,523 times may have 0.55 f_r, 1e9 times 0.45."""
+    floor = {**ACI, "safety_factor": 1.4, "friction": 0.5, "joint_spacing": 30.0, "repetitions": 124_523}
+    found = checks(model_with(floor, [leg(0, 0)]), moment_x=12e3)
+    assert found["flexural stress", "bottom"].demand == pytest.approx(1.98)
+    assert found["flexural stress", "bottom"].resistance == pytest.approx(0.55 * 4, rel=1e-3)
+    assert found["restraint of shrinkage", ""].demand == pytest.approx(0.18)
+    often = checks(model_with({**floor, "repetitions": 10**9}, [leg(0, 0)]), moment_x=12e3)
+    assert often["flexural stress", "bottom"].resistance == pytest.approx(0.45 * 4)
+
+
+def test_fiber_concrete_by_aci_360_has_yield_lines() -> None:
+    """6 (1 + 2 a / l) f_r (1 + R_e,3) h^2 / 6 over the factor of safety, against the force without partial factors."""
+    check = checks(model_with({**ACI, "R_e3": 0.4}, [leg(0, 0)]))["point load", "internal"]
+    a = math.sqrt(0.01 / math.pi)
+    assert check.demand == pytest.approx(50.0)
+    assert check.resistance == pytest.approx(6 * (1 + 2 * a / L) * 4e6 * 1.4 * H**2 / 6 / 2 / 1e3)
+
+
+def test_a_floor_that_fails_says_so_first() -> None:
+    """A corner load of 75 kN on plain concrete."""
+    design = check_design(solved(model_with(TR34, [leg(4.75, 3.55)])))
+    assert design.status == "fails"
+    assert design.headline.startswith("DESIGN FAILS: punching, 1.37 times its limit; 2 of 3")
+
+
+@pytest.mark.parametrize(
+    ("floor", "found"),
+    [
+        ({"kind": "TR34"}, "neither concrete nor f_ck"),
+        ({**TR34, "f_R1": 2e6}, "nothing"),
+        ({**FIBERS, "mesh_area": 4e-4, "mesh_axis": 0.05}, "a mesh beside fibers"),
+        ({**TR34, "mesh_area": 4e-4, "mesh_axis": 0.15}, "0.15 m"),
+        ({**ACI, "friction": 0.5}, "nothing"),
+        ({**ACI, "joint_transfer": 0.2}, "none without R_e3"),
+        ({**TR34, "unit_weight": 25e3}, "no weight without friction"),
+        ({**FIBERS, "f_yk": 460e6}, "no f_yk without a mesh"),
+    ],
+)
+def test_faults_of_a_floor_are_told(floor: dict[str, Any], found: str) -> None:
+    """Keys that need each other, that exclude each other, and a mesh in the upper half."""
+    with pytest.raises(InputError, match=found):
+        model_with(floor, [leg(0, 0)])
+
+
+def test_tr34_needs_an_ultimate_combination() -> None:
+    """Yield lines are a state of failure."""
+    given = {"name": "SLS", "limit_state": "characteristic", "factors": {"Q": 1.0}}
+    with pytest.raises(InputError, match="no ultimate combination of loads"):
+        model_with(TR34, [leg(0, 0)], combinations=[given])
