@@ -17,6 +17,7 @@ from .errors import NotCertified as NotCertified
 from .errors import NotConverged as NotConverged
 from .errors import SingularMatrix as SingularMatrix
 from .model.columns import Column as Column
+from .model.cracking import Cracking as Cracking
 from .model.ground import InterfaceLayer as InterfaceLayer
 from .model.ground import Layered as Layered
 from .model.ground import Pasternak as Pasternak
@@ -37,6 +38,7 @@ from .model.loads.load_types import SelfWeight as SelfWeight
 from .model.loads.load_types import SettlementLoad as SettlementLoad
 from .model.loads.load_types import TemperatureLoad as TemperatureLoad
 from .model.loads.load_types import UniformLoad as UniformLoad
+from .model.long_term import LongTerm as LongTerm
 from .model.model import Model as Model
 from .model.outputs import Bars as Bars
 from .model.outputs import Output as Output

@@ -21,7 +21,8 @@ def describe(plot: argparse.ArgumentParser) -> None:
         metavar="FIELD",
         help="what to draw, by name or symbol: settlement (w), rotation_x, rotation_y, gap (g), penetration (s), "
         "pressure (p), moment_x (m_x), moment_y, moment_xy, shear_x (q_x), shear_y; principal moments m_1, m_2; "
-        "design moments bottom_x, bottom_y, top_x, top_y; discretization_error, large where the mesh is too coarse "
+        "design moments bottom_x, bottom_y, top_x, top_y; discretization_error, large where the mesh is too coarse; "
+        "stiffness_ratio of slabs that crack "
         "(default: a usual choice for the kind)",
     )
     plot.add_argument(

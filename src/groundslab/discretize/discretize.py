@@ -6,6 +6,7 @@ import numpy as np
 
 from groundslab.arrays import Flags, Integers
 from groundslab.discretize.constraints import concatenate, fixed_nodes, ground_bearing, support_bearing
+from groundslab.discretize.cracking import cracked_sections
 from groundslab.discretize.ground import Factors, carries_shear, ground_under, grounds_of, surfaces_of
 from groundslab.discretize.nodal_loads import loadings, materials
 from groundslab.discretize.plan_layout import AXIS, OUTWARD, Layout, Meshes, layout
@@ -56,6 +57,7 @@ def discretize(
         element=element,
         bending=np.array([plate.bending_rigidity(E, nu, t) for E, nu, t in sections]),
         shear=np.array([plate.shear_rigidity(E, nu, t, model.plate.shear_factor) for E, nu, t in sections]),
+        rigidity=plan.section,
         section=plan.section,
         thickness=np.array([t for _, _, t in sections])[plan.section],
         ground=ground,
@@ -76,6 +78,7 @@ def discretize(
         edges=edges,
         corners=corners,
         symmetry=plan.symmetry,
+        cracking=cracked_sections(model),
     )
 
 

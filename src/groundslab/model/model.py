@@ -13,6 +13,7 @@ from pydantic import Field
 
 from groundslab.model import consistency, varying_ground
 from groundslab.model.columns import Column
+from groundslab.model.cracking import Cracking, check_cracking
 from groundslab.model.ground import Ground
 from groundslab.model.limits import Limits, SoilStrength
 from groundslab.model.loads.clipping import check_distributed_loads
@@ -20,6 +21,7 @@ from groundslab.model.loads.en1990 import check_combine
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations
 from groundslab.model.loads.load_types import Load
 from groundslab.model.loads.placement import check_load_columns, check_point_loads
+from groundslab.model.long_term import LongTerm
 from groundslab.model.outputs import Output, Project, Reinforcement, check_bar_distances, check_output
 from groundslab.model.plate import Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
@@ -54,6 +56,7 @@ class Model(Section):
         varying_ground.check_boreholes,
         check_output,
         check_bar_distances,
+        check_cracking,
         check_design_combinations,
     )
 
@@ -84,6 +87,10 @@ class Model(Section):
         Reinforcement | None,
         Table("what reinforcement by EN 1992-1-1 is found for; needs ultimate combinations of loads"),
     ] = None
+    cracking: Annotated[
+        Cracking | None, Table("cracked stiffness of the slab with its bars, in combinations of serviceability")
+    ] = None
+    long_term: Annotated[LongTerm | None, Table("how soft the ground is under loads that last")] = None
     limits: Annotated[Limits | None, Table("what settlements, tilt and pressures are checked against")] = None
     soil_strength: Annotated[
         SoilStrength | None, Table("strength of the soil, for bearing resistance and sliding by EN 1997-1")

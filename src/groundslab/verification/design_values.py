@@ -11,6 +11,7 @@ import numpy as np
 from groundslab.design.design_moments import wood_armer
 from groundslab.design.en1992 import bending, cracking, punching, shear
 from groundslab.design.en1992.materials import Concrete, Steel
+from groundslab.fem import cracked_section
 from groundslab.model.loads.en1990 import make_combinations
 from groundslab.model.loads.load_cases import Combine, LimitState, LoadCase
 
@@ -51,6 +52,20 @@ def _crack(what: str) -> Callable[..., float]:
         s_r = float(cracking.largest_spacing(bars, np.array([1.0]), np.array([0.0]), rho)[0])
         strain = float(cracking.mean_strain(np.array([sigma_s]), rho, concrete, steel)[0])
         return {"spacing": s_r, "strain": strain, "width": s_r * strain}[what]
+
+    return find
+
+
+def _section(what: str) -> Callable[..., float]:
+    """Return what finds a figure of a section of width b with bars at the bottom, I in 1e6 mm4, M_cr at 1 MPa."""
+
+    def find(b: float, h: float, area: float, distance: float, n: float, M: float = 0.0) -> float:
+        bars = cracked_section.Bars((area / b, 0.0), (distance, distance))
+        thickness, ratio = np.array([h]), np.array([n])
+        z, I_I, _ = (float(each[0]) for each in cracked_section.uncracked_section(thickness, bars, ratio))
+        x, I_II, _ = (float(each[0]) for each in cracked_section.cracked_section(thickness, bars, ratio, top=False))
+        found = {"z": z, "I_I": b * I_I * 1e6, "M_cr": b * I_I / (h - z) * 1e6, "x": x, "I_II": b * I_II * 1e6}
+        return (found | {"sigma_s": n * M / b * (h - distance - x) / I_II})[what]
 
     return find
 
@@ -106,6 +121,12 @@ VALUES: dict[str, tuple[str | None, Callable[..., float]]] = {
     "s_r,max": ("length", _crack("spacing")),
     "eps_sm - eps_cm": (None, _crack("strain")),
     "w_k": ("length", _crack("width")),
+    "z of a section": ("length", _section("z")),
+    "I_I of a section": (None, _section("I_I")),
+    "M_cr of a section": ("moment", _section("M_cr")),
+    "x of a section": ("length", _section("x")),
+    "I_II of a section": (None, _section("I_II")),
+    "sigma_s of a section": ("pressure", _section("sigma_s")),
     "v_Ed / v_Rd,c": (None, _punching_used),
     "v_Ed / v_Rd,max": (None, lambda v_Ed, f_ck: 100 * v_Ed / punching.max_resistance(Concrete(f_ck))),
     "k of Table 6.1": (None, punching.transfer_share),

@@ -11,7 +11,15 @@ import numpy as np
 from groundslab.errors import InputError, Issue, NotConverged
 from groundslab.model.loads.load_cases import LimitState
 from groundslab.results.contact_zone import require_finite
-from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, RANGED_FIELDS, SHOWN_ELEMENT_FIELDS, ResultField
+from groundslab.results.fields import (
+    ERROR,
+    LINE_FORCE,
+    PLATE_FIELDS,
+    RANGED_FIELDS,
+    SHOWN_ELEMENT_FIELDS,
+    STIFFNESS,
+    ResultField,
+)
 from groundslab.results.record import Step
 from groundslab.results.results import CombinationResult, Results
 from groundslab.schema.wording import describe, listed, one_of, quote, suggestion
@@ -201,9 +209,12 @@ def _parse_lines(line: Sequence[Any] | None) -> tuple[SectionLine, ...]:
 
 def _require_element_fields(quantities: Sequence[PlotQuantity], combinations: Sequence[PlottedCombination]) -> None:
     """Raise InputError if results lack a field of elements that is to be drawn."""
-    hint = "it comes from a comparison with a coarser mesh, which these results have not"
+    hints = {
+        ERROR: "it comes from a comparison with a coarser mesh, which these results have not",
+        STIFFNESS: "it belongs to cases with [cracking]",
+    }
     issues = [
-        Issue("FIELD", quote(quantity.name), f"a field that {quote(each.name)} has", hint)
+        Issue("FIELD", quote(quantity.name), f"a field that {quote(each.name)} has", hints[quantity.name])
         for quantity in quantities
         for each in combinations
         if quantity.name in SHOWN_ELEMENT_FIELDS and getattr(each.results.elements, quantity.name) is None
