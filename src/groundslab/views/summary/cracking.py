@@ -28,7 +28,7 @@ def cracking_sections(results: CombinationResult) -> list[SummarySection]:
     share = float(area[ratio < CRACKED].sum() / area.sum())
     rows = (
         Row("share", "plate's area that has cracked", share, UNITS["%"]),
-        Row("least", "least stiffness, of the uncracked", least, about.display, about.symbol, place),
+        Row("smallest", "smallest stiffness, of the uncracked", least, about.display, about.symbol, place),
     )
     note = (
         "Settlements, moments and pressures of this combination are those of the cracked slab, by EN 1992-1-1 7.4.3 "
