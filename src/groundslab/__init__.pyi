@@ -17,7 +17,6 @@ from .errors import NotCertified as NotCertified
 from .errors import NotConverged as NotConverged
 from .errors import SingularMatrix as SingularMatrix
 from .model.columns import Column as Column
-from .model.cracking import Cracking as Cracking
 from .model.ground import InterfaceLayer as InterfaceLayer
 from .model.ground import Layered as Layered
 from .model.ground import Pasternak as Pasternak
@@ -38,7 +37,6 @@ from .model.loads.load_types import SelfWeight as SelfWeight
 from .model.loads.load_types import SettlementLoad as SettlementLoad
 from .model.loads.load_types import TemperatureLoad as TemperatureLoad
 from .model.loads.load_types import UniformLoad as UniformLoad
-from .model.long_term import LongTerm as LongTerm
 from .model.model import Model as Model
 from .model.outputs import Bars as Bars
 from .model.outputs import Output as Output
@@ -50,6 +48,8 @@ from .model.outputs import Reinforcement as Reinforcement
 from .model.plate import Edges as Edges
 from .model.plate import Plate as Plate
 from .model.plate import Zone as Zone
+from .model.serviceability.cracking import Cracking as Cracking
+from .model.serviceability.long_term import LongTerm as LongTerm
 from .model.settings import Analysis as Analysis
 from .model.settings import Beyond as Beyond
 from .model.settings import Contact as Contact

@@ -41,12 +41,13 @@ def run(text: str, **names: object) -> dict[str, object]:
 def test_cases_of_the_page_on_input_load() -> None:
     """The smallest case loads, and with each of the other blocks put behind it."""
     smallest, *others = blocks("input.md", "toml")
-    assert len(others) == 3
-    shapes, checks, combinations = others
+    assert len(others) == 4
+    shapes, checks, cracks, combinations = others
     assert len(casefile.loads(f"{smallest}\n{shapes}").loads) == 4
     named = smallest.replace('q = "10 kPa"', 'q = "10 kPa"\ncase = "design loads"')
     assert len(casefile.loads(f"{named}\n{combinations}").combinations) == 1
     assert casefile.loads(f"{named}\n{combinations}\n{checks}").limits is not None
+    assert casefile.loads(f"{named}\n{combinations}\n{checks}\n{cracks}").cracking is not None
 
 
 def test_python_of_the_page_on_input_is_its_case() -> None:

@@ -10,7 +10,7 @@ from scipy.integrate import solve_bvp
 
 from groundslab.analysis.driver import Variants, solve
 from groundslab.case import casefile
-from groundslab.discretize.cracking import cracked_sections
+from groundslab.discretize.serviceability.cracking import cracked_sections
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.results.fields import LAYERS

@@ -12,9 +12,9 @@ from groundslab.analysis.gamma_iteration import LoadStep, OnStep, solve_load_ste
 from groundslab.analysis.mesh_hierarchy import Level, MeshHierarchy
 from groundslab.arrays import Array
 from groundslab.errors import NoEquilibrium, NotConverged, SingularMatrix
-from groundslab.fem.cracked_section import decisive_moments, effective_stiffness, law_error, secant_stiffness
-from groundslab.fem.cracking import laws, mean_moments, with_stiffness
+from groundslab.fem.concrete.cracked_section import decisive_moments, effective_stiffness, law_error, secant_stiffness
 from groundslab.results.record import Certificate
+from groundslab.solvers.cracking import laws, mean_moments, with_stiffness
 from groundslab.solvers.solution import Solution
 
 #: The stiffness is iterated until moments are off the law by less than this share of the largest.

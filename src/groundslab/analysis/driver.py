@@ -17,8 +17,8 @@ from groundslab.analysis.nested import HALVINGS, margin_effect, required_coarsen
 from groundslab.analysis.parallel import run_parallel
 from groundslab.arrays import Array
 from groundslab.discretize.ground import Factors
-from groundslab.discretize.lasting_ground import lasts, with_lasting_ground
 from groundslab.discretize.plan_layout import Meshes, coarsest
+from groundslab.discretize.serviceability.lasting_ground import lasts, with_lasting_ground
 from groundslab.errors import GroundslabError, IllConditioned, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
 from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.load_cases import Combination

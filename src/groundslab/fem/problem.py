@@ -14,7 +14,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.fem import plate
 from groundslab.fem.bearings import Bearings
-from groundslab.fem.cracked_section import CrackedSections
+from groundslab.fem.concrete.cracked_section import CrackedSections
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import Mesh
 from groundslab.fem.vlasov import Soil

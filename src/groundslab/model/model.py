@@ -13,7 +13,6 @@ from pydantic import Field
 
 from groundslab.model import consistency, varying_ground
 from groundslab.model.columns import Column
-from groundslab.model.cracking import Cracking, check_cracking
 from groundslab.model.ground import Ground
 from groundslab.model.limits import Limits, SoilStrength
 from groundslab.model.loads.clipping import check_distributed_loads
@@ -21,9 +20,10 @@ from groundslab.model.loads.en1990 import check_combine
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations
 from groundslab.model.loads.load_types import Load
 from groundslab.model.loads.placement import check_load_columns, check_point_loads
-from groundslab.model.long_term import LongTerm
 from groundslab.model.outputs import Output, Project, Reinforcement, check_bar_distances, check_output
 from groundslab.model.plate import Plate
+from groundslab.model.serviceability.cracking import Cracking, check_cracking
+from groundslab.model.serviceability.long_term import LongTerm
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.supports import Support
 from groundslab.schema import reference

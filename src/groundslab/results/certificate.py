@@ -10,11 +10,11 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.fem.assembly import scatter
 from groundslab.fem.bearings import CLOSED, YIELDING
-from groundslab.fem.cracking import error_of_law
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, planes, plate_unknowns
 from groundslab.fem.system import System, edge_decays, edge_lengths, surface_fields, surface_settlement
 from groundslab.results.record import Certificate
+from groundslab.solvers.cracking import error_of_law
 from groundslab.solvers.equilibrium import free_motions
 from groundslab.solvers.solution import Solution
 

@@ -8,7 +8,6 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.fem.assembly import scatter
-from groundslab.fem.cracking import laws
 from groundslab.fem.problem import BETA_X, BETA_Y, Problem, W, plate_unknowns
 from groundslab.fem.system import plate_settlement, surface_settlement
 from groundslab.fem.vlasov import Soil
@@ -20,6 +19,7 @@ from groundslab.results.mesh_results import ElementResult, GroundResult, PlateRe
 from groundslab.results.record import Certificate, Constants, Step
 from groundslab.results.result_mesh import ResultMesh
 from groundslab.results.results import CombinationResult, Comparison, Increment, SupportResult
+from groundslab.solvers.cracking import laws
 from groundslab.solvers.solution import Solution
 
 #: What is recovered from the Gauss points, in the order of plate.section_forces.

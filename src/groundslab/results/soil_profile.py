@@ -9,8 +9,8 @@ import numpy as np
 
 from groundslab.discretize.borders import shares, zone_rings
 from groundslab.discretize.ground import grounds_of
-from groundslab.discretize.lasting_ground import lasts, with_lasting_ground
 from groundslab.discretize.plan_layout import find_followed_borders
+from groundslab.discretize.serviceability.lasting_ground import lasts, with_lasting_ground
 from groundslab.discretize.voids import VoidShares, share_voids
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.vlasov import Soil

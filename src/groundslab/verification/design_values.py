@@ -11,7 +11,7 @@ import numpy as np
 from groundslab.design.design_moments import wood_armer
 from groundslab.design.en1992 import bending, cracking, punching, shear
 from groundslab.design.en1992.materials import Concrete, Steel
-from groundslab.fem import cracked_section
+from groundslab.fem.concrete import cracked_section
 from groundslab.model.loads.en1990 import make_combinations
 from groundslab.model.loads.load_cases import Combine, LimitState, LoadCase
 

@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 
 from groundslab.errors import InputError, Issue
-from groundslab.fem.cracked_section import STEEL_MODULUS, mean_tensile_strength
+from groundslab.fem.concrete.materials import STEEL_MODULUS, mean_tensile_strength
 
 _MPA = 1e6
 #: Strength classes of Table 3.1: f_ck [MPa] by name.

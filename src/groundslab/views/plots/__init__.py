@@ -38,8 +38,7 @@ def plot(
     *fields : str
         Quantities to draw, by name or symbol: the nodal fields of the plate ("settlement" or "w", "pressure" or "p",
         "moment_x" or "m_x", ...), the principal moments "m_1" and "m_2", and the design moments "bottom_x",
-        "bottom_y", "top_x" and "top_y"; "discretization_error"; "stiffness_ratio" of slabs that crack. Without any, a
-        usual choice for the kind.
+        "bottom_y", "top_x" and "top_y"; "discretization_error", "stiffness_ratio". Without any, a usual choice.
     kind : str, optional
         "plan" (default), "deformed", "lines" (default with a line), "mesh", "soil" or "convergence"; see docs/plots.md.
     combination : str or sequence of str, optional

@@ -6,14 +6,13 @@ import numpy as np
 
 from groundslab.discretize.nodal_loads import materials
 from groundslab.fem import plate
-from groundslab.fem.cracked_section import (
-    STEEL_MODULUS,
+from groundslab.fem.concrete.cracked_section import (
     Bars,
     CrackedSections,
     cracked_section,
-    mean_tensile_strength,
     uncracked_section,
 )
+from groundslab.fem.concrete.materials import STEEL_MODULUS, mean_tensile_strength
 from groundslab.model.model import Model
 from groundslab.model.outputs import Reinforcement
 
