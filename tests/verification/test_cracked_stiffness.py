@@ -112,7 +112,7 @@ def _strip_of(results: CombinationResult, half: float) -> tuple[float, float, fl
 
 
 def test_strip_is_that_of_an_integrated_beam() -> None:
-    """Settlements are within 0.1 % and moments within 0.5 % of the beam's, which differ from uncracked ones by more."""
+    """Settlements are within 0.1 % and moments within 0.2 % of the beam's, which differ from uncracked ones by more."""
     model = _model()
     found = solve(model)["qp"]
     expected = _strip_by_integration(model, 8e6, 300e3, 0.75)
@@ -120,7 +120,7 @@ def test_strip_is_that_of_an_integrated_beam() -> None:
     got = _strip_of(found, 6.0)
     largest = expected[0]
     np.testing.assert_allclose(got[:2], expected[:2], atol=1e-3 * largest)
-    np.testing.assert_allclose(got[2:], expected[2:], rtol=5e-3)
+    np.testing.assert_allclose(got[2:], expected[2:], rtol=2e-3)
     assert got[0] > 1.1 * uncracked[0]
     assert got[2] < 0.9 * uncracked[2]
     assert found.certificate.section_law is not None
