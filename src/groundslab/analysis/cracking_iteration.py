@@ -50,15 +50,14 @@ def _solve_cracked(level: Level, start: Solution, report: OnStep, finest: bool) 
     law = laws(uncracked.problem)
     slip = np.zeros(len(uncracked.problem.bearing.law))
     M = decisive_moments(mean_moments(uncracked.problem, start.U))
-    by_face = effective_stiffness(M, law.B_I[..., None], law.B_II, law.M_cr, law.beta[:, None, None])
-    B, face = by_face.min(axis=2), np.argmin(by_face, axis=2)
+    B = effective_stiffness(M, *law.curve).min(axis=2)
     extrapolation, solution = _Extrapolation(), start
     history: list[dict[str, float]] = []
     while len(history) < MAX_ITERATIONS:
-        s = with_stiffness(uncracked, B, face)
+        s = with_stiffness(uncracked, B)
         own = replace(level, system=s, matrix=None)
         solution = solve_load_step(LoadStep(s, own, 1.0, slip, finest, limit, report), solution)
-        found, moments, face = secant_stiffness(law, B, mean_moments(s.problem, solution.U))
+        found, moments = secant_stiffness(law, B, mean_moments(s.problem, solution.U))
         history.append({"iteration": len(history) + 1, "error": law_error(found, moments, B)})
         if history[-1]["error"] <= TOLERANCE:
             return solution

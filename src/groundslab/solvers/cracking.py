@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers
+from groundslab.arrays import Array
 from groundslab.fem import plate
 from groundslab.fem.assembly import find_congruent, scatter
 from groundslab.fem.concrete.cracked_section import (
@@ -18,7 +18,6 @@ from groundslab.fem.concrete.cracked_section import (
     law_error,
     orthotropic_rigidity,
     secant_stiffness,
-    shrinkage_curvature,
 )
 from groundslab.fem.problem import BETA_X, BETA_Y, Problem, plate_unknowns
 from groundslab.fem.shape_functions import gauss
@@ -31,8 +30,8 @@ def laws(problem: Problem) -> CrackedSections:
     return problem.cracking.at(problem.section)
 
 
-def with_stiffness(s: System, B: Array, face: Integers) -> System:
-    """Return the system of an uncracked plate with elements that have cracked: stiffness B and face, (mp, 2) each.
+def with_stiffness(s: System, B: Array) -> System:
+    """Return the system of an uncracked plate with elements that have cracked, of stiffness B (mp, 2).
 
     Curvatures that elements would take freely, by temperature or shrinkage, then load the plate by their new rigidity.
     """
@@ -40,7 +39,7 @@ def with_stiffness(s: System, B: Array, face: Integers) -> System:
     elements = problem.mesh.elements[problem.plate_elements]
     D, before = orthotropic_rigidity(B, law.B_I, law.nu), problem.bending[problem.rigidity]
     # by signs of rotations, sagging is a negative curvature
-    free = problem.loading.free_curvature - shrinkage_curvature(law, B, face)
+    free = problem.loading.free_curvature - law.shrinkage_I
     load = problem.load.copy()
     if free.any():
         xy = problem.mesh.nodes[elements]
@@ -72,5 +71,5 @@ def mean_moments(problem: Problem, U: Array) -> Array:
 def error_of_law(problem: Problem, U: Array) -> float:
     """Return by how much the moments of a cracked plate are off its sections' law, over the largest moment."""
     assert problem.stiffness is not None
-    found, M, _ = secant_stiffness(laws(problem), problem.stiffness, mean_moments(problem, U))
+    found, M = secant_stiffness(laws(problem), problem.stiffness, mean_moments(problem, U))
     return law_error(found, M, problem.stiffness)

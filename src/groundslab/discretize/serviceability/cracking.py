@@ -32,22 +32,22 @@ def cracked_sections(model: Model) -> CrackedSections | None:
     f_ct = cracking.f_ct or mean_tensile_strength(_strength(steel))
     warp = cracking.shrinkage * n  # 7.21, times S / I
     B_I, shrinkage_I = (np.empty((len(h), 2)) for _ in range(2))
-    B_II, M_cr, shrinkage_II = (np.empty((len(h), 2, 2)) for _ in range(3))
+    B_II, M_cr, shrinkage = (np.empty((len(h), 2, 2)) for _ in range(3))
     for axis in (0, 1):
         bars = _bars(steel, axis)
         z, second, first = uncracked_section(h, bars, n)
         B_I[:, axis], shrinkage_I[:, axis] = E * second, warp * first / second
-        for face, (top, far) in enumerate(((False, h - z), (True, z))):
+        for face, (sign, far) in enumerate(((1, h - z), (-1, z))):
             M_cr[:, axis, face] = f_ct * second / far
-            _, cracked, first = cracked_section(h, bars, n, top)
-            # bars at the top, which resist shrinkage there, make the plate hog
-            B_II[:, axis, face], shrinkage_II[:, axis, face] = E * cracked, (-1) ** face * warp * first / cracked
+            _, cracked, first = cracked_section(h, bars, n, top=sign < 0)
+            B_II[:, axis, face] = E * cracked
+            shrinkage[:, axis, face] = np.maximum(warp * first / cracked - sign * shrinkage_I[:, axis], 0.0)
     return CrackedSections(
         B_I=B_I,
         B_II=B_II,
         M_cr=M_cr,
         shrinkage_I=shrinkage_I,
-        shrinkage_II=shrinkage_II,
+        shrinkage=shrinkage,
         nu=nu,
         shear=np.array([plate.shear_rigidity(*each, model.plate.shear_factor) for each in zip(E, nu, h, strict=True)]),
         beta=np.full(len(h), BETA[cracking.duration]),

@@ -22,6 +22,9 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 
+#: Newton's steps to the moment at a curvature: far more than digits need.
+NEWTON_STEPS = 25
+
 
 @dataclass(frozen=True, slots=True)
 class CrackedSections:
@@ -31,7 +34,7 @@ class CrackedSections:
     B_II: Array  # (k, 2, 2) [N m2/m]: cracked
     M_cr: Array  # (k, 2, 2) [N m/m]: moment that cracks the face
     shrinkage_I: Array  # (k, 2) [1/m]: sagging that shrinkage causes, uncracked
-    shrinkage_II: Array  # (k, 2, 2) [1/m]: the same, cracked
+    shrinkage: Array  # (k, 2, 2) [1/m]: how much more it bends the cracked section towards its face in tension, >= 0
     nu: Array  # (k,): Poisson's ratio, uncracked
     shear: Array  # (k,) [N/m]: shear rigidity
     beta: Array  # (k,): duration of the loads in 7.19
@@ -42,9 +45,15 @@ class CrackedSections:
 
     @property
     def least(self) -> Array:
-        """Return the stiffness of the fully cracked sections, (k, 2) [N m2/m]."""
-        least: Array = np.minimum(self.B_II.min(axis=2), self.B_I)
+        """Return a stiffness that no section falls below, (k, 2) [N m2/m]."""
+        by_face = 1 / (1 / self.B_II + self.shrinkage / self.M_cr)
+        least: Array = np.minimum(by_face.min(axis=2), self.B_I)
         return least
+
+    @property
+    def curve(self) -> tuple[Array, ...]:
+        """Return B_I, B_II, M_cr, beta and the curvature by shrinkage, as arrays of both directions and faces."""
+        return self.B_I[..., None], self.B_II, self.M_cr, self.beta[:, None, None], self.shrinkage
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,20 +98,29 @@ def cracked_section(h: Array, bars: Bars, n: Array, top: bool) -> tuple[Array, A
     return x, second, area * (d - x) - other * (x - far)
 
 
-def effective_stiffness(M: Array, B_I: Array, B_II: Array, M_cr: Array, beta: Array) -> Array:
-    """Return the stiffness B under moments M >= 0, by 7.18 and 7.19."""
-    zeta = np.where(M_cr < M, 1 - beta * (M_cr / np.maximum(M, M_cr)) ** 2, 0.0)
-    return 1 / (zeta / B_II + (1 - zeta) / B_I)
+def effective_stiffness(M: Array, B_I: Array, B_II: Array, M_cr: Array, beta: Array, shrinkage: Array) -> Array:
+    """Return the stiffness B under moments M >= 0, by 7.18 and 7.19.
+
+    M / B is the curvature beyond that by shrinkage of the uncracked section; the cracked one has more by shrinkage.
+    """
+    above = np.maximum(M, M_cr)
+    zeta = np.where(M_cr < M, 1 - beta * (M_cr / above) ** 2, 0.0)
+    return 1 / (zeta * (1 / B_II + shrinkage / above) + (1 - zeta) / B_I)
 
 
-def resisted_moment(chi: Array, B_I: Array, B_II: Array, M_cr: Array, beta: Array) -> Array:
+def resisted_moment(chi: Array, B_I: Array, B_II: Array, M_cr: Array, beta: Array, shrinkage: Array) -> Array:
     """Return the moment M at a curvature chi >= 0: the inverse of 7.18 and 7.19, which exists as chi grows with M.
 
     Where beta is below 1 the curvature jumps as the section cracks; between, it bends under M_cr.
     """
-    constant = 4 * beta * M_cr**2 * (1 / B_II - 1 / B_I) / B_II
-    cracked = B_II / 2 * (chi + np.sqrt(chi**2 + constant))
-    return np.where(B_I * chi <= M_cr, B_I * chi, np.maximum(M_cr, cracked))
+    c = beta * M_cr**2
+    linear = c * (1 / B_II - 1 / B_I)
+    # chi = M / B_II + shrinkage - linear / M - c shrinkage / M^2 is concave in M: Newton's steps rise to its root
+    M = np.maximum(M_cr, B_II * (chi - shrinkage))
+    for _ in range(NEWTON_STEPS):
+        off = M / B_II + shrinkage - linear / M - c * shrinkage / M**2 - chi
+        M = np.maximum(M - off / (1 / B_II + linear / M**2 + 2 * c * shrinkage / M**3), M_cr)
+    return np.where(B_I * chi <= M_cr, B_I * chi, M)
 
 
 def decisive_moments(m: Array) -> Array:
@@ -119,33 +137,25 @@ def decisive_moments(m: Array) -> Array:
     return M
 
 
-def secant_stiffness(law: CrackedSections, B: Array, m: Array) -> tuple[Array, Array, Integers]:
-    """Return the stiffness (k, 2) by the law at the curvatures M / B of moments m (k, 3), M (k, 2), and the face.
+def secant_stiffness(law: CrackedSections, B: Array, m: Array) -> tuple[Array, Array]:
+    """Return the stiffness (k, 2) by the law at the curvatures M / B of moments m (k, 3), and M (k, 2).
 
     B (k, 2) is the stiffness with which the moments were found; where both agree it satisfies the law. Of both faces
-    the softer one counts: its moment, and its number.
+    the softer one counts, and its moment.
     """
-    M, B_I, beta = decisive_moments(m), law.B_I[..., None], law.beta[:, None, None]
+    M = decisive_moments(m)
     chi = M / B[..., None]
-    resisted = resisted_moment(chi, B_I, law.B_II, law.M_cr, beta)
-    found = np.divide(resisted, chi, out=np.broadcast_to(B_I, M.shape).copy(), where=chi > 0)
-    face = np.argmin(found, axis=2)
-    found, M = (np.take_along_axis(each, face[..., None], axis=2)[..., 0] for each in (found, M))
-    return found, M, face
+    resisted = resisted_moment(chi, *law.curve)
+    found = np.divide(resisted, chi, out=np.broadcast_to(law.B_I[..., None], M.shape).copy(), where=chi > 0)
+    face = np.argmin(found, axis=2)[..., None]
+    found, M = (np.take_along_axis(each, face, axis=2)[..., 0] for each in (found, M))
+    return found, M
 
 
 def law_error(found: Array, M: Array, B: Array) -> float:
     """Return by how much moments (k, 2) are off those that the law gives for their curvatures, over the largest."""
     largest = float(M.max(initial=0.0))
     return float((np.abs(found / B - 1) * M).max() / largest) if largest else 0.0
-
-
-def shrinkage_curvature(law: CrackedSections, B: Array, face: Integers) -> Array:
-    """Return the sagging (k, 2) [1/m] that shrinkage causes at a stiffness B (k, 2), by 7.21 and 7.18."""
-    B_II, cracked = (np.take_along_axis(each, face[..., None], axis=2)[..., 0] for each in (law.B_II, law.shrinkage_II))
-    range_ = 1 / B_II - 1 / law.B_I
-    zeta = np.divide(1 / B - 1 / law.B_I, range_, out=np.zeros(B.shape), where=range_ > 0)
-    return zeta * cracked + (1 - zeta) * law.shrinkage_I
 
 
 def orthotropic_rigidity(B: Array, B_I: Array, nu: Array) -> Array:
