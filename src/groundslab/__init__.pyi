@@ -58,6 +58,8 @@ from .model.plate import Plate as Plate
 from .model.plate import Zone as Zone
 from .model.reinforcement.bars import Bars as Bars
 from .model.reinforcement.bars import BarZone as BarZone
+from .model.serviceability.cracking import Cracking as Cracking
+from .model.serviceability.long_term import LongTerm as LongTerm
 from .model.settings import Analysis as Analysis
 from .model.settings import Beyond as Beyond
 from .model.settings import Contact as Contact

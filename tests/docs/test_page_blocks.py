@@ -42,12 +42,14 @@ def run(text: str, **names: object) -> dict[str, object]:
 def test_cases_of_the_page_on_input_load() -> None:
     """The smallest case loads, and with each of the other blocks put behind it."""
     smallest, *others = blocks("input.md", "toml")
-    assert len(others) == 5
-    shapes, checks, combinations, moves, floor = others
+    assert len(others) == 7
+    shapes, checks, aci, cracks, combinations, moves, floor = others
     assert len(casefile.loads(f"{smallest}\n{shapes}").loads) == 4
     named = smallest.replace('q = "10 kPa"', 'q = "10 kPa"\ncase = "design loads"')
     assert len(casefile.loads(f"{named}\n{combinations}").combinations) == 1
     assert casefile.loads(f"{named}\n{combinations}\n{checks}").limits is not None
+    assert casefile.loads(f"{named}\n{combinations}\n{aci}").reinforcement is not None
+    assert casefile.loads(f"{named}\n{combinations}\n{checks}\n{cracks}").cracking is not None
     assert casefile.loads(f"{named}\n{combinations}\n{floor}").floor is not None
     cases = "".join(f'[[cases]]\nname = "{name}"\n' for name in ("rack", "truck"))
     in_case = smallest.replace('q = "10 kPa"', 'q = "10 kPa"\ncase = "rack"')

@@ -17,7 +17,7 @@ from groundslab.fem.shape_functions import areas, gauss, jacobian, q9
 from groundslab.fem.system import surface_settlement
 from groundslab.results.certificate import apply
 from groundslab.results.patch_recovery import extrapolation
-from groundslab.results.recovery import thermal_moments
+from groundslab.results.recovery import free_moments
 from groundslab.results.result_mesh import ResultMesh
 from groundslab.solvers.solution import Solution
 
@@ -53,7 +53,7 @@ def _plate_errors(solution: Solution, frame: ResultMesh, recovered: Array) -> Ar
     problem, (points, weights) = solution.system.problem, gauss(3)
     N, dN = q9(points)
     u = plate_unknowns(problem, solution.U)
-    free = thermal_moments(problem)
+    free = free_moments(problem)
     _, first, kind = np.unique(frame.kind, return_index=True, return_inverse=True)
     xy = problem.mesh.nodes[problem.mesh.elements[problem.plate_elements]]
     found = np.empty(len(u))
@@ -62,15 +62,15 @@ def _plate_errors(solution: Solution, frame: ResultMesh, recovered: Array) -> Ar
         part = slice(start, start + _CHUNK)
         kinds, own = np.unique(kind[part], return_inverse=True)
         some = first[kinds]
-        section = problem.section[some]
-        D, S = problem.bending[section], problem.shear[section]
+        rigidity = problem.rigidity[some]
+        D, S = problem.bending[rigidity], problem.shear[rigidity]
         matrices = plate.section_matrices(problem.element, points, xy[some], D, S).reshape(len(some), -1, 27)
         error = N @ recovered[part] - apply(matrices, own, u[part]).reshape(-1, len(points), 5)
         error[..., :3] -= free[part, None]
-        C, dA = compliance[problem.section[part]], jacobian(dN, xy[part])[2] * weights
+        C, dA = compliance[problem.rigidity[part]], jacobian(dN, xy[part])[2] * weights
         moments, shear = error[..., :3], error[..., 3:]
         of_moments = np.einsum("epi,eij,epj->ep", moments, C, moments, optimize=True)
-        of_shear = (shear**2).sum(axis=2) / problem.shear[problem.section[part], None]
+        of_shear = (shear**2).sum(axis=2) / problem.shear[problem.rigidity[part], None]
         found[part] = (dA * (of_moments + of_shear)).sum(axis=1)
     return found
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from groundslab.accuracy.comparison import compare
 from groundslab.analysis.adaptivity import solve_adaptively
+from groundslab.analysis.cracking_iteration import solve_cracked_meshes
 from groundslab.analysis.gamma_iteration import OnStep
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions
 from groundslab.analysis.nested import HALVINGS, margin_effect, required_coarsenings, solve_nested
@@ -17,6 +18,7 @@ from groundslab.analysis.parallel import run_parallel
 from groundslab.arrays import Array
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes, coarsest
+from groundslab.discretize.serviceability.lasting_ground import lasts, with_lasting_ground
 from groundslab.errors import GroundslabError, IllConditioned, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
 from groundslab.model.combinations import list_combinations, place_patterns
 from groundslab.model.loads.load_cases import Combination
@@ -26,6 +28,7 @@ from groundslab.results.record import Step
 from groundslab.results.recovery import expand, recover, recover_fields
 from groundslab.results.results import CombinationResult, Increment, Results
 from groundslab.solvers import factorization
+from groundslab.solvers.direct.protocols import Solver
 from groundslab.solvers.solution import Solution
 
 #: Variants have the mesh of the base case, made for errors of this share of the accuracy, as theirs may be larger.
@@ -172,7 +175,10 @@ def _outcomes(
     ground: Factors | None = None,
 ) -> Iterator[CombinationResult | GroundslabError]:
     """Yield for each combination its results, or why it has none; those with the same factors are solved once."""
-    keys = [tuple(_case_factors(model, each).tolist()) for each in combinations]
+    keys = [
+        (_cracks(model, each), lasts(model, each.limit_state), *_case_factors(model, each).tolist())
+        for each in combinations
+    ]
     first: dict[tuple[float, ...], Combination] = {}
     for key, combination in zip(keys, combinations, strict=True):
         first.setdefault(key, combination)
@@ -207,34 +213,56 @@ def _solve_each(
     """Yield for each combination its results, or why it has none; several are solved in parallel."""
     name, solver = factorization.choose(model.analysis.solver)
     factorization.warm_up(solver)
-    keep = len(combinations) > 1 or reference is not None
-    # the effect of the margin is judged on the next coarser mesh, where it costs little
-    level = min(HALVINGS, coarsest(model))
-    finest = MeshHierarchy(model, solver, 0, 1.0, keep, meshes, ground, reference)
-    margins = [MeshHierarchy(model, solver, level, margin, keep, meshes, ground, reference) for margin in (1.0, 2.0)]
-    hierarchies = [finest, *margins]
+    keep = len(combinations) > 1 or reference is not None or model.cracking is not None
+    make = partial(_hierarchies, solver=solver, keep=keep, meshes=meshes, ground=ground)
+    # softer ground under lasting loads is another problem, of which a similar model knows nothing
+    lasting = [lasts(model, each.limit_state) for each in combinations]
+    on_ground = {
+        long: make(with_lasting_ground(model), None) if long else make(model, reference) for long in set(lasting)
+    }
     # one combination does not wait for the number of threads, which a solver tells when it is loaded
     lanes = 1 if len(combinations) == 1 else min(MAX_LANES, factorization.threads(solver), len(combinations))
-    if lanes > 1 and finest.level(0).system.pattern.size > MAX_PARALLEL_UNKNOWNS:
+    if lanes > 1 and on_ground[lasting[0]][0].level(0).system.pattern.size > MAX_PARALLEL_UNKNOWNS:
         lanes = 1
     if lanes < 2:
-        yield from (_outcome(model, each, hierarchies, name, on_step) for each in combinations)
+        for each, long in zip(combinations, lasting, strict=True):
+            yield _outcome(model, each, on_ground[long], name, on_step)
         return
     # make what the lanes share first
-    for coarsening in required_coarsenings(finest, combinations):
-        finest.level(coarsening)
-    for hierarchy in margins if _is_infinite(model) else []:
-        hierarchy.level(hierarchy.finest)
-    for coarsening in {0, 1} & finest.levels.keys():
-        finest.level(coarsening).result_mesh(model)
-    of_lanes = [hierarchies, *([each.clone() for each in hierarchies] for _ in range(lanes - 1))]
+    for finest, *margins in on_ground.values():
+        for coarsening in required_coarsenings(finest, combinations):
+            finest.level(coarsening)
+        for hierarchy in margins if _is_infinite(model) else []:
+            hierarchy.level(hierarchy.finest)
+        for coarsening in {0, 1} & finest.levels.keys():
+            finest.level(coarsening).result_mesh(model)
     # whichever lane is faster, each has the same tasks in the same order, and so the same factors to begin with
-    tasks = [
-        [partial(_outcome, model, each, of_lanes[lane], name) for each in combinations[lane::lanes]]
-        for lane in range(lanes)
-    ]
+    tasks = []
+    for lane in range(lanes):
+        own = {long: [each.clone() for each in found] if lane else found for long, found in on_ground.items()}
+        some = zip(combinations[lane::lanes], lasting[lane::lanes], strict=True)
+        tasks.append([partial(_outcome, model, each, own[long], name) for each, long in some])
     threads = factorization.threads(solver) // lanes
     yield from run_parallel(tasks, on_step, lambda: factorization.use_threads(solver, threads))
+
+
+def _hierarchies(
+    model: Model,
+    reference: ReferenceSolutions | None,
+    solver: Solver,
+    keep: bool,
+    meshes: Meshes,
+    ground: Factors | None,
+) -> list[MeshHierarchy]:
+    """Return the finest meshes of a model, and two for the effect of the margin.
+
+    That is judged on the next coarser mesh, where it costs little.
+    """
+    level = min(HALVINGS, coarsest(model))
+    return [
+        MeshHierarchy(model, solver, finest, margin, keep, meshes, ground, reference)
+        for finest, margin in ((0, 1.0), (level, 1.0), (level, 2.0))
+    ]
 
 
 def _outcome(
@@ -256,6 +284,8 @@ def _outcome(
         (*earlier, solution), coarser = solve_nested(finest, combination.name, factors, report)
         found = (*earlier, solution)
         effect = margin_effect(margins, combination.name, factors, found) if _is_infinite(model) else None
+        if _cracks(model, combination):
+            solution, coarser = solve_cracked_meshes(finest, solution, coarser, report)
         frame, before = finest.result_mesh(solution, 0), _with_load_shares(earlier)
         proof = worst([certificate(solution, effect), *(certificate(each, effect) for _, each in before)])
         increments = tuple(Increment(share, *expand(recover_fields(each, frame), frame)) for share, each in before)
@@ -270,6 +300,11 @@ def _outcome(
     except (IllConditioned, NoEquilibrium, NotConverged, SingularMatrix) as error:
         # its traceback would keep meshes and factors alive
         return error.with_traceback(None)
+
+
+def _cracks(model: Model, combination: Combination) -> bool:
+    """Return whether the slab has cracked stiffness in a combination."""
+    return model.cracking is not None and combination.limit_state in model.cracking.limit_states
 
 
 def _is_infinite(model: Model) -> bool:

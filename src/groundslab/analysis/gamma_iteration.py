@@ -59,7 +59,8 @@ class _ContactIteration:
         self.near: Array | None = None  # u (size,) of another solution on this mesh
         state: Integers = np.full(len(problem.bearing.law), CLOSED)
         if start is not None and start.system.problem.mesh is problem.mesh:
-            state, self.near = start.contact.state, start.contact.u if start.system is step.system else None
+            alike = start.system is step.system or problem.stiffness is not None
+            state, self.near = start.contact.state, start.contact.u if alike else None
         elif start is not None and len(problem.bearing.law):
             if step.level.locations is None:
                 step.level.locations = warm_start.locate_nodes(start.system.problem, problem)

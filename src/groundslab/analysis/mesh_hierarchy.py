@@ -146,17 +146,19 @@ class MeshHierarchy:
     def result_mesh(self, solution: Solution, coarsening: int) -> ResultMesh:
         """Return the mesh of the results of a solution on one of the meshes."""
         level = self.levels.get(coarsening)
-        return make_result_mesh(self.model, solution.system.problem) if level is None else level.result_mesh(self.model)
+        problem = solution.system.problem
+        return make_result_mesh(self.model, problem) if level is None else level.result_mesh(self.model).of(problem)
 
     def prolongation(self, coarser: Solution, finer: Solution, frame: ResultMesh) -> Prolongation:
         """Return what takes fields from the next coarser mesh to the finest one, whose mesh of results is `frame`."""
         level, before = self.levels.get(self.finest), self.result_mesh(coarser, self.finest + 1)
         known = None if level is None else level.prolongation
-        if known is None or known.coarser is not before or known.finer is not frame:
+        if known is None or known.coarser.mesh is not before.mesh or known.finer.mesh is not frame.mesh:
             known = make_prolongation(before, frame, (coarser.system.problem.mesh, finer.system.problem.mesh))
         if level is not None:
             level.prolongation = known
-        return known
+        # elements that have cracked differ from one combination to the next
+        return replace(known, coarser=before, finer=frame)
 
     def store(self, combination: str, solutions: list[Solution]) -> None:
         """Store the solutions of a combination, one for each load increment, for similar models."""

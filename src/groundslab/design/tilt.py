@@ -14,6 +14,11 @@ from groundslab.fem.mesh import Mesh, locate
 from groundslab.fem.shape_functions import q9
 from groundslab.results.mesh_results import PlateResult
 
+#: Points of the line between two columns at which the settlement is looked at.
+CHORD_POINTS = 41
+#: A point this near to a circle, by its squared diameter, lies on it.
+ON_CIRCLE = 1e-9
+
 
 @dataclass(frozen=True, slots=True)
 class Tilt:
@@ -82,6 +87,28 @@ def tilt(plate: PlateResult) -> Tilt:
         deflection=float(off[most]),
         place=(float(x), float(y)),
     )
+
+
+def deflections_between(plate: PlateResult, points: Mapping[str, tuple[float, float]]) -> list[tuple[str, str, float]]:
+    """Return names and deflection ratio of pairs of neighboring points (x, y) [m] of the plate, such as columns.
+
+    The ratio is the largest distance of the settlement from the straight line between both, over their distance
+    (EN 1997-1 Annex H: relative deflection), at places that lie on the plate. Neighbors are pairs with no third point
+    in the circle over the line between them (Gabriel and Sokal 1969); the diagonals of rectangles count.
+    """
+    names, places = tuple(points), np.array(list(points.values()), dtype=float)
+    along, mesh = np.linspace(0, 1, CHORD_POINTS)[:, None], Mesh(plate.nodes, plate.elements)
+    found = []
+    for i, j in combinations(range(len(names)), 2):
+        a, b = places[i], places[j]
+        squared = float(((b - a) ** 2).sum())
+        if (((places - a) * (places - b)).sum(axis=1) < -ON_CIRCLE * squared).any():
+            continue
+        element, local = locate(mesh, (1 - along) * a + along * b)
+        w = np.einsum("pa,pa->p", q9(local)[0], plate.settlement[mesh.elements[element]])
+        off = np.abs(w - (1 - along[:, 0]) * w[0] - along[:, 0] * w[-1])[element >= 0]
+        found.append((names[i], names[j], float(off.max() / np.sqrt(squared))))
+    return found
 
 
 def settlement_differences(plate: PlateResult, points: Mapping[str, tuple[float, float]]) -> Differences:

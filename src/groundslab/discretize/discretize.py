@@ -9,6 +9,7 @@ from groundslab.discretize.constraints import concatenate, fixed_nodes, ground_b
 from groundslab.discretize.ground import Factors, carries_shear, ground_under, grounds_of, surfaces_of
 from groundslab.discretize.nodal_loads import loadings, materials
 from groundslab.discretize.plan_layout import AXIS, OUTWARD, Layout, Meshes, layout
+from groundslab.discretize.serviceability.cracking import cracked_sections
 from groundslab.discretize.voids import find_depths, initial_gap
 from groundslab.fem import plate
 from groundslab.fem.assembly import number_unknowns
@@ -56,6 +57,7 @@ def discretize(
         element=element,
         bending=np.array([plate.bending_rigidity(E, nu, t) for E, nu, t in sections]),
         shear=np.array([plate.shear_rigidity(E, nu, t, model.plate.shear_factor) for E, nu, t in sections]),
+        rigidity=plan.section,
         section=plan.section,
         thickness=np.array([t for _, _, t in sections])[plan.section],
         ground=ground,
@@ -76,6 +78,7 @@ def discretize(
         edges=edges,
         corners=corners,
         symmetry=plan.symmetry,
+        cracking=cracked_sections(model),
     )
 
 

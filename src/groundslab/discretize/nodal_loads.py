@@ -65,11 +65,11 @@ def _loading(
     table[:, W] = scatter(mesh.elements[elements], forces, n)
     if warp.any():
         D = np.array([plate.bending_rigidity(E, nu, t) for E, nu, t in materials(model)])[plan.section]
-        couples = couples + plate.thermal_couples(mesh.xy[elements], D, warp)
+        couples = couples + plate.free_couples(mesh.xy[elements], D, np.column_stack([warp, warp]))
     for axis in (0, 1):
         if couples[axis].any():
             table[:, BETA_X + axis] = scatter(mesh.elements[elements], couples[axis], n)
-    return Loading(table, warp, settlement, size)
+    return Loading(table, np.column_stack([warp, warp]), settlement, size)
 
 
 def _spread(

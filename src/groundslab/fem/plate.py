@@ -179,14 +179,15 @@ def _shear_stiffness(element: PlateElement, xy: Array, S: Array, T: Array) -> Ar
     return K
 
 
-def thermal_couples(xy: Array, D: Array, curvature: Array) -> Array:
+def free_couples(xy: Array, D: Array, curvature: Array) -> Array:
     """Return the couples (2, m, 9) [N m] on beta_x and beta_y that bend free elements to a curvature.
 
-    int B_b^T D (curvature, curvature, 0) dA with the curvature beta_x,x = beta_y,y (m,) [1/m] of free thermal bending.
+    int B_b^T D (curvature, 0) dA with the curvature beta_x,x and beta_y,y (m, 2) [1/m] of free bending, as by
+    temperature.
     """
     points, weights = gauss(3)
     dA = jacobian(q9(points)[1], xy)[2] * weights
-    moment = D[:, :, :2].sum(axis=2) * curvature[:, None]
+    moment = np.einsum("eij,ej->ei", D[:, :, :2], curvature)
     f = np.einsum("ep,epcu,ec->eu", dA, bending_strain(points, xy), moment)
     couples: Array = f[:, 9:].reshape(-1, 2, 9).swapaxes(0, 1)
     return couples

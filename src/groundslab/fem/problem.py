@@ -14,6 +14,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.fem import plate
 from groundslab.fem.bearings import Bearings
+from groundslab.fem.concrete.cracked_section import CrackedSections
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import Mesh
 from groundslab.fem.vlasov import Soil
@@ -27,10 +28,10 @@ MIDSIDES = slice(4, 8)
 
 @dataclass(frozen=True, slots=True)
 class Loading:
-    """What acts together: forces, the curvature that temperature would give, settlements of supports."""
+    """What acts together: forces, the curvature that temperature or shrinkage would give, settlements of supports."""
 
     load: Array  # (n, F) [N, N m]
-    thermal_curvature: Array  # (mp,) [1/m]: beta_x,x = beta_y,y that each plate element would take freely
+    free_curvature: Array  # (mp, 2) [1/m]: beta_x,x and beta_y,y that each plate element would take freely
     settlement: Array  # (s,) [m]: of each support
     size: float  # [N]: the sizes of all forces, and of moments over the plate's length, whatever they cancel
 
@@ -41,7 +42,7 @@ class Loading:
     def scale(self, factor: float) -> Loading:
         """Return the loading multiplied by a factor."""
         return Loading(
-            factor * self.load, factor * self.thermal_curvature, factor * self.settlement, abs(factor) * self.size
+            factor * self.load, factor * self.free_curvature, factor * self.settlement, abs(factor) * self.size
         )
 
 
@@ -97,8 +98,9 @@ class Problem:
     plate_elements: Integers  # (mp,)
     plate_nodes: Integers  # (np,), ascending
     element: plate.PlateElement
-    bending: Array  # (k, 3, 3) [N m]: rigidities of the plate's sections
+    bending: Array  # (k, 3, 3) [N m]: rigidities of the plate's sections, or of its elements where these have cracked
     shear: Array  # (k,) [N/m]
+    rigidity: Integers  # (mp,): which of these each plate element has
     section: Integers  # (mp,): number of each plate element's section: 0 outside all zones, else the zone's, from 1
     thickness: Array  # (mp,) [m]: of each plate element
     ground: Soil | Column
@@ -117,6 +119,8 @@ class Problem:
     edges: Integers  # (e, 3): end, end and middle node of each outer side on which infinite ground follows
     corners: Integers  # (c,): nodes at which two such edges meet
     symmetry: tuple[bool, bool]
+    cracking: CrackedSections | None = None  # how the sections crack, if they do
+    stiffness: Array | None = None  # (mp, 2) [N m2/m]: of elements that have cracked, along x and y
 
     @property
     def load(self) -> Array:

@@ -44,7 +44,7 @@ def on_plate_edge(problem: Problem) -> Flags:
 
 @dataclass(frozen=True, slots=True)
 class Blocks:
-    """Element matrices of the different kinds of elements (shape, section or none, voids), and the kind of each one.
+    """Element matrices of the different kinds of elements (shape, rigidity or none, voids), and the kind of each one.
 
     Elements that are alike share one matrix. Of the ground, int N N and int grad N grad N are kept, to be scaled by the
     column; with a plate whose center w hangs on its other nodes, T makes rows and columns of w from them.
@@ -81,7 +81,7 @@ def blocks(problem: Problem) -> Blocks:
     xy, sections, masses = problem.mesh.xy, len(problem.bending), problem.depths.mass_kinds
     shapes, shape = find_congruent(xy)
     section = np.full(len(xy), sections)  # none
-    section[problem.plate_elements] = problem.section
+    section[problem.plate_elements] = problem.rigidity
     kinds, kind = np.unique(
         (shape * (sections + 1) + section) * len(masses) + problem.depths.mass_kind, return_inverse=True
     )
@@ -116,7 +116,7 @@ def build_system(problem: Problem, like: System | None = None) -> System:
     same_plate = known.element is problem.element and all(
         np.array_equal(a, b)
         for a, b in (
-            (known.section, problem.section), (known.bending, problem.bending), (known.shear, problem.shear),
+            (known.rigidity, problem.rigidity), (known.bending, problem.bending), (known.shear, problem.shear),
             (known.depths.mass_kind, problem.depths.mass_kind), (known.depths.mass_kinds, problem.depths.mass_kinds),
         )
     )  # fmt: skip

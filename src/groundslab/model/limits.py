@@ -40,6 +40,10 @@ class Limits(Section):
         float | None,
         Number("beta", "difference of settlement between two columns over their distance, without the tilt", SLOPE),
     ] = None
+    deflection: Annotated[
+        float | None,
+        Number("", "sag between two neighboring columns over their distance, such as 0.004", SLOPE),
+    ] = None
     pressure: Annotated[float | None, Quantity("pressure", "p", "largest pressure on the ground", POSITIVE)] = None
     mean_pressure: Annotated[
         float | None, Quantity("pressure", "p_m", "force on the ground over the area in contact", POSITIVE)

@@ -31,6 +31,8 @@ from groundslab.model.outputs import (
     check_output,
 )
 from groundslab.model.plate import Plate
+from groundslab.model.serviceability.cracking import Cracking, check_cracking
+from groundslab.model.serviceability.long_term import LongTerm
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.supports import Support
 from groundslab.schema import reference
@@ -66,6 +68,7 @@ class Model(Section):
         check_output,
         check_bar_distances,
         check_bar_zones,
+        check_cracking,
         check_design_combinations,
         check_floor,
     )
@@ -104,6 +107,10 @@ class Model(Section):
         Reinforcement | None,
         Table("what reinforcement by EN 1992-1-1 or ACI 318 is found for; needs ultimate combinations of loads"),
     ] = None
+    cracking: Annotated[
+        Cracking | None, Table("cracked stiffness of the slab with its bars, in combinations of serviceability")
+    ] = None
+    long_term: Annotated[LongTerm | None, Table("how soft the ground is under loads that last")] = None
     limits: Annotated[Limits | None, Table("what settlements, tilt and pressures are checked against")] = None
     soil_strength: Annotated[
         SoilStrength | None, Table("strength of the soil, for bearing resistance and sliding by EN 1997-1")

@@ -14,6 +14,7 @@ from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, planes, plate_unknowns
 from groundslab.fem.system import System, edge_decays, edge_lengths, surface_fields, surface_settlement
 from groundslab.results.record import Certificate
+from groundslab.solvers.cracking import error_of_law
 from groundslab.solvers.equilibrium import free_motions
 from groundslab.solvers.solution import Solution
 
@@ -201,6 +202,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
         worst_product=float(product / settlement),
         gamma_change=solution.gamma_change,
         margin_effect=margin_effect,
+        section_law=None if problem.stiffness is None else error_of_law(problem, U),
     )
 
 

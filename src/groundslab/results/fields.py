@@ -97,6 +97,9 @@ PLATE_FIELDS: dict[str, ResultField] = {
 #: The field of elements that is there only where a coarser mesh was solved.
 ERROR = "discretization_error"
 
+#: The field of elements that is there only where the slab may crack.
+STIFFNESS = "stiffness_ratio"
+
 #: The field that only nodes on the plate's edge have.
 LINE_FORCE = "line_force"
 
@@ -112,10 +115,17 @@ ELEMENT_FIELDS: dict[str, ResultField] = {
         "discretization error", "rho_e", "%", "share", "density of the discretization error in energy", "not negative",
         MEAN,
     ),
+    STIFFNESS: ResultField(
+        "stiffness ratio", "r_B", "%", "share", "bending stiffness over that of the uncracked section, along x or y "
+        "where it is less", "not negative", MEAN,
+    ),
 }  # fmt: skip
 
 #: Fields of elements that pictures show, by their means at the nodes.
-SHOWN_ELEMENT_FIELDS = {ERROR: replace(ELEMENT_FIELDS[ERROR], averaged="mean of the elements that meet, by area")}
+SHOWN_ELEMENT_FIELDS = {
+    name: replace(ELEMENT_FIELDS[name], averaged="mean of the elements that meet, by area")
+    for name in (ERROR, STIFFNESS)
+}
 
 #: What is computed from the moments at a node: principal moments, and the direction of the larger one.
 PRINCIPAL: dict[str, ResultField] = {

@@ -229,6 +229,9 @@ class ElementResult:
         Density of the discretization error in the energy norm [1], sqrt((eta_e^2 / E) / (A_e / A)): the error of an
         element and of the ground under it as a share of the solution's norm, over the root of the element's share of
         the plate's area. The mesh is too coarse where it is large. None if there was no coarser mesh to compare with.
+    stiffness_ratio : (m,) array of float or None
+        Bending stiffness over that of the uncracked section [1], along x or y where it is less; 1 in combinations
+        without cracks. None if cracking was not asked for.
     """
 
     pressure: Array
@@ -240,6 +243,7 @@ class ElementResult:
     thickness: Array
     section: Integers
     discretization_error: Array | None = None
+    stiffness_ratio: Array | None = None
 
     def at_nodes(self, plate: PlateResult) -> tuple[Array, Integers]:
         """Return thickness [m] and section of the plate's nodes, (n,) each: a node belongs to one section only.

@@ -90,6 +90,9 @@ class Certificate:
         Relative change of gamma in the last step.
     margin_effect : float or None
         Infinite ground only: largest change of the settlement with a wider meshed margin, over the largest settlement.
+    section_law : float or None
+        Plates that crack only: largest difference between a moment and the one that the section's law gives for its
+        curvature, over the largest moment.
     """
 
     residual: float
@@ -103,9 +106,11 @@ class Certificate:
     worst_product: float
     gamma_change: float
     margin_effect: float | None
+    section_law: float | None = None
 
     TOLERANCE = 1e-6
     MARGIN_TOLERANCE = 0.01
+    LAW_TOLERANCE = 1e-3
 
     @property
     def holds(self) -> bool:
@@ -131,8 +136,8 @@ class Certificate:
         dict of str to float
             The figures by name.
         """
-        margin = {} if self.margin_effect is None else {"margin_effect": self.margin_effect}
-        return self.must_vanish() | margin
+        others = {name: getattr(self, name) for name in ("margin_effect", "section_law")}
+        return self.must_vanish() | {name: value for name, value in others.items() if value is not None}
 
     def limits(self) -> dict[str, float]:
         """Return the limit of each figure that has one.
@@ -142,7 +147,8 @@ class Certificate:
         dict of str to float
             The limits by name.
         """
-        return dict.fromkeys(self.must_vanish(), self.TOLERANCE) | {"margin_effect": self.MARGIN_TOLERANCE}
+        others = {"margin_effect": self.MARGIN_TOLERANCE, "section_law": self.LAW_TOLERANCE}
+        return dict.fromkeys(self.must_vanish(), self.TOLERANCE) | others
 
     def must_vanish(self) -> dict[str, float]:
         """Return the figures that are zero for an exact solution.
@@ -152,5 +158,5 @@ class Certificate:
         dict of str to float
             The figures by name.
         """
-        others = ("load", "reaction", "margin_effect")
+        others = ("load", "reaction", "margin_effect", "section_law")
         return {each.name: getattr(self, each.name) for each in fields(self) if each.name not in others}

@@ -19,6 +19,7 @@ from groundslab.results.mesh_results import ElementResult, GroundResult, PlateRe
 from groundslab.results.record import Certificate, Constants, Step
 from groundslab.results.result_mesh import ResultMesh
 from groundslab.results.results import CombinationResult, Comparison, Increment, SupportResult
+from groundslab.solvers.cracking import laws
 from groundslab.solvers.solution import Solution
 
 #: What is recovered from the Gauss points, in the order of plate.section_forces.
@@ -137,7 +138,12 @@ def support_results(model: Model, solution: Solution) -> tuple[SupportResult, ..
 def _element_fields(problem: Problem, gauss: Array) -> dict[str, Array]:
     """Return the fields at the centers of the plate's elements (mp,) but the pressure, the section's number a float."""
     forces = dict(zip(FORCES, gauss.mean(axis=1).T, strict=True))
-    return {**forces, "thickness": problem.thickness, "section": problem.section.astype(np.float64)}
+    fields = {**forces, "thickness": problem.thickness, "section": problem.section.astype(np.float64)}
+    if problem.cracking is not None:
+        uncracked = laws(problem).B_I
+        B = uncracked if problem.stiffness is None else problem.stiffness
+        fields["stiffness_ratio"] = (B / uncracked).min(axis=1)
+    return fields
 
 
 def gauss_forces(problem: Problem, U: Array, frame: ResultMesh) -> Array:
@@ -146,14 +152,14 @@ def gauss_forces(problem: Problem, U: Array, frame: ResultMesh) -> Array:
     Their mean over an element, in which nothing is averaged between elements, is their value at its center.
     """
     forces = apply(frame.matrices, frame.kind, plate_unknowns(problem, U)).reshape(-1, 4, 5)
-    forces[..., :3] += thermal_moments(problem)[:, None]
+    forces[..., :3] += free_moments(problem)[:, None]
     return forces
 
 
-def thermal_moments(problem: Problem) -> Array:
-    """Return what the curvature that temperature would give freely takes off the moments, (mp, 3) [N m/m]."""
-    stiffness = problem.bending[:, :, :2].sum(axis=2)[problem.section]
-    moments: Array = stiffness * problem.loading.thermal_curvature[:, None]
+def free_moments(problem: Problem) -> Array:
+    """Return what the curvature that elements would take freely takes off the moments, (mp, 3) [N m/m]."""
+    D = problem.bending[problem.rigidity][:, :, :2]
+    moments: Array = np.einsum("eij,ej->ei", D, problem.loading.free_curvature)
     return moments
 
 

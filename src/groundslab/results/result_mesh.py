@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -132,6 +132,13 @@ class ResultMesh:
             sign = np.array([-1.0 if name in ANTISYMMETRIC[axis] else 1.0 for name in names])
             values = np.vstack([values, sign * values[copied][:, XI_TURNED]])
         return patch_recovery.recover_nodes(self.patches, values, sizes)[self.smooth]
+
+    def of(self, problem: Problem) -> ResultMesh:
+        """Return the mesh for a problem on the same mesh, whose elements may have cracked."""
+        if problem.stiffness is None:
+            return self
+        matrices, kind = section_matrices(problem)
+        return replace(self, matrices=matrices, kind=kind)
 
 
 def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
@@ -289,7 +296,7 @@ def split_by_section(problem: Problem, creases: Integers, depth: Integers | None
     elements, n = problem.mesh.elements[problem.plate_elements], len(problem.mesh.nodes)
     key = elements + n * problem.section[:, None]
     if len(creases):
-        key = key + n * len(problem.bending) * split_at(elements, creases, n)
+        key = key + n * (problem.section.max() + 1) * split_at(elements, creases, n)
     if depth is not None and depth.any():
         key = key + n * (key.max() // n + 1) * depth[:, None]
     keys, own = unique_integers(key)
@@ -298,11 +305,11 @@ def split_by_section(problem: Problem, creases: Integers, depth: Integers | None
 
 def section_matrices(problem: Problem) -> tuple[Array, Integers]:
     """Return the matrices (kinds, 20, 27) to section forces at 2 x 2 Gauss points, and each plate element's kind."""
-    xy, sections = problem.mesh.nodes[problem.mesh.elements[problem.plate_elements]], len(problem.bending)
+    xy, rigidities = problem.mesh.nodes[problem.mesh.elements[problem.plate_elements]], len(problem.bending)
     shapes, shape = find_congruent(xy)
-    pairs, kind = np.unique(shape * sections + problem.section, return_inverse=True)
-    D, S = problem.bending[pairs % sections], problem.shear[pairs % sections]
-    matrices = plate.section_matrices(problem.element, gauss(2)[0], xy[shapes[pairs // sections]], D, S)
+    pairs, kind = np.unique(shape * rigidities + problem.rigidity, return_inverse=True)
+    D, S = problem.bending[pairs % rigidities], problem.shear[pairs % rigidities]
+    matrices = plate.section_matrices(problem.element, gauss(2)[0], xy[shapes[pairs // rigidities]], D, S)
     return matrices.reshape(len(pairs), 20, 27), kind
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from groundslab.discretize.borders import shares, zone_rings
 from groundslab.discretize.ground import grounds_of
 from groundslab.discretize.plan_layout import find_followed_borders
+from groundslab.discretize.serviceability.lasting_ground import lasts, with_lasting_ground
 from groundslab.discretize.voids import VoidShares, share_voids
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.vlasov import Soil
@@ -80,6 +81,8 @@ def profiles_of(results: CombinationResult) -> tuple[Profile, ...]:
     over the plan).
     """
     model, constants = results.model, results.constants
+    if lasts(model, results.limit_state):
+        model = with_lasting_ground(model)
     columns, soils = list_columns(model), [each for each in grounds_of(model) if isinstance(each, Soil)]
     if constants.decay is None or len(soils) < len(columns):
         known = len(columns) == 1

@@ -21,6 +21,7 @@ from groundslab.design.en1992.annex import annex_of
 from groundslab.design.en1992.materials import Concrete, Steel
 from groundslab.design.floors import resistance, strips, yield_lines
 from groundslab.design.floors.yield_lines import Location
+from groundslab.fem.concrete import cracked_section
 from groundslab.model.loads.en1990 import make_combinations
 from groundslab.model.loads.load_cases import Combine, LimitState, LoadCase
 
@@ -103,6 +104,20 @@ def _aci_stress(b_1: float, b_2: float, d: float, V_u: float, M: float) -> float
     return aci_punching.stress(V_u, [M, 0.0], _edge_section(b_1, b_2), 2 * b_1 + b_2, d)
 
 
+def _section(what: str) -> Callable[..., float]:
+    """Return what finds a figure of a section of width b with bars at the bottom, I in 1e6 mm4, M_cr at 1 MPa."""
+
+    def find(b: float, h: float, area: float, distance: float, n: float, M: float = 0.0) -> float:
+        bars = cracked_section.Bars((area / b, 0.0), (distance, distance))
+        thickness, ratio = np.array([h]), np.array([n])
+        z, I_I, _ = (float(each[0]) for each in cracked_section.uncracked_section(thickness, bars, ratio))
+        x, I_II, _ = (float(each[0]) for each in cracked_section.cracked_section(thickness, bars, ratio, top=False))
+        found = {"z": z, "I_I": b * I_I * 1e6, "M_cr": b * I_I / (h - z) * 1e6, "x": x, "I_II": b * I_II * 1e6}
+        return (found | {"sigma_s": n * M / b * (h - distance - x) / I_II})[what]
+
+    return find
+
+
 def _punching_used(v_Ed: float, f_ck: float, d: float, rho: float) -> float:
     """Return v_Ed over v_Rd,c [%]."""
     return 100 * v_Ed / punching.resistance_without_links(Concrete(f_ck), d, rho)
@@ -168,6 +183,12 @@ VALUES: dict[str, tuple[str | None, Callable[..., float]]] = {
     "s_r,max": ("length", _crack("spacing")),
     "eps_sm - eps_cm": (None, _crack("strain")),
     "w_k": ("length", _crack("width")),
+    "z of a section": ("length", _section("z")),
+    "I_I of a section": (None, _section("I_I")),
+    "M_cr of a section": ("moment", _section("M_cr")),
+    "x of a section": ("length", _section("x")),
+    "I_II of a section": (None, _section("I_II")),
+    "sigma_s of a section": ("pressure", _section("sigma_s")),
     "v_Ed / v_Rd,c": (None, _punching_used),
     "v_Rd,max": ("pressure", lambda f_ck, annex: punching.max_resistance(_concrete(f_ck, annex)) or 0.0),
     "strut": ("pressure", lambda f_ck, annex: _concrete(f_ck, annex).strut),

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from groundslab.design.tilt import settlement_differences, tilt
+from groundslab.design.tilt import deflections_between, settlement_differences, tilt
 from groundslab.errors import InputError
 from helpers.plates import crooked, plate_of, straight
 
@@ -83,3 +83,14 @@ def test_faults(points: dict, places: list[str]) -> None:
     with pytest.raises(InputError) as caught:
         settlement_differences(plate_of(straight()), points)
     assert [issue.location for issue in caught.value.issues] == places
+
+
+def test_deflection_between_neighbors_is_off_the_chord() -> None:
+    """On w = c x^2 the middle of a pair along x is c L^2 / 4 off the chord; not so with a column between."""
+    c, plate = 1e-3, plate_of(straight(), settlement=lambda x, y: 1e-3 * x**2 + 0.02 * y)
+    found = deflections_between(plate, {"A": (0.0, 1.0), "B": (2.0, 1.0), "C": (6.0, 1.0), "D": (2.0, 3.0)})
+    ratios = {(first, second): ratio for first, second, ratio in found}
+    assert set(ratios) == {("A", "B"), ("B", "C"), ("B", "D"), ("A", "D"), ("C", "D")}
+    assert ratios["A", "B"] == pytest.approx(c * 2 / 4, rel=1e-9)
+    assert ratios["B", "C"] == pytest.approx(c * 4 / 4, rel=1e-9)
+    assert ratios["B", "D"] == pytest.approx(0.0, abs=1e-12)

@@ -148,8 +148,10 @@ def _punching(floor: TR34Floor, concrete: Concrete, slab: Slab, standing: Standi
                 largest[load.location] = load, each
     d = FIBER_DEPTH * slab.h if floor.mesh_axis is None else slab.h - floor.mesh_axis
     rho = 0.0 if floor.mesh_area is None else floor.mesh_area / d
+    at_footprint = punching_resistance.max_resistance(concrete)
+    assert at_footprint is not None  # the recommended values have it
     limits = (
-        punching_resistance.max_resistance(concrete),
+        at_footprint,
         punching_resistance.resistance_without_links(concrete, d, rho),
     )
     for location, (load, each) in sorted(largest.items()):

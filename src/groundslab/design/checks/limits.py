@@ -13,7 +13,7 @@ import numpy as np
 
 from groundslab.design.checks.check import DesignCheck
 from groundslab.design.tables.quantities import solved_results
-from groundslab.design.tilt import settlement_differences, tilt
+from groundslab.design.tilt import deflections_between, settlement_differences, tilt
 from groundslab.model.loads.load_cases import SERVICEABILITY
 from groundslab.results.fields import extreme
 from groundslab.results.results import CombinationResult, Results
@@ -56,15 +56,29 @@ def _tilt(results: CombinationResult) -> Demand:
 
 def _distortion(results: CombinationResult) -> Demand | None:
     """Return the largest angular distortion without tilt between two columns, None of fewer."""
-    # columns at one place are one point
-    names = {(column.x, column.y): column.name for column in results.model.columns}
-    if len(names) < 2:
+    columns = _columns(results)
+    if len(columns) < 2:
         return None
-    columns = {name: place for place, name in names.items()}
     found = settlement_differences(results.plate, columns)
     worst = int(np.argmax(found.relative))
     first, second = found.names[found.first[worst]], found.names[found.second[worst]]
     return float(found.relative[worst]), f"{first} - {second}", columns[second]
+
+
+def _deflection(results: CombinationResult) -> Demand | None:
+    """Return the largest sag between two neighboring columns over their distance, None of fewer."""
+    columns = _columns(results)
+    if len(columns) < 2:
+        return None
+    first, second, ratio = max(deflections_between(results.plate, columns), key=lambda each: each[2])
+    (x0, y0), (x1, y1) = columns[first], columns[second]
+    return ratio, f"{first} - {second}", ((x0 + x1) / 2, (y0 + y1) / 2)
+
+
+def _columns(results: CombinationResult) -> dict[str, tuple[float, float]]:
+    """Return the places of the columns by name [m]; columns at one place are one point."""
+    names = {(column.x, column.y): column.name for column in results.model.columns}
+    return {name: place for place, name in names.items()}
 
 
 def _mean_pressure(results: CombinationResult) -> Demand:
@@ -86,6 +100,7 @@ LIMITS = {
     "differential_settlement": Limit("differential settlement", "mm", 1e3, _difference),
     "tilt": Limit("tilt", "mm/m", 1e3, _tilt),
     "angular_distortion": Limit("angular distortion", "mm/m", 1e3, _distortion),
+    "deflection": Limit("deflection between columns", "mm/m", 1e3, _deflection),
     "pressure": Limit("pressure", "kPa", 1e-3, _extreme("pressure", 1)),
     "mean_pressure": Limit("mean pressure", "kPa", 1e-3, _mean_pressure),
     "contact_share": Limit("area in contact", "%", 1e2, _contact, least=True),

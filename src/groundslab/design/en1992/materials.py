@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from groundslab.design.en1992.annex import RECOMMENDED, Annex
 from groundslab.errors import InputError, Issue
+from groundslab.fem.concrete.materials import STEEL_MODULUS, mean_tensile_strength
 
 _MPA = 1e6
 #: Strength classes of Table 3.1: f_ck [MPa] by name.
@@ -95,8 +96,7 @@ class Concrete:
     @property
     def f_ctm(self) -> float:
         """Return the mean tensile strength [Pa], Table 3.1."""
-        f = self.f_ck / _MPA
-        return (0.30 * f ** (2 / 3) if f <= 50 else 2.12 * math.log(1 + self.f_cm / (10 * _MPA))) * _MPA
+        return mean_tensile_strength(self.f_ck)
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +105,7 @@ class Steel:
 
     f_yk: float
     gamma_s: float = 1.15
-    E_s: float = 200e9
+    E_s: float = STEEL_MODULUS
 
     def __post_init__(self) -> None:
         """Refuse what the rules are not made for."""

@@ -32,7 +32,7 @@ def combinations(combined: Results) -> Table:
             rows.append([*words, f"refused: {why}", *[None] * (len(heads) - 5)])
     notes = [
         "The figures of the certificate are ratios; a result counts if none is above 1e-6, and margin_effect not above "
-        "0.01."
+        "0.01, section_law not above 0.001."
     ]
     if any(has_line_force(each) for each in combined.results.values()):
         notes.append(EDGE_NOTE)

@@ -67,6 +67,8 @@ def _of_state(name: str, state: State, layers: int) -> Iterator[str]:
         yield f"{name}elements.section below 0"
     if elements.discretization_error is not None and not np.all(elements.discretization_error >= 0):
         yield f"{name}elements.discretization_error below 0"
+    if elements.stiffness_ratio is not None and not np.all(elements.stiffness_ratio > 0):
+        yield f"{name}elements.stiffness_ratio that is not positive"
     yield from _of_mesh(f"{name}ground", ground)
     n, m = len(ground.nodes), len(ground.elements)
     surfaces = np.shape(ground.settlement)[:1]

@@ -14,10 +14,12 @@ from groundslab.model.loads.load_cases import LimitState
 from groundslab.results.contact_zone import require_finite
 from groundslab.results.fields import (
     BAR_FIELDS,
+    ERROR,
     LINE_FORCE,
     PLATE_FIELDS,
     RANGED_FIELDS,
     SHOWN_ELEMENT_FIELDS,
+    STIFFNESS,
     ResultField,
 )
 from groundslab.results.record import Step
@@ -212,9 +214,12 @@ def _parse_lines(line: Sequence[Any] | None) -> tuple[SectionLine, ...]:
 
 def _require_element_fields(quantities: Sequence[PlotQuantity], combinations: Sequence[PlottedCombination]) -> None:
     """Raise InputError if results lack a field of elements that is to be drawn."""
-    hint = "it comes from a comparison with a coarser mesh, which these results have not"
+    hints = {
+        ERROR: "it comes from a comparison with a coarser mesh, which these results have not",
+        STIFFNESS: "it belongs to cases with [cracking]",
+    }
     issues = [
-        Issue("FIELD", quote(quantity.name), f"a field that {quote(each.name)} has", hint)
+        Issue("FIELD", quote(quantity.name), f"a field that {quote(each.name)} has", hints[quantity.name])
         for quantity in quantities
         for each in combinations
         if quantity.name in SHOWN_ELEMENT_FIELDS and getattr(each.results.elements, quantity.name) is None

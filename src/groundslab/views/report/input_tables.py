@@ -49,6 +49,8 @@ SECTIONS = {
     "combinations": "Combinations",
     "combine": "Automatic combinations",
     "reinforcement": "Reinforcement",
+    "cracking": "Cracked stiffness",
+    "long_term": "Ground under lasting loads",
     "limits": "Limits",
     "soil_strength": "Strength of the soil",
     "floor": "Industrial floor",

@@ -13,6 +13,7 @@ from groundslab.arrays import Memo
 from groundslab.results.contact_zone import EDGE_NOTE, goes_below_zero, has_line_force, require_finite
 from groundslab.results.fields import PLATE_FIELDS, extreme, place_of
 from groundslab.units import UNITS
+from groundslab.views.summary.cracking import cracking_sections
 from groundslab.views.summary.discretization import discretization_section, largest_error, with_error
 from groundslab.views.summary.rows import Row, SummarySection
 
@@ -59,6 +60,7 @@ CERTIFICATE_WORDS = {
     "worst_product": "pressure across an open gap",
     "gamma_change": "last change of gamma",
     "margin_effect": "effect of a wider margin of ground",
+    "section_law": "moments against cracked sections",
 }
 
 
@@ -84,7 +86,7 @@ def figures(results: CombinationResult) -> list[SummarySection]:
 
 def _figures(results: CombinationResult) -> list[SummarySection]:
     supports = [_supports(results)] if results.supports else []
-    found = [_settlement(results), _contact(results), *supports, _section_forces(results)]
+    found = [_settlement(results), *cracking_sections(results), _contact(results), *supports, _section_forces(results)]
     if results.coarser is None:
         return found
     coarser = {(section.key, row.key): row for section in _figures(results.coarser) for row in section.rows}

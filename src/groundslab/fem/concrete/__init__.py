@@ -1,0 +1,1 @@
+"""Reinforced concrete: materials, and how sections bend once they crack."""
