@@ -65,7 +65,7 @@ def combined() -> Results:
 def tables(combined: Results) -> dict[str, Table]:
     """Return all eleven tables by name."""
     found = {table.name: table for table in tables_of(combined)}
-    assert len(found) == 11
+    assert len(found) == 12
     return found
 
 

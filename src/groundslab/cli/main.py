@@ -101,20 +101,7 @@ def _parser() -> argparse.ArgumentParser:
     dxf = _command(commands, "dxf", case.convert_drawing, "make a case file from a drawing, and report what it took")
     case.describe_dxf(dxf)
 
-    report = _command(commands, "report", _report, "make a report of results: one HTML file, or a PDF")
-    report.epilog = (
-        "The file holds case, drawings, certificate, tables, pictures and a viewer; it opens in any browser without a "
-        "network. A file that exists is replaced only if it is such a report."
-    )
-    report.add_argument("results", metavar="RESULTS", help="folder of results that groundslab solve has written")
-    report.add_argument("--out", metavar="FILE", help="file to make (default: RESULTS.html beside the folder)")
-    report.add_argument("--pdf", action="store_true", help="make a PDF, by a browser that is installed (extra pdf)")
-    report.add_argument(
-        "--chapters",
-        nargs="+",
-        metavar="NAME",
-        help="chapters to make, such as extremes pictures tables (default: those of report.chapters in the case)",
-    )
+    _describe_report(_command(commands, "report", _report, "make a report of results: one HTML file, or a PDF"))
 
     tables = _command(commands, "tables", _tables, "write all tables of results into one workbook (XLSX)")
     tables.epilog = (
@@ -132,6 +119,23 @@ def _parser() -> argparse.ArgumentParser:
 
     _command(commands, "schema", case.print_schema, "print the JSON schema of a case file")
     return parser
+
+
+def _describe_report(report: argparse.ArgumentParser) -> None:
+    """Add what the command report understands."""
+    report.epilog = (
+        "The file holds case, drawings, certificate, tables, pictures and a viewer; it opens in any browser without a "
+        "network. A file that exists is replaced only if it is such a report."
+    )
+    report.add_argument("results", metavar="RESULTS", help="folder of results that groundslab solve has written")
+    report.add_argument("--out", metavar="FILE", help="file to make (default: RESULTS.html beside the folder)")
+    report.add_argument("--pdf", action="store_true", help="make a PDF, by a browser that is installed (extra pdf)")
+    report.add_argument(
+        "--chapters",
+        nargs="+",
+        metavar="NAME",
+        help="chapters to make, such as extremes pictures tables (default: those of report.chapters in the case)",
+    )
 
 
 def _command(

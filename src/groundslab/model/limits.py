@@ -10,7 +10,7 @@ from groundslab.model.loads.load_cases import Combination, Combine, has_ultimate
 from groundslab.model.outputs import CONCRETE, STEEL, ConcreteClass
 from groundslab.model.plate import Plate
 from groundslab.schema.base import ByKind, Check, Section, Table
-from groundslab.schema.fields import Choice, Integer, Number, Quantity
+from groundslab.schema.fields import Choice, Number, Quantity
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 
@@ -188,7 +188,8 @@ class ACI360Floor(_Floor):
     f_r: Annotated[float, Quantity("pressure", "f_r", "modulus of rupture of the concrete", RUPTURE)]
     safety_factor: Annotated[float, Number("SF", "factor of safety, usually 1.4 to 2.0", SAFETY)] = 1.7
     repetitions: Annotated[
-        int | None, Integer("load repetitions in the life of the floor, for fatigue", at_most=10**9)
+        float | None,
+        Number("N", "load repetitions in the life of the floor, for fatigue", Range(at_least=1, at_most=1e9)),
     ] = None
     R_e3: Annotated[
         float | None, Number("R_e,3", "residual strength of fiber concrete over f_r, for yield lines", RATIO)

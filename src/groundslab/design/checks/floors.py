@@ -14,13 +14,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.design import punching
-from groundslab.design.checks import floor_loads
 from groundslab.design.checks.check import DesignCheck
-from groundslab.design.checks.floor_loads import Borders, Force
 from groundslab.design.design_moments import principal_moments
 from groundslab.design.en1992 import punching as punching_resistance
 from groundslab.design.en1992.materials import CONCRETE_CLASSES, Concrete, Steel
-from groundslab.design.floors import resistance, strips, yield_lines
+from groundslab.design.floors import acting_loads, resistance, strips, yield_lines
+from groundslab.design.floors.acting_loads import Borders, Force
 from groundslab.design.floors.yield_lines import Location, YieldSlab
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.quantities import solved_results
@@ -155,7 +154,7 @@ def _punching(floor: TR34Floor, concrete: Concrete, slab: Slab, standing: Standi
         punching_resistance.resistance_without_links(concrete, d, rho),
     )
     for location, (load, each) in sorted(largest.items()):
-        column, P = floor_loads.as_column(load), load.share * load.P
+        column, P = acting_loads.as_column(load), load.share * load.P
         try:
             at_face = P / (punching.face_length(each.plate, column, d) * d)
             around = punching.demand(each.plate, column, d, P).v_Ed
@@ -215,7 +214,7 @@ Fails = Callable[[tuple[Force, ...], float, Location], float]
 def _standing(floor: AnyFloor, slab: Slab, results: list[CombinationResult]) -> Standing:
     """Return the results of combinations with the forces in each."""
     borders = Borders(results[0].model)
-    return [(each, floor_loads.forces(each, borders, slab.h, slab.l, floor.joint_transfer)) for each in results]
+    return [(each, acting_loads.forces(each, borders, slab.h, slab.l, floor.joint_transfer)) for each in results]
 
 
 def _point_loads(slab: Slab, standing: Standing, fails: Fails, clauses: dict[int, str]) -> Iterator[DesignCheck]:
@@ -224,9 +223,9 @@ def _point_loads(slab: Slab, standing: Standing, fails: Fails, clauses: dict[int
     for each, loads in standing:
         some: Iterable[tuple[tuple[Force, ...], float]] = [((load,), 0.0) for load in loads]
         if 2 in clauses:
-            some = [*some, *floor_loads.groups(loads, REACH * slab.l)]
+            some = [*some, *acting_loads.groups(loads, REACH * slab.l)]
         for members, distances in some:
-            location = floor_loads.worst_location(members)
+            location = acting_loads.worst_location(members)
             demand = sum(load.share * load.P for load in members)
             use = Use(demand, fails(members, distances, location), _middle(members), each.combination)
             key = len(members), location
@@ -249,7 +248,7 @@ def _line_loads(slab: Slab, M: float, results: list[CombinationResult], clause: 
     uses = [
         Use(q, strips.line_load(M, slab.lam, away < near), place, each.combination)
         for each in results
-        for q, away, place in floor_loads.line_loads(each, borders)
+        for q, away, place in acting_loads.line_loads(each, borders)
     ]
     if uses:
         yield _check("line load", "", max(uses, key=lambda use: use.share), "kN/m", 1e-3, clause)
@@ -258,7 +257,7 @@ def _line_loads(slab: Slab, M: float, results: list[CombinationResult], clause: 
 def _pressures(slab: Slab, M: float, results: list[CombinationResult], clause: str) -> Iterator[DesignCheck]:
     """Yield the largest pressure against the one that may stand beside any aisle."""
     allowed = strips.aisle_load(max(M, math.ulp(1.0)), slab.lam)
-    uses = [Use(q, allowed, place, each.combination) for each in results for q, place in floor_loads.pressures(each)]
+    uses = [Use(q, allowed, place, each.combination) for each in results for q, place in acting_loads.pressures(each)]
     if uses:
         yield _check("pressure beside aisles", "", max(uses, key=lambda use: use.share), "kPa", 1e-3, clause)
 

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from groundslab.design.checks import DesignCheck, check_design
-from groundslab.design.checks.floor_loads import Borders, forces, groups
 from groundslab.design.floors import yield_lines
+from groundslab.design.floors.acting_loads import Borders, forces, groups
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
