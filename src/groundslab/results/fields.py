@@ -116,8 +116,8 @@ ELEMENT_FIELDS: dict[str, ResultField] = {
         MEAN,
     ),
     STIFFNESS: ResultField(
-        "stiffness ratio", "r_B", "%", "share", "bending stiffness over that of the uncracked section, along x or y "
-        "where it is less", "not negative", MEAN,
+        "stiffness ratio", "r_B", "%", "share", "lesser bending stiffness over the uncracked one",
+        "not negative", MEAN,
     ),
 }  # fmt: skip
 

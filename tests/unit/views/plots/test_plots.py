@@ -219,13 +219,20 @@ class TestScale:
         assert not np.array_equal(colors[2], colors[3])
 
 
+def with_all_fields() -> CombinationResult:
+    """Return results that have every field: a comparison, and elements that cracked."""
+    results = synthetic.compared(synthetic.results(3))
+    ratio = np.linspace(0.3, 1.0, len(results.plate.elements))
+    return replace(results, elements=replace(results.elements, stiffness_ratio=ratio))
+
+
 class TestPlan:
     """Plans of amounts."""
 
     @pytest.mark.slow
     def test_each_amount_has_a_panel_with_units(self) -> None:
         """All that can be drawn is drawn: axes in meters, bars with symbol and unit, titles with the meaning."""
-        figure = groundslab.plot(synthetic.compared(synthetic.results(3)), *OF_COMBINATIONS)
+        figure = groundslab.plot(with_all_fields(), *OF_COMBINATIONS)
         boxes = panels(figure)
         assert len(boxes) == len(OF_COMBINATIONS)
         for axes, quantity in zip(boxes, OF_COMBINATIONS.values(), strict=True):
@@ -238,7 +245,7 @@ class TestPlan:
     @pytest.mark.slow
     def test_bars_cover_the_values_that_are_drawn(self) -> None:
         """The color bar's range holds the quantity's values in its unit of display."""
-        results = synthetic.compared(synthetic.results(3))
+        results = with_all_fields()
         figure = groundslab.plot(results, *OF_COMBINATIONS)
         for axes, name in zip(panels(figure), OF_COMBINATIONS, strict=True):
             low, high = axes.child_axes[0].get_ylim()
