@@ -83,4 +83,3 @@ from .views.files.results_folder import save_results as save_results
 from .views.files.xlsx import write_workbook as write_workbook
 from .views.plots import plot as plot
 from .views.report.html import write_report as write_report
-from .views.report.pdf import write_pdf as write_pdf

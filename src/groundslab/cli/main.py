@@ -128,8 +128,12 @@ def _describe_report(report: argparse.ArgumentParser) -> None:
         "network. A file that exists is replaced only if it is such a report."
     )
     report.add_argument("results", metavar="RESULTS", help="folder of results that groundslab solve has written")
-    report.add_argument("--out", metavar="FILE", help="file to make (default: RESULTS.html beside the folder)")
-    report.add_argument("--pdf", action="store_true", help="make a PDF, by a browser that is installed (extra pdf)")
+    report.add_argument(
+        "--out", metavar="FILE", help="file to make, a PDF if it ends with .pdf (default: RESULTS.html)"
+    )
+    report.add_argument(
+        "--pdf", action="store_true", help="make RESULTS.pdf, by a browser that is installed (extra pdf)"
+    )
     report.add_argument(
         "--chapters",
         nargs="+",
@@ -163,15 +167,16 @@ def _report(options: argparse.Namespace) -> int:
     from groundslab.views import report
     from groundslab.views.files import results_folder
 
-    folder, form = Path(options.results), report.pdf if options.pdf else report.html
-    suffix, write = (".pdf", report.write_pdf) if options.pdf else (".html", report.write_report)
+    folder, suffix = Path(options.results), ".pdf" if options.pdf else ".html"
     target = Path(options.out) if options.out is not None else report.default_path(folder, suffix)
+    if options.pdf and target.suffix.lower() != ".pdf":
+        raise InputError([Issue("--out", str(target), "a name that ends with .pdf, as there is --pdf")])
     if Path(os.path.realpath(folder)) in Path(os.path.realpath(target)).parents:
         found, hint = f"{target}, which is in the folder of the results", "groundslab solve would not replace it then"
         raise InputError([Issue("--out", found, "another folder", hint)])
-    form.check(target)
+    report.check(target)
     combined = results_folder.load_results(folder)
-    write(combined, target, text=report.text_of(folder, combined.model), chapters=options.chapters)
+    report.write_report(combined, target, text=report.text_of(folder, combined.model), chapters=options.chapters)
     console.print_stderr(f"wrote {target}")
     if combined.refused:
         count = len(combined.combinations)

@@ -3,6 +3,5 @@
 from __future__ import annotations
 
 from groundslab.views.report.html import check, default_path, render_report, text_of, write_report
-from groundslab.views.report.pdf import write_pdf
 
-__all__ = ["check", "default_path", "render_report", "text_of", "write_pdf", "write_report"]
+__all__ = ["check", "default_path", "render_report", "text_of", "write_report"]

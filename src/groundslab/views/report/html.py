@@ -19,6 +19,7 @@ from groundslab._version import __version__
 from groundslab.case import casefile
 from groundslab.errors import GroundslabError, InputError
 from groundslab.results.results import CombinationResult, Results, results_of
+from groundslab.storage import atomic
 from groundslab.storage.ownership import check_replaceable, is_page
 from groundslab.views.plots.export import write_file
 from groundslab.views.report.content import build_page
@@ -35,6 +36,8 @@ if TYPE_CHECKING:
 HERE = Path(__file__).parent
 #: What the head of every report says of itself, so that an older one can be recognized.
 MARK = "groundslab report"
+#: What follows the end of a report as PDF, by which it is known.
+TAIL = f"% {MARK} "
 #: The viewer's data may take so many letters of the file; fields beyond that are left out, those of one combination
 #: apart.
 MOST_DATA = 15_000_000
@@ -80,14 +83,14 @@ def write_report(
     file: str = "case.toml",
     chapters: Sequence[Chapter] | None = None,
 ) -> Path:
-    """Write the report of results as one HTML file that needs no network.
+    """Write the report of results: one HTML file that needs no network, or a PDF with page numbers and bookmarks.
 
     Parameters
     ----------
     results : CombinationResult or Results
         Results of one or of several combinations.
     path : str or Path
-        File to write; an existing file is replaced only if it is a report of groundslab.
+        File to write, a PDF if its name ends with .pdf; an existing file is replaced only if it is such a report.
     text : str, optional
         Text of the case file, which the report quotes; without it, the model is written out.
     file : str, default "case.toml"
@@ -103,13 +106,13 @@ def write_report(
     Raises
     ------
     InputError
-        If the file cannot be written, or is no report.
+        If the file cannot be written, or is no report; a PDF also needs Playwright (extra `pdf`) and a browser.
     GroundslabError
         If a result is not finite, or this installation lacks the report's script.
 
     Notes
     -----
-    The same results give the same bytes.
+    The same results give the same bytes of HTML. A PDF holds the time at which the browser made it, and no viewer.
 
     Examples
     --------
@@ -118,13 +121,33 @@ def write_report(
     >>> path = groundslab.write_report(results, "report.html")
     """
     target = check(path)
-    write_file(target, target, render_report(results, text=text, file=file, chapters=chapters).encode())
+    if not _is_pdf(target):
+        write_file(target, target, render_report(results, text=text, file=file, chapters=chapters).encode())
+        return Path(path)
+    from groundslab.views.report.pdf import print_page
+
+    wanted = results.model.report.chapters if chapters is None else chapters
+    on_paper = [chapter for chapter in wanted if chapter != "viewer"]
+    content = print_page(render_report(results, text=text, file=file, chapters=on_paper))
+    atomic.write(target, content + f"{TAIL}{__version__}\n".encode())
     return Path(path)
+
+
+def _is_pdf(path: Path) -> bool:
+    """Return whether a file's name says that it is a PDF."""
+    return path.suffix.lower() == ".pdf"
 
 
 def check(path: str | Path) -> Path:
     """Return the full path if a report may be written there; else raise InputError saying why not."""
-    return check_replaceable(path, partial(is_page, what="report"), "a report of groundslab")
+    ours = _is_printed_report if _is_pdf(Path(path)) else partial(is_page, what="report")
+    return check_replaceable(path, ours, "a report of groundslab")
+
+
+def _is_printed_report(path: Path) -> bool:
+    """Return whether a file is a report that groundslab wrote as PDF."""
+    content = path.read_bytes()
+    return content.startswith(b"%PDF-") and TAIL.encode() in content[-200:]
 
 
 def default_path(folder: str | Path, suffix: str = ".html") -> Path:

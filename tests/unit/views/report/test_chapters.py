@@ -150,9 +150,15 @@ class TestPdf:
         (tmp_path / "slab.pdf").write_bytes(content[: content.rindex(b"%")])
         assert cli.main(["report", str(folder), "--pdf"]) == 2
 
+    def test_with_another_ending(self, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """A name that contradicts --pdf is refused."""
+        folder = results_folder.save_results(synthetic.results(), tmp_path / "slab")
+        assert cli.main(["report", str(folder), "--pdf", "--out", str(tmp_path / "slab.html")]) == 2
+        assert "ends with .pdf" in capsys.readouterr().err
+
     def test_without_a_browser(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         """Where none can be started, the hint says what to install and what goes without."""
         monkeypatch.setattr(pdf, "_ways", lambda: iter([{"executable_path": str(tmp_path / "none")}]))
         with pytest.raises(InputError, match="Edge, Chrome or Chromium"):
-            groundslab.write_pdf(results_of(synthetic.results()), tmp_path / "slab.pdf")
+            groundslab.write_report(results_of(synthetic.results()), tmp_path / "slab.pdf")
         assert not (tmp_path / "slab.pdf").exists()
