@@ -39,6 +39,7 @@ _TWO_WAY = (
 _EXTREMES = (
     ("load", "kN", 1, True), ("load", "kN", -1, True), ("settlement", "mm", 1, False), ("settlement", "mm", -1, False),
     ("angular distortion", "mm/m", 1, False), ("v_Ed", "MPa", 1, False), ("v_Ed at the face", "MPa", 1, False),
+    ("v_u", "MPa", 1, False),
 )  # fmt: skip
 
 
@@ -81,6 +82,8 @@ def _of_code(
 def column_envelope(combined: Results, columns: Table) -> Table:
     """Return the extremes of each column over the ultimate combinations, and over those of serviceability."""
     states = {each.name: each.limit_state for each in combined.combinations}
+    known = {column.name: column.values for column in columns.columns}
+    wanted = [row for row in _EXTREMES if row[0] in known]
     groups = {"ultimate": STRENGTH, "serviceability": SERVICEABILITY}
     rows = []
     for column in combined.model.columns:
@@ -91,23 +94,24 @@ def column_envelope(combined: Results, columns: Table) -> Table:
                 if own == column.name and states[str(combination)] in members
             ]
             if at:
-                rows.append([column.name, name, *(cell for row in _EXTREMES for cell in _extreme(columns, at, *row))])
+                rows.append([column.name, name, *(cell for row in wanted for cell in _extreme(known, at, *row))])
     heads = [("column", ""), ("limit states", "")]
-    for quantity, unit, sign, named in _EXTREMES:
+    for quantity, unit, sign, named in wanted:
         what = f"{'greatest' if sign > 0 else 'least'} {quantity}"
         heads += [(what, unit), *([(f"combination of the {what}", "")] * named)]
     notes = ["Extremes of the table columns, over the combinations of each kind of limit state."]
     return table_of("column_envelope", "Columns: extremes", heads, rows, notes)
 
 
-def _extreme(columns: Table, at: list[int], quantity: str, _: str, sign: int, named: bool) -> list[Cell]:
+def _extreme(
+    known: Mapping[str, tuple[Cell, ...]], at: list[int], quantity: str, _: str, sign: int, named: bool
+) -> list[Cell]:
     """Return the extreme of a quantity in some rows of the table of columns, and its combination if wanted."""
-    known = {each.name: each.values for each in columns.columns}.get(quantity, ())
-    found = [(sign * value, i) for i in at if known and isinstance(value := known[i], float)]
+    found = [(sign * value, i) for i in at if isinstance(value := known[quantity][i], float)]
     if not found:
         return [None] * (1 + named)
     value, i = max(found, key=lambda each: each[0])
-    return [sign * value, *([columns["combination"][i]] * named)]
+    return [sign * value, *([known["combination"][i]] * named)]
 
 
 def _notes(steel: Reinforcement | None) -> list[str]:

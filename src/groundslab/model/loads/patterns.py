@@ -136,9 +136,9 @@ class Move(Section):
 
 @dataclass(frozen=True, slots=True)
 class Station:
-    """A place of a pattern: way along the path [m], its origin [m], its direction [rad] from x."""
+    """A place of a pattern: distance along the path [m], its origin [m], its direction [rad] from x."""
 
-    way: float
+    distance: float
     origin: tuple[float, float]
     angle: float
 
@@ -150,28 +150,28 @@ def stations(move: Move) -> tuple[Station, ...]:
         return (Station(0.0, move.points[0], turn),)
     lengths = [math.dist(a, b) for a, b in pairwise(move.points)]
     found, piece, before = [], 0, 0.0
-    for way in _ways(move, sum(lengths)):
-        while way >= before + lengths[piece] - NO_LENGTH and piece < len(lengths) - 1:
+    for distance in _distances(move, sum(lengths)):
+        while distance >= before + lengths[piece] - NO_LENGTH and piece < len(lengths) - 1:
             before += lengths[piece]
             piece += 1
         (x0, y0), (x1, y1) = move.points[piece : piece + 2]
-        share = (way - before) / lengths[piece]
+        share = (distance - before) / lengths[piece]
         origin = (x0 + share * (x1 - x0), y0 + share * (y1 - y0))
-        found.append(Station(way, origin, math.atan2(y1 - y0, x1 - x0) + turn))
+        found.append(Station(distance, origin, math.atan2(y1 - y0, x1 - x0) + turn))
     return tuple(found)
 
 
-def _ways(move: Move, length: float) -> list[float]:
-    """Return the positions along a path of a length [m]; the end takes the place of one that is as good as there."""
+def _distances(move: Move, length: float) -> list[float]:
+    """Return how far along a path of a length [m] its positions lie; the end replaces one that is as good as there."""
     assert move.step is not None
     count = math.floor(length / move.step)
-    ways = [number * move.step for number in range(count + 1) if length - number * move.step > SAME_POSITION]
-    return [*ways, length]
+    found = [number * move.step for number in range(count + 1) if length - number * move.step > SAME_POSITION]
+    return [*found, length]
 
 
 def position_name(move: Move, station: Station) -> str:
     """Return what the case is called at a position, as in "forklift at 3.50 m"."""
-    return f"{move.case} at {station.way:.2f} m" + (f" of {move.name}" if move.name else "")
+    return f"{move.case} at {station.distance:.2f} m" + (f" of {move.name}" if move.name else "")
 
 
 def position_names(moves: tuple[Move, ...]) -> dict[str, tuple[str, ...]]:
@@ -287,7 +287,7 @@ def _check_places(covered: PlateRegion, pattern: AnyPattern, move: Move, number:
         loads = point_loads(pattern, station, move.case)
         standing = loads_on_plate(covered, loads)
         if not standing or (not move.travels and len(standing) < len(loads)):
-            where = f"at {station.way:.2f} m of the path" if move.travels else "at its place"
+            where = f"at {station.distance:.2f} m of the path" if move.travels else "at its place"
             found = f"{len(loads) - len(standing)} of {len(loads)} forces off the plate {where}"
             expected = "some on it, with their footprints" if move.travels else "all on it, with their footprints"
             yield RelativeIssue(("moves", number, "points"), found, expected)

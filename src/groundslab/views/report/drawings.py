@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from groundslab.model.combinations import place_patterns
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.views.plots import plot
 from groundslab.views.plots.export import to_inline_svg
@@ -53,8 +54,9 @@ def draw_case(model: Model) -> Drawing:
 
 def draw_loads(model: Model) -> Iterator[Drawing]:
     """Yield the plan of each load case's loads, without factors; of all loads where there are no cases."""
+    loads = place_patterns(model).loads
     for number, case in enumerate(model.cases or (None,), 1):
-        if any(map(load_plan.takes_part(case), model.loads)):
+        if any(map(load_plan.takes_part(model, case), loads)):
             caption = load_plan.describe_loads(model, case)
             draw = partial(load_plan.draw_load_plan, model, case)
             yield Drawing(to_inline_svg(draw, f"loads{number}", caption), caption)

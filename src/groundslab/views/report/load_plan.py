@@ -1,9 +1,11 @@
-"""The loads of one load case in plan, each with its value; without factors."""
+"""The loads of one load case in plan, each with its value; without factors. What moves stands where it begins."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from groundslab.model.combinations import place_patterns
+from groundslab.model.loads.patterns import position_names
 from groundslab.views.plots import style, symbols
 from groundslab.views.report.case_plan import MOST_LABELS, PLACED, Labels, middle, nearby, upper_left
 from groundslab.views.scene.plan import load_parts, plan_of
@@ -15,20 +17,26 @@ if TYPE_CHECKING:
 
     from groundslab.model.loads.load_cases import LoadCase
     from groundslab.model.loads.load_types import AnyLoad
+    from groundslab.model.loads.patterns import Move
     from groundslab.model.model import Model
 
 #: Width of a plan of loads, the largest height of what is drawn, and what stays free around it [mm].
 WIDTH, HEIGHT, FREE = 88.0, 88.0, 6.0
 
 
-def takes_part(case: LoadCase | None) -> Callable[[AnyLoad], bool]:
-    """Return whether a load belongs to a case; all do without one."""
-    return symbols.load_filter(() if case is None else ((case.name, 1.0),))
+def takes_part(model: Model, case: LoadCase | None) -> Callable[[AnyLoad], bool]:
+    """Return whether a load of the placed model belongs to a case, of a moving one at its first position.
+
+    All loads do without a case.
+    """
+    names = () if case is None else (case.name, *position_names(model.moves).get(case.name, ())[:1])
+    return symbols.load_filter((name, 1.0) for name in names)
 
 
 def draw_load_plan(model: Model, case: LoadCase | None) -> Figure:
     """Return the plan of the loads of a case as a figure; of more than MOST_LABELS places none has its value."""
-    near, belongs = nearby(plan_of(model)), takes_part(case)
+    placed, belongs = place_patterns(model), takes_part(model, case)
+    near = nearby(plan_of(model))
     (x0, y0), (x1, y1) = near.min(axis=0), near.max(axis=0)
     per_meter = min((WIDTH - 2 * FREE) / (x1 - x0), HEIGHT / (y1 - y0))
     width, height = (x1 - x0) * per_meter, (y1 - y0) * per_meter
@@ -37,8 +45,10 @@ def draw_load_plan(model: Model, case: LoadCase | None) -> Figure:
     axes.set(xlim=(x0, x1), ylim=(y0, y1))
     axes.set_axis_off()
     symbols.draw_plate(axes, model, fill=style.PANEL)
-    symbols.draw_columns(axes, model, belongs)
-    symbols.draw_loads(axes, model, lambda load: belongs(load) and load.kind != "uniform")
+    symbols.draw_columns(axes, placed, belongs)
+    for path in _paths(model, case):
+        axes.plot(*zip(*path.points, strict=True), color=style.LOAD, linewidth=0.6, linestyle=(0, (6, 3)))
+    symbols.draw_loads(axes, placed, lambda load: belongs(load) and load.kind != "uniform")
     texts = _values(model, case)
     if len(texts) <= MOST_LABELS:
         labels = Labels(axes, per_meter, (x0, x1, y0, y1))
@@ -51,13 +61,19 @@ def draw_load_plan(model: Model, case: LoadCase | None) -> Figure:
 
 def describe_loads(model: Model, case: LoadCase | None) -> str:
     """Return the name of a case, its action, what of it acts everywhere, and whether values are missing."""
-    belongs = takes_part(case)
-    everywhere = [f"{load.kind} {load_text(load)}" for load in model.loads if belongs(load) and load.kind not in PLACED]
+    belongs, loads = takes_part(model, case), place_patterns(model).loads
+    everywhere = [f"{load.kind} {load_text(load)}" for load in loads if belongs(load) and load.kind not in PLACED]
     forces = [] if case is None else [("H_x", case.H_x), ("H_y", case.H_y)]
     everywhere += [f"{symbol.replace('_', '')} {value / 1e3:.5g} kN" for symbol, value in forces if value]
     name = "All loads" if case is None else f"{case.name}, {case.action}"
     hidden = " Values are listed under loads." if len(_values(model, case)) > MOST_LABELS else ""
-    return f"{name}{': ' if everywhere else ''}{'; '.join(everywhere)}.{hidden}"
+    moves = " It moves along the dashed path; drawn at the first position." if _paths(model, case) else ""
+    return f"{name}{': ' if everywhere else ''}{'; '.join(everywhere)}.{hidden}{moves}"
+
+
+def _paths(model: Model, case: LoadCase | None) -> list[Move]:
+    """Return the paths along which a case moves."""
+    return [move for move in model.moves if move.travels and case is not None and move.case == case.name]
 
 
 def load_text(load: AnyLoad) -> str:
@@ -77,8 +93,9 @@ def load_text(load: AnyLoad) -> str:
 def _values(model: Model, case: LoadCase | None) -> dict[tuple[float, float], list[str]]:
     """Return how large the loads of a case are, by the places at which that is written."""
     found: dict[tuple[float, float], list[str]] = {}
-    for load, about in zip(model.loads, plan_of(model)["loads"], strict=True):
-        if takes_part(case)(load) and load.kind in PLACED:
+    placed, belongs = place_patterns(model), takes_part(model, case)
+    for load, about in zip(placed.loads, plan_of(placed)["loads"], strict=True):
+        if belongs(load) and load.kind in PLACED:
             place = upper_left(about["ring"]) if "ring" in about else middle(about["points"])
             found.setdefault(place, []).append(load_text(load))
     return found

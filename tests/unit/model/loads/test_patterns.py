@@ -44,7 +44,7 @@ def test_positions_are_at_each_step_and_at_the_end() -> None:
     """Along a path with a corner, 3 m and then 2.5 m, by hand; the direction is that of the piece that follows."""
     move = Move(pattern="truck", case="live", points=[(0, 0), (3, 0), (3, 2.5)], step=1.5)
     found = stations(move)
-    assert [each.way for each in found] == [0.0, 1.5, 3.0, 4.5, 5.5]
+    assert [each.distance for each in found] == [0.0, 1.5, 3.0, 4.5, 5.5]
     assert [each.origin for each in found] == [(0, 0), (1.5, 0), (3, 0), (3, 1.5), (3, 2.5)]
     assert [round(math.degrees(each.angle)) for each in found] == [0, 0, 90, 90, 90]
 
@@ -52,7 +52,7 @@ def test_positions_are_at_each_step_and_at_the_end() -> None:
 def test_a_remainder_that_nobody_sees_is_no_position_of_its_own() -> None:
     """A path of 2.004 m in steps of 1 m ends with its third position, told apart from the others by its name."""
     found = stations(Move(pattern="truck", case="live", points=[(0, 0), (2.004, 0)], step=1.0))
-    assert [each.way for each in found] == [0.0, 1.0, 2.004]
+    assert [each.distance for each in found] == [0.0, 1.0, 2.004]
 
 
 def test_forces_turn_with_the_direction() -> None:

@@ -108,6 +108,22 @@ class TestLoads:
         (drawn,) = drawings.draw_loads(model(cases=[], loads=loads))
         assert drawn.caption == "All loads: uniform 5 kPa."
 
+    def test_what_moves_stands_where_it_begins(self) -> None:
+        """A vehicle on a path is drawn once, at its first position; a rack at its place."""
+        axle = {"kind": "vehicle", "name": "axle", "wheels": [{"P": 45e3, "y": -0.5}, {"P": 46e3, "y": 0.5}]}
+        rack = {"kind": "rack", "name": "rack", "P": 60e3, "frames": 2, "bay": 1.0}
+        moves = [
+            {"pattern": "axle", "case": "Q", "points": [(-2, 0), (2, 0)], "step": 0.5},
+            {"pattern": "rack", "case": "G", "points": [(0, 1)]},
+        ]
+        loads = [{"kind": "uniform", "q": 5e3, "case": "G"}]
+        rolling = model(loads=loads, patterns=[axle, rack], moves=moves)
+        first, second = drawings.draw_loads(rolling)
+        assert [each.text for each in page(first.svg).all("text")].count("60 kN") == 2
+        written = [each.text for each in page(second.svg).all("text")]
+        assert (written.count("45 kN"), written.count("46 kN")) == (1, 1)
+        assert second.caption == "Q, variable. It moves along the dashed path; drawn at the first position."
+
     def test_many_places_have_no_values(self) -> None:
         """Of very many loads the values are left to the list."""
         loads = [{"kind": "point", "P": 1e3 + n, "x": -2.9 + 0.02 * n, "y": 0} for n in range(250)]
