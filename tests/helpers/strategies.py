@@ -7,6 +7,8 @@ from typing import Any
 from hypothesis import strategies as st
 
 from groundslab.model.columns import Column
+from groundslab.model.design.bars import MESHES, Bars, BarZone
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, Selvadurai, SoilLayer, Vlasov, Winkler
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, has_ultimate_combination
 from groundslab.model.loads.load_types import (
@@ -21,9 +23,8 @@ from groundslab.model.loads.load_types import (
     UniformLoad,
 )
 from groundslab.model.model import Model
-from groundslab.model.outputs import Output, OutputLine, OutputPoint, OutputStrip, Reinforcement
+from groundslab.model.outputs import Output, OutputLine, OutputPoint, OutputStrip
 from groundslab.model.plate import Edges, Plate
-from groundslab.model.reinforcement.bars import MESHES, Bars, BarZone
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.model.supports import LineSupport, PointSupport

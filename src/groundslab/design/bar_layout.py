@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.laid_bars import polygon_of
+from groundslab.model.design.bars import Bars
+from groundslab.model.design.laid_bars import polygon_of
 from groundslab.model.model import Model
 from groundslab.model.plate import PlateRegion
-from groundslab.model.reinforcement.bars import Bars
 from groundslab.results.fields import LAYERS
 
 if TYPE_CHECKING:

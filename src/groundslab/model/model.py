@@ -13,23 +13,17 @@ from pydantic import Field
 
 from groundslab.model import consistency, varying_ground
 from groundslab.model.columns import Column
+from groundslab.model.design.floors import Floor, check_floor
+from groundslab.model.design.limits import Limits, SoilStrength
+from groundslab.model.design.reinforcement import Reinforcement, check_bar_distances, check_bar_zones
 from groundslab.model.ground import Ground
-from groundslab.model.limits import Floor, Limits, SoilStrength, check_floor
 from groundslab.model.loads.clipping import check_distributed_loads
 from groundslab.model.loads.en1990 import check_combine
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations
 from groundslab.model.loads.load_types import Load
 from groundslab.model.loads.patterns import Move, Pattern, check_patterns, check_positions
 from groundslab.model.loads.placement import check_load_columns, check_point_loads
-from groundslab.model.outputs import (
-    Output,
-    Project,
-    Reinforcement,
-    Report,
-    check_bar_distances,
-    check_bar_zones,
-    check_output,
-)
+from groundslab.model.outputs import Output, Project, Report, check_output
 from groundslab.model.plate import Plate
 from groundslab.model.serviceability.cracking import Cracking, check_cracking
 from groundslab.model.serviceability.long_term import LongTerm

@@ -1,4 +1,4 @@
-"""Requested outputs: title block and chapters of the report, points, section lines, strips, reinforcement."""
+"""Requested outputs: title block and chapters of the report, points, section lines, strips."""
 
 from __future__ import annotations
 
@@ -8,23 +8,14 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, get_args
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.placement import on_plate
 from groundslab.model.plate import Plate, PlateRegion
-from groundslab.model.reinforcement.bars import Bars, BarZone, Layer, MeshName, bars_of_mesh
-from groundslab.model.shapes import CHORD, Place
+from groundslab.model.shapes import Place
 from groundslab.model.supports import check_names
 from groundslab.schema.base import Check, Section, Table
-from groundslab.schema.fields import Boolean, Choice, Integer, ListOf, Number, Quantity, Text, list_quantities
+from groundslab.schema.fields import Choice, Integer, ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
-from groundslab.schema.ranges import Range
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
-
-#: Strengths for which EN 1992-1-1 has rules (3.1.2(2), 3.2.2(3)).
-CONCRETE, STEEL = Range(at_least=12e6, at_most=90e6), Range(at_least=400e6, at_most=600e6)
-PARTIAL = Range(at_least=0.1, at_most=10)
-CRACK = Range(at_least=5e-5, at_most=1e-3)
-#: Of one layer.
-MOST_BARS = 100_000
 
 
 class Project(Section):
@@ -121,219 +112,6 @@ class Output(Section):
     strips: Annotated[tuple[OutputStrip, ...], Table("design strips")] = ()
 
 
-#: Strength classes of EN 1992-1-1 Table 3.1, and of steel by its yield strength and class of ductility (Annex C).
-ConcreteClass = Literal[
-    "C12/15", "C16/20", "C20/25", "C25/30", "C30/37", "C35/45", "C40/50", "C45/55", "C50/60", "C55/67", "C60/75",
-    "C70/85", "C80/95", "C90/105",
-]  # fmt: skip
-SteelClass = Literal["B450C", "B500A", "B500B", "B500C", "B550A", "B550B"]
-#: Codes that strength is checked by, annexes of EN 1992-1-1, exposure classes of its Table 4.1.
-Code = Literal["EN 1992-1-1", "ACI 318"]
-AnnexName = Literal["recommended", "Germany", "United Kingdom"]
-Exposure = Literal["X0", "XC1", "XC2", "XC3", "XC4", "XD1", "XD2", "XD3", "XS1", "XS2", "XS3"]
-#: Keys that only EN 1992-1-1 has, and that only ACI 318 has.
-_ONLY_EN = ("concrete", "steel", "annex", "gamma_c", "gamma_s", "accidental", "alpha_cc", "w_max", "exposure")
-_ONLY_ACI = ("size_effect",)
-
-
-def _check_all_layers(
-    bottom_x: Bars | None,
-    bottom_y: Bars | None,
-    top_x: Bars | None,
-    top_y: Bars | None,
-    bottom_mesh: str | None,
-    top_mesh: str | None,
-    zones: tuple[BarZone, ...],
-    w_max: float | None,
-) -> Iterator[RelativeIssue]:
-    layers = {"bottom_x": bottom_x, "bottom_y": bottom_y, "top_x": top_x, "top_y": top_y}
-    meshes = {"bottom": bottom_mesh, "top": top_mesh}
-    missing = [name for name, bars in layers.items() if bars is None and meshes[name.split("_")[0]] is None]
-    if missing and (len(missing) < len(layers) or w_max is not None or zones):
-        yield RelativeIssue((missing[0],), "no bars", "bars in all four layers", "or in none, no zones and no w_max")
-
-
-def _check_meshes(
-    bottom_x: Bars | None,
-    bottom_y: Bars | None,
-    top_x: Bars | None,
-    top_y: Bars | None,
-    bottom_mesh: str | None,
-    top_mesh: str | None,
-) -> Iterator[RelativeIssue]:
-    faces = {"bottom_mesh": (bottom_mesh, bottom_x, bottom_y), "top_mesh": (top_mesh, top_x, top_y)}
-    for name, (mesh, *bars) in faces.items():
-        if mesh is not None and any(bars):
-            yield RelativeIssue((name,), "a mesh beside bars", "one of them", "further bars lie in zones")
-
-
-def _check_zones(zones: tuple[BarZone, ...]) -> Iterator[RelativeIssue]:
-    yield from check_names("zones", [zone.name for zone in zones], needed=True)
-
-
-def _check_axes(
-    bottom: tuple[float, float] | None,
-    top: tuple[float, float] | None,
-    cover: tuple[float, float] | None,
-    bottom_x: Bars | None,
-    bottom_mesh: str | None,
-) -> Iterator[RelativeIssue]:
-    for name, axes in (("bottom", bottom), ("top", top)):
-        if axes is None and (cover is None or (bottom_x is None and bottom_mesh is None)):
-            yield RelativeIssue((name,), "nothing", "distances of the bars' axes", "or cover and bars in all layers")
-
-
-def _check_cover(
-    bottom: tuple[float, float] | None,
-    top: tuple[float, float] | None,
-    bottom_x: Bars | None,
-    bottom_y: Bars | None,
-    top_x: Bars | None,
-    top_y: Bars | None,
-) -> Iterator[RelativeIssue]:
-    layers = {"bottom_x": bottom_x, "bottom_y": bottom_y, "top_x": top_x, "top_y": top_y}
-    axes = *(bottom or (None, None)), *(top or (None, None))
-    for (name, bars), axis in zip(layers.items(), axes, strict=True):
-        if bars is not None and axis is not None and bars.diameter / 2 >= axis:
-            expected = f"bars thinner than {2 * axis!r} m, whose axes lie {axis!r} m from the face"
-            yield RelativeIssue((name, "diameter"), f"{bars.diameter!r} m", expected)
-
-
-def _check_code(code: str, given: set[str]) -> Iterator[RelativeIssue]:
-    aci = code == "ACI 318"
-    for key in _ONLY_EN if aci else _ONLY_ACI:
-        if key in given:
-            hint = {"concrete": "f_ck is the specified strength f'c", "steel": "f_yk is f_y"}.get(key, "")
-            yield RelativeIssue((key,), f"{key} with {code}", f"no {key}", hint)
-
-
-def _check_concrete(concrete: str | None, f_ck: float | None) -> Iterator[RelativeIssue]:
-    if (concrete is None) == (f_ck is None):
-        found = "neither concrete nor f_ck" if concrete is None else "both concrete and f_ck"
-        yield RelativeIssue(("concrete",), found, "one of them", 'such as concrete = "C30/37"')
-
-
-def _check_steel(steel: str | None, f_yk: float | None) -> Iterator[RelativeIssue]:
-    if (steel is None) == (f_yk is None):
-        found = "neither steel nor f_yk" if steel is None else "both steel and f_yk"
-        yield RelativeIssue(("steel",), found, "one of them", 'such as steel = "B500B"')
-
-
-class Reinforcement(Section):
-    """Concrete, steel and where the bars lie, for reinforcement by EN 1992-1-1 or ACI 318."""
-
-    checks: ClassVar[tuple[Check, ...]] = (
-        _check_code, _check_concrete, _check_steel, _check_all_layers, _check_axes, _check_cover, _check_meshes,
-        _check_zones,
-    )  # fmt: skip
-
-    code: Annotated[Code, Choice(Code, "code that strength is checked by")] = "EN 1992-1-1"
-    annex: Annotated[AnnexName, Choice(AnnexName, "national parameters of EN 1992-1-1")] = "recommended"
-    concrete: Annotated[ConcreteClass | None, Choice(ConcreteClass, "strength class of the concrete")] = None
-    steel: Annotated[SteelClass | None, Choice(SteelClass, "class of the steel")] = None
-    f_ck: Annotated[
-        float | None, Quantity("pressure", "f_ck", "characteristic strength of the concrete, if no class", CONCRETE)
-    ] = None
-    f_yk: Annotated[
-        float | None, Quantity("pressure", "f_yk", "characteristic yield strength of the steel, if no class", STEEL)
-    ] = None
-    gamma_c: Annotated[
-        float | None, Number("gamma_C", "partial factor of concrete, by default the annex's", PARTIAL)
-    ] = None
-    gamma_s: Annotated[float | None, Number("gamma_S", "partial factor of steel, by default the annex's", PARTIAL)] = (
-        None
-    )
-    accidental: Annotated[
-        tuple[float, float] | None,
-        ListOf(Number("gamma", "", PARTIAL), "gamma", "both in accidental combinations, by default the annex's", 2),
-    ] = None
-    alpha_cc: Annotated[
-        float | None,
-        Number(
-            "alpha_cc",
-            "long-term effects on concrete's strength, by default the annex's",
-            Range(above=0, at_most=1),
-        ),
-    ] = None
-    size_effect: Annotated[
-        bool, Boolean("whether shear strength falls with the depth, lambda_s of ACI 318 (13.2.6.2 lets it be 1)")
-    ] = True
-    exposure: Annotated[
-        Exposure | None, Choice(Exposure, "exposure class, for the cover and, with bars laid, the crack width")
-    ] = None
-    cover: Annotated[
-        tuple[float, float] | None,
-        list_quantities("length", "c_nom", "nominal cover of the outer bars at the bottom, at the top", 2, POSITIVE),
-    ] = None
-    outer: Annotated[
-        Literal["x", "y"], Choice(Literal["x", "y"], "direction of the outer bars, where cover gives the axes")
-    ] = "x"
-    bottom: Annotated[
-        tuple[float, float] | None,
-        list_quantities(
-            "length",
-            "d_1",
-            "bottom face to the axis of bars along x, along y; or by cover and bars",
-            2,
-            POSITIVE,
-        ),
-    ] = None
-    top: Annotated[
-        tuple[float, float] | None,
-        list_quantities(
-            "length",
-            "d_1",
-            "top face to the axis of bars along x, along y; or by cover and bars",
-            2,
-            POSITIVE,
-        ),
-    ] = None
-    bottom_x: Annotated[Bars | None, Table("bars that are laid at the bottom along x, to be checked")] = None
-    bottom_y: Annotated[Bars | None, Table("bars that are laid at the bottom along y")] = None
-    top_x: Annotated[Bars | None, Table("bars that are laid at the top along x")] = None
-    top_y: Annotated[Bars | None, Table("bars that are laid at the top along y")] = None
-    bottom_mesh: Annotated[
-        MeshName | None, Choice(MeshName, "welded mesh at the bottom, instead of bottom_x and bottom_y")
-    ] = None
-    top_mesh: Annotated[MeshName | None, Choice(MeshName, "welded mesh at the top, instead of top_x and top_y")] = None
-    zones: Annotated[tuple[BarZone, ...], Table("parts of the plan with further bars between these")] = ()
-    w_max: Annotated[
-        float | None,
-        Quantity(
-            "length", "w_max", "largest crack width in quasi-permanent combinations; of bars laid, by exposure", CRACK
-        ),
-    ] = None
-
-    @property
-    def laid(self) -> bool:
-        """Return whether bars are laid, which are then in all four layers."""
-        return self.base_bars("bottom_x") is not None
-
-    def base_bars(self, layer: str) -> Bars | None:
-        """Return the bars of a layer that lie all over the slab, those of a mesh too; None if none are laid."""
-        mesh: str | None = getattr(self, f"{layer.split('_')[0]}_mesh")
-        bars: Bars | None = getattr(self, layer)
-        return bars if mesh is None else bars_of_mesh(mesh)
-
-    @property
-    def bottom_axes(self) -> tuple[float, float]:
-        """Return the distances of the axes of bars along x and along y from the bottom face [m]."""
-        return self.bottom or self._axes(0, self.base_bars("bottom_x"), self.base_bars("bottom_y"))
-
-    @property
-    def top_axes(self) -> tuple[float, float]:
-        """Return the distances of the axes of bars along x and along y from the top face [m]."""
-        return self.top or self._axes(1, self.base_bars("top_x"), self.base_bars("top_y"))
-
-    def _axes(self, face: int, x: Bars | None, y: Bars | None) -> tuple[float, float]:
-        """Return both distances of a face by its cover, the outer bars nearest to it."""
-        assert self.cover is not None
-        assert x is not None
-        assert y is not None
-        cover, (a, b) = self.cover[face], (x.diameter, y.diameter)
-        return (cover + a / 2, cover + a + b / 2) if self.outer == "x" else (cover + b + a / 2, cover + b / 2)
-
-
 def check_output(plate: Plate, output: Output) -> Iterator[RelativeIssue]:
     """Find points that do not lie on the plate, and lines and strips that miss it."""
     from shapely import LineString
@@ -349,37 +127,3 @@ def check_output(plate: Plate, output: Output) -> Iterator[RelativeIssue]:
         for position, line in enumerate(lines):
             if not outline.intersects(LineString([line.start, line.end])):
                 yield RelativeIssue(("output", part, position), "a line beside the plate", "one that crosses it")
-
-
-def check_bar_distances(plate: Plate, reinforcement: Reinforcement | None) -> Iterator[RelativeIssue]:
-    """Find bars that do not fit into the thinnest part of the plate."""
-    if reinforcement is None:
-        return
-    thinnest = min([plate.thickness, *(zone.thickness for zone in plate.zones if zone.thickness is not None)])
-    for face in ("bottom", "top"):
-        for position, distance in enumerate(getattr(reinforcement, f"{face}_axes")):
-            if distance >= thinnest / 2:
-                expected = f"less than half of the least thickness, {thinnest / 2!r} m"
-                place = face if getattr(reinforcement, face) is not None else "cover"
-                yield RelativeIssue(("reinforcement", place, position), f"{distance!r} m", expected)
-
-
-def check_bar_zones(plate: Plate, reinforcement: Reinforcement | None) -> Iterator[RelativeIssue]:
-    """Find zones beside the plate or of bars that stick out, and plates with more bars than can be counted."""
-    if reinforcement is None or not reinforcement.laid:
-        return
-    base = [reinforcement.base_bars(layer) for layer in get_args(Layer)]
-    count = max(plate.sides) / min(bars.spacing for bars in (*base, *(z.bars for z in reinforcement.zones)) if bars)
-    if count > MOST_BARS:
-        found = f"about {count:.3g} bars beside each other"
-        yield RelativeIssue(("reinforcement",), found, f"at most {MOST_BARS:,}", "a larger spacing")
-    covered = PlateRegion(plate)
-    axes = dict(zip(get_args(Layer), (*reinforcement.bottom_axes, *reinforcement.top_axes), strict=True))
-    for position, zone in enumerate(reinforcement.zones):
-        if covered.area.intersection(zone.shape.ring().polygon(CHORD * covered.size)).area == 0:
-            place = ("reinforcement", "zones", position, "shape")
-            yield RelativeIssue(place, "a zone beside the plate", "one that lies on it in part")
-        least = min(axes[layer] for layer in zone.layers)
-        if zone.bars.diameter / 2 >= least:
-            expected = f"bars thinner than {2 * least!r} m, whose axes lie {least!r} m from the face"
-            yield RelativeIssue(("reinforcement", "zones", position), f"bars of {zone.bars.diameter!r} m", expected)

@@ -17,7 +17,7 @@ from groundslab.design.checks.check import DesignCheck
 from groundslab.design.en1997 import bearing
 from groundslab.design.punching import outline
 from groundslab.design.tables import reinforcement
-from groundslab.model.limits import SoilStrength
+from groundslab.model.design.limits import SoilStrength
 from groundslab.results.results import CombinationResult, Results
 
 if TYPE_CHECKING:

@@ -26,7 +26,7 @@ from groundslab.design.tables.quantities import solved_results
 from groundslab.discretize.ground import grounds_of
 from groundslab.errors import InputError
 from groundslab.fem.foundation import Column
-from groundslab.model.limits import ACI360Floor, AnyFloor, TR34Floor
+from groundslab.model.design.floors import ACI360Floor, AnyFloor, TR34Floor
 from groundslab.model.loads.load_cases import SERVICEABILITY
 from groundslab.model.model import Model
 from groundslab.results.fields import extreme

@@ -9,10 +9,10 @@ import numpy as np
 from groundslab.design.checks.check import DesignCheck
 from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.annex import annex_of
-from groundslab.design.laid_bars import LaidBars, bars_of, laid_bars
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.quantities import solved_results
-from groundslab.model.outputs import Reinforcement
+from groundslab.model.design.laid_bars import LaidBars, bars_of, laid_bars
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import LAYERS, extreme
 from groundslab.results.results import CombinationResult, Results
 

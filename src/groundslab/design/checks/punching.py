@@ -9,11 +9,11 @@ from typing import Any
 
 from groundslab.design.checks.check import DesignCheck, Status
 from groundslab.design.en1992 import punching as en1992
-from groundslab.design.laid_bars import punching_ratio
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.punching import Demand, Demands, Stress, demands
+from groundslab.model.design.laid_bars import punching_ratio
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
-from groundslab.model.outputs import Reinforcement
 from groundslab.results.results import Results
 
 #: Radial distance of the perimeters of links over the effective depth, the largest that 9.4.3(1) allows.
@@ -113,11 +113,12 @@ def _outer(demand: Demand, own: list[Judged]) -> str:
 
 def _ratios(model: Model, punched: Demands) -> dict[str, float]:
     """Return rho_l of the bars that are laid at the bottom by column (6.4.4(1)); nothing if none are."""
-    if model.reinforcement is None or not model.reinforcement.laid:
+    steel = model.reinforcement
+    if steel is None or not steel.laid:
         return {}
     columns = {column.name: column for column in model.columns}
     depths = {each.column: each.d for each in punched.found.values()}
-    return {name: punching_ratio(model, columns[name], d) for name, d in depths.items()}
+    return {name: punching_ratio(model.plate, steel, columns[name], d) for name, d in depths.items()}
 
 
 def _at(stress: Stress, d: float) -> str:

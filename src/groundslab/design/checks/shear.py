@@ -22,12 +22,12 @@ from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.checks.check import DesignCheck, Status
 from groundslab.design.checks.wide_beam import cuts
 from groundslab.design.en1992 import shear
-from groundslab.design.laid_bars import laid_bars
 from groundslab.design.punching import outline
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.punching import demands
 from groundslab.discretize.singular_places import near_singular
-from groundslab.model.outputs import Reinforcement
+from groundslab.model.design.laid_bars import laid_bars
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.supports import LineSupport
 from groundslab.results.fields import LAYERS, place_of
 from groundslab.results.results import CombinationResult, Results

@@ -9,7 +9,7 @@ from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.checks.check import DesignCheck, Status
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.two_way import TwoWay, strength, two_way
-from groundslab.model.outputs import Reinforcement
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
 

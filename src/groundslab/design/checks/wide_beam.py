@@ -18,7 +18,7 @@ from groundslab.design.tables.punching import depth_under, shape_of_column
 from groundslab.fem.line_traversal import interpolation, pieces
 from groundslab.fem.mesh import Mesh
 from groundslab.model.columns import Column
-from groundslab.model.outputs import Reinforcement
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult
 

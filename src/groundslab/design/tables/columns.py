@@ -15,8 +15,8 @@ from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.design.tables.two_way import TwoWay, strength, two_way
 from groundslab.design.tilt import settlement_differences
 from groundslab.model.columns import Column
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
-from groundslab.model.outputs import Reinforcement
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult, Results
 

@@ -20,7 +20,7 @@ from groundslab.fem import load_vectors
 from groundslab.fem.assembly import scatter
 from groundslab.fem.mesh import Mesh
 from groundslab.model.columns import Column
-from groundslab.model.outputs import Reinforcement
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.supports import LineSupport
 from groundslab.results.results import CombinationResult, Results
 

@@ -17,11 +17,11 @@ from groundslab.design.en1992 import bending as en1992
 from groundslab.design.en1992.annex import annex_of
 from groundslab.design.en1992.materials import CONCRETE_CLASSES, STEEL_CLASSES, Concrete, Steel
 from groundslab.design.envelope import Envelope, envelope
-from groundslab.design.laid_bars import laid_bars
 from groundslab.design.tables.quantities import solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.model.design.laid_bars import laid_bars
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.loads.load_cases import STRENGTH
-from groundslab.model.outputs import Reinforcement
 from groundslab.results.fields import BAR_FIELDS, LAYERS, extreme_node, place_of
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult, Results

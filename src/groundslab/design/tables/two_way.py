@@ -14,8 +14,8 @@ from groundslab.design.tables import column_loads, reinforcement
 from groundslab.design.tables.punching import Around, around_column, depth_under, forces_inside, shape_of_column
 from groundslab.errors import InputError
 from groundslab.model.columns import Column
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
-from groundslab.model.outputs import Reinforcement
 from groundslab.results.results import CombinationResult, Results
 
 

@@ -13,8 +13,8 @@ from groundslab.fem.concrete.cracked_section import (
     uncracked_section,
 )
 from groundslab.fem.concrete.materials import STEEL_MODULUS, mean_tensile_strength
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
-from groundslab.model.outputs import Reinforcement
 
 #: beta of 7.19 by the duration of the loads.
 BETA = {"long": 0.5, "short": 1.0}

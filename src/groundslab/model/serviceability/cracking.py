@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, Literal
 
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.ground import POSITIVE
-from groundslab.model.outputs import Reinforcement
 from groundslab.model.settings import Analysis
 from groundslab.schema.base import Section
 from groundslab.schema.fields import Choice, ListOf, Number, Quantity

@@ -13,8 +13,8 @@ from groundslab.design.checks import DesignCheck, check_design
 from groundslab.design.checks.wide_beam import cuts
 from groundslab.design.result_tables import tables_of
 from groundslab.errors import InputError
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
-from groundslab.model.outputs import Reinforcement
 from groundslab.results.results import Results
 from helpers import synthetic
 from helpers.synthetic import LENGTH_X, LENGTH_Y

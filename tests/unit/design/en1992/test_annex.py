@@ -14,7 +14,7 @@ from groundslab.design.en1992.annex import ANNEXES, RECOMMENDED, Annex, annex_of
 from groundslab.design.en1992.materials import Concrete, Steel
 from groundslab.design.tables.reinforcement import materials
 from groundslab.errors import InputError
-from groundslab.model.outputs import AnnexName, Exposure, Reinforcement
+from groundslab.model.design.reinforcement import AnnexName, Exposure, Reinforcement
 
 STEEL = Steel(500e6)
 KEYS = {field.name for field in dataclasses.fields(Annex)}

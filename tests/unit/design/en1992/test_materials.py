@@ -9,7 +9,7 @@ import pytest
 from groundslab.design.en1992.materials import CONCRETE_CLASSES, STEEL_CLASSES, Concrete
 from groundslab.design.tables.reinforcement import materials
 from groundslab.errors import InputError
-from groundslab.model.outputs import ConcreteClass, Reinforcement, SteelClass
+from groundslab.model.design.reinforcement import ConcreteClass, Reinforcement, SteelClass
 
 #: EN 1992-1-1 Table 3.1: E_cm [GPa] as printed, by f_ck [MPa].
 E_CM = {12: 27, 16: 29, 20: 30, 25: 31, 30: 33, 35: 34, 40: 35, 45: 36, 50: 37, 55: 38, 60: 39, 70: 41, 80: 42, 90: 44}

@@ -13,7 +13,7 @@ import pytest
 
 from groundslab.design.tables.envelopes import fields_of_envelope
 from groundslab.fem.shape_functions import q9
-from groundslab.model.outputs import Reinforcement
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import ELEMENT_FIELDS, ERROR, PLATE_FIELDS, STIFFNESS
 from groundslab.results.results import CombinationResult, Results
 from groundslab.views.files import results_folder, vtk

@@ -19,10 +19,9 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.geometry.plan import Ring
 from groundslab.model.columns import Column
-from groundslab.model.model import Model
-from groundslab.model.outputs import Reinforcement
-from groundslab.model.plate import ROUNDING, PlateRegion
-from groundslab.model.reinforcement.bars import Bars
+from groundslab.model.design.bars import Bars
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.model.plate import ROUNDING, Plate, PlateRegion
 from groundslab.model.shapes import CHORD
 
 if TYPE_CHECKING:
@@ -75,7 +74,7 @@ def laid_bars(steel: Reinforcement, layer: str, places: Array) -> LaidBars:
     return LaidBars(np.pi / 4 * squares, squares / (count * diameter).sum(axis=0), farthest)
 
 
-def mean_area(model: Model, layer: str, column: Column, d: float) -> float:
+def mean_area(plate: Plate, steel: Reinforcement, layer: str, column: Column, d: float) -> float:
     """Return the area of a layer's bars that counts for punching at a column [m2/m], d its effective depth [m].
 
     It is the mean over the column's width and 3 d on each side (6.4.4(1)), as far as the plate reaches: the least of
@@ -83,8 +82,6 @@ def mean_area(model: Model, layer: str, column: Column, d: float) -> float:
     """
     from shapely import LineString
 
-    steel = model.reinforcement
-    assert steel is not None
     base = steel.base_bars(layer)
     assert base is not None
     axis = "xy".index(layer[-1])
@@ -93,7 +90,7 @@ def mean_area(model: Model, layer: str, column: Column, d: float) -> float:
     zones = [(zone, polygon_of(zone.shape.ring())) for zone in steel.zones if layer in zone.layers]
     if not zones:
         return bar_area(base)
-    plan, found = PlateRegion(model.plate).area, list[float]()
+    plan, found = PlateRegion(plate).area, list[float]()
     for where in (along[0] - BEYOND * d, (along[0] + along[1]) / 2, along[1] + BEYOND * d):
         ends = [(where, across[0] - BESIDE * d), (where, across[1] + BESIDE * d)]
         cut = LineString(ends if axis == 0 else [end[::-1] for end in ends]).intersection(plan)
@@ -103,9 +100,10 @@ def mean_area(model: Model, layer: str, column: Column, d: float) -> float:
     return min(found)
 
 
-def punching_ratio(model: Model, column: Column, d: float) -> float:
+def punching_ratio(plate: Plate, steel: Reinforcement, column: Column, d: float) -> float:
     """Return rho_l of the bars that are laid at the bottom, for punching at a column (6.4.4(1))."""
-    return math.sqrt(mean_area(model, "bottom_x", column, d) * mean_area(model, "bottom_y", column, d)) / d
+    x, y = (mean_area(plate, steel, layer, column, d) for layer in ("bottom_x", "bottom_y"))
+    return math.sqrt(x * y) / d
 
 
 def polygon_of(ring: Ring) -> Polygon:

@@ -7,9 +7,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.design.laid_bars import laid_bars, mean_area, punching_ratio
+from groundslab.model.design.bars import MESHES, MeshName, bars_of_mesh
+from groundslab.model.design.laid_bars import laid_bars, mean_area, punching_ratio
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
-from groundslab.model.reinforcement.bars import MESHES, MeshName, bars_of_mesh
+from groundslab.model.plate import Plate
 
 BASE = {"diameter": 0.012, "spacing": 0.15}
 D = 0.5
@@ -86,30 +88,36 @@ def test_a_node_on_the_border_of_a_zone_has_its_bars() -> None:
     assert laid_bars(steel, "top_y", places).area == pytest.approx(area(0.012))
 
 
+def parts(of: Model) -> tuple[Plate, Reinforcement]:
+    """Return the plate and the bars of a model."""
+    assert of.reinforcement is not None
+    return of.plate, of.reinforcement
+
+
 def test_mean_over_the_width_beside_a_column() -> None:
     """Bars along x count over 0.6 + 6 x 0.5 = 3.6 m: a zone 2 m wide gives 2 / 3.6 of its bars; one 5 m wide all."""
     narrow = model([zone((-4, 4), (-1, 1))])
     column = narrow.columns[0]
-    assert mean_area(narrow, "bottom_x", column, D) == pytest.approx(area(0.012) + area(0.016) * 2 / 3.6)
+    assert mean_area(*parts(narrow), "bottom_x", column, D) == pytest.approx(area(0.012) + area(0.016) * 2 / 3.6)
     wide = model([zone((-4, 4), (-2.5, 2.5))])
-    assert mean_area(wide, "bottom_x", column, D) == pytest.approx(area(0.012) + area(0.016))
+    assert mean_area(*parts(wide), "bottom_x", column, D) == pytest.approx(area(0.012) + area(0.016))
     # along y: over 0.4 + 3.0 = 3.4 m, which the zone covers, and up to 0.3 + 1.0 = 1.3 m from the center
-    assert mean_area(wide, "bottom_y", column, D) == pytest.approx(area(0.012) + area(0.016))
-    assert mean_area(model([]), "bottom_x", column, D) == pytest.approx(area(0.012))
+    assert mean_area(*parts(wide), "bottom_y", column, D) == pytest.approx(area(0.012) + area(0.016))
+    assert mean_area(*parts(model([])), "bottom_x", column, D) == pytest.approx(area(0.012))
 
 
 def test_bars_that_end_within_the_perimeter_do_not_count() -> None:
     """Bars along y of a zone that ends 1 m from the center end within 0.3 + 2 d = 1.3 m: they leave the base alone."""
     narrow = model([zone((-4, 4), (-1, 1))])
-    assert mean_area(narrow, "bottom_y", narrow.columns[0], D) == pytest.approx(area(0.012))
+    assert mean_area(*parts(narrow), "bottom_y", narrow.columns[0], D) == pytest.approx(area(0.012))
     ratio = np.sqrt((area(0.012) + area(0.016) * 2 / 3.6) * area(0.012)) / D
-    assert punching_ratio(narrow, narrow.columns[0], D) == pytest.approx(ratio)
+    assert punching_ratio(*parts(narrow), narrow.columns[0], D) == pytest.approx(ratio)
 
 
 def test_width_ends_with_the_plate() -> None:
     """At an edge 0.3 m off the center 0.3 + 0.3 + 1.5 = 2.1 m of the plate count, a zone on 1 m of it by 1 / 2.1."""
     at_edge = model([zone((-4, 4), (3, 4))])
-    found = mean_area(at_edge, "bottom_x", at_edge.columns[1], D)
+    found = mean_area(*parts(at_edge), "bottom_x", at_edge.columns[1], D)
     assert found == pytest.approx(area(0.012) + area(0.016) / 2.1)
 
 

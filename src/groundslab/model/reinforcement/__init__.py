@@ -1,1 +1,0 @@
-"""Reinforcement as it is described: the bars that are laid."""
