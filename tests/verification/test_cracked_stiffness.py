@@ -12,6 +12,7 @@ from groundslab.analysis.driver import Variants, solve
 from groundslab.case import casefile
 from groundslab.discretize.serviceability.cracking import cracked_sections
 from groundslab.errors import InputError
+from groundslab.fem.concrete.cracked_section import CrackedSections
 from groundslab.model.model import Model
 from groundslab.results.fields import LAYERS
 from groundslab.results.results import CombinationResult
@@ -66,14 +67,20 @@ def _model(text: str = STRIP, **sections: dict[str, Any]) -> Model:
     return model.replace(**{name: getattr(model, name).replace(**keys) for name, keys in sections.items()})
 
 
+def section_law(model: Model) -> CrackedSections:
+    """Return how the plate cracks outside of zones."""
+    law = cracked_sections(model, np.zeros(1, dtype=int), np.zeros((1, 2)))
+    assert law is not None
+    return law
+
+
 def _strip_by_integration(model: Model, k: float, q: float, a: float) -> tuple[float, float, float, float]:
     """Return w in the middle and at the end [m], the moment in the middle and its smallest [N m/m] of the strip.
 
     w' = beta + Q / S, beta' = -chi(M), M' = Q, Q' = k w - q on half the strip; the section bends by 7.18 and 7.19,
     whose jump at M_cr, if beta is below 1, is spread over 1 % of M_cr.
     """
-    law = cracked_sections(model)
-    assert law is not None
+    law = section_law(model)
     B_I, S, half = law.B_I[0, 0], law.shear[0], model.plate.sides[0] / 2
 
     def chi(M: np.ndarray) -> np.ndarray:
@@ -186,14 +193,33 @@ def test_with_all_cracks_it_is_the_slab_of_the_cracked_sections() -> None:
     """Concrete without strength, reinforced alike everywhere, settles as an elastic slab of B_II without nu."""
     alike = {layer: {"diameter": 0.012, "spacing": 0.125} for layer in LAYERS}
     model = _model(reinforcement=alike | {"bottom": (0.05, 0.05), "top": (0.05, 0.05)}, cracking={"f_ct": 1.0})
-    law = cracked_sections(model)
-    assert law is not None
+    law = section_law(model)
     assert np.ptp(law.B_II) < 1e-6 * law.B_II.max()
     found = solve(model)["qp"].plate
     # shear, which the cracked slab has of its concrete, is next to nothing in either
     softer = {"E": law.B_II[0, 0, 0] * 12 / 0.3**3, "shear_factor": 1.0}
     expected = solve(_model(plate=softer).replace(cracking=None))["qp"].plate
     np.testing.assert_allclose(found.settlement, expected.settlement, atol=5e-3 * expected.settlement.max())
+
+
+def test_bars_of_zones_are_bars_of_the_slab() -> None:
+    """A zone over half of the strip: it is bent less there; over all of it, it is the strip with all bars at first."""
+    bars = {"diameter": 0.012, "spacing": 0.125}
+    more, base = {"layers": list(LAYERS)} | bars, dict.fromkeys(LAYERS, bars)
+
+    def strip(*zones: tuple[float, float], **layers: object) -> CombinationResult:
+        shapes = [{"kind": "rectangle", "x": each, "y": (-0.5, 0.5)} for each in zones]
+        of_zones = [more | {"name": f"zone {n}", "shape": shape} for n, shape in enumerate(shapes)]
+        return solve(_model(reinforcement=base | layers | {"zones": of_zones}))["qp"]
+
+    all_over, doubled = strip((-6.0, 6.0)), strip(**dict.fromkeys(LAYERS, bars | {"spacing": 0.0625}))
+    np.testing.assert_allclose(all_over.plate.moment_x, doubled.plate.moment_x, rtol=1e-9, atol=1e-6)
+    one_side, without = strip((0.0, 6.0)), strip()
+    ratio, x = one_side.elements.stiffness_ratio, one_side.plate.nodes[one_side.plate.elements[:, 8], 0]
+    assert ratio is not None
+    assert ratio[(x > 0) & (x < 0.75)].min() > ratio[(x < 0) & (x > -0.75)].min()
+    sag = [each.plate.value_at("settlement", 0.0, 0.0) for each in (without, one_side, all_over)]
+    assert sag[0] > sag[1] > sag[2]
 
 
 def test_ultimate_combinations_stay_elastic() -> None:
@@ -210,8 +236,7 @@ def test_shrinkage_bends_the_slab_to_its_curvature() -> None:
     model = _model(plate={"length_x": 6.0}, cracking={"shrinkage": 3e-4, "f_ct": 1e12}, ground={"k": 1e3})
     light = [model.loads[0].replace(q=1e-3, x=(-0.5, 0.5))]
     model = model.replace(loads=light)
-    law = cracked_sections(model)
-    assert law is not None
+    law = section_law(model)
     results = solve(model)["qp"]
     sag = results.plate.value_at("settlement", 0.0, 0.0) - results.plate.value_at("settlement", 3.0, 0.0)
     assert law.shrinkage_I[0, 0] > 0

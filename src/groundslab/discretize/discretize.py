@@ -78,7 +78,7 @@ def discretize(
         edges=edges,
         corners=corners,
         symmetry=plan.symmetry,
-        cracking=cracked_sections(model),
+        cracking=cracked_sections(model, plan.section, plan.mesh.nodes[plan.mesh.elements[plan.plate_elements, -1]]),
     )
 
 

@@ -12,7 +12,9 @@ Interval = tuple[float, float]
 
 def symmetries(model: Model) -> tuple[bool, bool]:
     """Return whether the problem is its own mirror image about x = 0 and about y = 0 (and the mesh may use it)."""
-    varying = model.soil_zones or model.boreholes or model.contact.gaps
+    varying = bool(model.soil_zones or model.boreholes or model.contact.gaps)
+    # where the slab cracks, bars are stiffness, which may differ from side to side
+    varying = varying or (model.cracking is not None and bool(model.reinforcement and model.reinforcement.zones))
     if model.mesh.symmetry == "off" or not model.plain or varying:
         return False, False
     return _symmetric(model, 0), _symmetric(model, 1)

@@ -119,7 +119,7 @@ class Problem:
     edges: Integers  # (e, 3): end, end and middle node of each outer side on which infinite ground follows
     corners: Integers  # (c,): nodes at which two such edges meet
     symmetry: tuple[bool, bool]
-    cracking: CrackedSections | None = None  # how the sections crack, if they do
+    cracking: CrackedSections | None = None  # how the plate's elements crack, if they do
     stiffness: Array | None = None  # (mp, 2) [N m2/m]: of elements that have cracked, along x and y
 
     @property

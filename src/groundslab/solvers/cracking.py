@@ -27,7 +27,7 @@ from groundslab.fem.system import System, blocks
 def laws(problem: Problem) -> CrackedSections:
     """Return the law of each plate element."""
     assert problem.cracking is not None
-    return problem.cracking.at(problem.section)
+    return problem.cracking
 
 
 def with_stiffness(s: System, B: Array) -> System:

@@ -1,9 +1,10 @@
-"""From described bars and concrete to the laws by which the plate's sections crack."""
+"""From described bars and concrete to the laws by which the plate's elements crack."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from groundslab.arrays import Array, Integers
 from groundslab.discretize.nodal_loads import materials
 from groundslab.fem import plate
 from groundslab.fem.concrete.cracked_section import (
@@ -13,6 +14,7 @@ from groundslab.fem.concrete.cracked_section import (
     uncracked_section,
 )
 from groundslab.fem.concrete.materials import STEEL_MODULUS, mean_tensile_strength
+from groundslab.model.design.laid_bars import laid_bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 
@@ -20,13 +22,16 @@ from groundslab.model.model import Model
 BETA = {"long": 0.5, "short": 1.0}
 
 
-def cracked_sections(model: Model) -> CrackedSections | None:
-    """Return how the plate's sections crack, its own and those of its zones; None if cracking is not asked for."""
+def cracked_sections(model: Model, section: Integers, centers: Array) -> CrackedSections | None:
+    """Return how the plate's elements crack, with the bars at their centers; None if cracking is not asked for.
+
+    section (m,) is the number of each element's section, by zones of thickness; centers are (m, 2) [m].
+    """
     cracking, steel = model.cracking, model.reinforcement
     if cracking is None:
         return None
     assert steel is not None
-    E, nu, h = np.array(materials(model)).T
+    E, nu, h = np.array(materials(model))[section].T
     E = E / (1 + cracking.creep)  # 7.20
     n = STEEL_MODULUS / E
     f_ct = cracking.f_ct or mean_tensile_strength(_strength(steel))
@@ -34,7 +39,7 @@ def cracked_sections(model: Model) -> CrackedSections | None:
     B_I, shrinkage_I = (np.empty((len(h), 2)) for _ in range(2))
     B_II, M_cr, shrinkage = (np.empty((len(h), 2, 2)) for _ in range(3))
     for axis in (0, 1):
-        bars = _bars(steel, axis)
+        bars = _bars(steel, axis, centers)
         z, second, first = uncracked_section(h, bars, n)
         B_I[:, axis], shrinkage_I[:, axis] = E * second, warp * first / second
         for face, (sign, far) in enumerate(((1, h - z), (-1, z))):
@@ -54,10 +59,9 @@ def cracked_sections(model: Model) -> CrackedSections | None:
     )
 
 
-def _bars(steel: Reinforcement, axis: int) -> Bars:
-    """Return the bars that are laid along x or y all over the slab; those of zones are not counted."""
-    laid = [steel.base_bars(f"{face}_{'xy'[axis]}") for face in ("bottom", "top")]
-    below, above = (0.0 if each is None else np.pi * each.diameter**2 / 4 / each.spacing for each in laid)
+def _bars(steel: Reinforcement, axis: int, places: Array) -> Bars:
+    """Return the bars that are laid along x or y at places (m, 2) [m]; those of zones lie as deep as their layer."""
+    below, above = (laid_bars(steel, f"{face}_{'xy'[axis]}", places).area for face in ("bottom", "top"))
     return Bars((below, above), (steel.bottom_axes[axis], steel.top_axes[axis]))
 
 

@@ -16,11 +16,11 @@ and curvatures are positive.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers
+from groundslab.arrays import Array
 
 #: Newton's steps to the moment at a curvature: far more than digits need.
 NEWTON_STEPS = 25
@@ -28,7 +28,7 @@ NEWTON_STEPS = 25
 
 @dataclass(frozen=True, slots=True)
 class CrackedSections:
-    """How sections (k,), or elements that have them, bend in each direction with tension at either face."""
+    """How sections (k,), of elements for one, bend in each direction with tension at either face."""
 
     B_I: Array  # (k, 2) [N m2/m]: uncracked
     B_II: Array  # (k, 2, 2) [N m2/m]: cracked
@@ -38,10 +38,6 @@ class CrackedSections:
     nu: Array  # (k,): Poisson's ratio, uncracked
     shear: Array  # (k,) [N/m]: shear rigidity
     beta: Array  # (k,): duration of the loads in 7.19
-
-    def at(self, section: Integers) -> CrackedSections:
-        """Return the laws of elements (m,) from the numbers of their sections."""
-        return CrackedSections(*(getattr(self, each.name)[section] for each in fields(self)))
 
     @property
     def least(self) -> Array:
@@ -60,7 +56,7 @@ class CrackedSections:
 class Bars:
     """Bars at the bottom and at the top of sections, in one direction."""
 
-    area: tuple[float, float]  # [m2/m]
+    area: tuple[Array | float, Array | float]  # [m2/m]: (k,), or of all sections
     distance: tuple[float, float]  # [m]: from the face at which they lie
 
 
