@@ -15,6 +15,7 @@ import itertools
 import json
 import re
 import sys
+import tempfile
 from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
@@ -67,9 +68,11 @@ def example(figure: Path | None) -> dict[str, str]:
     results = groundslab.solve(groundslab.load(ROOT / "examples" / "table1.toml")).only
     plate = results.plate
     if figure is not None:
-        results.plot("settlement", "pressure", to=figure)
-        with Image.open(figure) as picture:
-            picture.convert("RGB").quantize(64).save(figure, optimize=True)
+        with tempfile.TemporaryDirectory() as folder:
+            drawn = Path(folder) / "figure.png"
+            results.plot("settlement", "pressure", to=drawn)
+            with Image.open(drawn) as picture:
+                picture.convert("RGB").quantize(64).save(figure, optimize=True)
     touching = float(plate.area[plate.in_contact].sum() / plate.area.sum())
     return {
         "example settlement": f"{1e3 * plate.value_at('settlement', 0.0, 0.0):.1f}",

@@ -9,6 +9,7 @@ from types import ModuleType
 
 import pytest
 
+from groundslab.verification import runner
 from helpers.paths import ROOT
 
 SCRIPT = ROOT / "paper" / "reproduce" / "reproduce.py"
@@ -33,6 +34,13 @@ def test_numbers_are_those_of_the_script(reproduce: ModuleType) -> None:
     numbers |= reproduce.random_slabs() | reproduce.benchmark()
     text = reproduce.PAPER.read_text(encoding="utf-8")
     assert not reproduce.problems(text, numbers, reproduce.peers())
+
+
+def test_stored_counts_are_those_of_the_cases(reproduce: ModuleType) -> None:
+    """A case or a row that came after the numbers were stored is noticed: the script must run again."""
+    numbers = json.loads(reproduce.STORED.read_text(encoding="utf-8"))
+    cases = [runner.load(name) for name in runner.case_names()]
+    assert (int(numbers["cases"]), int(numbers["rows"])) == (len(cases), sum(len(case.rows) for case in cases))
 
 
 def test_a_number_that_differs_or_has_no_name_is_found(reproduce: ModuleType) -> None:
