@@ -52,8 +52,7 @@ def _within_2d(steel: Reinforcement, punched: Demands, ratios: Mapping[str, floa
     """Return whether punching within 2 d needs links, or exceeds what they can carry.
 
     With the bars that are laid at the bottom, whose ratios are given by column, or with the most that count, whatever
-    will be laid. What links can carry
-    is limited at 2 d, or on all perimeters where the face has no limit of its own.
+    will be laid. What links can carry is limited at 2 d, or on all perimeters where the face has no limit of its own.
     """
     name, which = "punching within 2 d", "the bars that are laid" if steel.laid else "the most bars that count"
     most: list[Judged] = []

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 
 from groundslab.design.checks import punching, two_way
 from groundslab.design.checks.check import DesignCheck
+from groundslab.design.en1992.annex import unconfirmed
 from groundslab.design.tables import reinforcement
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.results.results import Results
@@ -43,6 +44,12 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         yield DesignCheck("ultimate combinations", "attention", words)
     if reinforcement.without_partial_factors(combined):
         yield DesignCheck("partial factors", "attention", reinforcement.UNFACTORED)
+    if steel.code == "EN 1992-1-1" and (open_clauses := unconfirmed(steel.annex)):
+        words = (
+            f"values of {steel.annex}'s annex that were found in no second source, and want a look into the standard: "
+            f"{'; '.join(open_clauses)}"
+        )
+        yield DesignCheck("national parameters", "attention", words)
     rules = [each.rule for each in combined.combinations if each.limit_state in STRENGTH]
     if steel.code == "ACI 318" and any(rule.startswith("EN 1990") for rule in rules):
         words = "combinations made by EN 1990 are not those of ACI 318-19 5.3, which combine.expression can ask for"

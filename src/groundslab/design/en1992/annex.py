@@ -68,5 +68,11 @@ def table(name: str) -> dict[str, dict[str, Any]]:
     return parameters
 
 
+def unconfirmed(name: str) -> list[str]:
+    """Return the clauses of a national annex whose values were found in no source that could be read."""
+    found = [] if name == "recommended" else [each["clause"] for each in table(name).values() if not each["source"]]
+    return list(dict.fromkeys(found))
+
+
 #: What is taken where no annex is named.
 RECOMMENDED = annex_of("recommended")
