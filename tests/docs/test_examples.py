@@ -11,10 +11,15 @@ from groundslab.case.casefile import load
 from groundslab.design.checks import check_design
 from helpers.paths import EXAMPLES
 
-CASES = sorted(EXAMPLES.glob("*.toml"))
+#: The raft with eight combinations has a test of its own below.
+CASES = sorted(path for path in EXAMPLES.glob("*.toml") if path.stem != "l_raft")
+SLOW = ("house_raft", "pad", "tank")
 
 
-@pytest.mark.parametrize("path", [path for path in CASES if path.stem != "l_raft"], ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "path",
+    [pytest.param(path, id=path.stem, marks=[pytest.mark.slow] * (path.stem in SLOW)) for path in CASES],
+)
 def test_examples_are_solved(path: Path) -> None:
     """Every combination of every example has a certified result, and no design of them fails."""
     results = solve(load(path))
