@@ -9,13 +9,15 @@ from groundslab.discretize.constraints import concatenate, fixed_nodes, ground_b
 from groundslab.discretize.ground import Factors, carries_shear, ground_under, grounds_of, surfaces_of
 from groundslab.discretize.nodal_loads import loadings, materials
 from groundslab.discretize.plan_layout import AXIS, OUTWARD, Layout, Meshes, layout
+from groundslab.discretize.pressure_cells import elastic_ground
 from groundslab.discretize.serviceability.cracking import cracked_sections
-from groundslab.discretize.voids import find_depths, initial_gap
+from groundslab.discretize.voids import find_depths, initial_gap, level_ground
 from groundslab.fem import plate
 from groundslab.fem.assembly import number_unknowns
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Loading, Problem, W
 from groundslab.geometry.plan import SAME_PLACE
+from groundslab.model.ground import Continuum
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 
@@ -47,7 +49,8 @@ def discretize(
         acting = model if loaded else model.model_copy(update={"cases": (), "loads": ()})
         cases = loadings(acting, plan, element, fields)
     unknown = number_unknowns(plan.rank, present)
-    below = find_depths(model, plan, ground, coarsening == 0)
+    elastic = elastic_ground(model, plan, element, coarsening)
+    below = find_depths(model, plan, ground, coarsening == 0) if elastic is None else level_ground(plan)
     gap = initial_gap(model, plan)
     edges, corners = _infinite_edges(model, plan)
     return Problem(
@@ -69,7 +72,8 @@ def discretize(
         initial_gap=gap + np.where(np.isfinite(below.depth), below.depth, 0.0)[below.shallowest],
         depths=below,
         bearing=concatenate(
-            ground_bearing(model, plan, unknown, below, ground, gap), support_bearing(model, plan, unknown)
+            *([ground_bearing(model, plan, unknown, below, ground, gap)] if elastic is None else []),
+            support_bearing(model, plan, unknown),
         ),
         tensionless=model.contact.tensionless,
         limit_pressure=np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure,
@@ -78,6 +82,7 @@ def discretize(
         edges=edges,
         corners=corners,
         symmetry=plan.symmetry,
+        elastic=elastic,
         cracking=cracked_sections(model, plan.section, plan.mesh.nodes[plan.mesh.elements[plan.plate_elements, -1]]),
     )
 
@@ -115,6 +120,8 @@ def _present(model: Model, plan: Layout, element: plate.PlateElement, surfaces: 
     present = np.ones((n, TOP + surfaces), dtype=bool)
     present[:, :TOP] = under[:, None]
     present[:, TOP] = model.contact.tensionless | ~under
+    if isinstance(model.ground, Continuum):
+        present[:, TOP] = False  # what it settles follows from the pressures
     if not element.center_w:
         present[mesh.elements[plate_elements, 8], W] = False
 

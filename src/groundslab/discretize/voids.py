@@ -77,6 +77,11 @@ def find_depths(model: Model, plan: Layout, ground: Soil | Column, finest: bool)
     return _at_nodes(plan, found.depth, found.share, steps)
 
 
+def level_ground(plan: Layout) -> Depths:
+    """Return the depths of ground without voids."""
+    return _at_nodes(plan, np.zeros(1), np.ones((len(plan.plate_elements), 1)), False)
+
+
 def _at_nodes(plan: Layout, depth: Array, share: Array, steps: bool) -> Depths:
     """Return depths from the share (mp, d) of each plate element that each depth (d,) takes."""
     mesh, elements = plan.mesh, plan.mesh.elements[plan.plate_elements]

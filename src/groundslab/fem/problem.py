@@ -15,6 +15,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.fem import plate
 from groundslab.fem.bearings import Bearings
 from groundslab.fem.concrete.cracked_section import CrackedSections
+from groundslab.fem.continuum.elastic_ground import ElasticGround
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import Mesh
 from groundslab.fem.vlasov import Soil
@@ -120,6 +121,7 @@ class Problem:
     corners: Integers  # (c,): nodes at which two such edges meet
     symmetry: tuple[bool, bool]
     cracking: CrackedSections | None = None  # how the plate's elements crack, if they do
+    elastic: ElasticGround | None = None  # bears the plate, instead of columns, whose constants are zero then
     stiffness: Array | None = None  # (mp, 2) [N m2/m]: of elements that have cracked, along x and y
 
     @property

@@ -7,13 +7,13 @@ from collections.abc import Iterator
 from groundslab.geometry.plan import MOST_ELEMENTS
 from groundslab.geometry.validity import find_issues
 from groundslab.model.columns import Column
-from groundslab.model.ground import AnyGround, InterfaceLayer, Layered, Pasternak, SoilLayer, Winkler
+from groundslab.model.ground import AnyGround, Continuum, InterfaceLayer, Layered, Pasternak, SoilLayer, Winkler
 from groundslab.model.loads.load_cases import Combination, LoadCase, check_case_names, check_factors
 from groundslab.model.loads.load_types import AnyLoad, SettlementLoad
 from groundslab.model.loads.patterns import Move
 from groundslab.model.loads.placement import on_plate
 from groundslab.model.plate import Plate, PlateRegion
-from groundslab.model.settings import Beyond, Contact, Mesh
+from groundslab.model.settings import SIDES, Beyond, Contact, Mesh
 from groundslab.model.supports import (
     AnySupport,
     LineSupport,
@@ -23,7 +23,7 @@ from groundslab.model.supports import (
     check_support_distances,
     plan_of_plate,
 )
-from groundslab.model.varying_ground import SoilZone
+from groundslab.model.varying_ground import Borehole, SoilZone
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import describe, one_of, suggestion
 
@@ -66,6 +66,8 @@ def carry_shear(ground: AnyGround) -> list[bool]:
         return [False]
     if isinstance(ground, Pasternak):
         return [ground.k1 > 0]
+    if isinstance(ground, Continuum):
+        return [True]
     return [not isinstance(layer, InterfaceLayer) or layer.k1 > 0 for layer in ground.layers]
 
 
@@ -88,6 +90,22 @@ def check_shear_of_layers(
             if isinstance(grounds[place], Winkler):
                 continue  # of another kind than the rest, an issue of its own
             yield RelativeIssue((*place, *key), "0 N/m", "k1 above 0, as other ground has it and is infinite", hint)
+
+
+def check_continuum(
+    ground: AnyGround, beyond: Beyond, soil_zones: tuple[SoilZone, ...], boreholes: tuple[Borehole, ...]
+) -> Iterator[RelativeIssue]:
+    """Find what an elastic continuum, the same everywhere and without an end, cannot have."""
+    if not isinstance(ground, Continuum):
+        return
+    for name, given in (("soil_zones", soil_zones), ("boreholes", boreholes)):
+        if given:
+            hint = 'ground.kind = "vlasov" has layers that vary over the plan'
+            yield RelativeIssue((name,), f"{name} in a continuum", "the same layers everywhere", hint)
+    if beyond.kind == "margin" and (beyond.edge == "fixed" or beyond.sides != SIDES):
+        found = "a margin that ends" if beyond.edge == "fixed" else "ground beyond some sides"
+        expected = 'kind = "infinite", as a continuum goes on without an end on all sides'
+        yield RelativeIssue(("beyond",), found, expected, "width says how much of it is shown")
 
 
 def check_contact_voids(plate: Plate, contact: Contact) -> Iterator[RelativeIssue]:

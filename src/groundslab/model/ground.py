@@ -1,4 +1,4 @@
-"""Ground under the plate: springs, Pasternak, Vlasov and layered ground."""
+"""Ground under the plate: springs, Pasternak, Vlasov, layered ground, elastic continuum."""
 
 from __future__ import annotations
 
@@ -194,5 +194,57 @@ class Layered(Section):
     formulas: FormulasKey = "exact"
 
 
-AnyGround = Winkler | Pasternak | Vlasov | Layered
+class HalfSpace(Section):
+    """Soil without an end below the layers."""
+
+    E: Annotated[float, Quantity("pressure", "E", "Young's modulus", POSITIVE)]
+    nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]
+
+
+#: Neighboring layers may differ by this factor in E, and a layer may be this part of the depth.
+MOST_CONTRAST, LEAST_PART = 1e6, 1e-3
+
+
+def _check_continuum(layers: tuple[SoilLayer, ...], half_space: HalfSpace | None) -> Iterator[RelativeIssue]:
+    if not layers and half_space is None:
+        yield RelativeIssue((), "neither layers nor half_space", "at least one of them")
+    depth = sum(layer.thickness for layer in layers)
+    for position, layer in enumerate(layers):
+        if layer.thickness < LEAST_PART * depth:
+            expected = f"at least {LEAST_PART * depth:.3g} m, a thousandth of the depth of all layers"
+            yield RelativeIssue(("layers", position, "thickness"), f"{layer.thickness:g} m", expected)
+    moduli = [each for layer in layers for each in (layer.E, layer.E_bottom) if each is not None]
+    moduli += [] if half_space is None else [half_space.E]
+    if moduli and max(moduli) > MOST_CONTRAST * min(moduli):
+        found = f"moduli from {min(moduli):.3g} to {max(moduli):.3g} Pa"
+        hint = "what is so much stiffer is a rigid base"
+        yield RelativeIssue((), found, f"moduli that differ by a factor of at most {MOST_CONTRAST:g}", hint)
+
+
+class Continuum(Section):
+    """Bonded elastic layers, isotropic and without an end sideways, on a rigid base or a half-space."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_check_vlasov_sublayers, _check_continuum)
+
+    kind: Annotated[Literal["continuum"], Table("bonded elastic layers that spread loads in all directions")] = (
+        "continuum"
+    )
+    layers: Annotated[
+        tuple[SoilLayer, ...],
+        Table("the layers, from the top downwards; on a rigid rough base, unless there is a half_space"),
+    ] = ()
+    half_space: Annotated[HalfSpace | None, Table("soil below all layers, or all of it")] = None
+    cell: Annotated[
+        float | None,
+        Quantity(
+            "length",
+            "",
+            "side of the cells on which the pressure is constant; by default half a side of the mesh's elements, "
+            "so that a finer mesh has a finer grid of cells",
+            POSITIVE,
+        ),
+    ] = None
+
+
+AnyGround = Winkler | Pasternak | Vlasov | Layered | Continuum
 Ground = Annotated[AnyGround, ByKind()]

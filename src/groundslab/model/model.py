@@ -39,6 +39,7 @@ class Model(Section):
 
     checks: ClassVar[tuple[Check, ...]] = (
         consistency.check_shear_of_layers,
+        consistency.check_continuum,
         consistency.check_some_load_acts,
         check_point_loads,
         check_distributed_loads,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 from pydantic import Field
 
 from groundslab.geometry.plan import Ring, rectangle
-from groundslab.model.ground import POSITIVE, AnyGround, Ground, InterfaceLayer, Layered, SoilLayer, Vlasov
+from groundslab.model.ground import POSITIVE, AnyGround, Continuum, Ground, InterfaceLayer, Layered, SoilLayer, Vlasov
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import AnyShape, Shape
 from groundslab.schema.base import Check, Section, Table
@@ -87,7 +87,7 @@ def check_soil_depth(plate: Plate, ground: AnyGround, boreholes: tuple[Borehole,
     described: dict[tuple[str | int, ...], tuple[SoilLayer | InterfaceLayer, ...]] = {}
     for position, hole in enumerate(boreholes):
         described["boreholes", position, "layers"] = hole.layers
-    if isinstance(ground, Vlasov | Layered):
+    if isinstance(ground, Vlasov | Layered | Continuum):
         described["ground", "layers"] = ground.layers
     for place, layers in described.items():
         depth = sum(layer.thickness for layer in layers if isinstance(layer, SoilLayer))
@@ -100,7 +100,7 @@ def check_boreholes(
     ground: AnyGround, soil_zones: tuple[SoilZone, ...], boreholes: tuple[Borehole, ...]
 ) -> Iterator[RelativeIssue]:
     """Find boreholes that do not match the ground or each other."""
-    if not boreholes:
+    if not boreholes or isinstance(ground, Continuum):
         return
     if not isinstance(ground, Vlasov | Layered) or any(isinstance(each, InterfaceLayer) for each in ground.layers):
         expected = "ground of layers given by E, nu and thickness"
