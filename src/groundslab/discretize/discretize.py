@@ -105,7 +105,7 @@ def _known_cases(
 
 def _infinite_edges(model: Model, plan: Layout) -> tuple[Integers, Integers]:
     """Return the outer sides (e, 3: end, end, middle) and corner nodes (c,) beyond which the ground is infinite."""
-    if model.beyond.kind != "infinite":
+    if model.beyond.kind != "infinite" or isinstance(model.ground, Continuum):
         return np.zeros((0, 3), dtype=np.int64), np.zeros(0, dtype=np.int64)
     across_x, across_y = (plan.outer[plan.outer_axis == axis] for axis in (0, 1))
     return plan.outer, np.intersect1d(across_x, across_y)

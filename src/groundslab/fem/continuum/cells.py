@@ -116,6 +116,20 @@ def cover(grid: Grid, xy: Array, elements: Integers, nodes: int, w: Array) -> Ce
     )
 
 
+def prolong(coarse: Cells, force: Array, fine: Cells) -> Array:
+    """Return forces on finer cells (c,) [N] whose pressures follow those of coarser ones linearly."""
+    from scipy.interpolate import RegularGridInterpolator
+
+    centers = coarse.grid.centers
+    pressure = coarse.on_grid(force / coarse.area)
+    if min(pressure.shape) < 2:
+        return np.full(len(fine.area), force.sum() / fine.area.sum()) * fine.area
+    # beyond the outermost centers pressures are those there
+    places = [np.clip(x, c[0], c[-1]) for x, c in zip(fine.center.T, centers, strict=True)]
+    found: Array = RegularGridInterpolator(centers, pressure)(np.column_stack(places)) * fine.area
+    return found
+
+
 def _rows_to_one(matrix: csr_array) -> csr_array:
     """Return a matrix whose rows have the sum one, or zero."""
     from scipy.sparse import csr_array
