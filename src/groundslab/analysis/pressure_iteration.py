@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from groundslab.analysis.load_step import LoadStep
@@ -12,8 +10,8 @@ from groundslab.arrays import Array, Integers
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings, Contact, plastic_slip
 from groundslab.fem.continuum.cells import prolong
 from groundslab.fem.foundation import single
-from groundslab.fem.problem import TOP, Problem, W
-from groundslab.fem.system import System, current_bearings, nodal_table, plate_settlement, right_hand_side
+from groundslab.fem.problem import TOP, Problem
+from groundslab.fem.system import System, current_bearings, nodal_table, right_hand_side
 from groundslab.results.record import Step
 from groundslab.solvers import bounded_forces
 from groundslab.solvers.equilibrium import require_hold
@@ -39,7 +37,7 @@ def solve_pressures(step: LoadStep, start: Solution | None) -> Solution:
 
     found = bounded_forces.solve(
         bound_forces(operator, problem, law, f),
-        _start(problem, operator, start),
+        _start(problem, start),
         TOLERANCE if step.finest else TOLERANCE_COARSE,
         PRODUCTS * step.max_iterations,
         report,
@@ -72,7 +70,7 @@ def _states(law: Bearings, force: Array) -> Integers:
     return np.where(~law.bilateral & (force >= law.limit_force) & (force > 0), YIELDING, state)
 
 
-def _start(problem: Problem, operator: PlateOnContinuum, start: Solution | None) -> Array:
+def _start(problem: Problem, start: Solution | None) -> Array:
     """Return the forces (c + b,) from which the iteration starts."""
     assert problem.elastic is not None
     cells, supports = problem.elastic.cells, len(problem.bearing.law)

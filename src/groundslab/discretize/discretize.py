@@ -6,10 +6,10 @@ import numpy as np
 
 from groundslab.arrays import Flags, Integers
 from groundslab.discretize.constraints import concatenate, fixed_nodes, ground_bearing, support_bearing
+from groundslab.discretize.continuum.pressure_cells import elastic_ground
 from groundslab.discretize.ground import Factors, carries_shear, ground_under, grounds_of, surfaces_of
 from groundslab.discretize.nodal_loads import loadings, materials
 from groundslab.discretize.plan_layout import AXIS, OUTWARD, Layout, Meshes, layout
-from groundslab.discretize.pressure_cells import elastic_ground
 from groundslab.discretize.serviceability.cracking import cracked_sections
 from groundslab.discretize.voids import find_depths, initial_gap, level_ground
 from groundslab.fem import plate

@@ -48,7 +48,8 @@ def contact_function(results: CombinationResult) -> Array:
 
     On springs without shear it is k0 g - p, with k0 of all layers in series: on Winkler ground it crosses
     zero linearly. With shear the pressure jumps to zero at the boundary and the gap grows as the square of the
-    distance (on an elastic continuum, as its power 3/2), so its root stands for the distance on the open side, and half a usual first step on the other.
+    distance (on an elastic continuum, as its power 3/2), so its root stands for the distance on the open side, and half
+    a usual first step on the other.
     """
     plate = results.plate
     closed = plate.in_contact
