@@ -96,7 +96,7 @@ def cover(grid: Grid, xy: Array, elements: Integers, nodes: int, w: Array) -> Ce
 
     pairs = _pairs(grid, xy)
     element, cell, area = pairs.element, pairs.cell, pairs.area
-    on_cells: Array = np.bincount(cell, weights=area, minlength=grid.nx * grid.ny)
+    on_cells = np.bincount(cell, weights=area, minlength=grid.nx * grid.ny).astype(np.float64)
     number = np.flatnonzero(on_cells > LEAST_SHARE * grid.dx * grid.dy)
 
     def matrix(values: Array, row: Integers, rows: int) -> csr_array:
