@@ -47,9 +47,9 @@ def test_mean_inverse_distance_of_a_square_with_itself():
 
 def test_mean_inverse_distance_of_a_rectangle_with_itself():
     """1 / r is also integrated over long cells that lie on each other and side by side."""
-    own = mean_over_rectangle(lambda r: 1.0, 2.0, 0.5)
+    own = mean_over_rectangle(lambda _: 1.0, 2.0, 0.5)
     assert float(mean_inverse_distance(np.array(0.0), np.array(0.0), 2.0, 0.5)) == pytest.approx(own, rel=1e-8)
-    pair = mean_over_rectangle(lambda r: 1.0, 4.0, 0.5)
+    pair = mean_over_rectangle(lambda _: 1.0, 4.0, 0.5)
     beside = float(mean_inverse_distance(np.array(2.0), np.array(0.0), 2.0, 0.5))
     assert (own + beside) / 2 == pytest.approx(pair, rel=1e-8)
 
@@ -102,7 +102,7 @@ def test_flexible_circle_on_two_layers(ratio, radius):
     assert found == pytest.approx(1.5 * radius + rest, rel=1e-5)
 
 
-@pytest.mark.parametrize("ratio", RATIOS)
+@pytest.mark.parametrize("ratio", RATIOS[::2] + RATIOS[-1:])
 @pytest.mark.parametrize(("a", "b"), [(0.1, 0.1), (1.0, 0.4), (3.0, 2.0)])
 def test_mean_settlement_of_a_rectangle_on_two_layers(ratio, a, b):
     """A cell under its own pressure, small or large beside the layer's thickness, by an independent quadrature."""

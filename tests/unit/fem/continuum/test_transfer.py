@@ -71,25 +71,25 @@ def test_a_layer_cut_in_two_is_the_same(cut):
 
 
 def test_long_waves_compress_layers_one_by_one():
-    """k -> 0 on a rigid base: the sum of h (1 + nu)(1 - 2 nu) / (E (1 - nu)), to order k^2."""
+    """On a rigid base k -> 0 gives the sum of h (1 + nu)(1 - 2 nu) / (E (1 - nu)), to order k^2."""
     expected = 2.0 * 1.3 * 0.4 / (10e6 * 0.7) + 5.0 * 1.2 * 0.6 / (80e6 * 0.8)
     assert surface_compliance([SOFT, STIFF], np.array([1e-6]))[0] == pytest.approx(expected, rel=1e-9)
 
 
 def test_long_waves_find_the_half_space_alone():
-    """k -> 0 above a half-space: k T is that of the half-space, to order k."""
+    """Above a half-space k -> 0 gives k T of the half-space, to order k."""
     k = np.array([1e-7])
     assert k * surface_compliance([SOFT, STIFF, BELOW], k) == pytest.approx(BELOW.half_space, rel=1e-5)
 
 
 def test_short_waves_find_the_top_layer_alone():
-    """k h = 40: k T is that of a half-space of the top layer's soil, up to exp(-80)."""
+    """At k h = 40, k T is that of a half-space of the top layer's soil, up to exp(-80)."""
     k = np.array([20.0, 400.0])
     assert k * surface_compliance([SOFT, STIFF], k) == pytest.approx(SOFT.half_space, rel=1e-13)
 
 
 def test_stress_in_a_half_space():
-    """sigma = (1 + k z) exp(-k z), W = (1 + nu) / (E k) (2 (1 - nu) + k z) exp(-k z), however it is cut (Boussinesq)."""
+    """Stress (1 + k z) exp(-k z), settlement (1 + nu) / (E k) (2 (1 - nu) + k z) exp(-k z), however it is cut."""
     depths = np.array([0.0, 0.003, 0.4, 1.0, 4.0])
     cut = [*(ElasticLayer(3e6, 0.3, float(h)) for h in np.diff(depths)), ElasticLayer(3e6, 0.3, math.inf)]
     k = np.array([1e-3, 0.02, 0.3, 2.0, 7.0])
