@@ -13,10 +13,12 @@ from groundslab.fem.shape_functions import jacobian, q9
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-#: A cell of which the plate covers less than this share bears nothing.
-LEAST_SHARE = 1e-3
-#: Each element is divided into so many parts a side for each cell that it is long, with Gauss's two points each way.
-PARTS = 2
+#: A cell of which the plate covers less than this share bears nothing, one of which it covers more bears wholly: half
+#: keeps the area of the plate, and its outline, where they are.
+LEAST_SHARE = 0.5
+#: Each element is divided into so many parts a side for each cell that it is long, with Gauss's two points each way;
+#: thirds are where the functions of its nodes have their kinks.
+PARTS = 3
 #: Elements whose points are placed at a time.
 _CHUNK = 4096
 
@@ -54,11 +56,11 @@ def make_grid(bounds: tuple[float, float, float, float], size: float) -> Grid:
 
 @dataclass(frozen=True, slots=True)
 class Cells:
-    """The c cells of a grid that a plate covers, wholly or in part."""
+    """The c cells of a grid that a plate covers, or half of which at least."""
 
     grid: Grid
     number: Integers  # (c,): of each in the grid, ascending
-    area: Array  # (c,) [m2]: what the plate covers of it
+    area: Array  # (c,) [m2]: of the whole cell, on which the ground feels the pressure
     center: Array  # (c, 2) [m]: of what the plate covers
     spread: csr_array  # (n, c): share of a force on each cell that goes to w of each node; means of w, transposed
     around: csr_array  # (n, c): what is made of values of cells for nodes, means of those around them
@@ -97,22 +99,35 @@ def cover(grid: Grid, xy: Array, elements: Integers, nodes: int, w: Array) -> Ce
     pairs = _pairs(grid, xy)
     element, cell, area = pairs.element, pairs.cell, pairs.area
     on_cells = np.bincount(cell, weights=area, minlength=grid.nx * grid.ny).astype(np.float64)
-    number = np.flatnonzero(on_cells > LEAST_SHARE * grid.dx * grid.dy)
+    number = np.flatnonzero(on_cells >= LEAST_SHARE * grid.dx * grid.dy)
+    near = _nearest(grid, number, cell)
 
-    def matrix(values: Array, row: Integers, rows: int) -> csr_array:
-        column = np.repeat(cell, len(row) // len(cell))
+    def matrix(values: Array, row: Integers, rows: int, to: Integers) -> csr_array:
+        column = np.repeat(to, len(row) // len(cell))
         return csr_array(coo_array((values, (row, column)), shape=(rows, grid.nx * grid.ny)))[:, number]
 
-    spread = matrix(np.einsum("pa,pab->pb", pairs.shapes, w[element]).ravel(), elements[element].ravel(), nodes)
+    spread = matrix(np.einsum("pa,pab->pb", pairs.shapes, w[element]).ravel(), elements[element].ravel(), nodes, cell)
     return Cells(
         grid,
         number,
-        on_cells[number],
+        np.full(len(number), grid.dx * grid.dy),
         np.stack([np.bincount(cell, weights=x)[number] / on_cells[number] for x in pairs.moment.T], axis=1),
         csr_array(spread.multiply(1 / on_cells[number][None, :])),
-        _rows_to_one(matrix(pairs.hats.ravel(), elements[element].ravel(), nodes)),
-        _rows_to_one(matrix(area, element, len(xy))),
+        _rows_to_one(matrix(pairs.hats.ravel(), elements[element].ravel(), nodes, near)),
+        _rows_to_one(matrix(area, element, len(xy), near)),
     )
+
+
+def _nearest(grid: Grid, number: Integers, cell: Integers) -> Integers:
+    """Return for some cells (p,) of a grid the nearest one among those that bear (c,)."""
+    from scipy.spatial import cKDTree
+
+    place = np.column_stack(np.divmod(np.arange(grid.nx * grid.ny), grid.ny)) * [grid.dx, grid.dy]
+    found = cell.copy()
+    lost = ~np.isin(cell, number)
+    if lost.any() and len(number):
+        found[lost] = number[cKDTree(place[number]).query(place[cell[lost]])[1]]
+    return found
 
 
 def prolong(coarse: Cells, force: Array, fine: Cells) -> Array:
@@ -146,7 +161,7 @@ class _Pairs:
     area: Array  # (p,) [m2]
     moment: Array  # (p, 2) [m3]: int x dA and int y dA
     shapes: Array  # (p, 9) [m2]: integrals of the element's shape functions
-    hats: Array  # (p, 9) [m2]: of functions that are linear between neighboring nodes each way, and positive
+    hats: Array  # (p, 9) [m2]: of positive functions of its nodes, which share its area as shape functions do
 
 
 def _pairs(grid: Grid, xy: Array) -> _Pairs:
@@ -171,9 +186,15 @@ def _pairs(grid: Grid, xy: Array) -> _Pairs:
 
 
 def _hats(points: Array) -> Array:
-    """Return functions (p, 9) of an element's nodes that are linear each way between neighboring ones."""
-    corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [0, -1], [1, 0], [0, 1], [-1, 0], [0, 0]], dtype=float)
-    hats: Array = np.maximum(1 - np.abs(points[:, None] - corners), 0.0).prod(axis=2)
+    """Return functions (p, 9) of an element's nodes, positive, with the sum one, linear each way.
+
+    Each way they reach a third of the element from its ends and leave two thirds to its middle: so they have the
+    integrals of the shape functions, by which nodes share the element's area.
+    """
+    ends = np.maximum(0.0, 1 - 1.5 * (1 - points[:, None] * np.array([[-1.0], [1.0]])))
+    each = np.stack([ends[:, 0], 1 - ends.sum(axis=1), ends[:, 1]])  # (3, p, 2), of the nodes at -1, 0, 1
+    corners = np.array([[0, 0], [2, 0], [2, 2], [0, 2], [1, 0], [2, 1], [1, 2], [0, 1], [1, 1]])
+    hats: Array = (each[corners[:, 0], :, 0] * each[corners[:, 1], :, 1]).T
     return hats
 
 
