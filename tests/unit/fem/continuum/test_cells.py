@@ -70,7 +70,7 @@ def test_means_of_a_quadratic_settlement():
 
 @pytest.mark.parametrize("size", [0.3, 0.12])
 def test_cut_cells_bear_that_are_covered_by_half(size):
-    """Beside a slanting edge the cells that bear are those of which the plate covers half, where it is not a near thing.
+    """Beside a slanting edge the cells that bear are those of which the plate covers half; near ones are open.
 
     Together they have the plate's area, up to what a row of cells can be off.
     """
