@@ -30,12 +30,12 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike
 
-from groundslab.arrays import Array
+from groundslab.arrays import Array, Flags
 
-#: Beyond this distance, in diagonals of what is integrated over, Gauss's rule takes the corners' place.
-FAR = 2.5
-#: Points of Gauss's rule along each side of a rectangle.
-POINTS = 8
+#: Distance from which Gauss's rule takes the corners' place, in diagonals of the area that is integrated over.
+FAR = 1.5
+#: Points of Gauss's rule along each side of a rectangle, and those that suffice beyond some distance in diagonals.
+POINTS, REMOTE, REMOTE_POINTS = 9, 8.0, 5
 
 
 def vertical_stress(x: ArrayLike, y: ArrayLike, z: ArrayLike, sides: tuple[float, float], mean: bool = False) -> Array:
@@ -60,10 +60,13 @@ def vertical_stress(x: ArrayLike, y: ArrayLike, z: ArrayLike, sides: tuple[float
 
     Notes
     -----
-    The error is below 1e-14 near the rectangle and below 1e-12 of the value beyond FAR diagonals.
+    The error is below 1e-13 up to FAR diagonals from the centre (of the mean, of two diagonals each), and below 1e-10
+    of the value further away; measured with 60 digits, sides in the ratio of up to 30.
     """
-    near = _stress_mean if mean else _stress
-    return _integrate(near, _force_stress, np.broadcast_arrays(x, y, z), sides, mean)
+    at = _broadcast(x, y, z)
+    near = _distance(at, sides, mean) <= FAR
+    corner = _stress_mean if mean else _stress
+    return _corners(corner, near, at, sides, mean) + _gauss(_force_stress, ~near, at, sides, mean)
 
 
 def compression(
@@ -91,15 +94,19 @@ def compression(
 
     Notes
     -----
-    The error is below 1e-14 of the longer side near the rectangle (1e-13 of a mean) and below 1e-11 of the value
-    beyond FAR diagonals, but for layers that are thinner than a hundredth of their depth.
+    The error is below 1e-12 of the longer side up to FAR diagonals from the centre, and below 1e-10 of the value
+    further away; measured with 60 digits, sides in the ratio of up to 30, layers thicker than 1 % of their depth.
     """
+    x, y, top, bottom = _broadcast(x, y, top, bottom)
+    far = FAR * (1 + mean) * math.hypot(*sides)
+    middle = np.clip(np.sqrt(np.maximum(far**2 - x**2 - y**2, 0.0)), top, bottom)
+    below = _compression_below_mean if mean else _compression_below
 
-    def near(x: Array, y: Array, top: Array, bottom: Array) -> Array:
-        below = _compression_below_mean if mean else _compression_below
+    def corner(x: Array, y: Array, top: Array, bottom: Array) -> Array:
         return below(x, y, top) - below(x, y, bottom)
 
-    return _integrate(near, _force_compression, np.broadcast_arrays(x, y, top, bottom), sides, mean)
+    near = _corners(corner, middle > top, (x, y, top, middle), sides, mean)
+    return near + _gauss(_force_compression, bottom > middle, (x, y, middle, bottom), sides, mean)
 
 
 def surface_settlement(
@@ -126,44 +133,59 @@ def surface_settlement(
     return (1 - nu**2) / E * compression(x, y, 0.0, np.inf, sides, mean)
 
 
-def _integrate(
-    near: Callable[..., Array],
-    force: Callable[..., Array],
-    at: tuple[Array, ...],
-    sides: tuple[float, float],
-    mean: bool,
+def _broadcast(*arrays: ArrayLike) -> tuple[Array, ...]:
+    """Return arrays of one shape."""
+    return np.broadcast_arrays(*(np.asarray(each, float) for each in arrays))
+
+
+def _distance(at: tuple[Array, ...], sides: tuple[float, float], mean: bool) -> Array:
+    """Return how far points are from the centre, in diagonals of the area over which offsets from them spread."""
+    x, y, z, *_ = at
+    distance: Array = np.sqrt(x**2 + y**2 + z**2) / ((1 + mean) * math.hypot(*sides))
+    return distance
+
+
+def _corners(
+    corner: Callable[..., Array], mask: Flags, at: tuple[Array, ...], sides: tuple[float, float], mean: bool
 ) -> Array:
-    """Return the integral of a force's field over the rectangle, at x, y and depths, from corners or by Gauss's rule.
-
-    A mean is the integral over all differences of places in two rectangles, weighted by how often they occur.
-    """
-    x, y, *depths = (np.asarray(each, float) for each in at)
-    a, b = sides
-    far = np.sqrt(x**2 + y**2 + depths[0] ** 2) > FAR * (1 + mean) * math.hypot(a, b)
-    result = np.zeros(x.shape)
-    for mask, function, rule, scale in (
-        (~far, near, _corners(mean), 1 / (a * b) if mean else 1.0),
-        (far, force, _gauss(mean), a * b),
-    ):
-        x_in, y_in, *depths_in = (each[mask] for each in (x, y, *depths))
-        terms = (u * v * function(x_in + s * a, y_in + t * b, *depths_in) for (s, u), (t, v) in product(rule, rule))
-        result[mask] = scale * sum(terms, start=np.zeros(x_in.shape))
-    return result
+    """Return the differences of a function of x, y and depths at the corners, 0 outside the mask."""
+    rule = [(-1.0, 1.0), (0.0, -2.0), (1.0, 1.0)] if mean else [(-0.5, -1.0), (0.5, 1.0)]
+    total = _sum(corner, rule, mask, at, sides)
+    return total / (sides[0] * sides[1]) if mean else total
 
 
-def _corners(mean: bool) -> list[tuple[float, float]]:
-    """Return the offsets, in sides, and weights of first differences, or of second ones."""
-    return [(-1.0, 1.0), (0.0, -2.0), (1.0, 1.0)] if mean else [(-0.5, -1.0), (0.5, 1.0)]
+def _gauss(
+    force: Callable[..., Array], mask: Flags, at: tuple[Array, ...], sides: tuple[float, float], mean: bool
+) -> Array:
+    """Return the integral of a force's field over the rectangle by Gauss's rule, 0 outside the mask."""
+    remote = _distance(at, sides, mean) > REMOTE
+    near = _sum(force, _gauss_rule(POINTS, mean), mask & ~remote, at, sides)
+    return sides[0] * sides[1] * (near + _sum(force, _gauss_rule(REMOTE_POINTS, mean), mask & remote, at, sides))
 
 
-def _gauss(mean: bool) -> list[tuple[float, float]]:
-    """Return the offsets, in sides, and weights of Gauss's rule over a side, or over differences between two."""
-    points, weights = np.polynomial.legendre.leggauss(POINTS)
+def _gauss_rule(n: int, mean: bool) -> list[tuple[float, float]]:
+    """Return offsets and weights of Gauss's rule over a side; over offsets between two, weighted by 1 - |offset|."""
+    points, weights = np.polynomial.legendre.leggauss(n)
     points, weights = points / 2, weights / 2
-    if mean:  # the weight 1 - |offset|, a rule for each sign
+    if mean:
         points = np.concatenate([points - 0.5, points + 0.5])
         weights = np.tile(weights, 2) * (1 - abs(points))
     return list(zip(points.tolist(), weights.tolist(), strict=True))
+
+
+def _sum(
+    function: Callable[..., Array],
+    rule: list[tuple[float, float]],
+    mask: Flags,
+    at: tuple[Array, ...],
+    sides: tuple[float, float],
+) -> Array:
+    """Return the weighted sum of a function over offsets in both directions, given in sides; 0 outside the mask."""
+    x, y, *depths = (each[mask] for each in at)
+    total: Array = np.zeros(mask.shape)
+    for (s, u), (t, v) in product(rule, rule):
+        total[mask] += u * v * function(x + s * sides[0], y + t * sides[1], *depths)
+    return total
 
 
 def _force_stress(x: Array, y: Array, z: Array) -> Array:
@@ -184,7 +206,8 @@ def _force_compression(x: Array, y: Array, top: Array, bottom: Array) -> Array:
         s = np.hypot(r, z)
         return np.divide(z**4 * (2 * s + r), 2 * math.pi * r * s**3 * (s + r) ** 2, out=np.zeros(r.shape), where=r > 0)
 
-    return np.where(bottom < r, above(bottom) - above(top), below(top) - below(bottom))
+    stress: Array = np.where(bottom < r, above(bottom) - above(top), below(top) - below(bottom))
+    return stress
 
 
 def _arsinh(x: Array, y: Array, z: Array) -> Array:
@@ -202,7 +225,8 @@ def _stress(x: Array, y: Array, z: Array) -> Array:
     """Return the stress under the corner of a rectangle, odd in x and in y."""
     s2, x2, y2 = x**2 + y**2 + z**2, x**2 + z**2, y**2 + z**2
     rest = np.divide(x * y * z * (x2 + y2), np.sqrt(s2) * x2 * y2, out=np.zeros(s2.shape), where=z > 0)
-    return (_angle(x, y, z) + rest) / (2 * math.pi)
+    stress: Array = (_angle(x, y, z) + rest) / (2 * math.pi)
+    return stress
 
 
 def _stress_mean(x: Array, y: Array, z: Array) -> Array:
@@ -210,23 +234,11 @@ def _stress_mean(x: Array, y: Array, z: Array) -> Array:
     return (x * y * _angle(x, y, z) + z * np.sqrt(x**2 + y**2 + z**2)) / (2 * math.pi)
 
 
-def _finite(below: Callable[[Array, Array, Array], Array]) -> Callable[[Array, Array, Array], Array]:
-    """Return a function of x, y and z that is 0 where z is infinite."""
-
-    def function(x: Array, y: Array, z: Array) -> Array:
-        finite = np.isfinite(z)
-        return np.where(finite, below(x, y, np.where(finite, z, 0.0)), 0.0)
-
-    return function
-
-
-@_finite
 def _compression_below(x: Array, y: Array, z: Array) -> Array:
     """Return the integral of the stress from z downwards under the corner of a rectangle, odd in x and in y."""
     return (2 * x * _arsinh(y, x, z) + 2 * y * _arsinh(x, y, z) - z * _angle(x, y, z)) / (2 * math.pi)
 
 
-@_finite
 def _compression_below_mean(x: Array, y: Array, z: Array) -> Array:
     """Return the function of which the integral from z downwards is the mixed derivative, even in x and in y."""
     s3 = (x**2 + y**2 + z**2) ** 1.5
