@@ -87,11 +87,11 @@ def settlement_kernels(
     moduli = columns.E_reload if reload and columns.E_reload is not None else columns.E_s
     x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
     kernels = np.zeros((len(moduli), *x.shape))
-    for kernel, bottoms, E in zip(kernels, columns.bottoms, moduli, strict=True):
+    for c, (bottoms, E) in enumerate(zip(columns.bottoms, moduli, strict=True)):
         tops = np.concatenate([[0.0], bottoms[:-1]])
         for top, bottom, modulus in zip(tops, bottoms, E, strict=True):
             if bottom > top:
-                kernel += compression(x, y, top, bottom, sides, mean) / modulus
+                kernels[c] += compression(x, y, top, bottom, sides, mean) / modulus
     return kernels
 
 

@@ -29,7 +29,7 @@ def gauss(marks: Array, n: int) -> tuple[Array, Array]:
 
 
 def test_printed_stress() -> None:
-    """Das, Principles of Foundation Engineering, SI 7th edition, example 5.1: 19.65 kPa, by factors read from a table."""
+    """Das, Principles of Foundation Engineering, SI 7th edition, example 5.1: 19.65 kPa, by tabled factors."""
     assert 150 * vertical_stress(0, 0, 6.25, (2.5, 5)) == pytest.approx(19.65, abs=0.05)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -76,7 +77,7 @@ def test_relief() -> None:
 
 
 def test_overburden() -> None:
-    """gamma above groundwater, gamma' under it, layer by layer, by hand; water above the surface wets everything."""
+    """Gamma above groundwater, gamma' under it, layer by layer, by hand; water above the surface wets everything."""
     thickness, gamma, submerged = np.array([2.0, 3.0]), np.array([18e3, 20e3]), np.array([9e3, 10e3])
     stress = effective_overburden([0, 1, 2, 3, 5, 8], thickness, gamma, submerged, water=3.0, surcharge=27e3)
     np.testing.assert_allclose(stress, np.array([0, 18, 36, 56, 76, 106]) * 1e3 + 27e3)
@@ -100,13 +101,12 @@ def test_limit_depth_of_a_strip() -> None:
 
 
 def test_limit_depth_at_its_ends() -> None:
-    """A stress that counts nowhere ends at 0, one that counts down to the deepest place at infinity, one beside a load,
-    which counts only in some depth, at the lower of its two crossings."""  # fmt: skip
+    """It is 0 for a stress that counts nowhere, infinite for one that counts everywhere, the lower of two crossings."""
 
     def overburden(z: np.ndarray) -> np.ndarray:
         return effective_overburden(z, np.array([1.0]), np.array([20e3]), np.array([10e3]), surcharge=10e3)
 
-    def load(q: float, x: float = 0.0):  # noqa: ANN202
+    def load(q: float, x: float = 0.0) -> Callable[[np.ndarray], np.ndarray]:
         return lambda z: q * vertical_stress(x, 0, z, (2, 2))
 
     assert limit_depth(load(1e3), overburden, 30) == 0
@@ -117,8 +117,7 @@ def test_limit_depth_at_its_ends() -> None:
     assert beside > 1
 
 
-@pytest.mark.parametrize("rigid", [0.8720])
-def test_characteristic_point_settles_as_the_rigid_square(rigid: float) -> None:
+def test_characteristic_point_settles_as_the_rigid_square() -> None:
     """At 0.37 B from the centre the flexible square settles as the rigid one, computed cell by cell, within 3 %."""
     at = CHARACTERISTIC_POINT
-    assert surface_settlement(at, at, (1, 1), 1, 0) == pytest.approx(rigid, rel=0.03)
+    assert surface_settlement(at, at, (1, 1), 1, 0) == pytest.approx(0.872, rel=0.03)
