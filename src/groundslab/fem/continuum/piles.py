@@ -117,7 +117,7 @@ def base_interaction(pile: Pile, s: ArrayLike) -> Array:
     Returns
     -------
     ndarray
-        2 / pi arcsin(r_b / s) beside the rigid disc on a half-space (Sneddon 1951), 1 within it; far away 2 r_b / (pi s).
+        2 / pi arcsin(r_b / s) beside a rigid disc on the half-space (Sneddon 1951), 2 r_b / (pi s) far away; 1 within.
     """
     r_b = pile.eta * pile.radius
     ratio: Array = 2 / math.pi * np.arcsin(r_b / np.maximum(s, r_b))

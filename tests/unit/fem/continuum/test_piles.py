@@ -107,6 +107,40 @@ def test_deep_force_is_kelvins(nu: float) -> None:
     assert settlement_by_force(r, c + dz, c, 7e6, nu) == pytest.approx(expected, rel=1e-6)
 
 
+def radial(r: float, z: float, c: float, nu: float) -> float:
+    """Return Mindlin's radial displacement by a vertical unit force, G = 1."""
+    R1, R2 = math.hypot(r, z - c), math.hypot(r, z + c)
+    u = (z - c) / R1**3 + (3 - 4 * nu) * (z - c) / R2**3 + 6 * c * z * (z + c) / R2**5
+    return r * (u - 4 * (1 - nu) * (1 - 2 * nu) / (R2 * (R2 + z + c))) / (16 * math.pi * (1 - nu))
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.2, 0.4])
+@pytest.mark.parametrize(("r", "z"), [(0.7, 0.0), (2.0, 0.0), (0.9, 0.6), (1.5, 3.0)])
+def test_force_is_in_equilibrium(r: float, z: float, nu: float) -> None:
+    """With its radial part the settlement satisfies Navier's equation, and the surface is free: no other field does.
+
+    By differences with G = 1, against the size of the terms.
+    """
+    c, d, k = 1.3, 2e-3, 1 / (1 - 2 * nu)
+
+    def u(i: int, j: int) -> float:
+        return radial(r + i * d, z + j * d, c, nu)
+
+    def w(i: int, j: int) -> float:
+        return float(settlement_by_force(r + i * d, z + j * d, c, 1, nu))
+
+    w_r, w_z, u_r, u_z = ((f(*a) - f(-a[0], -a[1])) / (2 * d) for f in (w, u) for a in [(1, 0), (0, 1)])
+    w_rr, w_zz, u_zz = (
+        (f(*a) - 2 * f(0, 0) + f(-a[0], -a[1])) / d**2 for f, a in [(w, (1, 0)), (w, (0, 1)), (u, (0, 1))]
+    )
+    u_rz = (u(1, 1) - u(1, -1) - u(-1, 1) + u(-1, -1)) / (4 * d**2)
+    assert w_rr + w_r / r + w_zz + k * (u_rz + u_z / r + w_zz) == pytest.approx(0, abs=1e-4 * (abs(w_rr) + abs(u_zz)))
+    if z == 0:
+        assert w_r + u_z == pytest.approx(0, abs=1e-4 * abs(w_r))
+        volume = u_r + u(0, 0) / r + w_z
+        assert 2 * w_z + 2 * nu * k * volume == pytest.approx(0, abs=1e-4 * abs(u_r))
+
+
 def test_forces_are_reciprocal() -> None:
     """A point settles by a force elsewhere as that place does by the force at the point."""
     r, z, c = np.meshgrid([0.3, 4.0], [0.0, 1.0, 6.0], [0.5, 2.0, 30.0])
@@ -117,7 +151,7 @@ def test_forces_are_reciprocal() -> None:
 @pytest.mark.parametrize("nu", [0.2, 0.5])
 @pytest.mark.parametrize(("r", "z"), [(0.3, 0.0), (0.3, 4.0), (0.3, 15.0), (0.3, 18.0), (8.0, 2.0), (300.0, 40.0)])
 def test_shaft_is_the_integral_of_forces(r: float, z: float, nu: float) -> None:
-    """Gauss's rule along the shaft agrees with adaptive quadrature of Mindlin's settlement, also on the shaft itself."""
+    """Gauss's rule along the shaft agrees with adaptive quadrature of Mindlin's settlement, on the shaft too."""
 
     def integral(a: float, b: float) -> float:
         return float(
