@@ -203,8 +203,9 @@ def _force_compression(x: Array, y: Array, top: Array, bottom: Array) -> Array:
 
     def above(z: Array) -> Array:  # 1 / (pi r) less what is below, without cancellation
         z = np.minimum(z, r)
-        s = np.hypot(r, z)
-        return np.divide(z**4 * (2 * s + r), 2 * math.pi * r * s**3 * (s + r) ** 2, out=np.zeros(r.shape), where=r > 0)
+        s, integral = np.hypot(r, z), np.zeros(r.shape)
+        np.divide(z**4 * (2 * s + r), 2 * math.pi * r * s**3 * (s + r) ** 2, out=integral, where=r > 0)
+        return integral
 
     stress: Array = np.where(bottom < r, above(bottom) - above(top), below(top) - below(bottom))
     return stress

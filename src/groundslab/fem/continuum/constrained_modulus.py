@@ -4,7 +4,8 @@
 
 sigma_z is that of `boussinesq`: layers do not spread the load. This is how DIN 4019 and EN 1997-1, annex F
 (stress-strain method), calculate settlements. Neither text was at hand: what is said of them here follows manuals of
-programs that apply them (GGU-Settle, GGU-Cantilever, D.I.E. XSETZ, ELPLA), and clauses are given from memory.
+programs that apply them (GGU-Settle, GGU-Cantilever, D.I.E. XSETZ, ELPLA), and clauses are given from memory. By an
+excerpt of DIN 4019 of 2014 its 8.4 calls the modulus E* and allows E_s for it.
 
 Reloading: the ground under an excavation was compressed by what was dug out, p_v = gamma d. Up to p_v the pressure
 compresses it with E_s,reload, what exceeds p_v with E_s (GGU-Settle's manual; ELPLA calls the moduli W_s and E_s and
@@ -20,6 +21,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -87,11 +89,12 @@ def settlement_kernels(
     moduli = columns.E_reload if reload and columns.E_reload is not None else columns.E_s
     x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
     kernels = np.zeros((len(moduli), *x.shape))
+    layer = cache(lambda top, bottom: compression(x, y, top, bottom, sides, mean))
     for c, (bottoms, E) in enumerate(zip(columns.bottoms, moduli, strict=True)):
         tops = np.concatenate([[0.0], bottoms[:-1]])
         for top, bottom, modulus in zip(tops, bottoms, E, strict=True):
             if bottom > top:
-                kernels[c] += compression(x, y, top, bottom, sides, mean) / modulus
+                kernels[c] += layer(top, bottom) / modulus
     return kernels
 
 
@@ -159,7 +162,7 @@ def limit_depth(
     overburden : callable
         Effective overburden stress [Pa] at depths (k,) [m].
     deepest : float
-        Depth down to which to search [m], such as that of the lowest known layer's bottom.
+        Depth down to which to search [m], finite, such as that of the lowest known layer's bottom.
     ratio : float
         The share, 0.2.
 

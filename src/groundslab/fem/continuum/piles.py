@@ -32,11 +32,11 @@ SHAFT_POINTS = 60
 
 @dataclass(frozen=True, slots=True)
 class Pile:
-    """A pile of round section in soil whose shear modulus grows linearly with depth."""
+    """A pile of round section in soil whose shear modulus grows linearly with depth; r_m must exceed r_0."""
 
     length: float  # l [m]
     radius: float  # r_0 [m]
-    E: float  # E_p [Pa]: axial stiffness over pi r_0^2
+    E: float  # E_p [Pa]: axial stiffness over pi r_0^2, infinite if rigid
     G_l: float  # [Pa]: shear modulus of the soil at the base's depth
     nu: float  # Poisson's ratio of the soil
     rho: float = 1.0  # mean of G along the shaft over G_l: 1 of homogeneous soil, 1/2 where G is 0 on the surface
@@ -71,7 +71,8 @@ class Pile:
     @property
     def effective_slenderness(self) -> float:
         """Return l / r_0 tanh(mu l) / (mu l)."""
-        return math.tanh(self.mu_l) / self.mu_l * self.length / self.radius
+        shortening = math.tanh(self.mu_l) / self.mu_l if self.mu_l > 0 else 1.0
+        return shortening * self.length / self.radius
 
     @property
     def head_stiffness(self) -> float:

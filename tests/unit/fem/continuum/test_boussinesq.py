@@ -33,6 +33,14 @@ def test_printed_stress() -> None:
     assert 150 * vertical_stress(0, 0, 6.25, (2.5, 5)) == pytest.approx(19.65, abs=0.05)
 
 
+def test_stress_of_another_program() -> None:
+    """50 kPa on 6 m x 3 m, 3 m deep (ELPLA's example 1, Das 1983): 9.997 kPa under a corner, 24.035 under the centre.
+
+    The numbers are an independent evaluation of Boussinesq's integral; those that are printed could not be read.
+    """
+    np.testing.assert_allclose(50 * vertical_stress([3, 0], [1.5, 0], 3, (6, 3)), [9.997, 24.035], atol=6e-4)
+
+
 def test_stress_by_forces() -> None:
     """Four forces of 250 N in a square of 0.5 m, 1 m under one: 299.341104612446 Pa in a test of the program XC."""
     x, y = np.array([0, 0.5, 0, 0.5]), np.array([0, 0, 0.5, 0.5])

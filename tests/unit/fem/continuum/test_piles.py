@@ -43,7 +43,7 @@ def test_stiffness_is_that_of_a_bar_on_springs() -> None:
 
 def test_rigid_pile() -> None:
     """A rigid pile has the stiffnesses of shaft and base side by side: 2 pi rho G_l l / zeta + 4 G_b r_b / (1 - nu)."""
-    pile = replace(PILE, E=1e20, rho=0.7, eta=2.0, xi=0.5)
+    pile = replace(PILE, E=math.inf, rho=0.7, eta=2.0, xi=0.5)
     shaft = 2 * math.pi * 0.7 * pile.G_l * 20 / pile.zeta
     base = 4 * (pile.G_l / 0.5) * 1.0 / (1 - pile.nu)
     assert pile.head_stiffness == pytest.approx(shaft + base, rel=1e-7)
@@ -76,6 +76,15 @@ def test_published_settlement() -> None:
     from the chart of another theory, which this one comes 9 % below.
     """
     assert 1e6 / PILE.head_stiffness == pytest.approx(9.5e-3, rel=0.1)
+
+
+def test_published_chart() -> None:
+    """A rigid pile, l / d = 25, nu = 0.5, settles by 0.0739 P / (E d) by a fit to the chart of Poulos and Davis.
+
+    The fit, 0.97 (l / d)^-0.8, is from a public forum of engineers; the formula comes 3 % below.
+    """
+    pile = Pile(length=50.0, radius=1.0, E=math.inf, G_l=1, nu=0.5)
+    assert 3 * 2 / pile.head_stiffness == pytest.approx(0.97 * 25**-0.8, rel=0.05)
 
 
 def test_interaction() -> None:
@@ -171,7 +180,7 @@ def test_surface_settlement_around_a_shaft() -> None:
     assert surface_settlement_by_shaft(1e4, 12.0, 1, 0.3) == pytest.approx(2 * 0.7 / (4 * math.pi * 1e4), rel=1e-5)
 
 
-@pytest.mark.parametrize(("slenderness", "relative"), [(20.0, 0.1), (50.0, 0.1)])
+@pytest.mark.parametrize(("slenderness", "relative"), [(20.0, 0.1), (50.0, 0.02), (100.0, 0.01)])
 def test_rigid_pile_by_mindlin(slenderness: float, relative: float) -> None:
     """A rigid pile of rings under uniform friction each, solved by Mindlin's forces, is as stiff as the formula says.
 
