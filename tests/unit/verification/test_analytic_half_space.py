@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from groundslab.arrays import Array
-from groundslab.fem.continuum.boussinesq import FAR, REMOTE, compression, surface_settlement, vertical_stress
+from groundslab.verification.analytic_half_space import FAR, REMOTE, compression, surface_settlement, vertical_stress
 
 SIDES = (3.0, 2.0)
 #: Under the centre, an edge, a corner, beside the rectangle, off its corner, further away.
