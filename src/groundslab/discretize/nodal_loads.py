@@ -10,7 +10,7 @@ from groundslab.arrays import Array
 from groundslab.discretize.plan_layout import Layout
 from groundslab.fem import load_vectors, plate
 from groundslab.fem.assembly import scatter
-from groundslab.fem.problem import BETA_X, Loading, W
+from groundslab.fem.problem import BETA_X, TOP, Loading, W
 from groundslab.geometry.plan import FLAT, SAME_PLACE
 from groundslab.model.loads import load_types as loads
 from groundslab.model.loads.clipping import clip_line_load
@@ -39,6 +39,7 @@ def _loading(
     mesh, elements = plan.mesh, plan.plate_elements
     n = len(mesh.nodes)
     forces, couples, size = np.zeros((len(elements), 9)), np.zeros((2, len(elements), 9)), 0.0
+    beside = np.zeros(n)
     length = np.ptp(mesh.nodes[plan.plate_nodes], axis=0).max()
     warp, settlement = np.zeros(len(elements)), np.zeros(len(model.supports))
     thickness = np.array([t for _, _, t in materials(model)])[plan.section]
@@ -55,6 +56,8 @@ def _loading(
             force, couple = _at_point(load.on(model.columns), model, plan)
             forces, couples = forces + force, couples + couple
             size += float(np.abs(force).sum() + np.abs(couple).sum() / length)
+        elif loads.presses_ground(load):
+            beside += _on_ground(load, plan)
         else:
             force = _spread(load, model, plan, thickness)
             forces += force
@@ -62,7 +65,9 @@ def _loading(
     if not element.center_w:
         forces = np.einsum("ea,eab->eb", forces, element.w_functions(mesh.xy[elements]))
     table = np.zeros((n, fields))
-    table[:, W] = scatter(mesh.elements[elements], forces, n)
+    table[:, W], table[:, TOP] = scatter(mesh.elements[elements], forces, n), beside
+    # under the edge of the plate, too, the ground's surface settles by the sum of both
+    table[plan.plate_nodes, W] += beside[plan.plate_nodes]
     if warp.any():
         D = np.array([plate.bending_rigidity(E, nu, t) for E, nu, t in materials(model)])[plan.section]
         couples = couples + plate.free_couples(mesh.xy[elements], D, np.column_stack([warp, warp]))
@@ -70,6 +75,15 @@ def _loading(
         if couples[axis].any():
             table[:, BETA_X + axis] = scatter(mesh.elements[elements], couples[axis], n)
     return Loading(table, np.column_stack([warp, warp]), settlement, size)
+
+
+def _on_ground(load: loads.OnGround, plan: Layout) -> Array:
+    """Return the nodal forces (n,) [N] of a load on the meshed ground beside the plate."""
+    mesh = plan.mesh
+    elements = np.setdiff1d(np.arange(len(mesh.elements)), plan.plate_elements)
+    pressure, area = loads.pressure_function(load), load.to_shapely(math.inf)
+    forces = load_vectors.integrate_over_polygon(mesh, elements, area, pressure)
+    return scatter(mesh.elements[elements], forces, len(mesh.nodes))
 
 
 def _spread(

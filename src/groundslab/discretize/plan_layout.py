@@ -28,7 +28,9 @@ from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import Plan, Ring, Segment, rectangle
 from groundslab.meshing.sizing import Sources
 from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
+from groundslab.model.loads.beside import distances_beyond
 from groundslab.model.model import Model
+from groundslab.model.settings import SIDES, Side
 from groundslab.model.supports import plan_of_plate
 
 #: A mesh is made coarser for the nested iteration while its plate keeps at least this many elements each way.
@@ -39,8 +41,8 @@ MESHED_DECAYS = 1.0
 EDGE_SHARE = 0.5
 #: ... but not smaller than this share of the largest ones: then the force along the edge is next to nothing.
 EDGE_LEAST = 1 / 16
-AXIS = {"left": 0, "right": 0, "bottom": 1, "top": 1}
-OUTWARD = {"left": -1, "right": 1, "bottom": -1, "top": 1}
+AXIS: dict[Side, int] = {"left": 0, "right": 0, "bottom": 1, "top": 1}
+OUTWARD: dict[Side, int] = {"left": -1, "right": 1, "bottom": -1, "top": 1}
 
 
 Meshed = tuple[Mesh, Integers, Integers]
@@ -137,9 +139,9 @@ def _mesh_of(
     edge_size = _edge_size(model, grounds, coarsening)
     if uniform(model, width):
         counts = _counts(model, symmetry, coarsening)
-        sides = model.beyond.sides if width else ()
-        source = model.plate.sides, symmetry, counts, model.mesh.counts, sides, width, edge_size
-        return source, lambda: _make_grid(model, symmetry, counts, width, edge_size), []
+        widths = _widths(model, width)
+        source = model.plate.sides, symmetry, counts, model.mesh.counts, tuple(widths.values()), edge_size
+        return source, lambda: _make_grid(model, symmetry, counts, widths, edge_size), []
     plan, size = plan_of(model, width), _size(model) * 2**coarsening
     arcs = [edge for ring in plan.rings().values() for edge in ring.segments() if not edge.straight]
     if local is not None:
@@ -171,10 +173,21 @@ def find_followed_borders(model: Model, width: float) -> tuple[Ring, ...]:
     return () if uniform(model, width) else plan_of(model, width).borders
 
 
+def _widths(model: Model, width: float) -> dict[Side, float]:
+    """Return how wide the meshed ground is on each side of the plate [m], width [m] of it beside plate and loads.
+
+    A margin is as wide as it is described: loads lie on it.
+    """
+    widths: dict[Side, float] = {side: width if side in model.beyond.sides else 0.0 for side in SIDES}
+    if width and model.beyond.kind == "infinite":
+        for side, distance in distances_beyond(model.plate, model.loads).items():
+            widths[side] += max(distance, 0.0)
+    return widths
+
+
 def _reach(model: Model, width: float) -> tuple[float, float, float, float]:
     """Return the rectangle x0, x1, y0, y1 around the plate and so wide a ground beyond it [m]."""
-    grow = {side: width if side in model.beyond.sides else 0.0 for side in OUTWARD}
-    x0, x1, y0, y1 = model.plate.bounds
+    grow, (x0, x1, y0, y1) = _widths(model, width), model.plate.bounds
     return x0 - grow["left"], x1 + grow["right"], y0 - grow["bottom"], y1 + grow["top"]
 
 
@@ -239,21 +252,23 @@ def _edge_size(model: Model, grounds: list[Soil | Column], coarsening: int) -> f
 
 
 def _make_grid(
-    model: Model, symmetry: tuple[bool, bool], counts: tuple[int, int], width: float, edge_size: float
+    model: Model, symmetry: tuple[bool, bool], counts: tuple[int, int], widths: dict[Side, float], edge_size: float
 ) -> tuple[Mesh, Integers]:
     """Return the grid of a plain rectangle and its ground beyond, and each element's section, -1 beyond."""
     lines, inside = [], []
     for axis, (length, count) in enumerate(zip(model.plate.sides, counts, strict=True)):
         low, high = 0.0 if symmetry[axis] else -length / 2, length / 2
         size = (high - low) / count
-        reached = {OUTWARD[side] for side in model.beyond.sides if width and AXIS[side] == axis}
-        reached -= {-1} if symmetry[axis] else set()
+        reached = {OUTWARD[side]: width for side, width in widths.items() if width and AXIS[side] == axis}
+        if symmetry[axis]:
+            reached.pop(-1, None)
         own = np.linspace(low, high, count + 1)
         if reached and model.mesh.counts is None:
             own = _towards_edges(low, high, size, np.array([side * length / 2 for side in reached]), edge_size)
-        beyond = _distances_beyond(width, min(size, edge_size), size, length / 2) if reached else np.zeros(0)
-        before = -length / 2 - beyond[::-1] if -1 in reached else np.zeros(0)
-        after = length / 2 + beyond if 1 in reached else np.zeros(0)
+        beyond = {outward: _distances_beyond(width, min(size, edge_size), size, length / 2)
+                  for outward, width in reached.items()}  # fmt: skip
+        before = -length / 2 - beyond[-1][::-1] if -1 in reached else np.zeros(0)
+        after = length / 2 + beyond[1] if 1 in reached else np.zeros(0)
         lines.append(np.concatenate([before, own, after]))
         inside.append(np.repeat([False, True, False], [len(before), len(own) - 1, len(after)]))
     return grid(lines[0], lines[1]), np.where((inside[1][:, None] & inside[0]).ravel(), 0, -1)

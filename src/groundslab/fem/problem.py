@@ -30,10 +30,10 @@ MIDSIDES = slice(4, 8)
 class Loading:
     """What acts together: forces, the curvature that temperature or shrinkage would give, settlements of supports."""
 
-    load: Array  # (n, F) [N, N m]
+    load: Array  # (n, F) [N, N m]: in TOP those on the ground's surface beside the plate
     free_curvature: Array  # (mp, 2) [1/m]: beta_x,x and beta_y,y that each plate element would take freely
     settlement: Array  # (s,) [m]: of each support
-    size: float  # [N]: the sizes of all forces, and of moments over the plate's length, whatever they cancel
+    size: float  # [N]: sizes of all forces on the plate, and of moments over its length, whatever they cancel
 
     def __add__(self, other: Loading) -> Loading:
         """Return the sum of two loadings."""
@@ -124,8 +124,15 @@ class Problem:
 
     @property
     def load(self) -> Array:
-        """Return the nodal loads (n, F) [N, N m]."""
+        """Return the nodal loads (n, F) [N, N m]; what presses on the ground at the plate's edge is in W and in TOP."""
         return self.loading.load
+
+    @property
+    def plate_load(self) -> Array:
+        """Return the nodal loads on the plate alone (n, 3) [N, N m]."""
+        load = self.loading.load[:, :TOP].copy()
+        load[self.plate_nodes, W] -= self.loading.load[self.plate_nodes, TOP]
+        return load
 
     def combine(self, factors: Array) -> Problem:
         """Return the problem under the sum of its load cases times factors (cases,)."""

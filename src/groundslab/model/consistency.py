@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from groundslab.geometry.plan import MOST_ELEMENTS
 from groundslab.geometry.validity import find_issues
 from groundslab.model.columns import Column
-from groundslab.model.ground import AnyGround, InterfaceLayer, Layered, Pasternak, SoilLayer, Winkler
+from groundslab.model.ground import AnyGround, Layered, SoilLayer, Winkler, carry_shear
 from groundslab.model.loads.load_cases import Combination, LoadCase, check_case_names, check_factors
 from groundslab.model.loads.load_types import AnyLoad, SettlementLoad
 from groundslab.model.loads.patterns import Move
@@ -58,15 +58,6 @@ def check_surface_count(plate: Plate, mesh: Mesh, ground: AnyGround) -> Iterator
         elif on_plate <= MOST_ELEMENTS < on_plate * surfaces:
             found = f"{surfaces} layers and sublayers on about {on_plate:.3g} elements"
             yield RelativeIssue(("ground", "layers"), found, f"at most {MOST_ELEMENTS:,} for the product of both")
-
-
-def carry_shear(ground: AnyGround) -> list[bool]:
-    """Return whether the layers of a ground carry shear, from the top downwards."""
-    if isinstance(ground, Winkler):
-        return [False]
-    if isinstance(ground, Pasternak):
-        return [ground.k1 > 0]
-    return [not isinstance(layer, InterfaceLayer) or layer.k1 > 0 for layer in ground.layers]
 
 
 def check_shear_of_layers(

@@ -16,7 +16,8 @@ from groundslab.model.columns import Column
 from groundslab.model.design.floors import Floor, check_floor
 from groundslab.model.design.limits import Limits, SoilStrength
 from groundslab.model.design.reinforcement import Reinforcement, check_bar_distances, check_bar_zones
-from groundslab.model.ground import Ground
+from groundslab.model.ground import Ground, carry_shear
+from groundslab.model.loads.beside import check_ground_loads
 from groundslab.model.loads.clipping import check_distributed_loads
 from groundslab.model.loads.en1990 import check_combine
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations
@@ -42,6 +43,7 @@ class Model(Section):
         consistency.check_some_load_acts,
         check_point_loads,
         check_distributed_loads,
+        check_ground_loads,
         consistency.check_contact_voids,
         consistency.check_element_count,
         consistency.check_surface_count,
@@ -122,7 +124,7 @@ class Model(Section):
     def ground_carries_shear(self) -> bool:
         """Return whether the ground carries shear in any layer anywhere."""
         grounds = (self.ground, *(zone.ground for zone in self.soil_zones))
-        return any(any(consistency.carry_shear(each)) for each in grounds)
+        return any(any(carry_shear(each)) for each in grounds)
 
     @property
     def ground_reaches(self) -> bool:

@@ -173,15 +173,18 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     support[:, W] *= _own_w(problem)
     own = bearing.field != TOP
     np.add.at(support, (bearing.node[own], bearing.field[own]), (bearing.law.sign * c.force)[own])
-    pushed = ground[:, 0].sum()
-    up = np.column_stack([ground[:, 0], np.zeros((len(nodes), 2))])
+    # what presses on the ground beside the plate's edge does not reach the plate
+    contact = ground[:, 0].copy()
+    contact[under] -= load[under, TOP]
+    pushed, beside = contact.sum(), load[:, TOP].sum()
+    up = np.column_stack([contact, np.zeros((len(nodes), 2))])
     reaction = _resultant(nodes, up - support)
-    wanted = _resultant(nodes, load[:, :TOP])
+    wanted = _resultant(nodes, problem.plate_load)
     missing = np.abs(reaction - wanted)
     length = np.ptp(nodes[under], axis=0).max()
     parts = (
-        (load + np.pad(support, ((0, 0), (0, load.shape[1] - TOP))))[:, :TOP] / [1.0, length, length],
-        ground[:, 0],
+        (problem.plate_load + support) / [1.0, length, length],
+        contact,
         springs,
     )
     size = max(rounding, *(np.abs(part).sum() for part in parts)) or 1.0
@@ -196,13 +199,14 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
         reaction=float(reaction[0] * share),
         force_balance=float(missing[0] / size),
         moment_balance=float(moments.max() / (size * length)),
-        ground_balance=float(abs(_sum_lost_forces(s, U, column, inner) - pushed) / size),
+        ground_balance=float(abs(_sum_lost_forces(s, U, column, rest) - pushed - beside) / (size + abs(beside))),
         worst_gap=float(gap / settlement),
         worst_pressure=force,
         worst_product=float(product / settlement),
         gamma_change=solution.gamma_change,
         margin_effect=margin_effect,
         section_law=None if problem.stiffness is None else error_of_law(problem, U),
+        ground_load=float(beside * share),
     )
 
 
@@ -253,14 +257,14 @@ def _resultant(nodes: Array, forces: Array) -> Array:
     return np.array([F.sum(), F @ nodes[:, 0] + forces[:, BETA_X].sum(), F @ nodes[:, 1] + forces[:, BETA_Y].sum()])
 
 
-def _sum_lost_forces(s: System, U: Array, column: Column, inner: Array) -> float:
+def _sum_lost_forces(s: System, U: Array, column: Column, rest: Array) -> float:
     """Return the force that leaves the ground: into the rigid base, into fixed outer edges and into infinite ground."""
     problem = s.problem
     w = surface_settlement(s, U)
     volume = s.blocks.mass.sum(axis=1)[s.blocks.kind]  # int N over each element
     base = np.einsum("...ij,j...a,...a->...", column.A0, w[:, problem.mesh.elements], volume).sum()
-    fixed = (problem.unknown[:, TOP:] < 0) & (inner[:, TOP:] != 0)
+    fixed = (problem.unknown[:, TOP:] < 0) & (rest[:, TOP:] != 0)
     fixed[problem.plate_nodes] = False
-    edge = -inner[:, TOP:][fixed].sum()
+    edge = -rest[:, TOP:][fixed].sum()
     lost = _tail_forces(problem, w, column).sum() if len(problem.edges) else 0.0
     return float(base + edge + lost)

@@ -218,9 +218,9 @@ def _extreme_points(problem: Problem) -> Array:
 
 
 def _resultant(problem: Problem) -> Array:
-    """Return the load's force and its moments (sum F, sum F x, sum F y) [N, N m], moments at nodes included."""
+    """Return the force on the plate and its moments (sum F, sum F x, sum F y) [N, N m], moments at nodes included."""
     x, y = problem.mesh.nodes.T
-    F = problem.load[:, : TOP + 1]
+    F = problem.plate_load
     return np.array([F[:, W].sum(), (F[:, W] * x + F[:, BETA_X]).sum(), (F[:, W] * y + F[:, BETA_Y]).sum()])
 
 

@@ -15,7 +15,15 @@ from groundslab.design.floors.yield_lines import Location
 from groundslab.design.punching import RectangularColumn, RoundColumn
 from groundslab.geometry.plan import FLAT
 from groundslab.model.loads.clipping import clip_line_load
-from groundslab.model.loads.load_types import AreaLoad, LineLoad, PatchLoad, PointLoad, UniformLoad, pressure_function
+from groundslab.model.loads.load_types import (
+    AreaLoad,
+    LineLoad,
+    PatchLoad,
+    PointLoad,
+    UniformLoad,
+    presses_ground,
+    pressure_function,
+)
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult
 
@@ -189,7 +197,7 @@ def pressures(results: CombinationResult) -> Iterator[tuple[float, tuple[float, 
     everywhere, parts = 0.0, list[tuple[float, "BaseGeometry"]]()
     for load in model.loads:
         factor = factors.get(load.case, 0.0)
-        if not factor or not isinstance(load, UniformLoad | PatchLoad | AreaLoad):
+        if not factor or presses_ground(load) or not isinstance(load, UniformLoad | PatchLoad | AreaLoad):
             continue
         if isinstance(load, UniformLoad):
             everywhere += factor * load.q if load.case in variable else 0.0

@@ -48,6 +48,8 @@ def sum_of_others(results: CombinationResult, part: Polygon, column: str) -> dic
     elements = load_vectors.find_elements_near(mesh, part)
     force: dict[str, float] = defaultdict(float)
     for load in model.loads:
+        if load_types.presses_ground(load):
+            continue
         if isinstance(load, load_types.UniformLoad):
             force[load.case] += float(
                 load_vectors.integrate_over_polygon(mesh, elements, part, load_types.pressure_function(load)).sum()

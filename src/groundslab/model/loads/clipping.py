@@ -1,7 +1,7 @@
 """Loads clipped at the edge of the plate.
 
 Areas and lines may extend beyond the plate's edge or over openings; only what lies on the plate acts, and the rest is
-reported.
+reported. Of a load on the ground only what lies beside the plate acts.
 """
 
 from __future__ import annotations
@@ -18,7 +18,15 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.geometry.intersections import find_crossings
 from groundslab.geometry.plan import Segment, bounding_box
-from groundslab.model.loads.load_types import AnyLoad, AreaLoad, LineLoad, PatchLoad, Spread, pressure_function
+from groundslab.model.loads.load_types import (
+    AnyLoad,
+    AreaLoad,
+    LineLoad,
+    PatchLoad,
+    Spread,
+    presses_ground,
+    pressure_function,
+)
 from groundslab.model.plate import Plate, PlateRegion
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import quote
@@ -41,7 +49,7 @@ Pressure = Callable[[Array], Array]
 
 @dataclass(frozen=True, slots=True)
 class Clipped:
-    """The part of a load off the plate, which does not act."""
+    """The part of a load off the plate, or of a load on the ground that lies under the plate: it does not act."""
 
     number: int  # of the load, from 1
     name: str
@@ -49,12 +57,13 @@ class Clipped:
     share: float  # of its area or length
     force: float  # [N]
     drawn: float  # force of all that is drawn [N]
+    where: str  # "off the plate", or "under the plate"
 
     def words(self) -> str:
         """Return a remark for the report."""
         name = f" {quote(self.name)}" if self.name else ""
         return (
-            f"loads[{self.number}]{name}: {100 * self.share:.3g} % of it lies off the plate; "
+            f"loads[{self.number}]{name}: {100 * self.share:.3g} % of it lies {self.where}; "
             f"{show(self.force, 'force')} of {show(self.drawn, 'force')} do not act"
         )
 
@@ -77,8 +86,10 @@ get_plate_region = lru_cache(maxsize=4)(PlateRegion)
 
 
 def find_clipped_loads(plate: Plate, loads: Sequence[AnyLoad]) -> tuple[Clipped, ...]:
-    """Return the parts of loads that lie off the plate."""
-    return tuple(_find_clipped(plate, _distributed_shapes(loads)))
+    """Return the parts of loads that lie off the plate, of loads on the ground those under it."""
+    drawn = _distributed_shapes(loads)
+    found = [*_find_clipped(plate, drawn), *_find_covered(plate, drawn)]
+    return tuple(sorted(found, key=lambda each: each.number))
 
 
 def check_distributed_loads(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[RelativeIssue]:
@@ -86,7 +97,7 @@ def check_distributed_loads(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterato
     import shapely
 
     expected = "a load of which some lies on the plate, not in an opening nor beside the outline"
-    drawn = _distributed_shapes(loads)
+    drawn = [each for each in _distributed_shapes(loads) if not presses_ground(each[1])]
     if not drawn:
         return
     (x0, x1, y0, y1), far = plate.bounds, FAR * max(plate.sides)
@@ -131,9 +142,10 @@ def _distributed_shapes(loads: Sequence[AnyLoad]) -> list[tuple[int, Spread, Bas
 
 
 def _find_clipped(plate: Plate, drawn: Sequence[tuple[int, Spread, BaseGeometry]]) -> Iterator[Clipped]:
-    """Yield what lies off the plate."""
+    """Yield what lies off the plate of loads on it."""
     import shapely
 
+    drawn = [each for each in drawn if not presses_ground(each[1])]
     if not drawn:
         return
     region = get_plate_region(plate)
@@ -142,7 +154,18 @@ def _find_clipped(plate: Plate, drawn: Sequence[tuple[int, Spread, BaseGeometry]
         found = _off_line(plate, load) if isinstance(load, LineLoad) else _off_area(region, load, shape)
         if found is not None:
             share, force, total = found
-            yield Clipped(position + 1, load.name, load.case, share, force, total)
+            yield Clipped(position + 1, load.name, load.case, share, force, total, "off the plate")
+
+
+def _find_covered(plate: Plate, drawn: Sequence[tuple[int, Spread, BaseGeometry]]) -> Iterator[Clipped]:
+    """Yield what lies under the plate of loads on the ground."""
+    for position, load, shape in drawn:
+        if presses_ground(load):
+            pressure, under = pressure_function(load), shape.intersection(get_plate_region(plate).area)
+            share = under.area / shape.area
+            if share > NO_PART:
+                force, total = integral(under, pressure), integral(shape, pressure)
+                yield Clipped(position + 1, load.name, load.case, share, force, total, "under the plate")
 
 
 def _off_area(region: PlateRegion, load: PatchLoad | AreaLoad, drawn: BaseGeometry) -> tuple[float, float, float]:

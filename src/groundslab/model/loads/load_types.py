@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, TypeGuard
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from groundslab.model.columns import Column, check_footprint, footprint
 from groundslab.model.ground import POSITIVE
 from groundslab.model.shapes import BULGE, AcrossX, AcrossY, AnyShape, Place, Shape
 from groundslab.schema.base import ByKind, Check, Section, Table
-from groundslab.schema.fields import ListOf, Number, Quantity, Text, list_quantities
+from groundslab.schema.fields import Choice, ListOf, Number, Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 
@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 NO_LENGTH = 1e-9  # m: lines shorter than this go nowhere
 
 STRAIN = Range(at_least=-0.01, at_most=0.01)
+
+Surface = Literal["plate", "ground"]
 
 NO_SLOPE, NO_BEND, ORIGIN = (0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0)
 
@@ -62,7 +64,16 @@ class UniformLoad(_Pressure):
     kind: Annotated[Literal["uniform"], Table("pressure on the whole plate")] = "uniform"
 
 
-class PatchLoad(_Pressure):
+class _PressureOnPart(_Pressure):
+    """A pressure on a part of the plan: on the plate, or on the ground beside it."""
+
+    on: Annotated[
+        Surface,
+        Choice(Surface, "what it presses on: the plate, or the ground's surface beside the plate and in its openings"),
+    ] = "plate"
+
+
+class PatchLoad(_PressureOnPart):
     """A pressure on a rectangle."""
 
     kind: Annotated[Literal["patch"], Table("pressure on a rectangle")] = "patch"
@@ -96,13 +107,13 @@ def _loaded_parts(shape: AnyShape, holes: tuple[AnyShape, ...]) -> list[BaseGeom
     return [part for part in get_parts(left) if part.geom_type == "Polygon" and part.area > 0]
 
 
-class AreaLoad(_Pressure):
-    """A pressure on a part of the plate of any shape."""
+class AreaLoad(_PressureOnPart):
+    """A pressure on a part of any shape."""
 
     checks: ClassVar[tuple[Check, ...]] = (_check_holes,)
 
     kind: Annotated[Literal["area"], Table("pressure on a part of any shape")] = "area"
-    shape: Annotated[Shape, Table("where; what lies off the plate does not act, and is reported")]
+    shape: Annotated[Shape, Table("where; what lies off the surface that it presses on does not act, and is reported")]
     holes: Annotated[tuple[Shape, ...], Table("parts of the shape that are not loaded, as in a ring")] = ()
 
     def to_shapely(self, chord: float) -> BaseGeometry:  # noqa: ARG002
@@ -334,6 +345,13 @@ AnyLoad = (
     | ShrinkageLoad
     | SettlementLoad
 )
+#: Loads that may press on the ground beside the plate.
+OnGround = PatchLoad | AreaLoad
 #: Loads that may reach over the plate's edge, where they are cut off; others with a place must lie on the plate.
 Spread = PatchLoad | AreaLoad | LineLoad
 Load = Annotated[AnyLoad, ByKind()]
+
+
+def presses_ground(load: AnyLoad) -> TypeGuard[OnGround]:
+    """Return whether a load presses on the ground beside the plate, not on the plate."""
+    return isinstance(load, OnGround) and load.on == "ground"

@@ -139,9 +139,12 @@ def draw_loads(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) 
             look = {"edgecolor": LOAD, "linewidth": 0.9, "linestyle": (0, (3, 5)), "zorder": 4.5}
             entries["load on the entire plate"] = draw_ring(axes, np.array(model.plate.ring().flat(chord)), **look)
         elif load.kind == "patch" or load.kind == "area":
+            # on the ground, which may reach far, as much as there is room for
             look = {"edgecolor": LOAD, "linewidth": 1.2, "linestyle": (0, (4, 2)), "zorder": 4.5}
+            look |= {"edgecolor": GROUND, "clip_on": True} if load.on == "ground" else {}
             for ring in _borders(load.to_shapely(chord)):
-                entries["loaded area"] = draw_ring(axes, ring, **look)
+                words = "load on the ground" if load.on == "ground" else "loaded area"
+                entries[words] = draw_ring(axes, ring, **look)
     return entries
 
 

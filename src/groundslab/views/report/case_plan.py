@@ -87,8 +87,10 @@ def nearby(plan: Data) -> Any:
     places += [end for name in ("lines", "strips") for each in plan[name] for end in (each["start"], each["end"])]
     places += [place for each in plan["supports"] for place in each["points"]]
     places += [place for each in plan["loads"] for place in each.get("ring") or each.get("points", ())]
-    found = np.array([(x0, y0), (x1, y1), *places], dtype=float)
     far = REACH * max(x1 - x0, y1 - y0)
+    on_ground = np.array([place for each in plan["loads"] if "on" in each for place in each["ring"]]).reshape(-1, 2)
+    places += np.clip(on_ground, (x0 - far, y0 - far), (x1 + far, y1 + far)).tolist()
+    found = np.array([(x0, y0), (x1, y1), *places], dtype=float)
     inside = (found >= (x0 - far, y0 - far)) & (found <= (x1 + far, y1 + far))
     return found[inside.all(axis=1)]
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.geometry.plan import DRAWN_CHORD
-from groundslab.model.loads.load_types import SettlementLoad
+from groundslab.model.loads.load_types import SettlementLoad, presses_ground
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
@@ -130,6 +130,8 @@ def _load(load: AnyLoad, model: Model, chord: float) -> Data:
         about["ring"] = _rounded(load.shape.ring().flat(chord))
         if load.holes:
             about["holes"] = [_rounded(hole.ring().flat(chord)) for hole in load.holes]
+    if presses_ground(load):
+        about["on"] = "ground"
     if any(getattr(load, "slope", ())) or any(getattr(load, "bend", ())):
         about["varies"] = True
     return about | {"parts": load_parts(load)}
