@@ -25,7 +25,7 @@ from groundslab.solvers.factor_reuse import CachedFactorization
 from groundslab.solvers.solution import Solution
 
 #: Sections of a model on which the mesh of its results depends.
-RESULT_MESH_SECTIONS = ("plate", "supports", "columns", "loads")
+RESULT_MESH_SECTIONS = ("plate", "plates", "supports", "columns", "loads")
 
 
 @dataclass(slots=True)

@@ -30,6 +30,7 @@ from groundslab.meshing.sizing import Sources
 from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
 from groundslab.model.loads.beside import distances_beyond
 from groundslab.model.model import Model
+from groundslab.model.plates.further import first_sections
 from groundslab.model.settings import SIDES, Side
 from groundslab.model.supports import plan_of_plate
 
@@ -75,6 +76,7 @@ class Layout:
     rank: Integers  # (n,): order of elimination of the nodes
     plate_elements: Integers  # (mp,)
     section: Integers  # (mp,): which section each plate element has
+    plate: Integers  # (mp,): which plate it belongs to
     symmetry: tuple[bool, bool]
     outer: Integers  # (s, 3: end, end, middle): sides on the outer edge of the meshed ground
     outer_axis: Integers  # (s,): the axis across each of them
@@ -117,7 +119,9 @@ def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: 
     plate_elements = np.flatnonzero(section >= 0)
     outer, axis = _outer_sides(model, symmetry, mesh)
     borders = find_followed_borders(model, width)
-    return Layout(mesh, rank, plate_elements, section[plate_elements], symmetry, outer, axis, borders)
+    section = section[plate_elements]
+    plate = np.searchsorted(first_sections(model.every_plate), section, side="right") - 1
+    return Layout(mesh, rank, plate_elements, section, plate, symmetry, outer, axis, borders)
 
 
 def _divide(coarser: Meshed, arcs: list[Segment]) -> tuple[Mesh, Integers]:
@@ -180,14 +184,14 @@ def _widths(model: Model, width: float) -> dict[Side, float]:
     """
     widths: dict[Side, float] = {side: width if side in model.beyond.sides else 0.0 for side in SIDES}
     if width and model.beyond.kind == "infinite":
-        for side, distance in distances_beyond(model.plate, model.loads).items():
+        for side, distance in distances_beyond(model.plate, model.loads, model.plates).items():
             widths[side] += max(distance, 0.0)
     return widths
 
 
 def _reach(model: Model, width: float) -> tuple[float, float, float, float]:
     """Return the rectangle x0, x1, y0, y1 around the plate and so wide a ground beyond it [m]."""
-    grow, (x0, x1, y0, y1) = _widths(model, width), model.plate.bounds
+    grow, (x0, x1, y0, y1) = _widths(model, width), model.bounds
     return x0 - grow["left"], x1 + grow["right"], y0 - grow["bottom"], y1 + grow["top"]
 
 
@@ -208,8 +212,8 @@ def has_coarser(model: Model) -> bool:
 
 
 def _counts(model: Model, symmetry: tuple[bool, bool], coarsening: int) -> tuple[int, int]:
-    """Return the numbers of elements along x and y in the part of the plate that is meshed."""
-    lengths = model.plate.sides
+    """Return the numbers of elements along x and y in the part of the plate that is meshed, of several the least."""
+    lengths = [min(each.sides[axis] for each in model.every_plate) for axis in (0, 1)]
     if model.mesh.counts is not None:
         counts = [c // 2 if s else c for c, s in zip(model.mesh.counts, symmetry, strict=True)]
     else:
@@ -237,7 +241,7 @@ def _columns(grounds: list[Soil | Column]) -> list[Column]:
 def _longest_decay(model: Model, grounds: list[Soil | Column]) -> float:
     """Return the longest length over which a mode of the ground dies out [m], at most twice the plate's longer side."""
     longest = max((1 / float(edge_decay(column).decay.min()) for column in _columns(grounds)), default=0.0)
-    return min(longest, 2 * max(model.plate.sides))
+    return min(longest, 2 * max(model.sides))
 
 
 def _edge_size(model: Model, grounds: list[Soil | Column], coarsening: int) -> float:
@@ -309,8 +313,10 @@ def _widen(model: Model, symmetry: tuple[bool, bool], narrow: Meshed, wider: flo
 
 
 def _size(model: Model) -> float:
-    """Return the largest side that an element may have [m]."""
-    return model.mesh.size if model.mesh.size is not None else min(model.plate.sides) / SHORT_SIDE_ELEMENTS
+    """Return the largest side that an element may have [m]; on smaller plates it is less, see `local_sizes`."""
+    if model.mesh.size is not None:
+        return model.mesh.size
+    return max(min(each.sides) for each in model.every_plate) / SHORT_SIDE_ELEMENTS
 
 
 def _make_plan_mesh(plan: Plan, size: float, edge_size: float, local: Sources | None) -> tuple[Mesh, Integers]:
@@ -332,7 +338,7 @@ def plan_of(model: Model, width: float) -> Plan:
     def meshed(x0: float, x1: float, y0: float, y1: float) -> Ring:
         return rectangle(max(x0, low[0]), x1, max(y0, low[1]), y1)
 
-    plan = plan_of_plate(model.plate, model.supports, meshed(*_reach(model, width)) if width else None)
+    plan = plan_of_plate(model.plate, model.supports, meshed(*_reach(model, width)) if width else None, model.plates)
     if any(symmetries(model)):
         plan = replace(plan, outline=meshed(*model.plate.bounds))
     plan = add_borders(plan, void_rings(model) + zone_rings(model))

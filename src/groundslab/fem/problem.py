@@ -11,12 +11,13 @@ from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers
+from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem import plate
 from groundslab.fem.bearings import Bearings
 from groundslab.fem.concrete.cracked_section import CrackedSections
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import Mesh
+from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
 
 W, BETA_X, BETA_Y, TOP = range(4)
@@ -56,6 +57,11 @@ class Bearing:
     support: Integers  # (c,): number of the support, -1 for the ground
     length: Array  # (c,) [m]: the share of a line support, 0 for all else
     depth: Integers  # (c,): at which of the depths the ground lies; 0 for supports
+
+    def select(self, which: Flags) -> Bearing:
+        """Return some of the bearings by a mask (c,)."""
+        others = (getattr(self, each.name)[which] for each in fields(self) if each.name != "law")
+        return Bearing(self.law.select(which), *others)
 
 
 def largest_share(share: Array) -> Integers:
@@ -102,6 +108,8 @@ class Problem:
     shear: Array  # (k,) [N/m]
     rigidity: Integers  # (mp,): which of these each plate element has
     section: Integers  # (mp,): number of each plate element's section: 0 outside all zones, else the zone's, from 1
+    plate_number: Integers  # (mp,): which of several plates it belongs to
+    plate_names: tuple[str, ...]
     thickness: Array  # (mp,) [m]: of each plate element
     ground: Soil | Column
     constants: tuple[Array, Array]  # (L,) each: k0 [Pa/m] and k1 [Pa m], means under the plate; of soil, nothing
@@ -134,6 +142,10 @@ class Problem:
         load[self.plate_nodes, W] -= self.loading.load[self.plate_nodes, TOP]
         return load
 
+    def nodes_of(self, plate: int) -> Integers:
+        """Return the nodes of one of the plates, ascending."""
+        return unique_integers(self.mesh.elements[self.plate_elements[self.plate_number == plate]])[0]
+
     def combine(self, factors: Array) -> Problem:
         """Return the problem under the sum of its load cases times factors (cases,)."""
         first, *others = (case.scale(factor) for case, factor in zip(self.cases, factors, strict=True) if factor != 0)
@@ -154,10 +166,42 @@ def plate_unknowns(problem: Problem, U: Array) -> Array:
 
 
 def planes(problem: Problem) -> Array:
-    """Return the rigid motions w = 1, x, y of a plate as W, BETA_X and BETA_Y at every node, (n, 3, 3)."""
+    """Return the rigid motions w = 1, x, y of each plate as W, BETA_X and BETA_Y at every node, (n, 3, 3 plates).
+
+    Of a single plate they are continued beyond it; of several each has its own.
+    """
     nodes = problem.mesh.nodes
     x, y = nodes.T
     motions = np.zeros((len(nodes), TOP, 3))
     motions[:, W] = np.column_stack([np.ones_like(x), x, y])
     motions[:, BETA_X, 1] = motions[:, BETA_Y, 2] = 1.0
-    return motions
+    if len(problem.plate_names) == 1:
+        return motions
+    every = np.zeros((len(nodes), TOP, 3 * len(problem.plate_names)))
+    for number in range(len(problem.plate_names)):
+        own = problem.nodes_of(number)
+        every[own, :, 3 * number : 3 * number + 3] = motions[own]
+    return every
+
+
+def single_plates(problem: Problem) -> list[tuple[Problem, Flags]]:
+    """Return each plate by itself, with the loads and bearings on it, and which of all bearings (c,) these are."""
+    if len(problem.plate_names) == 1:
+        return [(problem, np.ones(len(problem.bearing.law), dtype=bool))]
+    found = []
+    for number, name in enumerate(problem.plate_names):
+        nodes, elements = problem.nodes_of(number), problem.plate_number == number
+        held = np.isin(problem.bearing.node, nodes)
+        load = np.zeros_like(problem.load)
+        load[nodes] = problem.load[nodes]
+        own = replace(
+            problem,
+            plate_elements=problem.plate_elements[elements],
+            plate_nodes=nodes,
+            plate_number=problem.plate_number[elements],
+            plate_names=(name,),
+            bearing=problem.bearing.select(held),
+            loading=replace(problem.loading, load=load),
+        )
+        found.append((own, held))
+    return found

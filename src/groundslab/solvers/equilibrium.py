@@ -9,10 +9,10 @@ from itertools import combinations
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags
+from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import NeutralEquilibrium, NoEquilibrium
 from groundslab.fem.bearings import CLOSED, Contact
-from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, planes
+from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, planes, single_plates
 from groundslab.units import coordinate
 
 #: How far, relative to the plate's size, the resultant must stay inside the hull of the plate.
@@ -32,6 +32,17 @@ def require_equilibrium(problem: Problem) -> None:
     """
     if not problem.tensionless:
         return
+    for plate, _ in single_plates(problem):
+        _require_balance(plate, _prefix(problem, plate))
+
+
+def _prefix(problem: Problem, plate: Problem) -> str:
+    """Return which of several plates a sentence is about."""
+    return f"{plate.plate_names[0]}: " if len(problem.plate_names) > 1 else ""
+
+
+def _require_balance(problem: Problem, prefix: str) -> None:
+    """Raise NoEquilibrium unless pressure and supports can balance the load of a single plate."""
     free = free_motions(problem)
     if free.shape[1] == 0:
         return
@@ -46,7 +57,7 @@ def require_equilibrium(problem: Problem) -> None:
     else:
         possible = _share_balanced(problem, motions, scale, work, LIMIT_MARGIN)[0] >= 1
     if not possible:
-        raise NoEquilibrium(_reason(problem, corners, motions, scale, work))
+        raise NoEquilibrium(prefix + _reason(problem, corners, motions, scale, work))
 
 
 def rigid_motions(problem: Problem) -> Array:
@@ -69,12 +80,18 @@ def require_hold(problem: Problem, contact: Contact) -> None:
     """
     if not problem.tensionless:
         return
+    for plate, own in single_plates(problem):
+        _require_plate_held(plate, contact.state[own], contact.force[own], _prefix(problem, plate))
+
+
+def _require_plate_held(problem: Problem, state: Integers, force: Array, prefix: str) -> None:
+    """Raise NeutralEquilibrium if a single plate can move against bearings in states (c,) with forces (c,)."""
     free = free_motions(problem, mirrored=True)
     if free.shape[1] == 0:
         return
     b = problem.bearing
-    touching = np.flatnonzero((contact.state == CLOSED) & ~b.law.bilateral)
-    places, force = problem.mesh.nodes[b.node[touching]], np.maximum(contact.force[touching], 0.0)
+    touching = np.flatnonzero((state == CLOSED) & ~b.law.bilateral)
+    places, force = problem.mesh.nodes[b.node[touching]], np.maximum(force[touching], 0.0)
     rows = np.column_stack([np.ones(len(touching)), places])
     for field in (BETA_X, BETA_Y):
         turned = b.field[touching] == field
@@ -94,9 +111,9 @@ def require_hold(problem: Problem, contact: Contact) -> None:
     loose = about @ motions @ directions[:, shares < NEUTRAL]
     if loose.shape[1]:
         raise NeutralEquilibrium(
-            f"the equilibrium is neutral: the plate {_movement(loose, 1 / scale[1])} without any resistance, so that "
-            "its settlement is one of many; support it there, add the load that decides where it comes to rest, or "
-            "glue it to the ground with contact.tensionless = false"
+            f"{prefix}the equilibrium is neutral: the plate {_movement(loose, 1 / scale[1])} without any resistance, "
+            "so that its settlement is one of many; support it there, add the load that decides where it comes to "
+            "rest, or glue it to the ground with contact.tensionless = false"
         )
 
 
@@ -176,10 +193,12 @@ def _share_balanced(problem: Problem, motions: Array, scale: Array, work: Array,
 
 
 def free_motions(problem: Problem, mirrored: bool = False) -> Array:
-    """Return the rigid motions w = a + b x + c y that the supports which act both ways allow, as columns (3, d).
+    """Return the rigid motions w = a + b x + c y that the supports which act both ways allow, as columns (3 plates, d).
 
     Of a plate of which a part is meshed those that its mirrors allow, or, mirrored, those of the full plate.
     """
+    if len(problem.plate_names) > 1:
+        return _block_diagonal([free_motions(plate, mirrored) for plate, _ in single_plates(problem)])
     nodes, b = problem.plate_nodes, problem.bearing
     fixed = problem.unknown[:, : BETA_Y + 1] < 0
     both = b.law.bilateral
@@ -206,6 +225,14 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
     _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([constraints, np.zeros((3, 3))]), mode="r"))
     rank = int((sizes > 1e-10 * max(sizes.max(), 1e-300)).sum())
     return V[rank:].T
+
+
+def _block_diagonal(blocks: list[Array]) -> Array:
+    """Return the matrix with blocks along its diagonal; those without columns have rows alone."""
+    from scipy.linalg import block_diag
+
+    found: Array = block_diag(*blocks)
+    return found
 
 
 def _extreme_points(problem: Problem) -> Array:

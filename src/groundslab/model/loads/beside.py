@@ -8,7 +8,9 @@ from collections.abc import Iterator, Sequence
 from groundslab.model.ground import AnyGround, carry_shear
 from groundslab.model.loads.clipping import NO_PART, get_plate_region
 from groundslab.model.loads.load_types import AnyLoad, OnGround, PatchLoad, presses_ground
-from groundslab.model.plate import ROUNDING, Plate
+from groundslab.model.plate import Plate
+from groundslab.model.plates.further import FurtherPlate, bounds_of
+from groundslab.model.plates.region import ROUNDING, PlateRegion
 from groundslab.model.settings import Beyond, Side
 from groundslab.model.varying_ground import SoilZone
 from groundslab.schema.issues import RelativeIssue
@@ -17,9 +19,11 @@ from groundslab.schema.issues import RelativeIssue
 FARTHEST = 20.0
 
 
-def distances_beyond(plate: Plate, loads: Sequence[AnyLoad]) -> dict[Side, float]:
-    """Return how far loads on the ground reach beyond each side of the rectangle around the plate [m]."""
-    x0, x1, y0, y1 = plate.bounds
+def distances_beyond(
+    plate: Plate, loads: Sequence[AnyLoad], plates: tuple[FurtherPlate, ...] = ()
+) -> dict[Side, float]:
+    """Return how far loads on the ground reach beyond each side of the rectangle around the plates [m]."""
+    x0, x1, y0, y1 = bounds_of(plate, plates)
     boxes = [_bounds(load) for load in loads if presses_ground(load)]
     return {
         "left": max((x0 - box[0] for box in boxes), default=0.0),
@@ -30,7 +34,12 @@ def distances_beyond(plate: Plate, loads: Sequence[AnyLoad]) -> dict[Side, float
 
 
 def check_ground_loads(
-    plate: Plate, ground: AnyGround, soil_zones: tuple[SoilZone, ...], beyond: Beyond, loads: tuple[AnyLoad, ...]
+    plate: Plate,
+    plates: tuple[FurtherPlate, ...],
+    ground: AnyGround,
+    soil_zones: tuple[SoilZone, ...],
+    beyond: Beyond,
+    loads: tuple[AnyLoad, ...],
 ) -> Iterator[RelativeIssue]:
     """Find loads beside the plate that have no effect, or that press on no ground."""
     carries_shear = any(any(carry_shear(each)) for each in (ground, *(zone.ground for zone in soil_zones)))
@@ -44,13 +53,15 @@ def check_ground_loads(
                 hint = 'beyond.kind = "infinite", or "margin" with a width'
                 yield RelativeIssue(on, '"ground", which ends with the plate', "ground beyond the plate", hint)
             else:
-                yield from _check_reach(plate, beyond, load, place)
+                yield from _check_reach(get_plate_region(plate, plates), beyond, load, place)
 
 
-def _check_reach(plate: Plate, beyond: Beyond, load: OnGround, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
+def _check_reach(
+    region: PlateRegion, beyond: Beyond, load: OnGround, place: tuple[str | int, ...]
+) -> Iterator[RelativeIssue]:
     """Find a load that lies under the plate entirely, or reaches to where there is no ground."""
-    size = max(plate.sides)
-    for side, distance in distances_beyond(plate, [load]).items():
+    size = region.size
+    for side, distance in distances_beyond(region.plate, [load], region.plates).items():
         reach = FARTHEST * size
         if side not in beyond.sides:
             reach = 0.0
@@ -65,7 +76,7 @@ def _check_reach(plate: Plate, beyond: Beyond, load: OnGround, place: tuple[str 
             yield RelativeIssue(place, found, expected, hint)
             return
     shape = load.to_shapely(math.inf)
-    if shape.difference(get_plate_region(plate).grown).area <= NO_PART * shape.area:
+    if shape.difference(region.grown).area <= NO_PART * shape.area:
         yield RelativeIssue(place, "a load on the ground that lies under the plate", "some of it beside the plate")
 
 

@@ -27,7 +27,9 @@ from groundslab.model.loads.load_types import (
     presses_ground,
     pressure_function,
 )
-from groundslab.model.plate import Plate, PlateRegion
+from groundslab.model.plate import Plate
+from groundslab.model.plates.further import FurtherPlate
+from groundslab.model.plates.region import PlateRegion
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import quote
 from groundslab.units import show
@@ -81,18 +83,22 @@ class LinePiece:
         return self.edge.length * (self.q[0] + self.q[1]) / 2
 
 
-#: That of a plate, kept for its loads.
+#: That of plates, kept for its loads.
 get_plate_region = lru_cache(maxsize=4)(PlateRegion)
 
 
-def find_clipped_loads(plate: Plate, loads: Sequence[AnyLoad]) -> tuple[Clipped, ...]:
-    """Return the parts of loads that lie off the plate, of loads on the ground those under it."""
-    drawn = _distributed_shapes(loads)
-    found = [*_find_clipped(plate, drawn), *_find_covered(plate, drawn)]
+def find_clipped_loads(
+    plate: Plate, loads: Sequence[AnyLoad], plates: tuple[FurtherPlate, ...] = ()
+) -> tuple[Clipped, ...]:
+    """Return the parts of loads that lie off all plates, of loads on the ground those under one."""
+    drawn, region = _distributed_shapes(loads), get_plate_region(plate, plates)
+    found = [*_find_clipped(region, drawn), *_find_covered(region, drawn)]
     return tuple(sorted(found, key=lambda each: each.number))
 
 
-def check_distributed_loads(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[RelativeIssue]:
+def check_distributed_loads(
+    plate: Plate, plates: tuple[FurtherPlate, ...], loads: tuple[AnyLoad, ...]
+) -> Iterator[RelativeIssue]:
     """Find areas and lines that lie off the plate entirely, or reach too far off it."""
     import shapely
 
@@ -100,19 +106,25 @@ def check_distributed_loads(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterato
     drawn = [each for each in _distributed_shapes(loads) if not presses_ground(each[1])]
     if not drawn:
         return
-    (x0, x1, y0, y1), far = plate.bounds, FAR * max(plate.sides)
+    region = get_plate_region(plate, plates)
+    (x0, x1, y0, y1), far = region.bounds, FAR * region.size
     reach = shapely.bounds([shape for _, _, shape in drawn])
     near = (reach[:, :2] >= (x0 - far, y0 - far)).all(axis=1) & (reach[:, 2:] <= (x1 + far, y1 + far)).all(axis=1)
     for k in np.flatnonzero(~near):
         yield RelativeIssue(("loads", drawn[int(k)][0]), "a load that reaches far off the plate", expected)
-    for found in _find_clipped(plate, [drawn[int(k)] for k in np.flatnonzero(near)]):
+    for found in _find_clipped(region, [drawn[int(k)] for k in np.flatnonzero(near)]):
         if found.share >= 1 - NO_PART:
             yield RelativeIssue(("loads", found.number - 1), "a load off the plate", expected)
 
 
-def clip_line_load(plate: Plate, load: LineLoad) -> list[LinePiece]:
-    """Return the parts of a line load that lie on the plate."""
-    region, edges = get_plate_region(plate), load.segments()
+def clip_line_load(plate: Plate, load: LineLoad, plates: tuple[FurtherPlate, ...] = ()) -> list[LinePiece]:
+    """Return the parts of a line load that lie on a plate."""
+    return _clip_line(get_plate_region(plate, plates), load)
+
+
+def _clip_line(region: PlateRegion, load: LineLoad) -> list[LinePiece]:
+    """Return the parts of a line load that lie in a region."""
+    edges = load.segments()
     ways = np.concatenate([[0.0], np.cumsum([edge.length for edge in edges])])
     end = load.q if load.q_end is None else load.q_end
 
@@ -141,27 +153,26 @@ def _distributed_shapes(loads: Sequence[AnyLoad]) -> list[tuple[int, Spread, Bas
     ]
 
 
-def _find_clipped(plate: Plate, drawn: Sequence[tuple[int, Spread, BaseGeometry]]) -> Iterator[Clipped]:
+def _find_clipped(region: PlateRegion, drawn: Sequence[tuple[int, Spread, BaseGeometry]]) -> Iterator[Clipped]:
     """Yield what lies off the plate of loads on it."""
     import shapely
 
     drawn = [each for each in drawn if not presses_ground(each[1])]
     if not drawn:
         return
-    region = get_plate_region(plate)
     for k in np.flatnonzero(~shapely.covers(region.grown, [shape for _, _, shape in drawn])):
         position, load, shape = drawn[int(k)]
-        found = _off_line(plate, load) if isinstance(load, LineLoad) else _off_area(region, load, shape)
+        found = _off_line(region, load) if isinstance(load, LineLoad) else _off_area(region, load, shape)
         if found is not None:
             share, force, total = found
             yield Clipped(position + 1, load.name, load.case, share, force, total, "off the plate")
 
 
-def _find_covered(plate: Plate, drawn: Sequence[tuple[int, Spread, BaseGeometry]]) -> Iterator[Clipped]:
+def _find_covered(region: PlateRegion, drawn: Sequence[tuple[int, Spread, BaseGeometry]]) -> Iterator[Clipped]:
     """Yield what lies under the plate of loads on the ground."""
     for position, load, shape in drawn:
         if presses_ground(load):
-            pressure, under = pressure_function(load), shape.intersection(get_plate_region(plate).area)
+            pressure, under = pressure_function(load), shape.intersection(region.area)
             share = under.area / shape.area
             if share > NO_PART:
                 force, total = integral(under, pressure), integral(shape, pressure)
@@ -174,9 +185,9 @@ def _off_area(region: PlateRegion, load: PatchLoad | AreaLoad, drawn: BaseGeomet
     return off.area / drawn.area, integral(off, pressure), integral(drawn, pressure)
 
 
-def _off_line(plate: Plate, load: LineLoad) -> tuple[float, float, float] | None:
+def _off_line(region: PlateRegion, load: LineLoad) -> tuple[float, float, float] | None:
     """Return the share of a line that lies off the plate, the force there and in all [N]; None if all is on it."""
-    pieces = clip_line_load(plate, load)
+    pieces = _clip_line(region, load)
     length = sum(edge.length for edge in load.segments())
     share = 1 - sum(piece.edge.length for piece in pieces) / length
     if share <= NO_PART:

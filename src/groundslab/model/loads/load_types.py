@@ -28,6 +28,7 @@ NO_LENGTH = 1e-9  # m: lines shorter than this go nowhere
 STRAIN = Range(at_least=-0.01, at_most=0.01)
 
 Surface = Literal["plate", "ground"]
+PlateKey = Annotated[str, Text("the one of several plates that it acts on, by its name; by default on all of them")]
 
 NO_SLOPE, NO_BEND, ORIGIN = (0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0)
 
@@ -62,6 +63,7 @@ class UniformLoad(_Pressure):
     """A pressure on the whole plate."""
 
     kind: Annotated[Literal["uniform"], Table("pressure on the whole plate")] = "uniform"
+    plate: PlateKey = ""
 
 
 class _PressureOnPart(_Pressure):
@@ -216,6 +218,7 @@ class SelfWeight(_Load):
         "self weight"
     )
     unit_weight: Annotated[float, Quantity("weight per volume", "gamma_c", "weight of the material", POSITIVE)]
+    plate: PlateKey = ""
 
 
 def _check_position(
@@ -300,6 +303,7 @@ class TemperatureLoad(_Load):
     difference: Annotated[
         float, Quantity("temperature difference", "dT", "bottom less top: positive if the bottom is warmer")
     ]
+    plate: PlateKey = ""
 
 
 class ShrinkageLoad(_Load):
@@ -308,6 +312,7 @@ class ShrinkageLoad(_Load):
     kind: Annotated[Literal["shrinkage"], Table("shrinkage that differs over the thickness")] = "shrinkage"
     top: Annotated[float, Number("eps_top", "strain by which the top face shortens, such as 5e-4", STRAIN)]
     bottom: Annotated[float, Number("eps_bottom", "strain by which the bottom face shortens", STRAIN)] = 0.0
+    plate: PlateKey = ""
 
 
 class SettlementLoad(_Load):
@@ -345,6 +350,8 @@ AnyLoad = (
     | ShrinkageLoad
     | SettlementLoad
 )
+#: Loads that act on all of a plate.
+OnEveryPlate = UniformLoad | SelfWeight | TemperatureLoad | ShrinkageLoad
 #: Loads that may press on the ground beside the plate.
 OnGround = PatchLoad | AreaLoad
 #: Loads that may reach over the plate's edge, where they are cut off; others with a place must lie on the plate.

@@ -188,9 +188,9 @@ def _label_loads(axes: Axes, plan: Data, labels: Labels) -> None:
 
 def _draw_dimensions(axes: Axes, model: Model, corner: Point, per_meter: float) -> None:
     """Draw dimension lines below and at the left: from corner to corner where there is space, and of the plate."""
-    x0, x1, y0, y1 = model.plate.bounds
-    ring = model.plate.ring()
-    corners = ring.points if ring.straight else ()
+    x0, x1, y0, y1 = model.bounds
+    rings = [each.ring() for each in model.every_plate]
+    corners = [place for ring in rings if ring.straight for place in ring.points]
     for axis, ends in enumerate(((x0, x1), (y0, y1))):
         stops = sorted({round(place[axis], 6) for place in corners} | {round(end, 6) for end in ends})
         chains = [[ends[0], ends[1]]]

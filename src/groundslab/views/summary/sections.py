@@ -183,7 +183,7 @@ def cut_loads(model: Model) -> list[SummarySection]:
     """Return what of the loads lies where it does not act, nothing where all of them act."""
     from groundslab.model.loads.clipping import find_clipped_loads
 
-    clipped = find_clipped_loads(model.plate, model.loads)
+    clipped = find_clipped_loads(model.plate, model.loads, model.plates)
     if not clipped:
         return []
     rows = []
