@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING, assert_never
 
 import numpy as np
 
+from groundslab.arrays import Integers
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
 from groundslab.geometry.plan import FLAT
 from groundslab.model.loads import load_types
 from groundslab.model.loads.clipping import clip_line_load
 from groundslab.model.model import Model
+from groundslab.model.plates.further import first_sections
 from groundslab.results.results import CombinationResult
 
 if TYPE_CHECKING:
@@ -50,8 +52,9 @@ def sum_of_others(results: CombinationResult, part: Polygon, column: str) -> dic
         if load_types.presses_ground(load):
             continue
         if isinstance(load, load_types.UniformLoad):
+            own = _of_plate(results, elements, load.plate)
             force[load.case] += float(
-                load_vectors.integrate_over_polygon(mesh, elements, part, load_types.pressure_function(load)).sum()
+                load_vectors.integrate_over_polygon(mesh, own, part, load_types.pressure_function(load)).sum()
             )
         elif isinstance(load, load_types.PatchLoad | load_types.AreaLoad):
             for piece in _pieces(part, load.to_shapely(chord)):
@@ -59,8 +62,9 @@ def sum_of_others(results: CombinationResult, part: Polygon, column: str) -> dic
                     load_vectors.integrate_over_polygon(mesh, elements, piece, load_types.pressure_function(load)).sum()
                 )
         elif isinstance(load, load_types.SelfWeight):
-            area = load_vectors.integrate_over_polygon(mesh, elements, part).sum(axis=1)
-            force[load.case] += float(load.unit_weight * (area @ results.elements.thickness[elements]))
+            own = _of_plate(results, elements, load.plate)
+            area = load_vectors.integrate_over_polygon(mesh, own, part).sum(axis=1)
+            force[load.case] += float(load.unit_weight * (area @ results.elements.thickness[own]))
         elif isinstance(load, load_types.LineLoad):
             force[load.case] += _on_line(load, model, part, chord)
         elif isinstance(load, load_types.PointLoad):
@@ -69,6 +73,13 @@ def sum_of_others(results: CombinationResult, part: Polygon, column: str) -> dic
         elif not isinstance(load, load_types.TemperatureLoad | load_types.ShrinkageLoad | load_types.SettlementLoad):
             assert_never(load)
     return force
+
+
+def _of_plate(results: CombinationResult, elements: Integers, name: str) -> Integers:
+    """Return those of some elements that belong to the plate of a name, all of them if there is none."""
+    plates = results.model.every_plate
+    number = np.searchsorted(first_sections(plates), results.elements.section[elements], side="right") - 1
+    return elements if not name else elements[np.array([each.name for each in plates])[number] == name]
 
 
 def factored_sum(results: CombinationResult, force: Mapping[str, float]) -> float:

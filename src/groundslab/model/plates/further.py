@@ -89,16 +89,27 @@ def check_plates(plate: Plate, plates: tuple[FurtherPlate, ...]) -> Iterator[Rel
         return
     x0, x1, y0, y1 = bounds_of(plate, plates)
     size = max(x1 - x0, y1 - y0)
-    outlines = [each.ring().polygon(CHORD * size) for each in list_plates(plate, plates)]
-    for first, second in combinations(range(len(outlines)), 2):
-        one, other = outlines[first], outlines[second]
-        name = "the first plate" if first == 0 else f"plates[{first}]"
-        place, near = ("plates", second - 1, "outline"), TOO_CLOSE * size
-        expected = f"plates apart from each other, by at least {near:.3g} m"
-        if one.intersection(other).area > (CHORD * size) ** 2:
-            at = one.intersection(other).representative_point()
-            found = f"a plate that overlaps {name} at {format_place((at.x, at.y))}"
-            yield RelativeIssue(place, found, expected, "what lies one on the other is a zone of greater thickness")
-        elif one.distance(other) < near:
-            found = f"a plate that touches {name}" if one.intersects(other) else f"a strip too narrow beside {name}"
-            yield RelativeIssue(place, found, expected, "plates that are joined are one plate, drawn as such")
+    for first, second in combinations(range(1 + len(plates)), 2):
+        meeting = _find_meeting(list_plates(plate, plates)[first], plates[second - 1], size)
+        if meeting is not None:
+            name = "the first plate" if first == 0 else f"plates[{first}]"
+            expected = f"plates beside each other, at least {TOO_CLOSE * size:.3g} m apart"
+            hint = "plates that are joined are one plate, what lies on a plate is a zone of greater thickness"
+            yield RelativeIssue(("plates", second - 1, "outline"), meeting.format(name), expected, hint)
+
+
+def _find_meeting(one: AnyPlate, other: FurtherPlate, size: float) -> str | None:
+    """Return how a plate meets another one, whose name is {}, None if they lie apart; size is that of all [m]."""
+    from shapely import union_all
+
+    outline, beside = (each.ring().polygon(CHORD * size) for each in (one, other))
+    openings = union_all([opening.ring().polygon(CHORD * size) for opening in one.openings])
+    shared = outline.intersection(beside)
+    if shared.area > (CHORD * size) ** 2:
+        if openings.contains(beside):
+            return "a plate in an opening of {}"
+        at = shared.representative_point()
+        return f"a plate that overlaps {{}} at {format_place((at.x, at.y))} m"
+    if outline.distance(beside) < TOO_CLOSE * size:
+        return "a plate that touches {}" if outline.intersects(beside) else "a strip too narrow to mesh beside {}"
+    return None
