@@ -14,7 +14,7 @@ from groundslab.errors import NotConverged
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings, Contact, plastic_slip
 from groundslab.fem.continuum.cells import prolong
 from groundslab.fem.foundation import single
-from groundslab.fem.problem import TOP, Problem
+from groundslab.fem.problem import TOP, Problem, settlement_by_loads_beside
 from groundslab.fem.system import System, current_bearings, nodal_table, right_hand_side
 from groundslab.results.record import Step
 from groundslab.solvers import bounded_forces
@@ -45,10 +45,8 @@ def solve_pressures(step: LoadStep, start: Solution | None) -> Solution:
     c = len(problem.elastic.gap) if problem.elastic else 0
     contact = Contact(u, _states(law, found.x[c:]), found.x[c:])
     pressed = Pressed(found.x[:c], found.y[:c])
-    solution = Solution(
-        s, _table(s, u, pressed), contact, single(0.0, 0.0), None, law, step.slip + plastic_slip(law, contact),
-        pressed=pressed,
-    )  # fmt: skip
+    U, slip = _table(s, u, pressed, step.factor), step.slip + plastic_slip(law, contact)
+    solution = Solution(s, U, contact, single(0.0, 0.0), None, law, slip, pressed=pressed)
     if step.finest:
         require_hold(problem, contact, pressed.force)
     return solution
@@ -64,12 +62,14 @@ def _iterate(
     """
     ground, c = p.ground, len(p.ground.gap)
     tolerance = TOLERANCE if step.finest else TOLERANCE_COARSE
-    further, history = np.zeros(c), list[dict[str, float]]()
+    beside = step.factor * settlement_by_loads_beside(step.system.problem, ground.cells.center)
+    history = list[dict[str, float]]()
+    further = np.zeros(c)
     if not ground.linear:
         further = ground.settle(x[:c]) - ground.settle_mutually(x[:c])
     extrapolation = Extrapolation()
     while True:
-        problem = bound_forces(p, step.system.problem, law, f, further)
+        problem = bound_forces(p, step.system.problem, law, f, further + beside)
         found = bounded_forces.solve(problem, x, tolerance, PRODUCTS * step.max_iterations, report)
         if ground.linear:
             return found
@@ -117,7 +117,7 @@ def _start(problem: Problem, start: Solution | None) -> Array:
     return np.concatenate([prolong(known.elastic.cells, start.pressed.force, cells), on_supports])
 
 
-def _table(s: System, u: Array, pressed: Pressed) -> Array:
+def _table(s: System, u: Array, pressed: Pressed, factor: float) -> Array:
     """Return unknowns (size,) as a table (n, F), and with them the settlement of the ground's surface at every node."""
     problem, elastic = s.problem, s.problem.elastic
     assert elastic is not None
@@ -127,4 +127,5 @@ def _table(s: System, u: Array, pressed: Pressed) -> Array:
     beyond = np.setdiff1d(np.arange(len(U)), under)
     if len(beyond):
         U[beyond, TOP] = elastic.settle_at(pressed.force, problem.mesh.nodes[beyond])
+        U[beyond, TOP] += factor * settlement_by_loads_beside(problem, problem.mesh.nodes[beyond])
     return U

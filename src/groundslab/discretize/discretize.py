@@ -22,7 +22,7 @@ from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 
 #: Parts of a model on which the loading of a mesh depends.
-ACTING = ("plate", "columns", "supports", "cases", "loads")
+ACTING = ("plate", "plates", "columns", "supports", "cases", "loads")
 
 
 def discretize(
@@ -59,9 +59,11 @@ def discretize(
         plate_nodes=plan.plate_nodes,
         element=element,
         bending=np.array([plate.bending_rigidity(E, nu, t) for E, nu, t in sections]),
-        shear=np.array([plate.shear_rigidity(E, nu, t, model.plate.shear_factor) for E, nu, t in sections]),
+        shear=np.array([plate.shear_rigidity(*each) for each in _with_shear_factors(model)]),
         rigidity=plan.section,
         section=plan.section,
+        plate_number=plan.plate,
+        plate_names=tuple(each.name or f"plate {n}" for n, each in enumerate(model.every_plate, start=1)),
         thickness=np.array([t for _, _, t in sections])[plan.section],
         ground=ground,
         constants=constants,
@@ -85,6 +87,12 @@ def discretize(
         elastic=elastic,
         cracking=cracked_sections(model, plan.section, plan.mesh.nodes[plan.mesh.elements[plan.plate_elements, -1]]),
     )
+
+
+def _with_shear_factors(model: Model) -> list[tuple[float, float, float, float]]:
+    """Return E [Pa], nu, thickness [m] and shear factor of each section."""
+    factors = [each.shear_factor for each in model.every_plate for _ in (each, *each.zones)]
+    return [(*own, factor) for own, factor in zip(materials(model), factors, strict=True)]
 
 
 def _known_cases(
@@ -125,16 +133,18 @@ def _present(model: Model, plan: Layout, element: plate.PlateElement, surfaces: 
     if not element.center_w:
         present[mesh.elements[plate_elements, 8], W] = False
 
+    first = np.zeros(n, dtype=bool)
+    first[mesh.elements[plate_elements[plan.plate == 0]]] = True
     x0, x1, y0, y1 = model.plate.bounds
     at = {"left": x0, "right": x1, "bottom": y0, "top": y1}
-    near = SAME_PLACE * max(model.plate.sides)
+    near = SAME_PLACE * max(model.sides)
     for side, axis in AXIS.items():
         along = 1 - axis
         if symmetry[axis] and OUTWARD[side] < 0:
             present[mesh.nodes[:, axis] == 0.0, BETA_X + axis] = False
             continue
         kind = getattr(model.plate.edges, side)
-        on_edge = under & (np.abs(mesh.nodes[:, axis] - at[side]) <= near)
+        on_edge = first & (np.abs(mesh.nodes[:, axis] - at[side]) <= near)
         _fix(present, on_edge, kind, along)
     if model.plate.support != "free":
         _fix_outline(present, model.plate, plan)

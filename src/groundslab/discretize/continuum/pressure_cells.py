@@ -42,11 +42,11 @@ def elastic_ground(
         return None
     elements = plan.mesh.elements[plan.plate_elements]
     xy = plan.mesh.nodes[elements]
-    grid = make_grid(model.plate.bounds, _size(ground, areas(xy), coarsening))
+    grid = make_grid(model.bounds, _size(ground, areas(xy), coarsening))
     if grid.nx * grid.ny > MOST_CELLS:
         found = f"{grid.nx} x {grid.ny} cells of pressure"
         raise InputError([Issue("ground.cell", found, f"at most {MOST_CELLS:,} cells", "larger cells, or elements")])
-    cells = cover(grid, xy, elements, len(plan.mesh.nodes), element.w_functions(xy))
+    cells = cover(grid, xy, elements, len(plan.mesh.nodes), element.w_functions(xy), plan.plate)
     void = _depths(model, cells.center, coarsening == 0)
     limit = math.inf if model.contact.limit_pressure is None else model.contact.limit_pressure
     depth = find_limit_depth(ground, cells, load) if isinstance(ground, ConstrainedModulus) else None

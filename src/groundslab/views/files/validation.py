@@ -124,7 +124,7 @@ def _of_arrays(
 
 def _within_plate(results: CombinationResult) -> Iterator[str]:
     """Yield if the mesh is not that of the described plate, or the ground is not below all of it."""
-    x0, x1, y0, y1 = results.model.plate.bounds
+    x0, x1, y0, y1 = results.model.bounds
     sides = np.array([x1 - x0, y1 - y0])
     near = 1e-6 * sides.max()
     low, high = results.plate.nodes.min(axis=0), results.plate.nodes.max(axis=0)
