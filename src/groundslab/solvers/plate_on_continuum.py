@@ -90,8 +90,15 @@ def bound_forces(p: PlateOnContinuum, problem: Problem, law: Bearings, f: Array,
     C, Ct, G = p.C, p.C.T.tocsr(), (p.C.T @ p.R).T
     planes_of_gaps = np.linalg.qr(G.T)[0]
 
+    piles = ground.piles
+
     def settle(x: Array) -> Array:
-        return np.concatenate([ground.settle_mutually(x[:c]), flexible * x[c:]])
+        settled = np.concatenate([ground.settle_mutually(x[:c]), flexible * x[c:]])
+        if piles is not None:
+            load = x[c + piles.bearing]
+            settled[:c] += load @ piles.on_cells
+            settled[c + piles.bearing] = piles.settle(load, x[:c])
+        return settled
 
     def gaps(x: Array) -> tuple[Array, float]:
         settled, bent = settle(x), Ct @ p.solve(f + C @ x)
@@ -111,6 +118,9 @@ def bound_forces(p: PlateOnContinuum, problem: Problem, law: Bearings, f: Array,
     free = np.full(c, not problem.tensionless)
     lower = np.where(np.concatenate([free, law.bilateral]), -np.inf, 0.0)
     upper = np.concatenate([ground.limit_force, np.where(law.bilateral, np.inf, law.limit_force)])
+    if piles is not None:
+        of_support[piles.bearing] = 1 / np.diag(piles.own)
+        lower[c + piles.bearing], upper[c + piles.bearing] = piles.lower, piles.upper
     weight = np.concatenate([ground.cells.area, np.full(len(law), ground.cells.area.mean())])
     return BoundedForces(gaps, multiply, precondition, G, -p.R.T @ f, lower, upper, weight)
 

@@ -11,6 +11,7 @@ from groundslab.arrays import Array, Memo
 from groundslab.fem.continuum.cells import Cells, Grid
 from groundslab.fem.continuum.flexibility import Flexibility, make_flexibility
 from groundslab.fem.continuum.media import Medium
+from groundslab.fem.continuum.pile_group import PileGroup
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +52,7 @@ class ElasticGround:
     columns: Columns | None = None
     relief: Relief | None = None
     limit_depth: float | None = None  # [m]: below it nothing settles
+    piles: PileGroup | None = None
 
     @property
     def linear(self) -> bool:
