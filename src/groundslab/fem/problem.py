@@ -7,7 +7,7 @@ What bears on single unknowns (the ground where the plate may lift off, supports
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
