@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.design.checks import DesignCheck, check_design
+from groundslab.design.checks import DesignCheck, check_design, shear
 from groundslab.design.floors import yield_lines
 from groundslab.design.floors.acting_loads import Borders, forces, groups
 from groundslab.errors import InputError
@@ -187,6 +187,30 @@ def test_punching_by_hand() -> None:
     ]
     rho, k = 1e-3 / 0.16, 2.0
     assert mesh.resistance == pytest.approx(0.12 * k * (100 * rho * 30) ** (1 / 3))
+
+
+def test_one_way_shear_is_that_beyond_2_d_of_forces_whose_punching_is_checked() -> None:
+    """At a leg the shear force of a floor by ACI 360 is one-way shear; by TR34 it is punching, but only where it acts.
+
+    d = 0.2 m - 0.045 m, so that 2 d = 0.31 m.
+    """
+    bars = {"concrete": "C30/37", "steel": "B500B", "bottom": (0.04, 0.05), "top": (0.04, 0.05)}
+    cases = [{"name": "Q", "action": "variable"}, {"name": "R", "action": "variable"}]
+    at = (1.6, 0.0)
+
+    def place(floor: dict[str, Any], case: str) -> tuple[float, float]:
+        loads = [leg(*at, case=case), leg(-3.2, 2.4)]
+        model = model_with(floor, loads, cases=cases, reinforcement=bars)
+        results = solved(model)["ULS"]
+        peak = 1e3 / (0.1 + np.hypot(*(results.plate.nodes - at).T))
+        peaked = replace(results, plate=replace(results.plate, shear_x=peak, shear_y=0 * peak))
+        [found] = shear.checks(Results(model, model.combinations, {"ULS": peaked}, {}))
+        assert found.place is not None
+        return found.place
+
+    assert place(ACI, "Q") == pytest.approx(at)
+    assert place(TR34, "R") == pytest.approx(at)
+    assert math.dist(place(TR34, "Q"), at) > 0.31
 
 
 def test_line_loads_and_aisles_by_hand() -> None:
