@@ -259,6 +259,29 @@ def test_fiber_concrete_by_aci_360_has_yield_lines() -> None:
     assert check.resistance == pytest.approx(6 * (1 + 2 * a / L) * 4e6 * 1.4 * H**2 / 6 / 2 / 1e3)
 
 
+def test_what_joints_are_relied_on_for_is_told_as_not_checked() -> None:
+    """Of 75 kN at an edge joints carry over 15 %, 11.25 kN; inside and without a share, nothing."""
+    inside, edge = leg(0, 0), leg(0, LENGTH_Y / 2 - 0.1)
+    relied = "anchorage is not checked; that joints carry over up to 11.25 kN of a force is not checked."
+    bars = {"concrete": "C30/37", "steel": "B500B", "bottom": (0.04, 0.05), "top": (0.04, 0.05)}
+
+    def headline(loads: list[dict[str, Any]], floor: dict[str, Any], **changes: Any) -> str:
+        results = solved(model_with(floor, loads, **changes))
+        calm = {}
+        for name, each in results.results.items():
+            zero = np.zeros(len(each.plate.nodes))
+            calm[name] = replace(each, plate=replace(each.plate, shear_x=zero, shear_y=zero))
+        return check_design(replace(results, results=calm)).headline
+
+    assert headline([inside, edge], {**FIBERS, "joint_transfer": 0.15}, reinforcement=bars).endswith(relied)
+    for floor in ({**FIBERS, "joint_transfer": 0.15}, {**ACI, "R_e3": 0.5, "joint_transfer": 0.15}):
+        words = headline([inside, edge], floor)
+        assert "[reinforcement]; that joints carry over up to " in words
+        assert "anchorage" not in words
+        assert "joints" not in headline([inside], floor)
+    assert "joints" not in headline([inside, edge], FIBERS)
+
+
 def test_a_floor_that_fails_says_so_first() -> None:
     """A corner load of 75 kN on plain concrete."""
     design = check_design(solved(model_with(TR34, [leg(4.75, 3.55)])))
