@@ -128,6 +128,16 @@ class TestLoads:
         assert (written.count("45 kN"), written.count("46 kN")) == (1, 1)
         assert second.caption == "Q, variable. It moves along the dashed path; drawn at the first position."
 
+    def test_a_value_at_many_places_is_written_once(self) -> None:
+        """Twenty legs of one force stand in the caption, with their number; the force beside them at its place."""
+        rack = {"kind": "rack", "name": "rack", "P": 60e3, "frames": 10, "bay": 0.5, "rows": [0, 1]}
+        beside = {"kind": "point", "P": 7e3, "x": 2, "y": -1.5, "case": "Q"}
+        moves = [{"pattern": "rack", "case": "Q", "points": [(-2.5, 0)]}]
+        (drawn,) = drawings.draw_loads(model(loads=[beside], patterns=[rack], moves=moves))
+        assert drawn.caption == "Q, variable: 20 \N{MULTIPLICATION SIGN} 60 kN."
+        written = [each.text for each in page(drawn.svg).all("text")]
+        assert (written.count("60 kN"), written.count("7 kN")) == (0, 1)
+
     def test_many_places_have_no_values(self) -> None:
         """Of very many loads the values are left to the list."""
         loads = [{"kind": "point", "P": 1e3 + n, "x": -2.9 + 0.02 * n, "y": 0} for n in range(250)]
