@@ -39,10 +39,21 @@ def make_preconditioner(ground: ElasticGround, D: float) -> Preconditioner:
     """Return the preconditioner for a plate of a bending rigidity D [N m] on a ground."""
     grid = ground.cells.grid
     k_x, k_y = (np.pi * np.arange(n) / (n * d) for n, d in ((grid.nx, grid.dx), (grid.ny, grid.dy)))
-    k = np.hypot(k_x[:, None], k_y)
     # the mean is left to equilibrium
-    k[0, 0] = np.pi / (2 * max(grid.nx * grid.dx, grid.ny * grid.dy))
+    k_x[0] = k_y[0] = np.pi / (4 * max(grid.nx * grid.dx, grid.ny * grid.dy))
+    settled = np.zeros((grid.nx, grid.ny))
+    for x in (k_x, k_x - 2 * np.pi / grid.dx, k_x + 2 * np.pi / grid.dx):
+        for y in (k_y, k_y - 2 * np.pi / grid.dy, k_y + 2 * np.pi / grid.dy):
+            settled += _settle(ground, x, y)
+    bent = 1 / (D * np.hypot(k_x[:, None], k_y) ** 4)
+    return Preconditioner(ground, grid.dx * grid.dy / (settled + bent))
+
+
+def _settle(ground: ElasticGround, k_x: Array, k_y: Array) -> Array:
+    """Return the mean settlement [m/Pa] of cells by waves of pressures that are constant on them, (nx, ny)."""
+    grid, k = ground.cells.grid, np.hypot(k_x[:, None], k_y)
     table = np.geomspace(k.min(), k.max(), TABLE)
     T = np.exp(np.interp(np.log(k), np.log(table), np.log(surface_compliance(ground.layers, table))))
     means = np.sinc(k_x * grid.dx / (2 * np.pi))[:, None] * np.sinc(k_y * grid.dy / (2 * np.pi))
-    return Preconditioner(ground, grid.dx * grid.dy / (means**2 * T + 1 / (D * k**4)))
+    found: Array = means**2 * T
+    return found
