@@ -8,7 +8,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from groundslab.analysis.gamma_iteration import LoadStep, OnStep, solve_load_step
+from groundslab.analysis.gamma_iteration import solve_load_step
+from groundslab.analysis.load_step import LoadStep, OnStep
 from groundslab.analysis.mesh_hierarchy import Level, MeshHierarchy
 from groundslab.arrays import Array
 from groundslab.errors import NoEquilibrium, NotConverged, SingularMatrix

@@ -6,10 +6,10 @@ import numpy as np
 
 from groundslab.arrays import Flags, Integers
 from groundslab.discretize.constraints import concatenate, fixed_nodes, ground_bearing, support_bearing
+from groundslab.discretize.continuum.pressure_cells import elastic_ground
 from groundslab.discretize.ground import Factors, carries_shear, ground_under, grounds_of, surfaces_of
 from groundslab.discretize.nodal_loads import loadings, materials
 from groundslab.discretize.plan_layout import AXIS, OUTWARD, Layout, Meshes, layout
-from groundslab.discretize.pressure_cells import elastic_ground
 from groundslab.discretize.serviceability.cracking import cracked_sections
 from groundslab.discretize.voids import find_depths, initial_gap, level_ground
 from groundslab.fem import plate
@@ -105,7 +105,7 @@ def _known_cases(
 
 def _infinite_edges(model: Model, plan: Layout) -> tuple[Integers, Integers]:
     """Return the outer sides (e, 3: end, end, middle) and corner nodes (c,) beyond which the ground is infinite."""
-    if model.beyond.kind != "infinite":
+    if model.beyond.kind != "infinite" or isinstance(model.ground, Continuum):
         return np.zeros((0, 3), dtype=np.int64), np.zeros(0, dtype=np.int64)
     across_x, across_y = (plan.outer[plan.outer_axis == axis] for axis in (0, 1))
     return plan.outer, np.intersect1d(across_x, across_y)

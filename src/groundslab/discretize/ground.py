@@ -19,7 +19,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.discretize.borders import shares, zone_rings
 from groundslab.discretize.interpolation import interpolate_linearly
 from groundslab.errors import InputError, Issue
-from groundslab.fem.continuum.transfer import ElasticLayer, surface_compliance
+from groundslab.fem.continuum.transfer import ElasticLayer, elastic_length
 from groundslab.fem.foundation import Column, Layer, Parts, consistent_stack, interface_stack, single
 from groundslab.fem.mesh import Mesh
 from groundslab.fem.plate import bending_rigidity
@@ -116,12 +116,8 @@ def subgrade_modulus(ground: Continuum, model: Model) -> float:
     With l = (D / k)^(1/4), the elastic length, and 1 / k = T(1 / l), the settlement by a pressure of that wave length:
     a measure for sizes of elements, not of settlements.
     """
-    plate, layers = model.plate, elastic_layers(ground)
-    D = bending_rigidity(plate.E, plate.nu, plate.thickness)[0, 0]
-    l = np.geomspace(1e-3, 1e3, 601) * max(model.plate.sides)
-    T = surface_compliance(layers, 1 / l)
-    k: float = 1 / T[np.argmin(np.abs(np.log(D * T / l**4)))]
-    return k
+    D = float(bending_rigidity(model.plate.E, model.plate.nu, model.plate.thickness)[0, 0])
+    return D / elastic_length(elastic_layers(ground), D) ** 4
 
 
 def surfaces_of(ground: Soil | Column) -> int:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections import Counter
 
-from groundslab.model.loads import load_types as loads
 from groundslab.model.ground import Continuum
+from groundslab.model.loads import load_types as loads
 from groundslab.model.model import Model
 
 Interval = tuple[float, float]

@@ -137,10 +137,19 @@ def _tail_forces(problem: Problem, w: Array, column: Column) -> Array:
     return forces
 
 
+def pressing_forces(solution: Solution) -> Array:
+    """Return the forces (n, 2) that the cells of an elastic continuum put on the plate's w, and on their surface."""
+    elastic, pressed = solution.system.problem.elastic, solution.pressed
+    assert elastic is not None
+    assert pressed is not None
+    on_w = elastic.cells.spread @ pressed.force
+    return np.column_stack([on_w, on_w])
+
+
 def resistance(solution: Solution) -> tuple[Array, Array]:
     """Return the forces (n, F) with which plate and ground resist, and the ground's share of them (n, 1 + S)."""
     s, U, column = solution.system, solution.U, solution.column
-    ground = ground_forces(s, U, column)
+    ground = ground_forces(s, U, column) if solution.pressed is None else pressing_forces(solution)
     inner = np.zeros_like(U)
     inner[:, :TOP] = plate_forces(s, U)
     for surface in range(column.surfaces):
@@ -151,7 +160,7 @@ def resistance(solution: Solution) -> tuple[Array, Array]:
 
 def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     """Return the certificate of a solution under the full load."""
-    s, U, column, c = solution.system, solution.U, solution.column, solution.contact
+    s, U, c = solution.system, solution.U, solution.contact
     problem = s.problem
     nodes, under, bearing = problem.mesh.nodes, problem.plate_nodes, problem.bearing
     (inner, ground), load = resistance(solution), problem.load
@@ -196,7 +205,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
         reaction=float(reaction[0] * share),
         force_balance=float(missing[0] / size),
         moment_balance=float(moments.max() / (size * length)),
-        ground_balance=float(abs(_sum_lost_forces(s, U, column, inner) - pushed) / size),
+        ground_balance=float(abs(_sum_down(solution, inner) - pushed) / size),
         worst_gap=float(gap / settlement),
         worst_pressure=force,
         worst_product=float(product / settlement),
@@ -204,6 +213,13 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
         margin_effect=margin_effect,
         section_law=None if problem.stiffness is None else error_of_law(problem, U),
     )
+
+
+def _sum_down(solution: Solution, inner: Array) -> float:
+    """Return the force that the ground carries down and out, which is what its cells bear if it has such."""
+    if solution.pressed is not None:
+        return float(solution.pressed.force.sum())
+    return _sum_lost_forces(solution.system, solution.U, solution.column, inner)
 
 
 def worst(proofs: Sequence[Certificate]) -> Certificate:
@@ -221,8 +237,9 @@ def _bearing_errors(solution: Solution, nothing: float) -> tuple[float, float, f
     that counts as nothing.
     """
     problem, law, c = solution.system.problem, solution.law, solution.contact
+    of_cells = _cell_errors(solution, nothing)
     if not len(law):
-        return 0.0, 0.0, 0.0
+        return of_cells
     ground = problem.bearing.support < 0
     scale = np.full(len(law), np.abs(c.force[~ground]).max(initial=0.0))
     area = problem.depths.area[problem.bearing.node[ground], problem.bearing.depth[ground]]
@@ -236,7 +253,27 @@ def _bearing_errors(solution: Solution, nothing: float) -> tuple[float, float, f
     broken = np.where(law.bilateral, np.abs(way), np.where(yielding, -way, way))[law.limit_force > 0]
     force = np.where(one_sided, np.maximum(-c.force, c.force - law.limit_force), 0.0) / scale
     product = np.where(one_sided & ~yielding, np.abs(c.force * way), 0.0) / scale
-    return max(0.0, float(broken.max(initial=0.0))), max(0.0, float(force.max())), float(product.max())
+    of_bearings = float(broken.max(initial=0.0)), float(force.max()), float(product.max())
+    way_off, force_off, product_off = (max(0.0, *each) for each in zip(of_bearings, of_cells, strict=True))
+    return way_off, force_off, product_off
+
+
+def _cell_errors(solution: Solution, nothing: float) -> tuple[float, float, float]:
+    """Return the same for the cells of an elastic continuum, whose gaps follow from its settlement and the plate's."""
+    elastic, pressed, problem = solution.system.problem.elastic, solution.pressed, solution.system.problem
+    if elastic is None or pressed is None:
+        return 0.0, 0.0, 0.0
+    force, area, limit = pressed.force, elastic.cells.area, elastic.limit_force
+    gap = elastic.settle(force) + elastic.gap - elastic.cells.spread.T @ solution.U[:, W]
+    scale = np.maximum(area * np.abs(force / area).max(), nothing)
+    yielding = (force >= limit) & (limit > 0)
+    bears = limit > 0
+    if not problem.tensionless:
+        return float(np.abs(gap).max()), 0.0, 0.0
+    broken = np.where(yielding, gap, -gap)[bears]
+    wrong = np.maximum(-force, np.where(np.isinf(limit), 0.0, force - limit)) / scale
+    product = np.where(yielding, 0.0, np.abs(force * gap)) / scale
+    return float(broken.max(initial=0.0)), float(wrong.max(initial=0.0)), float(product.max(initial=0.0))
 
 
 def _own_w(problem: Problem) -> Array:

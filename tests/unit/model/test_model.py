@@ -105,9 +105,9 @@ ONE_FAULT = [
     (case(loads=UNIFORM), "loads", "a table", "a list of tables"),
     (case(loads=[]), "loads", "an empty list", "at least one table [[loads]]"),
     (case(loads=[UNIFORM, 3]), "loads[2]", "3", "a table of keys"),
-    (case(ground={"k": "20 MPa/m"}), "ground.kind", "nothing", '"winkler", "pasternak", "vlasov" or "layered"'),
-    (case(ground__kind="winckler"), "ground.kind", '"winckler"', '"winkler", "pasternak", "vlasov" or "layered"'),
-    (case(ground__kind=["winkler"]), "ground.kind", "a list of 1", '"winkler", "pasternak", "vlasov" or "layered"'),
+    (case(ground={"k": "20 MPa/m"}), "ground.kind", "nothing", '"winkler", "pasternak", "vlasov", "layered" or "continuum"'),
+    (case(ground__kind="winckler"), "ground.kind", '"winckler"', '"winkler", "pasternak", "vlasov", "layered" or "continuum"'),
+    (case(ground__kind=["winkler"]), "ground.kind", "a list of 1", '"winkler", "pasternak", "vlasov", "layered" or "continuum"'),
     (
         case(loads=[{"kind": "blob"}]),
         "loads[1].kind",

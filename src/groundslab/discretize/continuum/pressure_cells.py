@@ -16,7 +16,6 @@ from groundslab.fem.continuum.cells import cover, make_grid
 from groundslab.fem.continuum.elastic_ground import ElasticGround, make_operator
 from groundslab.fem.plate import PlateElement
 from groundslab.fem.shape_functions import areas
-
 from groundslab.model.ground import Continuum
 from groundslab.model.model import Model
 from groundslab.model.shapes import CHORD
@@ -57,8 +56,8 @@ def elastic_ground(model: Model, plan: Layout, element: PlateElement, coarsening
 def _size(ground: Continuum, areas: Array, coarsening: int) -> float:
     """Return the side of the cells [m]: given, or half that of an element of mean area."""
     if ground.cell is not None:
-        return ground.cell * 2**coarsening
-    return math.sqrt(float(areas.mean())) / CELLS_PER_SIDE
+        return ground.cell * 2.0**coarsening
+    return float(np.sqrt(areas.mean())) / CELLS_PER_SIDE
 
 
 def _depths(model: Model, places: Array, finest: bool) -> Array:

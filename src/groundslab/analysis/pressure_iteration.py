@@ -1,0 +1,101 @@
+"""Equilibrium under one load on an elastic continuum: forces of cells and supports, by the plate's factor alone."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from groundslab.analysis.load_step import LoadStep
+from groundslab.analysis.mesh_hierarchy import Level
+from groundslab.arrays import Array, Integers
+from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings, Contact, plastic_slip
+from groundslab.fem.continuum.cells import prolong
+from groundslab.fem.foundation import single
+from groundslab.fem.problem import TOP, Problem
+from groundslab.fem.system import System, current_bearings, nodal_table, right_hand_side
+from groundslab.results.record import Step
+from groundslab.solvers import bounded_forces
+from groundslab.solvers.equilibrium import require_hold
+from groundslab.solvers.plate_on_continuum import PlateOnContinuum, bound_forces, make_plate_on_continuum, move
+from groundslab.solvers.solution import Pressed, Solution
+
+#: Gaps are wrong by at most this share of the displacements.
+TOLERANCE = 1e-7
+#: On the coarser meshes they need only be good enough to start the next one, and to compare with.
+TOLERANCE_COARSE = 1e-6
+#: Products with the operator for each contact step that an analysis may take.
+PRODUCTS = 10
+
+
+def solve_pressures(step: LoadStep, start: Solution | None) -> Solution:
+    """Return the solution of a load step, started from a solution on this mesh or on a coarser one."""
+    s, problem = step.system, step.system.problem
+    law, f = current_bearings(problem, step.factor, step.slip), right_hand_side(s, step.factor)
+    operator = _operator(step.level, s)
+
+    def report(iteration: int, bearing: int, changed: int) -> None:
+        step.report(Step(s.pattern.size, 1, None, iteration, bearing, changed, step.finest))
+
+    found = bounded_forces.solve(
+        bound_forces(operator, problem, law, f),
+        _start(problem, start),
+        TOLERANCE if step.finest else TOLERANCE_COARSE,
+        PRODUCTS * step.max_iterations,
+        report,
+    )
+    u = move(operator, f, found)
+    c = len(problem.elastic.gap) if problem.elastic else 0
+    contact = Contact(u, _states(law, found.x[c:]), found.x[c:])
+    pressed = Pressed(found.x[:c], found.y[:c])
+    solution = Solution(
+        s, _table(s, u, pressed), contact, single(0.0, 0.0), None, law, step.slip + plastic_slip(law, contact),
+        pressed=pressed,
+    )  # fmt: skip
+    if step.finest:
+        require_hold(problem, contact, pressed.force)
+    return solution
+
+
+def _operator(level: Level, s: System) -> PlateOnContinuum:
+    """Return the plate of a level on its continuum, factorized if it is not yet."""
+    A = level.stiffness(single(0.0, 0.0), None)
+    known = level.on_continuum
+    if known is None or known.A is not A:
+        known = level.on_continuum = make_plate_on_continuum(s, A, level.factorization)
+    return known
+
+
+def _states(law: Bearings, force: Array) -> Integers:
+    """Return the states (b,) of supports that carry some forces (b,)."""
+    state = np.where(law.bilateral | (force > 0), CLOSED, OPEN)
+    return np.where(~law.bilateral & (force >= law.limit_force) & (force > 0), YIELDING, state)
+
+
+def _start(problem: Problem, start: Solution | None) -> Array:
+    """Return the forces (c + b,) from which the iteration starts."""
+    assert problem.elastic is not None
+    cells, supports = problem.elastic.cells, len(problem.bearing.law)
+    if start is None or start.pressed is None:
+        return np.concatenate([cells.area, np.zeros(supports)])
+    known = start.system.problem
+    assert known.elastic is not None
+    if known.mesh is problem.mesh and len(known.elastic.gap) == len(cells.area):
+        return np.concatenate([start.pressed.force, start.contact.force])
+    on_supports = np.zeros(supports)
+    for number in np.unique(problem.bearing.support):
+        own, before = problem.bearing.support == number, known.bearing.support == number
+        # a line hands its force to more nodes
+        on_supports[own] = start.contact.force[before].sum() / own.sum()
+    return np.concatenate([prolong(known.elastic.cells, start.pressed.force, cells), on_supports])
+
+
+def _table(s: System, u: Array, pressed: Pressed) -> Array:
+    """Return unknowns (size,) as a table (n, F), and with them the settlement of the ground's surface at every node."""
+    problem, elastic = s.problem, s.problem.elastic
+    assert elastic is not None
+    U = nodal_table(problem, u)
+    under = problem.plate_nodes
+    U[under, TOP] = (elastic.cells.around @ pressed.gap - problem.initial_gap)[under]
+    beyond = np.setdiff1d(np.arange(len(U)), under)
+    if len(beyond):
+        U[beyond, TOP] = elastic.settle_at(pressed.force, problem.mesh.nodes[beyond])
+    return U

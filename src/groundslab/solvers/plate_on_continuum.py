@@ -1,0 +1,138 @@
+"""A plate on an elastic continuum as a problem of forces: what they do to each other by the ground and by the plate.
+
+Forces x of cells and of supports act on the plate, K u = f + C x, and against the gaps y = F x + C^T u + l: F is the
+ground's flexibility, and 1 / k of each support. K has the plate's rigid motions R in its kernel, so that C^T R alpha is
+added to the gaps and R^T (f + C x) = 0 is required (docs/theory.md, elastic continuum).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.arrays import Array, Integers
+from groundslab.fem.bearings import Bearings
+from groundslab.fem.continuum.elastic_ground import ElasticGround
+from groundslab.fem.continuum.preconditioner import Preconditioner, make_preconditioner
+from groundslab.fem.continuum.transfer import elastic_length
+from groundslab.fem.problem import TOP, Problem, W, planes
+from groundslab.fem.shape_functions import areas
+from groundslab.fem.sparse import Symmetric
+from groundslab.fem.system import System
+from groundslab.solvers.bounded_forces import BoundedForces, BoundedSolution
+from groundslab.solvers.equilibrium import free_motions
+from groundslab.solvers.factor_reuse import CachedFactorization, ConstrainedSystem
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
+
+
+@dataclass(frozen=True, slots=True)
+class PlateOnContinuum:
+    """The factorized plate, held at as few unknowns as it has rigid motions, and where forces act on it."""
+
+    A: Symmetric
+    ground: ElasticGround
+    system: ConstrainedSystem
+    factorization: CachedFactorization
+    C: csr_array  # (size, c + b): of a force on each cell and each support
+    R: Array  # (size, r): rigid motions
+    preconditioner: Preconditioner
+    elastic_length: float  # [m]: of plate and ground
+    D: float  # [N m]: mean bending rigidity
+
+    def solve(self, f: Array) -> Array:
+        """Return the displacements (size,) under forces (size,) in equilibrium, up to rigid motions."""
+        if not self.factorization.holds(self.system):
+            self.factorization.factorize(self.system)
+        u: Array = self.factorization.solve(np.where(self.system.fixed, 0.0, f))
+        return np.where(self.system.fixed, 0.0, u)
+
+
+def make_plate_on_continuum(s: System, A: Symmetric, factorization: CachedFactorization) -> PlateOnContinuum:
+    """Return the plate of a system whose matrix (the plate's alone) is A."""
+    from scipy.sparse import coo_array, csr_array, hstack
+
+    problem = s.problem
+    ground = problem.elastic
+    assert ground is not None
+    R = _rigid_motions(problem, A.size)
+    fixed = np.zeros(A.size, dtype=bool)
+    fixed[_holding(R, problem.unknown[:, W])] = True
+    spread = ground.cells.spread.tocoo()
+    unknown = problem.unknown[spread.coords[0], W]
+    there = unknown >= 0
+    pressed = coo_array(
+        (-spread.data[there], (unknown[there], spread.coords[1][there])), shape=(A.size, spread.shape[1])
+    )
+    law = problem.bearing.law
+    pushed = coo_array((law.sign, (law.unknown, np.arange(len(law)))), shape=(A.size, len(law)))
+    D = float(
+        np.average(problem.bending[problem.rigidity, 0, 0], weights=areas(problem.mesh.xy[problem.plate_elements]))
+    )
+    none = np.zeros(A.size)
+    return PlateOnContinuum(
+        A, ground, ConstrainedSystem(A, fixed, none, none), factorization, csr_array(hstack([pressed, pushed])), R,
+        make_preconditioner(ground, D), elastic_length(ground.layers, D), D,
+    )  # fmt: skip
+
+
+def bound_forces(p: PlateOnContinuum, problem: Problem, law: Bearings, f: Array) -> BoundedForces:
+    """Return the problem of the forces on a plate under loads f (size,), whose supports follow a law."""
+    c, ground = len(p.ground.gap), p.ground
+    flexible = np.where(np.isinf(law.stiffness), 0.0, 1 / law.stiffness)
+    own = np.concatenate([ground.gap, -law.sign * law.offset])
+    C, Ct, G = p.C, p.C.T.tocsr(), (p.C.T @ p.R).T
+    planes_of_gaps = np.linalg.qr(G.T)[0]
+
+    def settle(x: Array) -> Array:
+        return np.concatenate([ground.settle(x[:c]), flexible * x[c:]])
+
+    def gaps(x: Array) -> tuple[Array, float]:
+        settled, bent = settle(x), Ct @ p.solve(f + C @ x)
+        shape = bent - planes_of_gaps @ (planes_of_gaps.T @ bent)
+        return settled + bent + own, float(max(np.abs(settled).max(), np.abs(shape).max()))
+
+    def multiply(x: Array) -> Array:
+        bent: Array = Ct @ p.solve(C @ x)
+        return settle(x) + bent
+
+    # a support's own give, and that of a plate on springs under a force (Westergaard 1926)
+    of_support = 1 / (flexible + p.elastic_length**2 / (8 * p.D))
+
+    def precondition(y: Array) -> Array:
+        return np.concatenate([p.preconditioner.apply(y[:c]), of_support * y[c:]])
+
+    free = np.full(c, not problem.tensionless)
+    lower = np.where(np.concatenate([free, law.bilateral]), -np.inf, 0.0)
+    upper = np.concatenate([ground.limit_force, np.where(law.bilateral, np.inf, law.limit_force)])
+    weight = np.concatenate([ground.cells.area, np.full(len(law), ground.cells.area.mean())])
+    return BoundedForces(gaps, multiply, precondition, G, -p.R.T @ f, lower, upper, weight)
+
+
+def move(p: PlateOnContinuum, f: Array, found: BoundedSolution) -> Array:
+    """Return the displacements (size,) of the plate under loads f (size,) and forces found."""
+    u: Array = p.solve(f + p.C @ found.x) + p.R @ found.alpha
+    return u
+
+
+def _rigid_motions(problem: Problem, size: int) -> Array:
+    """Return the rigid motions (size, r) of a plate without its supports, which are forces."""
+    alone = replace(problem, bearing=replace(problem.bearing, law=problem.bearing.law.select(np.zeros(0, int)),
+                    node=problem.bearing.node[:0], field=problem.bearing.field[:0]))  # fmt: skip
+    moved, unknown = planes(problem) @ free_motions(alone), problem.unknown[:, :TOP]
+    R = np.zeros((size, moved.shape[2]))
+    R[unknown[unknown >= 0]] = moved[unknown >= 0]
+    return R
+
+
+def _holding(R: Array, settlements: Integers) -> Integers:
+    """Return as many settlements among the unknowns as hold the rigid motions (size, r)."""
+    from scipy.linalg import qr
+
+    own = settlements[settlements >= 0]
+    order = qr(R[own].T, pivoting=True, mode="r")[1]
+    found: Integers = own[order[: R.shape[1]]]
+    return found
