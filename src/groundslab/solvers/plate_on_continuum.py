@@ -100,16 +100,17 @@ def bound_forces(p: PlateOnContinuum, problem: Problem, law: Bearings, f: Array)
         return settle(x) + bent
 
     # a support's own give, and that of a plate on springs under a force (Westergaard 1926)
-    of_support = 1 / (flexible + p.elastic_length**2 / (8 * p.D))
+    of_support = flexible + p.elastic_length**2 / (8 * p.D)
 
     def precondition(y: Array) -> Array:
-        return np.concatenate([p.preconditioner.apply(y[:c]), of_support * y[c:]])
+        return np.concatenate([p.preconditioner.apply(y[:c]), y[c:] / of_support])
 
     free = np.full(c, not problem.tensionless)
     lower = np.where(np.concatenate([free, law.bilateral]), -np.inf, 0.0)
     upper = np.concatenate([ground.limit_force, np.where(law.bilateral, np.inf, law.limit_force)])
     weight = np.concatenate([ground.cells.area, np.full(len(law), ground.cells.area.mean())])
-    return BoundedForces(gaps, multiply, precondition, G, -p.R.T @ f, lower, upper, weight)
+    flexibility = np.concatenate([np.full(c, ground.flexibility.own), of_support])
+    return BoundedForces(gaps, multiply, precondition, G, -p.R.T @ f, lower, upper, weight, flexibility)
 
 
 def move(p: PlateOnContinuum, f: Array, found: BoundedSolution) -> Array:
