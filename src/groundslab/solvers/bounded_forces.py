@@ -107,7 +107,7 @@ def solve(
         # sums of steps are not as exact as what follows from the forces themselves
         g, size = p.gaps(x)
         products += 1
-        waited = waited + 1 if energy_between(*best, x, g) >= 0 else 0
+        waited = waited + 1 if changed and energy_between(*best, x, g) >= 0 else 0
         if waited > patience:
             x, g, used = descend(p, *best, x, g)
             # at a corner of all that is balanced between bounds only the set can change
@@ -237,8 +237,8 @@ def _project(p: BoundedForces, x: Array, W: Array) -> Array | None:
 
     What is missing is the gradient of a concave function of beta, the dual one. Steps that go too far are shorter.
     """
-    beta: Array = np.zeros(len(p.G))
-    step, before = beta, beta
+    beta: Array
+    beta, step, before = (np.zeros(len(p.G)) for _ in range(3))
     whole = (p.G * W) @ p.G.T
     scale = np.sqrt(np.maximum(np.diag(whole), np.finfo(float).tiny))
     for _ in range(MAX_BALANCING):

@@ -16,9 +16,7 @@ from groundslab.solvers.bounded_forces import BoundedForces, BoundedSolution, ba
 N = 6
 
 
-def _pose(
-    A: Array, c: Array, G: Array, e: Array, lower: Array, upper: Array, M: Array | None = None
-) -> BoundedForces:
+def _pose(A: Array, c: Array, G: Array, e: Array, lower: Array, upper: Array, M: Array | None = None) -> BoundedForces:
     """Return the problem of a dense matrix A, preconditioned by M, the inverse of its diagonal by default."""
     inverse = np.diag(1 / np.diag(A)) if M is None else M
 
@@ -61,13 +59,13 @@ def _try_all(A: Array, c: Array, G: Array, e: Array, lower: Array, upper: Array)
 
 
 def _random(seed: int, r: int, n: int = N) -> dict[str, Array]:
-    """Return a random problem whose bounds are of all kinds, with forces between them that have the resultants."""
+    """Return a random problem with bounds of all kinds, and resultants of forces within them."""
     rng = np.random.default_rng(seed)
     root = rng.standard_normal((n, n)) * 10 ** rng.uniform(-1, 1, n)
     lower = np.where(rng.random(n) < 0.2, -np.inf, 0.0)
     upper = np.choose(rng.integers(0, 3, n), [np.full(n, np.inf), rng.uniform(0.1, 1.0, n), np.where(lower == 0, 0, 9)])
     G = np.vstack([np.ones(n), rng.standard_normal((2, n))])[:r]
-    within = np.clip(rng.uniform(0, 1, n), lower, upper)
+    within = np.maximum(lower, 0) + rng.uniform(0.1, 0.9, n) * np.minimum(upper, 1)
     return {
         "A": root @ root.T + 0.01 * np.eye(n), "c": rng.standard_normal(n), "G": G, "e": G @ within,
         "lower": lower, "upper": upper,
