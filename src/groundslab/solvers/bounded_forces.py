@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -27,6 +28,12 @@ PATIENCE = 10
 SHORT = 0.6
 #: but no more often than this.
 MAX_SHORTER = 4
+#: With an approximate matrix a solution's error is taken down to this share of what it was,
+CORRECTED = 0.01
+#: by no more than so many times the products allowed with A;
+CHEAP = 10
+#: and again, as long as an error falls below this share.
+PAYS = 0.2
 #: Given combinations of forces are exact to this share of their parts.
 BALANCED = 1e-12
 MAX_BALANCING = 200
@@ -51,6 +58,7 @@ class BoundedForces:
     upper: Array  # (n,)
     weight: Array  # (n,): how forces share a resultant as long as nothing is known
     flexibility: Array  # (n,): about the gap that a unit force of its own opens
+    approximate: Callable[[Array], Array] | None = None  # about A q for less, by a symmetric positive definite matrix
 
     @property
     def can_change(self) -> Flags:
@@ -84,10 +92,12 @@ def solve(
     report takes iteration, forces that are not zero and changes. Raises NotConverged after `limit` products with A,
     and NoEquilibrium if forces between their bounds cannot have the given combinations.
     """
-    x = balance(p, start, p.can_change)
+    x, products = balance(p, start, p.can_change), 0
+    if p.approximate is not None:
+        x, products = _correct(p, p.approximate, x, tolerance, limit)
     g, size = p.gaps(x)
     free, best, history = p.within(x), (x, g), list[dict[str, int]]()
-    products, patience, waited = 1, PATIENCE, 0
+    products, patience, waited = products + 1, PATIENCE, 0
     while True:
         small = tolerance * (size or float(np.abs(g).max()))
         face, used = relax(p, make_face(p, x, g, free), small, limit - products)
@@ -115,6 +125,35 @@ def solve(
             products, patience, waited = products + used, 0, 0
         if not waited:
             best = x, g
+
+
+def _correct(
+    p: BoundedForces, approximate: Callable[[Array], Array], x: Array, tolerance: float, limit: int
+) -> tuple[Array, int]:
+    """Return forces (n,) close to the solution, and how many products with A they took.
+
+    The energy is that of A at x and its gradient, with a cheaper matrix for what is beyond. Where that is least the
+    step from x ends, unless the energy of A says that it should be shorter; and so on, as long as it pays.
+    """
+    (g, size), products, last = p.gaps(x), 1, np.inf
+    while products < limit:
+        face, small = make_face(p, x, g, p.within(x)), tolerance * size
+        error = max(face.residual, face.violation(small))
+        if error <= small or error > PAYS * last:
+            break
+        inner = replace(p, gaps=partial(_continue, approximate, x, g, size), multiply=approximate, approximate=None)
+        found = solve(inner, x, max(tolerance / 2, CORRECTED * error / size), CHEAP * limit, lambda *_: None)
+        s = found.x - x
+        As = p.multiply(s)
+        share = _best_share(g, s, As)
+        share = 1.0 if share >= SHORT else share
+        x, g, products, last = x + share * s, g + share * As, products + 1, error
+    return x, products
+
+
+def _continue(multiply: Callable[[Array], Array], x: Array, g: Array, size: float, to: Array) -> tuple[Array, float]:
+    """Return the gaps (n,) of forces to (n,) from those g (n,) of forces x (n,), and the size of displacements."""
+    return g + multiply(to - x), size
 
 
 @dataclass(frozen=True, slots=True)
