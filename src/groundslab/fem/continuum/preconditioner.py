@@ -10,7 +10,6 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.fem.continuum.cells import Grid
 from groundslab.fem.continuum.elastic_ground import ElasticGround
-from groundslab.fem.continuum.transfer import surface_compliance
 
 #: T(k) is interpolated between so many wave numbers.
 TABLE = 400
@@ -62,7 +61,7 @@ def _settle(ground: ElasticGround, k_x: Array, k_y: Array) -> Array:
     grid = ground.cells.grid
     k = _wave_number(grid, k_x, k_y)
     table = np.geomspace(k.min(), k.max(), TABLE)
-    T = np.exp(np.interp(np.log(k), np.log(table), np.log(surface_compliance(ground.layers, table))))
+    T = np.exp(np.interp(np.log(k), np.log(table), np.log(ground.medium.compliance(table))))
     means = np.sinc(k_x * grid.dx / (2 * np.pi))[:, None] * np.sinc(k_y * grid.dy / (2 * np.pi))
     found: Array = means**2 * T
     return found
