@@ -36,7 +36,7 @@ def make(**changes: Any) -> tuple[PlateOnContinuum, BoundedForces, np.ndarray]:
     solver = factorization.choose("superlu")[1]
     plate = make_plate_on_continuum(s, A, CachedFactorization(solver(s.pattern.indptr, s.pattern.indices)))
     law, f = current_bearings(problem, 1.0, np.zeros(len(problem.bearing.law))), right_hand_side(s, 1.0)
-    return plate, bound_forces(plate, problem, law, f), f
+    return plate, bound_forces(plate, problem, law, f, np.zeros(len(plate.ground.gap))), f
 
 
 def full(p: PlateOnContinuum, forces: BoundedForces) -> tuple[np.ndarray, np.ndarray]:
@@ -88,7 +88,7 @@ def test_gaps_are_linear_in_forces():
     """Gaps of two sets of forces differ by the product with their difference, and by rigid motions."""
     p, forces, _ = make(supports=[SPRING])
     random = np.random.default_rng(1)
-    start = bounded_forces.balance(forces, random.uniform(size=p.C.shape[1]))
+    start = bounded_forces.balance(forces, random.uniform(size=p.C.shape[1]), forces.can_change)
     N = np.linalg.svd(forces.G)[2][len(forces.G) :].T
     change = N @ random.normal(size=N.shape[1]) * 1e3
     differ = forces.gaps(start + change)[0] - forces.gaps(start)[0] - forces.multiply(change)

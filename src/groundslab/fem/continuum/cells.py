@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 #: A cell of which the plate covers less than this share bears nothing, one of which it covers more bears wholly: half
-#: keeps the area of the plate, and its outline, where they are.
-LEAST_SHARE = 0.5
+#: keeps the area of the plate, and its outline, where they are. A little less, so that rounding does not decide.
+LEAST_SHARE = 0.5 - 1e-6
 #: Each element is divided into so many parts a side for each cell that it is long, with Gauss's two points each way;
 #: thirds are where the functions of its nodes have their kinks.
 PARTS = 3
@@ -56,25 +56,25 @@ def make_grid(bounds: tuple[float, float, float, float], size: float) -> Grid:
 
 @dataclass(frozen=True, slots=True)
 class Cells:
-    """The c cells of a grid that a plate covers, or half of which at least."""
+    """The c cells of a grid half of which plates cover at least; one that two plates share stands twice."""
 
     grid: Grid
-    number: Integers  # (c,): of each in the grid, ascending
+    number: Integers  # (c,): of each in the grid
     area: Array  # (c,) [m2]: of the whole cell, on which the ground feels the pressure
     center: Array  # (c, 2) [m]: of what the plate covers
     spread: csr_array  # (n, c): share of a force on each cell that goes to w of each node; means of w, transposed
     around: csr_array  # (n, c): what is made of values of cells for nodes, means of those around them
     under: csr_array  # (m, c): the same for elements
+    plate: Integers  # (c,): number of the plate
 
     def on_grid(self, values: Array) -> Array:
-        """Return values (c,) on the whole grid (nx, ny), zero elsewhere."""
-        found = np.zeros(self.grid.nx * self.grid.ny)
-        found[self.number] = values
+        """Return the sums of values (c,) on the whole grid (nx, ny), zero elsewhere."""
+        found = np.bincount(self.number, values, self.grid.nx * self.grid.ny).astype(np.float64)
         return found.reshape(self.grid.nx, self.grid.ny)
 
 
-def cover(grid: Grid, xy: Array, elements: Integers, nodes: int, w: Array) -> Cells:
-    """Return the cells of a grid under the elements of a plate.
+def cover(grid: Grid, xy: Array, elements: Integers, nodes: int, w: Array, plate: Integers) -> Cells:
+    """Return the cells of a grid under the elements of plates.
 
     Parameters
     ----------
@@ -88,6 +88,8 @@ def cover(grid: Grid, xy: Array, elements: Integers, nodes: int, w: Array) -> Ce
         Number of all nodes, n.
     w : (m, 9, 9) array of float
         What makes the settlement of an element's nodes from those that are unknowns.
+    plate : (m,) array of int
+        Number of each element's plate.
 
     Returns
     -------
@@ -96,37 +98,47 @@ def cover(grid: Grid, xy: Array, elements: Integers, nodes: int, w: Array) -> Ce
     """
     from scipy.sparse import coo_array, csr_array
 
+    size = grid.nx * grid.ny
     pairs = _pairs(grid, xy)
-    element, cell, area = pairs.element, pairs.cell, pairs.area
-    on_cells = np.bincount(cell, weights=area, minlength=grid.nx * grid.ny).astype(np.float64)
-    number = np.flatnonzero(on_cells >= LEAST_SHARE * grid.dx * grid.dy)
-    near = _nearest(grid, number, cell)
+    element, area = pairs.element, pairs.area
+    cell = plate[element] * size + pairs.cell
+    on_cells = np.bincount(cell, weights=area, minlength=size * (int(plate.max()) + 1)).astype(np.float64)
+    # of a plate narrower than cells those bear that it covers best
+    whole = np.minimum(on_cells.reshape(-1, size).max(axis=1), grid.dx * grid.dy)
+    number = np.flatnonzero(on_cells >= LEAST_SHARE * whole.repeat(size))
+    covered, near, within = on_cells[number], _nearest(grid, number, cell), number % size
 
     def matrix(values: Array, row: Integers, rows: int, to: Integers) -> csr_array:
         column = np.repeat(to, len(row) // len(cell))
-        return csr_array(coo_array((values, (row, column)), shape=(rows, grid.nx * grid.ny)))[:, number]
+        return csr_array(coo_array((values, (row, column)), shape=(rows, len(on_cells))))[:, number]
 
     spread = matrix(np.einsum("pa,pab->pb", pairs.shapes, w[element]).ravel(), elements[element].ravel(), nodes, cell)
     return Cells(
         grid,
-        number,
-        np.full(len(number), grid.dx * grid.dy),
-        np.stack([np.bincount(cell, weights=x)[number] / on_cells[number] for x in pairs.moment.T], axis=1),
-        csr_array(spread.multiply(1 / on_cells[number][None, :])),
+        within,
+        grid.dx * grid.dy / np.bincount(within, minlength=size)[within],
+        np.stack([np.bincount(cell, weights=x)[number] / covered for x in pairs.moment.T], axis=1),
+        csr_array(spread.multiply(1 / covered[None, :])),
         _rows_to_one(matrix(pairs.hats.ravel(), elements[element].ravel(), nodes, near)),
         _rows_to_one(matrix(area, element, len(xy), near)),
+        number // size,
     )
 
 
 def _nearest(grid: Grid, number: Integers, cell: Integers) -> Integers:
-    """Return for some cells (p,) of a grid the nearest one among those that bear (c,)."""
+    """Return for some cells (p,), counted through the plates, the nearest one under the same plate that bears (c,)."""
     from scipy.spatial import cKDTree
 
-    place = np.column_stack(np.divmod(np.arange(grid.nx * grid.ny), grid.ny)) * [grid.dx, grid.dy]
-    found = cell.copy()
-    lost = ~np.isin(cell, number)
+    found, lost = cell.copy(), ~np.isin(cell, number)
     if lost.any() and len(number):
-        found[lost] = number[cKDTree(place[number]).query(place[cell[lost]])[1]]
+        far = grid.nx * grid.ny * max(grid.dx, grid.dy)
+        places = [
+            np.column_stack(np.unravel_index(each % (grid.nx * grid.ny), (grid.nx, grid.ny))) * [grid.dx, grid.dy]
+            for each in (number, cell[lost])
+        ]
+        plates = [far * (each // (grid.nx * grid.ny)) for each in (number, cell[lost])]
+        bearing, asked = (np.column_stack(each) for each in zip(places, plates, strict=True))
+        found[lost] = number[cKDTree(bearing).query(asked)[1]]
     return found
 
 

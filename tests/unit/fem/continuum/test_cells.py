@@ -27,7 +27,14 @@ def cells_under(nodes: np.ndarray, elements: np.ndarray, size: float, element: s
     """Return the cells under a plate on a mesh."""
     bounds = nodes[:, 0].min(), nodes[:, 0].max(), nodes[:, 1].min(), nodes[:, 1].max()
     xy = nodes[elements]
-    return cover(make_grid(bounds, size), xy, elements, len(nodes), ELEMENTS[element].w_functions(xy))
+    return cover(
+        make_grid(bounds, size),
+        xy,
+        elements,
+        len(nodes),
+        ELEMENTS[element].w_functions(xy),
+        np.zeros(len(xy), dtype=int),
+    )
 
 
 def test_grid_over_a_rectangle():
@@ -120,6 +127,43 @@ def test_a_hole_does_not_bear():
     assert cells.area.sum() == pytest.approx(20.0, rel=1e-13)
     x, y = cells.center.T
     assert not ((x > 2) & (x < 4) & (y > 1) & (y < 3)).any()
+
+
+def two_plates(size: float, gap: float) -> Cells:
+    """Return the cells under two plates of 2 x 1 m beside each other, a gap apart along x."""
+    nodes, elements = mesh(2, 1, 2.0, 1.0)
+    both = np.vstack([nodes, nodes + np.array([2.0 + gap, 0.0])])
+    numbers = np.vstack([elements, elements + len(nodes)])
+    xy, plate = both[numbers], np.repeat([0, 1], len(elements))
+    grid = make_grid((0.0, 4.0 + gap, 0.0, 1.0), size)
+    return cover(grid, xy, numbers, len(both), ELEMENTS["mitc9"].w_functions(xy), plate)
+
+
+def test_plates_share_the_area_of_a_cell_between_them():
+    """A cell half of which either covers stands twice, with half of its area each; nodes take their own plate's."""
+    cells = two_plates(4 / 3, 0.0)
+    assert np.bincount(cells.number).max() == 2
+    assert cells.area.sum() == pytest.approx(4.0, rel=1e-13)
+    at_nodes = cells.around @ cells.plate
+    assert at_nodes == pytest.approx(np.repeat([0.0, 1.0], len(at_nodes) // 2), abs=1e-14)
+
+
+def test_cells_between_plates_do_not_bear():
+    """Neither of two plates covers half of the cells in a wide gap."""
+    cells = two_plates(0.25, 1.0)
+    assert cells.area.sum() == pytest.approx(4.0, rel=1e-13)
+    assert not ((cells.center[:, 0] > 2) & (cells.center[:, 0] < 3)).any()
+
+
+def test_a_plate_narrower_than_cells_bears_on_those_that_it_covers_best():
+    """Two pads so far apart that the grid's cells are wider than they."""
+    nodes, elements = mesh(2, 1, 0.2, 1.0)
+    both, numbers = np.vstack([nodes, nodes + np.array([7.0, 0.0])]), np.vstack([elements, elements + len(nodes)])
+    xy, plate = both[numbers], np.repeat([0, 1], len(elements))
+    w = ELEMENTS["mitc9"].w_functions(xy)
+    cells = cover(make_grid((0.0, 7.2, 0.0, 1.0), 1.0), xy, numbers, len(both), w, plate)
+    assert list(cells.plate) == [0, 1]
+    assert cells.center == pytest.approx(np.array([[0.1, 0.5], [7.1, 0.5]]))
 
 
 def test_finer_cells_follow_coarser_ones():

@@ -9,6 +9,7 @@ import pytest
 
 from groundslab.fem.continuum.cells import cover, make_grid
 from groundslab.fem.continuum.elastic_ground import ElasticGround, make_operator
+from groundslab.fem.continuum.media import BondedLayers
 from groundslab.fem.continuum.transfer import ElasticLayer
 from groundslab.fem.plate import ELEMENTS
 from helpers.quads import mesh
@@ -24,9 +25,10 @@ def ground(layers: tuple[ElasticLayer, ...], size: float = 0.25) -> ElasticGroun
     elements = elements[(center[:, 0] < 2) | (center[:, 1] < 1.5)]
     xy = nodes[elements]
     grid = make_grid((0.0, 4.0, 0.0, 3.0), size)
-    cells = cover(grid, xy, elements, len(nodes), ELEMENTS["mitc9"].w_functions(xy))
+    cells = cover(grid, xy, elements, len(nodes), ELEMENTS["mitc9"].w_functions(xy), np.zeros(len(xy), dtype=int))
     none = np.zeros(len(cells.number))
-    return ElasticGround(layers, cells, make_operator(layers, grid), none, none + math.inf)
+    medium = BondedLayers(layers)
+    return ElasticGround(medium, cells, make_operator(medium, grid), none, none + math.inf)
 
 
 @pytest.mark.parametrize("layers", [HALF_SPACE, LAYER])
