@@ -124,6 +124,8 @@ def bound_forces(
 
     # a support's own give, and that of a plate on springs under a force (Westergaard 1926)
     of_support = flexible + p.elastic_length**2 / (8 * p.D)
+    if piles is not None:
+        of_support[piles.bearing] += np.diag(piles.own)
 
     def precondition(y: Array) -> Array:
         return np.concatenate([p.preconditioner.apply(y[:c]), y[c:] / of_support])
@@ -132,7 +134,6 @@ def bound_forces(
     lower = np.where(np.concatenate([free, law.bilateral]), -np.inf, 0.0)
     upper = np.concatenate([ground.limit_force, np.where(law.bilateral, np.inf, law.limit_force)])
     if piles is not None:
-        of_support[piles.bearing] = 1 / np.diag(piles.own)
         lower[c + piles.bearing], upper[c + piles.bearing] = piles.lower, piles.upper
     weight = np.concatenate([ground.cells.area, np.full(len(law), ground.cells.area.mean())])
     flexibility = np.concatenate([np.full(c, ground.flexibility.own), of_support])
