@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from itertools import product
 
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.verification.analytic_half_space import surface_settlement
 
 #: Points of Gauss's rule over a plate, and over a half wave of a Bessel function.
 POINTS = 24
@@ -17,18 +19,8 @@ CELLS = 28
 
 
 def flexible_rectangle(x: float, y: float, a: float, b: float, q: float, E: float, nu: float) -> float:
-    """Return the settlement [m] of a half-space at x and y from the center of a x b under the pressure q [Pa].
-
-    Four rectangles with a corner at the place, each with a ln((b + r) / a) + b ln((a + r) / b), r their diagonal
-    (Love 1929).
-    """
-
-    def corner(u: float, v: float) -> float:
-        s, u, v = math.copysign(1.0, u * v), abs(u), abs(v)
-        return s * (u * math.asinh(v / u) + v * math.asinh(u / v)) if u and v else 0.0
-
-    sides = (corner(a / 2 + i * x, b / 2 + j * y) for i in (-1, 1) for j in (-1, 1))
-    return q * (1 - nu**2) / (math.pi * E) * sum(sides)
+    """Return the settlement [m] of a half-space at x and y from the center of a x b under q [Pa] (Love 1929)."""
+    return q * float(surface_settlement(x, y, (a, b), E, nu))
 
 
 def flexible_circle(r: float, radius: float, q: float, E: float, nu: float, h: float = math.inf) -> float:
@@ -103,10 +95,10 @@ def _rigid_rectangle(cells: int, x: float, a: float, b: float, P: float, E: floa
 
     def pressures(settled: Array, odd: float) -> Array:
         """Return pressures for settlements that are the same, or opposite, on both sides."""
-        images = ((i, j) for i in (1, -1) for j in (1, -1))
-        F = sum((odd if i < 0 else 1.0) * _love(U[:, None] - i * U, V[:, None] - j * V, DU, DV) for i, j in images)
-        found: Array = np.linalg.solve(F * (1 - nu**2) / (math.pi * E), settled)
-        return found
+        F = np.zeros((len(U), len(U)))
+        for i, j in product((1, -1), repeat=2):
+            F += (odd if i < 0 else 1.0) * _love(U[:, None] - i * U, V[:, None] - j * V, DU, DV)
+        return np.asarray(np.linalg.solve(F * (1 - nu**2) / (math.pi * E), settled), dtype=float)
 
     settlement = P / (4 * float(pressures(np.ones(len(U)), 1.0) @ (DU * DV)))
     if e:
@@ -120,8 +112,10 @@ def _love(x: Array, y: Array, a: Array, b: Array) -> Array:
     def corner(u: Array, v: Array) -> Array:
         return u * np.arcsinh(v / np.abs(u)) + v * np.arcsinh(u / np.abs(v))
 
-    total: Array = sum(corner(a / 2 + i * x, b / 2 + j * y) for i in (-1, 1) for j in (-1, 1))
-    return total
+    found = np.zeros(np.broadcast_shapes(x.shape, a.shape))
+    for i, j in product((-1, 1), repeat=2):
+        found += corner(a / 2 + i * x, b / 2 + j * y)
+    return found
 
 
 def _layer(x: Array, nu: float) -> Array:
