@@ -23,7 +23,7 @@ RANDOM = np.random.default_rng(4)
 
 def operator(name: str, grid: Grid = GRID) -> Flexibility:
     """Return the operator of a ground."""
-    return make_flexibility(layered_kernel(GROUNDS[name], 1e-3, 20.0), grid)
+    return make_flexibility(layered_kernel(tuple(GROUNDS[name])), grid)
 
 
 def columns(flexibility: Flexibility) -> np.ndarray:
@@ -38,7 +38,7 @@ def test_convolution_is_the_sum_over_pairs(name):
     """Every entry is the mean of the kernel between two cells; nothing comes around the ends of the grid."""
     i, j = np.divmod(np.arange(GRID.nx * GRID.ny), GRID.ny)
     apart = GRID.dx * np.abs(i[:, None] - i), GRID.dy * np.abs(j[:, None] - j)
-    pairs = cell_means(layered_kernel(GROUNDS[name], 1e-3, 20.0), *apart, GRID.dx, GRID.dy)
+    pairs = cell_means(layered_kernel(tuple(GROUNDS[name])), *apart, GRID.dx, GRID.dy)
     F = columns(operator(name))
     assert np.abs(F - pairs).max() < 1e-12 * F.max()
     assert operator(name).own == pytest.approx(pairs[0, 0], rel=1e-14)
@@ -64,7 +64,7 @@ def test_waves_settle_by_the_transfer_function(name):
     """In the middle of a large grid a wave of pressure settles by T(k), up to what its ends and cells are off."""
     n, d, k = 512, 0.1, 2 * math.pi / 3.2
     grid = Grid(0.0, 0.0, d, d, n, n)
-    flexibility = make_flexibility(layered_kernel(GROUNDS[name], d / 100, 200.0), grid)
+    flexibility = make_flexibility(layered_kernel(tuple(GROUNDS[name])), grid)
     x = grid.centers[0] - n * d / 2
     wave = np.cos(k * x)[:, None] * np.ones(n)
     # the pressure of a cell and the mean settlement of one each take sin(k d / 2) / (k d / 2) of a wave
