@@ -178,23 +178,26 @@ class _Pairs:
 
 def _pairs(grid: Grid, xy: Array) -> _Pairs:
     """Return the pairs of elements (m, 9, 2) and cells that share a part, integrated by points in the elements."""
+    from scipy.sparse import csr_array
+
     points, weights = _points(grid, xy)
     N, dN = q9(points)
-    values = np.column_stack([np.ones(len(N)), N, _hats(points)])
-    found = []
+    values, size = np.column_stack([np.ones(len(N)), N, _hats(points)]), grid.nx * grid.ny
+    pairs, sums = list[Integers](), list[Array]()
     for start in range(0, len(xy), _CHUNK):
         part = xy[start : start + _CHUNK]
-        at = np.einsum("pa,eax->epx", N, part)
-        dA = jacobian(dN, part)[2] * weights
-        pair = np.arange(start, start + len(part))[:, None] * (grid.nx * grid.ny) + grid.number(at[..., 0], at[..., 1])
-        order = np.argsort(pair, axis=None, kind="stable")
-        pair = pair.ravel()[order]
-        first = np.flatnonzero(np.diff(pair, prepend=-1))
-        all_ = np.column_stack([values[order % len(points)], at.reshape(-1, 2)[order]])
-        found.append(np.column_stack([pair[first], np.add.reduceat(dA.ravel()[order, None] * all_, first)]))
-    rows = np.concatenate(found)
-    element, cell = np.divmod(rows[:, 0].astype(np.int64), grid.nx * grid.ny)
-    return _Pairs(element, cell, rows[:, 1], rows[:, 20:], rows[:, 2:11], rows[:, 11:20])
+        x, y = (part[..., axis] @ N.T for axis in (0, 1))
+        dA = (jacobian(dN, part)[2] * weights).ravel()
+        pair = (np.arange(start, start + len(part))[:, None] * size + grid.number(x, y)).ravel()
+        order = np.argsort(pair, kind="stable")
+        pair = pair[order]
+        first = np.append(np.flatnonzero(np.diff(pair, prepend=-1)), len(pair))
+        of_pairs = csr_array((dA[order], order % len(points), first), shape=(len(first) - 1, len(points)))
+        pairs.append(pair[first[:-1]])
+        sums.append(of_pairs @ values)
+    (element, cell), found = np.divmod(np.concatenate(pairs), size), np.concatenate(sums)
+    shapes = found[:, 1:10]
+    return _Pairs(element, cell, found[:, 0], np.einsum("pa,pax->px", shapes, xy[element]), shapes, found[:, 10:])
 
 
 def _hats(points: Array) -> Array:
