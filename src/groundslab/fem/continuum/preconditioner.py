@@ -41,8 +41,8 @@ class Preconditioner:
 def make_preconditioner(ground: ElasticGround, D: float) -> Preconditioner:
     """Return the preconditioner for a plate of a bending rigidity D [N m] on a ground."""
     grid = ground.cells.grid
-    k_x: Array = np.pi / (grid.nx * grid.dx) * np.arange(grid.nx)
-    k_y: Array = np.pi / (grid.ny * grid.dy) * np.arange(grid.ny)
+    k_x = np.arange(grid.nx, dtype=np.float64) * (np.pi / (grid.nx * grid.dx))
+    k_y = np.arange(grid.ny, dtype=np.float64) * (np.pi / (grid.ny * grid.dy))
     settled = np.zeros((grid.nx, grid.ny))
     for i, j in product(range(-ALIASES, ALIASES + 1), repeat=2):
         settled += _settle(ground, k_x + 2 * np.pi * i / grid.dx, k_y + 2 * np.pi * j / grid.dy)
