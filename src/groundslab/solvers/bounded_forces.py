@@ -34,6 +34,8 @@ CORRECTED = 0.01
 MOST_CHEAP = 100
 #: and the error with A itself falls below this share each time.
 PAYS = 0.5
+#: Displacements of less than this share of those at the start are none.
+NEGLIGIBLE = 1e-10
 #: Given combinations of forces are exact to this share of their parts.
 BALANCED = 1e-12
 MAX_BALANCING = 200
@@ -106,9 +108,9 @@ def iterate(
     """Return the solution, as `solve` does, from balanced forces x (n,) by products with A alone."""
     g, size = p.gaps(x)
     free, best, history = p.within(x), (x, g), list[dict[str, int]]()
-    products, patience, waited = 1, PATIENCE, 0
+    products, patience, waited, least = 1, PATIENCE, 0, NEGLIGIBLE * max(size, float(np.abs(g).max()))
     while True:
-        small = tolerance * (size or float(np.abs(g).max()))
+        small = tolerance * max(size, least)
         face, used = relax(p, make_face(p, x, g, free), small, limit - products)
         products += used
         x, wrong = face.x, face.wrong(small)
@@ -146,7 +148,7 @@ def correct(
     """
     (g, size), products, last = p.gaps(x), 1, np.inf
     while products < limit - 1:
-        face, scale = make_face(p, x, g, p.within(x)), size or float(np.abs(g).max())
+        face, scale = make_face(p, x, g, p.within(x)), max(size, NEGLIGIBLE * float(np.abs(g).max()))
         error = max(face.residual, face.violation(tolerance * scale))
         if error <= tolerance * scale or error > PAYS * last:
             break
@@ -230,6 +232,8 @@ def relax(p: BoundedForces, face: Face, small: float, limit: int) -> tuple[Face,
         r = face.project(-face.y)
         z = face.project(p.precondition(r))
         last, rz = rz, float(r @ z)
+        if not rz > 0:
+            return face, step
         q = z + rz / last * q
         Aq = p.multiply(q)
         curvature = float(q @ Aq)
@@ -279,7 +283,9 @@ def balance(p: BoundedForces, x: Array, among: Flags, weight: Array | None = Non
     for W in (np.where(among, weight, 0.0), np.where(p.can_change, weight, 0.0)):
         found = _project(p, x, W)
         if found is not None:
-            return found
+            # digits that were lost to a start far off are found nearby
+            exact = _project(p, found, W)
+            return found if exact is None else exact
     raise NoEquilibrium("forces between their bounds cannot balance the loads")
 
 
@@ -294,8 +300,9 @@ def _project(p: BoundedForces, x: Array, W: Array) -> Array | None:
     for _ in range(MAX_BALANCING):
         moved = x + W * (p.G.T @ beta)
         z = p.clip(moved)
+        size = np.maximum(np.abs(z), np.where(W > 0, np.abs(p.clip(x)), 0.0))
         missing = p.e - p.G @ z
-        if np.abs(missing).max(initial=0.0) <= BALANCED * np.abs(p.G * z).sum(axis=1).max(initial=0.0):
+        if np.abs(missing).max(initial=0.0) <= BALANCED * (np.abs(p.G) @ size).max(initial=0.0):
             return z
         if missing @ step < -TOO_FAR * (before @ step):
             beta, step = beta - step / 2, step / 2
