@@ -74,12 +74,11 @@ def margin_effect(
 ) -> float:
     """Return the change of any settlement by a wider margin of infinite ground, over the largest settlement.
 
-    Both meshes are the same on the plate, where their nodes have the same numbers. They are coarser than that of the
+    Both meshes are the same on the plate, where their nodes stand in the same order. They are coarser than that of the
     solutions found, one for each load increment, from which they start and whose gamma they have.
     """
     narrow, wide = (_solve_from(hierarchy, combination, factors, found) for hierarchy in margins)
-    under = narrow.system.problem.plate_nodes
-    before, after = narrow.U[under, W], wide.U[under, W]
+    before, after = (each.U[each.system.problem.plate_nodes, W] for each in (narrow, wide))
     largest = max(np.abs(before).max(), np.abs(after).max())
     return float(np.abs(after - before).max() / largest) if largest else 0.0
 

@@ -1,4 +1,4 @@
-"""Bearings of a problem from the described contact and supports: initial gaps, limits, points, lines."""
+"""Bearings and links of a problem from the described contact, supports and joints: gaps, limits, points, lines."""
 
 from __future__ import annotations
 
@@ -7,20 +7,21 @@ import math
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers
+from groundslab.arrays import Array, Flags, Integers
 from groundslab.discretize.plan_layout import Layout
 from groundslab.discretize.voids import bottoms
 from groundslab.errors import InputError, Issue
 from groundslab.fem import bearings
-from groundslab.fem.bearings import Bearings, make_bearings
+from groundslab.fem.bearings import Bearings, Links, make_bearings
 from groundslab.fem.foundation import Column
-from groundslab.fem.mesh import sides_along
+from groundslab.fem.mesh import sides_along, sides_on_boundary
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Bearing, Depths, W
 from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import SAME_PLACE
 from groundslab.model.loads.load_types import SettlementLoad
 from groundslab.model.model import Model
+from groundslab.model.plates.joints import stiffness_of
 from groundslab.model.supports import LineSupport, PointSupport
 
 #: Simpson's rule for the ends and the middle of a side: the share of its length that each node carries.
@@ -84,6 +85,59 @@ def support_bearing(model: Model, plan: Layout, unknown: Integers) -> Bearing:
         )
         parts.append(_place(law, nodes, W, number, 0.0 if isinstance(support, PointSupport) else share))
     return _without_doubles(model, concatenate(*parts)) if parts else concatenate()
+
+
+def make_links(model: Model, plan: Layout, surfaces: int, shear: bool) -> Links:
+    """Return the links across joints: shear by the difference of settlement, and the ground's surfaces, which go on.
+
+    Where the ground carries no shear its surface may step, and does.
+    """
+    fields = TOP + surfaces
+    own = np.eye(fields, dtype=bool)
+    nodes, what = [np.zeros((0, 2), dtype=np.int64)], [np.zeros((0, fields), dtype=bool)]
+    stiffness, number = [np.zeros(0)], [np.zeros(0, dtype=np.int64)]
+    rigid = [np.zeros(0, dtype=bool)]
+
+    def add(pairs: Integers, added: Flags, k: Array, joint: int, stiff: bool) -> None:
+        rigid.append(np.full(len(pairs), stiff))
+        nodes.append(pairs)
+        what.append(np.tile(added, (len(pairs), 1)))
+        stiffness.append(k)
+        number.append(np.full(len(pairs), joint))
+
+    names = [plate.name for plate in model.every_plate]
+    for n, joint in enumerate(model.joints):
+        pairs, length = _along_joint(plan, *(names.index(name) for name in joint.between))
+        k = stiffness_of(joint, model.plate, model.plates) * length
+        add(pairs, own[W], k, n, joint.kind == "hinge")
+    again = np.flatnonzero(plan.source != np.arange(len(plan.source)))
+    if shear and model.joints:
+        pairs = np.column_stack([plan.source[again], again])
+        for added in (own[W] | own[TOP], *own[TOP + 1 :]):
+            add(pairs, added, np.full(len(pairs), np.inf), -1, True)
+    return Links(
+        np.concatenate(nodes),
+        np.concatenate(what),
+        np.concatenate(stiffness),
+        np.concatenate(number),
+        np.concatenate(rigid),
+    )
+
+
+def _along_joint(plan: Layout, one: int, other: int) -> tuple[Integers, Array]:
+    """Return the pairs of nodes (k, 2) of two plates along the line that they share, and the length of each [m]."""
+    elements, n = plan.mesh.elements[plan.plate_elements], len(plan.mesh.nodes)
+    across = np.full(n, -1)
+    beside = np.unique(elements[plan.plate == other])
+    across[plan.source[beside]] = beside
+    sides = sides_on_boundary(elements[plan.plate == one])
+    sides = sides[(across[plan.source[sides]] >= 0).all(axis=1)]
+    a, b, middle = (plan.mesh.nodes[sides[:, k]] for k in range(3))
+    length = np.linalg.norm(middle - a, axis=1) + np.linalg.norm(b - middle, axis=1)
+    lengths = np.zeros(n)
+    np.add.at(lengths, sides, length[:, None] * SIMPSON)
+    nodes = np.flatnonzero(lengths)
+    return np.column_stack([nodes, across[plan.source[nodes]]]), lengths[nodes]
 
 
 def concatenate(*parts: Bearing) -> Bearing:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.arrays import Flags, Integers
-from groundslab.discretize.constraints import concatenate, fixed_nodes, ground_bearing, support_bearing
+from groundslab.discretize.constraints import concatenate, fixed_nodes, ground_bearing, make_links, support_bearing
 from groundslab.discretize.ground import Factors, carries_shear, ground_under, grounds_of, surfaces_of
 from groundslab.discretize.nodal_loads import loadings, materials
 from groundslab.discretize.plan_layout import AXIS, OUTWARD, Layout, Meshes, layout
@@ -77,6 +77,7 @@ def discretize(
         limit_pressure=np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure,
         plate_edges=plan.plate_edges,
         shear_at_edges=carries_shear(ground),
+        links=make_links(model, plan, surfaces_of(ground), carries_shear(ground)),
         edges=edges,
         corners=corners,
         symmetry=plan.symmetry,

@@ -12,7 +12,14 @@ from groundslab.fem.assembly import scatter
 from groundslab.fem.bearings import CLOSED, YIELDING
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, planes, plate_unknowns, single_plates
-from groundslab.fem.system import System, edge_decays, edge_lengths, surface_fields, surface_settlement
+from groundslab.fem.system import (
+    System,
+    edge_decays,
+    edge_lengths,
+    link_forces,
+    surface_fields,
+    surface_settlement,
+)
 from groundslab.results.record import Certificate
 from groundslab.solvers.cracking import error_of_law
 from groundslab.solvers.equilibrium import free_motions
@@ -98,6 +105,9 @@ def ground_forces(s: System, U: Array, column: Column) -> Array:
             forces[under, 0] = scatter(elements, on_w, n)[under]
     if len(problem.edges):
         forces[:, 1:] += _tail_forces(problem, w, column)
+    if len(problem.links.joint):
+        surface = link_forces(s, U, column, joints=False)
+        forces += surface[:, [W, *range(TOP, TOP + column.surfaces)]]
     return forces
 
 
@@ -115,7 +125,7 @@ def exact_rigid_products(s: System, column: Column) -> tuple[Array, Array]:
         U = np.zeros(problem.unknown.shape)
         U[nodes, :TOP] = motion[nodes]
         ground = ground_forces(s, U, column)
-        resisting = np.zeros_like(U)
+        resisting = link_forces(s, U, column, joints=True)
         for surface in range(column.surfaces):
             for field in surface_fields(surface):
                 resisting[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]
@@ -141,8 +151,8 @@ def resistance(solution: Solution) -> tuple[Array, Array]:
     """Return the forces (n, F) with which plate and ground resist, and the ground's share of them (n, 1 + S)."""
     s, U, column = solution.system, solution.U, solution.column
     ground = ground_forces(s, U, column)
-    inner = np.zeros_like(U)
-    inner[:, :TOP] = plate_forces(s, U)
+    inner = link_forces(s, U, column, joints=True)
+    inner[:, :TOP] += plate_forces(s, U)
     for surface in range(column.surfaces):
         for field in surface_fields(surface):
             inner[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]
@@ -174,6 +184,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     support[:, W] *= _own_w(problem)
     own = bearing.field != TOP
     np.add.at(support, (bearing.node[own], bearing.field[own]), (bearing.law.sign * c.force)[own])
+    support[:, W] -= link_forces(s, U, column, joints=True)[:, W]
     # what presses on the ground beside the plate's edge does not reach the plate
     contact = ground[:, 0].copy()
     contact[under] -= load[under, TOP]
@@ -201,6 +212,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
         margin_effect=margin_effect,
         section_law=None if problem.stiffness is None else error_of_law(problem, U),
         ground_load=float(beside * share),
+        joint_mismatch=_mismatch(problem, U) / settlement if len(problem.links.joint) else None,
     )
 
 
@@ -232,6 +244,12 @@ def _balance(plate: Problem, contact: Array, support: Array, springs: Array, rou
         moment=float(moments.max() / (size * length)),
         size=float(size),
     )
+
+
+def _mismatch(problem: Problem, U: Array) -> float:
+    """Return the largest difference [m] across links that should have none: of the ground's surface, and of hinges."""
+    links = problem.links
+    return float(np.abs(links.difference(U)[links.rigid]).max(initial=0.0))
 
 
 def worst(proofs: Sequence[Certificate]) -> Certificate:

@@ -12,7 +12,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import NeutralEquilibrium, NoEquilibrium
 from groundslab.fem.bearings import CLOSED, Contact
-from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, planes, single_plates
+from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, joined_plates, planes, single_plates
 from groundslab.units import coordinate
 
 #: How far, relative to the plate's size, the resultant must stay inside the hull of the plate.
@@ -32,19 +32,22 @@ def require_equilibrium(problem: Problem) -> None:
     """
     if not problem.tensionless:
         return
-    for plate, _ in single_plates(problem):
-        _require_balance(plate, _prefix(problem, plate))
+    for plates, _ in joined_plates(problem):
+        _require_balance(plates, _prefix(problem, plates))
 
 
-def _prefix(problem: Problem, plate: Problem) -> str:
+def _prefix(problem: Problem, plates: Problem) -> str:
     """Return which of several plates a sentence is about."""
-    return f"{plate.plate_names[0]}: " if len(problem.plate_names) > 1 else ""
+    return f"{' and '.join(plates.plate_names)}: " if len(problem.plate_names) > 1 else ""
 
 
 def _require_balance(problem: Problem, prefix: str) -> None:
-    """Raise NoEquilibrium unless pressure and supports can balance the load of a single plate."""
+    """Raise NoEquilibrium unless pressure and supports can balance the load of a plate, or of joined ones."""
     free = free_motions(problem)
     if free.shape[1] == 0:
+        return
+    if len(problem.plate_names) > 1:
+        _require_joint_balance(problem, free, prefix)
         return
     corners = _extreme_points(problem)
     scale = _scale(corners)
@@ -58,6 +61,20 @@ def _require_balance(problem: Problem, prefix: str) -> None:
         possible = _share_balanced(problem, motions, scale, work, LIMIT_MARGIN)[0] >= 1
     if not possible:
         raise NoEquilibrium(prefix + _reason(problem, corners, motions, scale, work))
+
+
+def _require_joint_balance(problem: Problem, free: Array, prefix: str) -> None:
+    """Raise NoEquilibrium unless pressure and supports can balance the load on the free motions of joined plates."""
+    corners = _extreme_points(problem)
+    scale = np.tile(_scale(corners), len(problem.plate_names))
+    motions = np.linalg.qr(scale[:, None] ** -1 * free)[0]
+    work = (np.einsum("nfk,nf->k", planes(problem), problem.plate_load) * scale) @ motions
+    if _share_balanced(problem, motions, scale, work, LIMIT_MARGIN)[0] < 1:
+        raise NoEquilibrium(
+            f"{prefix}the loads on these joined plates cannot be balanced: ground that cannot pull, supports and what "
+            "joints carry from one plate to another do not hold them; add the missing load (self weight?), move the "
+            "loads inwards, or support the plates"
+        )
 
 
 def rigid_motions(problem: Problem) -> Array:
@@ -80,22 +97,19 @@ def require_hold(problem: Problem, contact: Contact) -> None:
     """
     if not problem.tensionless:
         return
-    for plate, own in single_plates(problem):
-        _require_plate_held(plate, contact.state[own], contact.force[own], _prefix(problem, plate))
+    for plates, own in joined_plates(problem):
+        _require_plates_held(plates, contact.state[own], contact.force[own], _prefix(problem, plates))
 
 
-def _require_plate_held(problem: Problem, state: Integers, force: Array, prefix: str) -> None:
-    """Raise NeutralEquilibrium if a single plate can move against bearings in states (c,) with forces (c,)."""
+def _require_plates_held(problem: Problem, state: Integers, force: Array, prefix: str) -> None:
+    """Raise NeutralEquilibrium if plates can move against bearings in states (c,) with forces (c,)."""
     free = free_motions(problem, mirrored=True)
     if free.shape[1] == 0:
         return
     b = problem.bearing
     touching = np.flatnonzero((state == CLOSED) & ~b.law.bilateral)
-    places, force = problem.mesh.nodes[b.node[touching]], np.maximum(force[touching], 0.0)
-    rows = np.column_stack([np.ones(len(touching)), places])
-    for field in (BETA_X, BETA_Y):
-        turned = b.field[touching] == field
-        rows[turned] = np.arange(3) == field
+    force = np.maximum(force[touching], 0.0)
+    rows = planes(problem)[b.node[touching], np.where(b.field[touching] == TOP, W, b.field[touching])]
     for axis in (0, 1):
         if problem.symmetry[axis]:
             rows, force = np.vstack([rows, rows * _mirror(axis)]), np.tile(force, 2)
@@ -104,16 +118,19 @@ def _require_plate_held(problem: Problem, state: Integers, force: Array, prefix:
     centre = corners.mean(axis=0)
     # motions about the plate's middle, as large at its ends as it is when it settles
     about = np.array([[1.0, -centre[0] * scale[1], -centre[1] * scale[2]], [0, scale[1], 0], [0, 0, scale[2]]])
+    about = np.kron(np.eye(len(problem.plate_names)), about)
     motions = np.linalg.qr(np.linalg.solve(about, free))[0]
     size = max(force.sum(), problem.loading.size, np.finfo(float).tiny)
     resisted = rows @ about @ motions
     shares, directions = np.linalg.eigh(resisted.T @ (force[:, None] / size * resisted))
     loose = about @ motions @ directions[:, shares < NEUTRAL]
     if loose.shape[1]:
+        single = len(problem.plate_names) == 1
+        moves = f"the plate {_movement(loose, 1 / scale[1])}" if single else "the joined plates can move"
         raise NeutralEquilibrium(
-            f"{prefix}the equilibrium is neutral: the plate {_movement(loose, 1 / scale[1])} without any resistance, "
-            "so that its settlement is one of many; support it there, add the load that decides where it comes to "
-            "rest, or glue it to the ground with contact.tensionless = false"
+            f"{prefix}the equilibrium is neutral: {moves} without any resistance, so that the settlement is one of "
+            "many; support it there, add the load that decides where it comes to rest, or glue it to the ground with "
+            "contact.tensionless = false"
         )
 
 
@@ -174,8 +191,7 @@ def _share_balanced(problem: Problem, motions: Array, scale: Array, work: Array,
     if not len(use) or size == 0:
         return 0.0, full
     up = np.where(b.support[use] < 0, 1.0, -law.sign[use])
-    places = problem.mesh.nodes[b.node[use]]
-    generators = up[:, None] * (np.column_stack([np.ones(len(use)), places * scale[1:]]) @ motions)
+    generators = up[:, None] * ((planes(problem)[b.node[use], W] * scale) @ motions)
     capacity = law.limit_force[use] / size
     little = margin * np.minimum(capacity, 1 / len(use))
     bounds = [(low, None if np.isinf(high) else high - low) for low, high in zip(little, capacity, strict=True)]
@@ -198,7 +214,8 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
     Of a plate of which a part is meshed those that its mirrors allow, or, mirrored, those of the full plate.
     """
     if len(problem.plate_names) > 1:
-        return _block_diagonal([free_motions(plate, mirrored) for plate, _ in single_plates(problem)])
+        every = _block_diagonal([free_motions(plate, mirrored) for plate, _ in single_plates(problem)])
+        return _without_steps(problem, every)
     nodes, b = problem.plate_nodes, problem.bearing
     fixed = problem.unknown[:, : BETA_Y + 1] < 0
     both = b.law.bilateral
@@ -225,6 +242,24 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
     _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([constraints, np.zeros((3, 3))]), mode="r"))
     rank = int((sizes > 1e-10 * max(sizes.max(), 1e-300)).sum())
     return V[rank:].T
+
+
+def _without_steps(problem: Problem, motions: Array) -> Array:
+    """Return those combinations of motions (3 plates, d) that make no step across joints that hold plates together."""
+    links = problem.links
+    first, second = links.nodes[links.holds].T
+    if not len(first):
+        return motions
+    W_of = planes(problem)[:, W]
+    size = np.ptp(problem.mesh.nodes[problem.plate_nodes], axis=0).max()
+    scale = np.tile([1.0, 1 / size, 1 / size], len(problem.plate_names))
+    # about the plates' middle, in which settlements and slopes are alike
+    unit = np.linalg.qr(scale[:, None] ** -1 * motions)[0]
+    steps = ((W_of[first] - W_of[second]) * scale) @ unit
+    _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([steps, np.zeros((unit.shape[1],) * 2)]), mode="r"))
+    rank = int((sizes > 1e-9 * max(sizes.max(initial=0.0), 1e-300)).sum())
+    found: Array = scale[:, None] * (unit @ V[rank:].T)
+    return found
 
 
 def _block_diagonal(blocks: list[Array]) -> Array:
