@@ -29,6 +29,7 @@ class JoinedBeam:
     P: float
     x: float
     k_j: float  # of the joint; infinite for a hinge
+    gap: float = 0.0  # [m] of w_A - w_B before the joint carries, which must be reached
 
     def solved(self) -> tuple[np.ndarray, np.ndarray]:
         """Return the roots, and amplitudes (3, 4) on both sides of the load and beyond the joint."""
@@ -63,7 +64,10 @@ class JoinedBeam:
         demand(near["M"])
         demand(beyond["M"])
         demand(beyond["Q"] - near["Q"] + self.k1 * (beyond["slope"] - near["slope"]))
-        demand(near["Q"] if self.k_j == 0 else near["w"] - beyond["w"] + near["Q"] / self.k_j)
+        if self.k_j == 0:
+            demand(near["Q"])
+        else:
+            demand(near["w"] - beyond["w"] + near["Q"] / self.k_j, self.gap)
         return r, np.linalg.solve(np.array(rows), np.array(right, dtype=complex)).reshape(3, 4)
 
     def w(self, x: float, beyond: bool = False) -> float:
@@ -188,3 +192,65 @@ def test_a_joint_holds_a_plate_that_would_lift_alone() -> None:
         joined({"kind": "hinge"}, [WEIGHT | {"plate": "A"}], **parts)
     with pytest.raises(NoEquilibrium, match="cannot be balanced"):
         joined({"kind": "hinge"}, [WEIGHT, more, uplift | {"x": (3.6, 4.0)}], **parts)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_play(sign: int) -> None:
+    """Nothing passes a joint within its play, and beyond it only what the rest of the step makes, either way."""
+    free = JoinedBeam(2e7, 0.0, 50e3, -1.0, 0.0)
+    step = free.w(0.0)
+    wide, narrow = (joined(keys_of(8e7) | {"gap": share * step}, [line(-1.0, sign * 50e3)]) for share in (1.01, 0.4))
+    assert across(wide) == pytest.approx((sign * step, 0.0), abs=1e-5 * step)
+    exact = JoinedBeam(2e7, 0.0, 50e3, -1.0, 8e7, 0.4 * step)
+    expected = sign * exact.w(0.0), sign * exact.w(0.0, beyond=True)
+    assert across(narrow) == pytest.approx(expected, abs=2e-5 * exact.w(-1.0))
+    assert narrow.certificate.holds
+    assert wide.certificate.holds
+
+
+def test_play_on_tensionless_ground_with_shear() -> None:
+    """With play slabs that may lift off step by more than without, and by no more than where nothing is carried."""
+    parts: dict[str, Any] = {"ground": GROUNDS["pasternak"], "contact": {"tensionless": True}, "mesh": {"size": 0.25}}
+    loads = [WEIGHT, line(-1.0)]
+    joints = (keys_of(1e9), keys_of(1e9) | {"gap": 2e-5}, keys_of(0.0))
+    tight, play, loose = (joined(joint, loads, **parts) for joint in joints)
+    assert play.certificate.holds
+    steps = [a - b for a, b in map(across, (tight, play, loose))]
+    assert steps[0] < 1e-5 < 2e-5 < steps[1] < steps[2]
+
+
+def test_four_slabs_that_meet_at_a_point() -> None:
+    """Four slabs joined to their neighbors, with play in two joints, are alike under a force on all of them."""
+    corners = {"A": (-1, -1), "B": (1, -1), "C": (1, 1), "D": (-1, 1)}
+    slabs = [
+        {
+            "name": name,
+            "outline": {"kind": "rectangle", "x": sorted((0, 3 * x)), "y": sorted((0, 3 * y))},
+            "thickness": T,
+            "E": E,
+            "nu": 0.2,
+        }
+        for name, (x, y) in corners.items()
+    ]
+    joints = [
+        {"kind": "elastic", "stiffness": 1e8, "between": pair, "gap": 1e-5 * (n % 2)}
+        for n, pair in enumerate((("A", "B"), ("B", "C"), ("C", "D"), ("D", "A")))
+    ]
+    press = {"kind": "patch", "q": 200e3, "x": (-0.25, 0.25), "y": (-0.25, 0.25)}
+    results = solve(
+        Model.model_validate(
+            {
+                "plate": slabs[0],
+                "plates": slabs[1:],
+                "joints": joints,
+                "ground": GROUNDS["pasternak"],
+                "beyond": {"kind": "infinite"},
+                "loads": [WEIGHT, press],
+                "mesh": {"size": 0.25},
+            }
+        )
+    ).only
+    assert results.certificate.holds
+    assert results.certificate.load == pytest.approx(25e3 * T * 36 + 200e3 * 0.25)
+    corner = [results.plate.value_at("settlement", x, y) for x in (-3.0, 3.0) for y in (-3.0, 3.0)]
+    assert corner == pytest.approx([corner[0]] * 4, rel=1e-6)

@@ -17,6 +17,7 @@ from groundslab.fem.problem import W
 from groundslab.fem.system import System
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
+from groundslab.model.plates.joints import play_of
 from groundslab.results.record import Step
 from groundslab.solvers.conditioning import require_digits
 from groundslab.solvers.equilibrium import require_equilibrium
@@ -125,6 +126,7 @@ def _coarsenings(hierarchy: MeshHierarchy) -> list[int]:
 def _first(model: Model) -> int:
     """Return how coarse the first mesh is: the finest one where a coarser one would not help."""
     one_sided = model.contact.tensionless or any(support.acts != "both ways" for support in model.supports)
+    one_sided = one_sided or any(map(play_of, model.joints))
     iterated = getattr(model.ground, "gamma", None) == "iterate"
     return coarsest(model) if one_sided or iterated else 0
 

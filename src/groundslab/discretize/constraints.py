@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import itertools
 import math
+from dataclasses import dataclass
+from itertools import count
 
 import numpy as np
 
@@ -21,7 +23,7 @@ from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import SAME_PLACE
 from groundslab.model.loads.load_types import SettlementLoad
 from groundslab.model.model import Model
-from groundslab.model.plates.joints import stiffness_of
+from groundslab.model.plates.joints import play_of, stiffness_of
 from groundslab.model.supports import LineSupport, PointSupport
 
 #: Simpson's rule for the ends and the middle of a side: the share of its length that each node carries.
@@ -87,41 +89,64 @@ def support_bearing(model: Model, plan: Layout, unknown: Integers) -> Bearing:
     return _without_doubles(model, concatenate(*parts)) if parts else concatenate()
 
 
-def make_links(model: Model, plan: Layout, surfaces: int, shear: bool) -> Links:
+@dataclass(frozen=True, slots=True)
+class JointLine:
+    """A joint on a mesh: k pairs of nodes of both plates, the length of each [m], and the field of its slip.
+
+    A joint with play has a slip of its own at each pair, as a field of the second node that no other joint there has.
+    """
+
+    pairs: Integers  # (k, 2)
+    length: Array  # (k,)
+    slip: int  # 0 without play
+
+
+def joint_lines(model: Model, plan: Layout, surfaces: int) -> list[JointLine]:
+    """Return the joints of a model on its mesh; fields of slips follow those of the ground's surfaces."""
+    names, found = [plate.name for plate in model.every_plate], list[JointLine]()
+    for joint in model.joints:
+        pairs, length = _along_joint(plan, *(names.index(name) for name in joint.between))
+        taken = {each.slip for each in found if np.isin(each.pairs, pairs).any()}
+        slip = next(field for field in count(TOP + surfaces) if field not in taken) if play_of(joint) else 0
+        found.append(JointLine(pairs, length, slip))
+    return found
+
+
+def make_links(model: Model, plan: Layout, lines: list[JointLine], surfaces: int, fields: int, shear: bool) -> Links:
     """Return the links across joints: shear by the difference of settlement, and the ground's surfaces, which go on.
 
-    Where the ground carries no shear its surface may step, and does.
+    Where the ground carries no shear its surface may step, and does. fields is F.
     """
-    fields = TOP + surfaces
     own = np.eye(fields, dtype=bool)
-    nodes, what = [np.zeros((0, 2), dtype=np.int64)], [np.zeros((0, fields), dtype=bool)]
-    stiffness, number = [np.zeros(0)], [np.zeros(0, dtype=np.int64)]
-    rigid = [np.zeros(0, dtype=bool)]
+    none = np.zeros((0, 2), dtype=np.int64), np.zeros((0, fields), dtype=bool), np.zeros(0)
+    parts = [(*none, np.zeros(0, dtype=np.int64), np.zeros(0, dtype=bool))]
 
     def add(pairs: Integers, added: Flags, k: Array, joint: int, stiff: bool) -> None:
-        rigid.append(np.full(len(pairs), stiff))
-        nodes.append(pairs)
-        what.append(np.tile(added, (len(pairs), 1)))
-        stiffness.append(k)
-        number.append(np.full(len(pairs), joint))
+        n = len(pairs)
+        parts.append((pairs, np.tile(added, (n, 1)), k, np.full(n, joint), np.full(n, stiff)))
 
-    names = [plate.name for plate in model.every_plate]
-    for n, joint in enumerate(model.joints):
-        pairs, length = _along_joint(plan, *(names.index(name) for name in joint.between))
-        k = stiffness_of(joint, model.plate, model.plates) * length
-        add(pairs, own[W], k, n, joint.kind == "hinge")
+    for number, (joint, line) in enumerate(zip(model.joints, lines, strict=True)):
+        k = stiffness_of(joint, model.plate, model.plates) * line.length
+        add(line.pairs, own[W] | own[line.slip] if line.slip else own[W], k, number, joint.kind == "hinge")
     again = np.flatnonzero(plan.source != np.arange(len(plan.source)))
-    if shear and model.joints:
+    if shear and len(again):
         pairs = np.column_stack([plan.source[again], again])
-        for added in (own[W] | own[TOP], *own[TOP + 1 :]):
+        for added in (own[W] | own[TOP], *own[TOP + 1 : TOP + surfaces]):
             add(pairs, added, np.full(len(pairs), np.inf), -1, True)
-    return Links(
-        np.concatenate(nodes),
-        np.concatenate(what),
-        np.concatenate(stiffness),
-        np.concatenate(number),
-        np.concatenate(rigid),
-    )
+    nodes, what, stiffness, number_of, rigid = (np.concatenate(each) for each in zip(*parts, strict=True))
+    return Links(nodes, what, stiffness, number_of, rigid)
+
+
+def slip_bearing(model: Model, lines: list[JointLine], unknown: Integers) -> Bearing:
+    """Return the play of joints as two rigid bearings on each slip, one for either way."""
+    parts: list[Bearing] = []
+    for joint, line in zip(model.joints, lines, strict=True):
+        if line.slip:
+            nodes, gap = line.pairs[:, 1], play_of(joint)
+            for sign in (1.0, -1.0):
+                law = make_bearings(unknown[nodes, line.slip], sign, -sign * gap)
+                parts.append(_place(law, nodes, line.slip, len(model.supports)))
+    return concatenate(*parts)
 
 
 def _along_joint(plan: Layout, one: int, other: int) -> tuple[Integers, Array]:

@@ -5,7 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.arrays import Flags, Integers
-from groundslab.discretize.constraints import concatenate, fixed_nodes, ground_bearing, make_links, support_bearing
+from groundslab.discretize.constraints import (
+    JointLine,
+    concatenate,
+    fixed_nodes,
+    ground_bearing,
+    joint_lines,
+    make_links,
+    slip_bearing,
+    support_bearing,
+)
 from groundslab.discretize.ground import Factors, carries_shear, ground_under, grounds_of, surfaces_of
 from groundslab.discretize.nodal_loads import loadings, materials
 from groundslab.discretize.plan_layout import AXIS, OUTWARD, Layout, Meshes, layout
@@ -40,7 +49,9 @@ def discretize(
     plan = layout(model, grounds_of(model), coarsening, margin, meshes or Meshes())
     ground, constants = ground_under(model, plan.mesh, plan.plate_elements, factors or {}, plan.followed_borders)
     element, sections = plate.ELEMENTS[model.plate.element], materials(model)
-    present = _present(model, plan, element, surfaces_of(ground))
+    surfaces = surfaces_of(ground)
+    lines = joint_lines(model, plan, surfaces)
+    present = _with_slips(_present(model, plan, element, surfaces), lines)
     fields = present.shape[1]
     cases = _known_cases(model, plan, element, fields, like)
     if not cases:
@@ -66,18 +77,21 @@ def discretize(
         constants=constants,
         rank=plan.rank,
         unknown=unknown,
+        surfaces=surfaces,
         cases=cases,
         loading=sum(cases[1:], cases[0]),
         initial_gap=gap + np.where(np.isfinite(below.depth), below.depth, 0.0)[below.shallowest],
         depths=below,
         bearing=concatenate(
-            ground_bearing(model, plan, unknown, below, ground, gap), support_bearing(model, plan, unknown)
+            ground_bearing(model, plan, unknown, below, ground, gap),
+            support_bearing(model, plan, unknown),
+            slip_bearing(model, lines, unknown),
         ),
         tensionless=model.contact.tensionless,
         limit_pressure=np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure,
         plate_edges=plan.plate_edges,
         shear_at_edges=carries_shear(ground),
-        links=make_links(model, plan, surfaces_of(ground), carries_shear(ground)),
+        links=make_links(model, plan, lines, surfaces, fields, carries_shear(ground)),
         edges=edges,
         corners=corners,
         symmetry=plan.symmetry,
@@ -146,6 +160,16 @@ def _present(model: Model, plan: Layout, element: plate.PlateElement, surfaces: 
     if model.beyond.kind == "margin" and model.beyond.edge == "fixed":
         present[plan.outer, TOP:] = False
     return present
+
+
+def _with_slips(present: Flags, lines: list[JointLine]) -> Flags:
+    """Return which unknowns exist (n, F), with the slips of joints that have play."""
+    fields = max([present.shape[1], *(line.slip + 1 for line in lines)])
+    found = np.pad(present, ((0, 0), (0, fields - present.shape[1])))
+    for line in lines:
+        if line.slip:
+            found[line.pairs[:, 1], line.slip] = True
+    return found
 
 
 def _fix(present: Flags, nodes: Flags | Integers, kind: str, along: int) -> None:

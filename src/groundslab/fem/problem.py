@@ -2,7 +2,8 @@
 
 Fields of a node: W, BETA_X, BETA_Y of the plate; TOP, which is the settlement of the ground's surface, under the plate
 relative to the plate's; then the settlements of the lower surfaces. Under the plate w_0 = w + h, and the gap is h + g0.
-What bears on single unknowns (the ground where the plate may lift off, supports) stands beside the matrix.
+Where joints have play, their slip at nodes of the second plate comes last. What bears on single unknowns (the ground
+where the plate may lift off, supports, the ends of the play) stands beside the matrix.
 """
 
 from __future__ import annotations
@@ -115,6 +116,7 @@ class Problem:
     constants: tuple[Array, Array]  # (L,) each: k0 [Pa/m] and k1 [Pa m], means under the plate; of soil, nothing
     rank: Integers  # (n,): order of elimination of the nodes
     unknown: Integers  # (n, F): number of each unknown, -1 where there is none or it is held at zero
+    surfaces: int  # S; their fields may be followed by slips of joints that have play
     cases: tuple[Loading, ...]  # the load cases by themselves
     loading: Loading  # what is to be solved for
     initial_gap: Array  # (n,) [m]

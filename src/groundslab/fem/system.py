@@ -313,7 +313,7 @@ def surface_settlement(s: System, U: Array) -> Array:
     top = U[:, TOP].copy()
     under = s.problem.plate_nodes
     top[under] += plate_settlement(s, U)[under]
-    return np.vstack([top, U[:, TOP + 1 :].T])
+    return np.vstack([top, U[:, TOP + 1 : TOP + s.problem.surfaces].T])
 
 
 def plate_settlement(s: System, U: Array) -> Array:

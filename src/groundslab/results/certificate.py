@@ -17,6 +17,7 @@ from groundslab.fem.system import (
     edge_decays,
     edge_lengths,
     link_forces,
+    link_stiffness,
     surface_fields,
     surface_settlement,
 )
@@ -175,6 +176,9 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     springs = np.abs(c.force[elastic])
     way = np.abs(solution.law.offset[c.state == CLOSED]).max(initial=0.0)
     rounding = max(ROUNDING * np.abs(s.blocks.plate).max() * way, NOTHING * np.abs(load).max())
+    if len(problem.links.joint):
+        stiffest = link_stiffness(s, column)[problem.links.joint >= 0].max(initial=0.0)
+        rounding = max(rounding, ROUNDING * stiffest * np.abs(U[:, W]).max())
     residual = float(
         np.abs((rest - borne)[~fixed]).max() / (max(np.abs(inner).max(), springs.max(initial=0.0), rounding) or 1.0)
     )
@@ -182,7 +186,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     # what the supports push on the plate, moments about the origin
     support = np.where(fixed[:, :TOP], rest[:, :TOP], 0.0)
     support[:, W] *= _own_w(problem)
-    own = bearing.field != TOP
+    own = bearing.field < TOP
     np.add.at(support, (bearing.node[own], bearing.field[own]), (bearing.law.sign * c.force)[own])
     support[:, W] -= link_forces(s, U, column, joints=True)[:, W]
     # what presses on the ground beside the plate's edge does not reach the plate
@@ -305,8 +309,9 @@ def _sum_lost_forces(s: System, U: Array, column: Column, rest: Array) -> float:
     w = surface_settlement(s, U)
     volume = s.blocks.mass.sum(axis=1)[s.blocks.kind]  # int N over each element
     base = np.einsum("...ij,j...a,...a->...", column.A0, w[:, problem.mesh.elements], volume).sum()
-    fixed = (problem.unknown[:, TOP:] < 0) & (rest[:, TOP:] != 0)
+    of_ground = slice(TOP, TOP + problem.surfaces)
+    fixed = (problem.unknown[:, of_ground] < 0) & (rest[:, of_ground] != 0)
     fixed[problem.plate_nodes] = False
-    edge = -rest[:, TOP:][fixed].sum()
+    edge = -rest[:, of_ground][fixed].sum()
     lost = _tail_forces(problem, w, column).sum() if len(problem.edges) else 0.0
     return float(base + edge + lost)

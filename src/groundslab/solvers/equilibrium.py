@@ -107,7 +107,7 @@ def _require_plates_held(problem: Problem, state: Integers, force: Array, prefix
     if free.shape[1] == 0:
         return
     b = problem.bearing
-    touching = np.flatnonzero((state == CLOSED) & ~b.law.bilateral)
+    touching = np.flatnonzero((state == CLOSED) & ~b.law.bilateral & (b.field <= TOP))
     force = np.maximum(force[touching], 0.0)
     rows = planes(problem)[b.node[touching], np.where(b.field[touching] == TOP, W, b.field[touching])]
     for axis in (0, 1):
@@ -171,7 +171,7 @@ def _only_pushed(problem: Problem) -> bool:
     Supports that push up then add nothing to the ground.
     """
     b = problem.bearing
-    pulls = (b.law.sign > 0) & (b.support >= 0) & ~b.law.bilateral
+    pulls = (b.law.sign > 0) & (b.support >= 0) & (b.field < TOP) & ~b.law.bilateral
     return not (pulls.any() or np.isfinite(b.law.limit_force).any())
 
 
@@ -185,7 +185,7 @@ def _share_balanced(problem: Problem, motions: Array, scale: Array, work: Array,
 
     b, law = problem.bearing, problem.bearing.law
     full = np.zeros(len(law), dtype=bool)
-    use = np.flatnonzero(~law.bilateral & (law.limit_force > 0))
+    use = np.flatnonzero(~law.bilateral & (law.limit_force > 0) & (b.field <= TOP))
     # forced curvature, as by temperature, presses supports that pull against the ground without any force from outside
     size = problem.loading.size or float(np.abs(problem.load[:, BETA_X : BETA_Y + 1]).sum() * scale[1])
     if not len(use) or size == 0:

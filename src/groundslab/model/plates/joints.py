@@ -58,6 +58,10 @@ class ElasticJoint(_Joint):
             Range(at_least=0),
         ),
     ]
+    gap: Annotated[
+        float,
+        Quantity("length", "g_j", "play: difference of settlement before the joint carries", Range(at_least=0)),
+    ] = 0.0
 
 
 AnyJoint = HingeJoint | ElasticJoint
@@ -69,6 +73,11 @@ def stiffness_of(joint: AnyJoint, plate: Plate, plates: tuple[FurtherPlate, ...]
     if isinstance(joint, ElasticJoint):
         return joint.stiffness
     return HINGE * min(each.E for each in list_plates(plate, plates) if each.name in joint.between)
+
+
+def play_of(joint: AnyJoint) -> float:
+    """Return the difference of settlement before a joint carries [m]."""
+    return joint.gap if isinstance(joint, ElasticJoint) else 0.0
 
 
 def check_joints(
