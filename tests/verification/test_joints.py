@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 from groundslab import Model, NoEquilibrium, solve
-from groundslab.results.results import CombinationResult
+from groundslab.design.by_plate import results_by_plate
+from groundslab.design.result_tables import tables_of
+from groundslab.results.results import CombinationResult, results_of
 
 SOIL = [{"thickness": 3.0, "E": 20e6, "nu": 0.3}, {"thickness": 4.0, "E": 50e6, "nu": 0.25}]
 WEIGHT = {"kind": "self weight", "unit_weight": 25e3}
@@ -125,6 +127,22 @@ def test_strips_on_springs(kind: str) -> None:
     for x in (-3.0, -1.0, 1.0, 3.0):
         assert results.plate.value_at("settlement", x, 0.5) == pytest.approx(exact.w(x), abs=2e-5 * largest)
     assert results.certificate.holds
+
+
+@pytest.mark.parametrize("kind", JOINTS)
+def test_shear_along_the_joint(kind: str) -> None:
+    """The table gives the force that passes the joint, Q of the beam there, and what settles beyond carries it."""
+    exact, results = JoinedBeam(2e7, 0.0, 50e3, -1.0, JOINTS[kind]), joined(keys_of(JOINTS[kind]), [line(-1.0)])
+    r, c = exact.solved()
+    passed = -float((c[2] @ (exact.k0 / r)).real)
+    (table,) = (each for each in tables_of(results_of(results)) if each.name == "joints")
+    row = {column.name: column.values[0] for column in table.columns}
+    assert row["joint"] == "A - B"
+    assert (row["length"], row["x of it"]) == pytest.approx((1.0, 0.0))
+    assert (row["force"], row["greatest force per length"]) == pytest.approx((passed / 1e3,) * 2, rel=2e-4, abs=1e-3)
+    assert row["greatest step"] == pytest.approx(1e3 * (exact.w(0.0) - exact.w(0.0, beyond=True)), abs=1e-5)
+    carried = results_by_plate(results)["B"].contact_force.sum()
+    assert carried == pytest.approx(passed, rel=1e-3, abs=1)
 
 
 def test_glued_strips_on_pasternak_ground() -> None:

@@ -45,6 +45,8 @@ class Model(Section):
         check_joints,
         consistency.check_plate_of_loads,
         consistency.check_sections_with_plates,
+        consistency.check_supports_on_joints,
+        consistency.check_glued_joints,
         consistency.check_shear_of_layers,
         consistency.check_some_load_acts,
         check_point_loads,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import accumulate, combinations
-from typing import Annotated, ClassVar, Protocol
+from typing import TYPE_CHECKING, Annotated, ClassVar, Protocol
 
 from groundslab.geometry.plan import SAME_PLACE, Ring, format_place, get_bounds
 from groundslab.geometry.validity import TOO_CLOSE
@@ -15,6 +15,9 @@ from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import describe
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
 
 
 def _check_geometry(
@@ -86,12 +89,12 @@ def first_sections(plates: Sequence[AnyPlate]) -> list[int]:
     return list(accumulate((1 + len(each.zones) for each in plates[:-1]), initial=0))
 
 
-def shared_length(one: AnyPlate, other: AnyPlate) -> float:
-    """Return the length of the line that the outlines of two plates share [m], arcs as chords."""
+def shared_line(one: AnyPlate, other: AnyPlate) -> BaseGeometry:
+    """Return the line that the outlines of two plates share, arcs as chords; points where they only touch."""
     x0, x1, y0, y1 = get_bounds(edge for each in (one, other) for edge in each.ring().segments())
-    chord = CHORD * max(x1 - x0, y1 - y0)
-    edge, beside = (each.ring().polygon(chord).exterior for each in (one, other))
-    return float(edge.intersection(beside.buffer(SAME_PLACE * max(x1 - x0, y1 - y0))).length)
+    size = max(x1 - x0, y1 - y0)
+    edge, beside = (each.ring().polygon(CHORD * size).exterior for each in (one, other))
+    return edge.intersection(beside.buffer(SAME_PLACE * size))
 
 
 def check_plates(plate: Plate, plates: tuple[FurtherPlate, ...], joints: Sequence[_Joined]) -> Iterator[RelativeIssue]:
@@ -133,5 +136,5 @@ def _find_meeting(one: AnyPlate, other: FurtherPlate, size: float, joined: bool)
         return f"a plate that overlaps {{}} at {format_place((at.x, at.y))} m"
     if outline.distance(beside) > SAME_PLACE * size:
         return "a strip too narrow to mesh beside {}" if outline.distance(beside) < TOO_CLOSE * size else None
-    touches = shared_length(one, other) > TOO_CLOSE * size
+    touches = shared_line(one, other).length > TOO_CLOSE * size
     return "a plate that touches {} without a joint" if touches and not joined else None

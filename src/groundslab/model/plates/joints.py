@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
+from groundslab.geometry.validity import TOO_CLOSE
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import FurtherPlate, list_plates, shared_length
+from groundslab.model.plates.further import FurtherPlate, bounds_of, list_plates, shared_line
 from groundslab.schema.base import ByKind, Check, Section, Table
 from groundslab.schema.fields import ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
@@ -85,7 +86,8 @@ def check_joints(
 ) -> Iterator[RelativeIssue]:
     """Find joints of unknown plates, or of plates that share no line, and second joints of two plates."""
     known = {each.name: each for each in list_plates(plate, plates) if each.name}
-    seen = set[frozenset[str]]()
+    x0, x1, y0, y1 = bounds_of(plate, plates)
+    size, seen = max(x1 - x0, y1 - y0), set[frozenset[str]]()
     for position, joint in enumerate(joints):
         unknown = [(side, name) for side, name in enumerate(joint.between) if name not in known]
         for side, name in unknown:
@@ -99,6 +101,6 @@ def check_joints(
         words = " and ".join(map(quote, joint.between))
         if pair in seen:
             yield RelativeIssue(place, f"{words} again", "one joint between two plates")
-        elif not shared_length(*(known[name] for name in joint.between)):
+        elif not shared_line(*(known[name] for name in joint.between)).length > TOO_CLOSE * size:
             yield RelativeIssue(place, f"{words}, which share no line", "plates whose outlines share a line")
         seen.add(pair)
