@@ -48,31 +48,30 @@ def discretize(
     """
     plan = layout(model, grounds_of(model), coarsening, margin, meshes or Meshes())
     ground, constants = ground_under(model, plan.mesh, plan.plate_elements, factors or {}, plan.followed_borders)
-    element, sections = plate.ELEMENTS[model.plate.element], materials(model)
+    element, sections = plate.ELEMENTS[model.plate.element], _with_shear_factors(model)
     surfaces = surfaces_of(ground)
     lines = joint_lines(model, plan, surfaces)
     present = _with_slips(_present(model, plan, element, surfaces), lines)
     fields = present.shape[1]
-    cases = _known_cases(model, plan, element, fields, like)
-    if not cases:
-        acting = model if loaded else model.model_copy(update={"cases": (), "loads": ()})
-        cases = loadings(acting, plan, element, fields)
+    acting = model if loaded else model.model_copy(update={"cases": (), "loads": ()})
+    cases = _known_cases(model, plan, element, fields, like) or loadings(acting, plan, element, fields)
     unknown = number_unknowns(plan.rank, present)
     below = find_depths(model, plan, ground, coarsening == 0)
     gap = initial_gap(model, plan)
+    others = support_bearing(model, plan, unknown), slip_bearing(model, lines, unknown)
     edges, corners = _infinite_edges(model, plan)
     return Problem(
         mesh=plan.mesh,
         plate_elements=plan.plate_elements,
         plate_nodes=plan.plate_nodes,
         element=element,
-        bending=np.array([plate.bending_rigidity(E, nu, t) for E, nu, t in sections]),
-        shear=np.array([plate.shear_rigidity(*each) for each in _with_shear_factors(model)]),
+        bending=np.array([plate.bending_rigidity(*each[:3]) for each in sections]),
+        shear=np.array([plate.shear_rigidity(*each) for each in sections]),
         rigidity=plan.section,
         section=plan.section,
         plate_number=plan.plate,
         plate_names=tuple(each.name or f"plate {n}" for n, each in enumerate(model.every_plate, start=1)),
-        thickness=np.array([t for _, _, t in sections])[plan.section],
+        thickness=np.array([t for _, _, t, _ in sections])[plan.section],
         ground=ground,
         constants=constants,
         rank=plan.rank,
@@ -82,11 +81,7 @@ def discretize(
         loading=sum(cases[1:], cases[0]),
         initial_gap=gap + np.where(np.isfinite(below.depth), below.depth, 0.0)[below.shallowest],
         depths=below,
-        bearing=concatenate(
-            ground_bearing(model, plan, unknown, below, ground, gap),
-            support_bearing(model, plan, unknown),
-            slip_bearing(model, lines, unknown),
-        ),
+        bearing=concatenate(ground_bearing(model, plan, unknown, below, ground, gap), *others),
         tensionless=model.contact.tensionless,
         limit_pressure=np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure,
         plate_edges=plan.plate_edges,
