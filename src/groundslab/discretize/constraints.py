@@ -23,11 +23,14 @@ from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import SAME_PLACE
 from groundslab.model.loads.load_types import SettlementLoad
 from groundslab.model.model import Model
+from groundslab.model.plates.further import shared_line
 from groundslab.model.plates.joints import play_of, stiffness_of
 from groundslab.model.supports import LineSupport, PointSupport
 
 #: Simpson's rule for the ends and the middle of a side: the share of its length that each node carries.
 SIMPSON = np.array([1.0, 1.0, 4.0]) / 6
+#: A mesh meets a joint if it follows its line but for this share, which arcs as chords may take.
+MET = 0.01
 #: What a bearing has besides its law.
 LOCATION = ("node", "field", "support", "length", "depth")
 
@@ -105,7 +108,12 @@ def joint_lines(model: Model, plan: Layout, surfaces: int) -> list[JointLine]:
     """Return the joints of a model on its mesh; fields of slips follow those of the ground's surfaces."""
     names, found = [plate.name for plate in model.every_plate], list[JointLine]()
     for joint in model.joints:
-        pairs, length = _along_joint(plan, *(names.index(name) for name in joint.between))
+        sides = [names.index(name) for name in joint.between]
+        pairs, length = _along_joint(plan, *sides)
+        wanted = shared_line(*(model.every_plate[side] for side in sides)).length
+        if abs(length.sum() - wanted) > MET * wanted:
+            said = f"sides of elements along {length.sum():g} m of a line of {wanted:g} m"
+            raise InputError([Issue("joints", said, "a mesh that meets every joint")])
         taken = {each.slip for each in found if np.isin(each.pairs, pairs).any()}
         slip = next(field for field in count(TOP + surfaces) if field not in taken) if play_of(joint) else 0
         found.append(JointLine(pairs, length, slip))
