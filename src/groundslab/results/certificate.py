@@ -11,7 +11,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.fem.assembly import scatter
 from groundslab.fem.bearings import CLOSED, YIELDING
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
-from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, planes, plate_unknowns, single_plates
+from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, move_plates, plate_unknowns, single_plates
 from groundslab.fem.system import (
     System,
     edge_decays,
@@ -122,7 +122,7 @@ def exact_rigid_products(s: System, column: Column) -> tuple[Array, Array]:
     nodes, free = problem.plate_nodes, free_motions(problem)
     motions, forces = np.zeros((size, free.shape[1])), np.zeros((size, free.shape[1]))
     has = problem.unknown >= 0
-    for number, motion in enumerate(np.moveaxis(planes(problem) @ free, 2, 0)):
+    for number, motion in enumerate(np.moveaxis(move_plates(problem, free), 2, 0)):
         U = np.zeros(problem.unknown.shape)
         U[nodes, :TOP] = motion[nodes]
         ground = ground_forces(s, U, column)

@@ -12,7 +12,17 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import NeutralEquilibrium, NoEquilibrium
 from groundslab.fem.bearings import CLOSED, Contact
-from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, joined_plates, planes, single_plates
+from groundslab.fem.problem import (
+    BETA_X,
+    BETA_Y,
+    TOP,
+    Problem,
+    W,
+    joined_plates,
+    motion_rows,
+    move_plates,
+    single_plates,
+)
 from groundslab.units import coordinate
 
 #: How far, relative to the plate's size, the resultant must stay inside the hull of the plate.
@@ -68,7 +78,7 @@ def _require_joint_balance(problem: Problem, free: Array, prefix: str) -> None:
     corners = _extreme_points(problem)
     scale = np.tile(_scale(corners), len(problem.plate_names))
     motions = np.linalg.qr(scale[:, None] ** -1 * free)[0]
-    work = (np.einsum("nfk,nf->k", planes(problem), problem.plate_load) * scale) @ motions
+    work = (np.concatenate([_resultant(plate) for plate, _ in single_plates(problem)]) * scale) @ motions
     if _share_balanced(problem, motions, scale, work, LIMIT_MARGIN)[0] < 1:
         raise NoEquilibrium(
             f"{prefix}the loads on these joined plates cannot be balanced: ground that cannot pull, supports and what "
@@ -81,7 +91,7 @@ def rigid_motions(problem: Problem) -> Array:
     """Return the plate's rigid motions against which only one-sided bearings hold it, as unknowns (size, m)."""
     if not problem.tensionless:
         return np.zeros((problem.unknown.max(initial=-1) + 1, 0))
-    nodes, unknown, moved = problem.plate_nodes, problem.unknown, planes(problem) @ free_motions(problem)
+    nodes, unknown, moved = problem.plate_nodes, problem.unknown, move_plates(problem, free_motions(problem))
     # where the plate goes the ground does not go with it
     moved = np.concatenate([moved, -moved[:, [W]]], axis=1)[nodes]
     motions = np.zeros((unknown.max(initial=-1) + 1, moved.shape[2]))
@@ -109,7 +119,7 @@ def _require_plates_held(problem: Problem, state: Integers, force: Array, prefix
     b = problem.bearing
     touching = np.flatnonzero((state == CLOSED) & ~b.law.bilateral & (b.field <= TOP))
     force = np.maximum(force[touching], 0.0)
-    rows = planes(problem)[b.node[touching], np.where(b.field[touching] == TOP, W, b.field[touching])]
+    rows = motion_rows(problem, b.node[touching], b.field[touching])
     for axis in (0, 1):
         if problem.symmetry[axis]:
             rows, force = np.vstack([rows, rows * _mirror(axis)]), np.tile(force, 2)
@@ -191,7 +201,7 @@ def _share_balanced(problem: Problem, motions: Array, scale: Array, work: Array,
     if not len(use) or size == 0:
         return 0.0, full
     up = np.where(b.support[use] < 0, 1.0, -law.sign[use])
-    generators = up[:, None] * ((planes(problem)[b.node[use], W] * scale) @ motions)
+    generators = up[:, None] * ((motion_rows(problem, b.node[use], b.field[use]) * scale) @ motions)
     capacity = law.limit_force[use] / size
     little = margin * np.minimum(capacity, 1 / len(use))
     bounds = [(low, None if np.isinf(high) else high - low) for low, high in zip(little, capacity, strict=True)]
@@ -250,12 +260,13 @@ def _without_steps(problem: Problem, motions: Array) -> Array:
     first, second = links.nodes[links.holds].T
     if not len(first):
         return motions
-    W_of = planes(problem)[:, W]
     size = np.ptp(problem.mesh.nodes[problem.plate_nodes], axis=0).max()
     scale = np.tile([1.0, 1 / size, 1 / size], len(problem.plate_names))
     # about the plates' middle, in which settlements and slopes are alike
     unit = np.linalg.qr(scale[:, None] ** -1 * motions)[0]
-    steps = ((W_of[first] - W_of[second]) * scale) @ unit
+    settling = np.full(len(first), W)
+    one, other = (motion_rows(problem, nodes, settling) for nodes in (first, second))
+    steps = ((one - other) * scale) @ unit
     _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([steps, np.zeros((unit.shape[1],) * 2)]), mode="r"))
     rank = int((sizes > 1e-9 * max(sizes.max(initial=0.0), 1e-300)).sum())
     found: Array = scale[:, None] * (unit @ V[rank:].T)
