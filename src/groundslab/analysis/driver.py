@@ -11,7 +11,7 @@ import numpy as np
 from groundslab.accuracy.comparison import compare
 from groundslab.analysis.adaptivity import solve_adaptively
 from groundslab.analysis.cracking_iteration import solve_cracked_meshes
-from groundslab.analysis.gamma_iteration import OnStep
+from groundslab.analysis.load_step import OnStep
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions
 from groundslab.analysis.nested import HALVINGS, margin_effect, required_coarsenings, solve_nested
 from groundslab.analysis.parallel import run_parallel
@@ -21,6 +21,7 @@ from groundslab.discretize.plan_layout import Meshes, coarsest
 from groundslab.discretize.serviceability.lasting_ground import lasts, with_lasting_ground
 from groundslab.errors import GroundslabError, IllConditioned, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
 from groundslab.model.combinations import list_combinations, place_patterns
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.certificate import certificate, worst
@@ -308,8 +309,8 @@ def _cracks(model: Model, combination: Combination) -> bool:
 
 
 def _is_infinite(model: Model) -> bool:
-    """Return whether infinite ground has an effect beyond the plate."""
-    return model.beyond.kind == "infinite" and model.ground_reaches
+    """Return whether infinite ground beyond the plate is meshed and ends in tails."""
+    return model.beyond.kind == "infinite" and model.ground_reaches and not isinstance(model.ground, ContinuousGround)
 
 
 def _with_load_shares(earlier: Sequence[Solution]) -> list[tuple[float, Solution]]:

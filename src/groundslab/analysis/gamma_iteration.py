@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
-from groundslab.analysis.mesh_hierarchy import Level
+from groundslab.analysis.load_step import LoadStep
+from groundslab.analysis.pressure_iteration import solve_pressures
 from groundslab.arrays import Array, Integers
 from groundslab.errors import NotConverged
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Contact, plastic_slip
 from groundslab.fem.foundation import Column
 from groundslab.fem.problem import TOP
 from groundslab.fem.sparse import Symmetric
-from groundslab.fem.system import System, current_bearings, nodal_table, right_hand_side
+from groundslab.fem.system import current_bearings, nodal_table, right_hand_side
 from groundslab.fem.vlasov import GAMMA_START, Soil
 from groundslab.results.certificate import decay_squared
 from groundslab.results.record import Step
@@ -31,22 +31,6 @@ GAMMA_SMALL = 0.01
 MAX_GAMMA_ITERATIONS = 60
 #: A contact force this small against the largest nodal_table load is rounding: the plate does not touch the ground.
 NO_CONTACT = 1e-9
-
-OnStep = Callable[[Step], None]
-
-
-@dataclass(frozen=True, slots=True)
-class LoadStep:
-    """A share of the load on one mesh, to be solved after the increments before it."""
-
-    system: System
-    level: Level
-    factor: float  # share of the load
-    slip: Array  # (c,) [m]: plastic slip of the bearings in the increments before
-    finest: bool
-    max_iterations: int  # of contact
-    report: OnStep
-    gamma: float | None = None  # known from another mesh, not to be found
 
 
 class _ContactIteration:
@@ -113,6 +97,8 @@ class _ContactIteration:
 
 def solve_load_step(step: LoadStep, start: Solution | None) -> Solution:
     """Return the solution of a load step, started from a solution on this mesh or on a coarser one."""
+    if step.system.problem.elastic is not None:
+        return solve_pressures(step, start)
     iteration, ground = _ContactIteration(step, start), step.system.problem.ground
     if isinstance(ground, Column):
         column, gamma = ground, None

@@ -22,6 +22,7 @@ from groundslab.solvers.conditioning import NEARLY_RIGID, stiffness_ratio
 from groundslab.solvers.direct.protocols import Solver
 from groundslab.solvers.equilibrium import rigid_motions
 from groundslab.solvers.factor_reuse import CachedFactorization
+from groundslab.solvers.plate_on_continuum import PlateOnContinuum
 from groundslab.solvers.solution import Solution
 
 #: Sections of a model on which the mesh of its results depends.
@@ -40,6 +41,7 @@ class Level:
     locations: warm_start.NodeLocations | None = None  # of its nodes in the next coarser mesh
     rigid: Array | None = None  # the plate's rigid motions
     column: Column | None = None  # of the ground, for the first gamma
+    on_continuum: PlateOnContinuum | None = None  # with its factor, on an elastic continuum
     cached: tuple[Model, ResultMesh] | None = None  # the mesh of results, and a model that has it
     prolongation: Prolongation | None = None  # from the mesh of results of the next coarser mesh to its own
 
@@ -47,7 +49,7 @@ class Level:
         """Return the matrix for the column that belongs to a gamma; the latest one is cached."""
         if self.matrix is None or self.matrix[0] != gamma:
             A = stiffness(self.system, column)
-            if stiffness_ratio(self.system, column) > NEARLY_RIGID:
+            if column.A0.any() and stiffness_ratio(self.system, column) > NEARLY_RIGID:
                 A = replace(A, exact_products=exact_rigid_products(self.system, column))
             self.matrix = gamma, A
         return self.matrix[1]
@@ -81,7 +83,9 @@ class Level:
     def clone(self) -> Level:
         """Return the same level with an analysis and a factor of its own, for use on another thread."""
         pattern = self.system.pattern
-        return replace(self, factorization=CachedFactorization(self.solver(pattern.indptr, pattern.indices)))
+        own = CachedFactorization(self.solver(pattern.indptr, pattern.indices))
+        on_continuum = None if self.on_continuum is None else replace(self.on_continuum, factorization=own)
+        return replace(self, factorization=own, on_continuum=on_continuum)
 
 
 @dataclass(slots=True)

@@ -15,6 +15,7 @@ from groundslab.discretize.constraints import (
     slip_bearing,
     support_bearing,
 )
+from groundslab.discretize.continuum.pressure_cells import elastic_ground
 from groundslab.discretize.ground import Factors, carries_shear, ground_under, grounds_of, surfaces_of
 from groundslab.discretize.nodal_loads import loadings, materials
 from groundslab.discretize.plan_layout import AXIS, OUTWARD, Layout, Meshes, layout
@@ -25,6 +26,7 @@ from groundslab.fem.assembly import number_unknowns
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Loading, Problem, W
 from groundslab.geometry.plan import SAME_PLACE
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 
@@ -56,9 +58,12 @@ def discretize(
     acting = model if loaded else model.model_copy(update={"cases": (), "loads": ()})
     cases = _known_cases(model, plan, element, fields, like) or loadings(acting, plan, element, fields)
     unknown = number_unknowns(plan.rank, present)
-    below = find_depths(model, plan, ground, coarsening == 0)
-    gap = initial_gap(model, plan)
-    others = support_bearing(model, plan, unknown), slip_bearing(model, lines, unknown)
+    below, gap = find_depths(model, plan, ground, coarsening == 0), initial_gap(model, plan)
+    bearing = concatenate(
+        ground_bearing(model, plan, unknown, below, ground, gap),
+        support_bearing(model, plan, unknown),
+        slip_bearing(model, lines, unknown),
+    )
     edges, corners = _infinite_edges(model, plan)
     return Problem(
         mesh=plan.mesh,
@@ -81,7 +86,7 @@ def discretize(
         loading=sum(cases[1:], cases[0]),
         initial_gap=gap + np.where(np.isfinite(below.depth), below.depth, 0.0)[below.shallowest],
         depths=below,
-        bearing=concatenate(ground_bearing(model, plan, unknown, below, ground, gap), *others),
+        bearing=bearing,
         tensionless=model.contact.tensionless,
         limit_pressure=np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure,
         plate_edges=plan.plate_edges,
@@ -90,6 +95,7 @@ def discretize(
         edges=edges,
         corners=corners,
         symmetry=plan.symmetry,
+        elastic=elastic_ground(model, plan, element, coarsening, bearing, cases),
         cracking=cracked_sections(model, plan.section, plan.mesh.nodes[plan.mesh.elements[plan.plate_elements, -1]]),
     )
 
@@ -118,7 +124,7 @@ def _known_cases(
 
 def _infinite_edges(model: Model, plan: Layout) -> tuple[Integers, Integers]:
     """Return the outer sides (e, 3: end, end, middle) and corner nodes (c,) beyond which the ground is infinite."""
-    if model.beyond.kind != "infinite":
+    if model.beyond.kind != "infinite" or isinstance(model.ground, ContinuousGround):
         return np.zeros((0, 3), dtype=np.int64), np.zeros(0, dtype=np.int64)
     across_x, across_y = (plan.outer[plan.outer_axis == axis] for axis in (0, 1))
     return plan.outer, np.intersect1d(across_x, across_y)
@@ -133,6 +139,8 @@ def _present(model: Model, plan: Layout, element: plate.PlateElement, surfaces: 
     present = np.ones((n, TOP + surfaces), dtype=bool)
     present[:, :TOP] = under[:, None]
     present[:, TOP] = model.contact.tensionless | ~under
+    if isinstance(model.ground, ContinuousGround):
+        present[:, TOP] = False  # what it settles follows from the pressures
     if not element.center_w:
         present[mesh.elements[plate_elements, 8], W] = False
 

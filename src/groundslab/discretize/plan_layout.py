@@ -30,6 +30,7 @@ from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import Plan, Ring, Segment, rectangle
 from groundslab.meshing.sizing import Sources
 from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.beside import distances_beyond
 from groundslab.model.model import Model
 from groundslab.model.plates.further import first_sections
@@ -40,6 +41,8 @@ from groundslab.model.supports import plan_of_plate
 COARSEST = 3
 #: Of an infinite ground, this many decay lengths are meshed before the tails begin.
 MESHED_DECAYS = 1.0
+#: Of a continuum, whose settlement beyond the plate needs no mesh, this share of the plate's longer side is shown.
+SHOWN_SHARE = 0.5
 #: Elements at an edge with ground beyond are at most this share of the length over which the ground dies out there...
 EDGE_SHARE = 0.5
 #: ... but not smaller than this share of the largest ones: then the force along the edge is next to nothing.
@@ -243,6 +246,8 @@ def _width_beyond(model: Model, grounds: list[Soil | Column]) -> float:
         return 0.0
     if model.beyond.width is not None:
         return model.beyond.width
+    if isinstance(model.ground, ContinuousGround):
+        return SHOWN_SHARE * max(model.plate.sides)
     return MESHED_DECAYS * _longest_decay(model, grounds)
 
 

@@ -17,6 +17,7 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem import plate
 from groundslab.fem.bearings import Bearings, Links
 from groundslab.fem.concrete.cracked_section import CrackedSections
+from groundslab.fem.continuum.elastic_ground import ElasticGround
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import Mesh
 from groundslab.fem.shape_functions import unique_integers
@@ -37,16 +38,22 @@ class Loading:
     free_curvature: Array  # (mp, 2) [1/m]: beta_x,x and beta_y,y that each plate element would take freely
     settlement: Array  # (s,) [m]: of each support
     size: float  # [N]: sizes of all forces on the plate, and of moments over its length, whatever they cancel
+    beside: Array  # (f, 3): places x, y [m] and forces [N] of what presses an elastic continuum beside the plate
 
     def __add__(self, other: Loading) -> Loading:
         """Return the sum of two loadings."""
-        return Loading(*(getattr(self, each.name) + getattr(other, each.name) for each in fields(self)))
+        return Loading(
+            self.load + other.load,
+            self.free_curvature + other.free_curvature,
+            self.settlement + other.settlement,
+            self.size + other.size,
+            np.vstack([self.beside, other.beside]),
+        )
 
     def scale(self, factor: float) -> Loading:
         """Return the loading multiplied by a factor."""
-        return Loading(
-            factor * self.load, factor * self.free_curvature, factor * self.settlement, abs(factor) * self.size
-        )
+        many = factor * self.load, factor * self.free_curvature, factor * self.settlement
+        return Loading(*many, abs(factor) * self.size, self.beside * [1.0, 1.0, factor])
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,6 +139,7 @@ class Problem:
     corners: Integers  # (c,): nodes at which two such edges meet
     symmetry: tuple[bool, bool]
     cracking: CrackedSections | None = None  # how the plate's elements crack, if they do
+    elastic: ElasticGround | None = None  # bears the plate, instead of columns, whose constants are zero then
     stiffness: Array | None = None  # (mp, 2) [N m2/m]: of elements that have cracked, along x and y
 
     @property
@@ -261,5 +269,14 @@ def _restrict(problem: Problem, numbers: tuple[int, ...]) -> tuple[Problem, Flag
         bearing=problem.bearing.select(held),
         links=problem.links.select(np.asarray(np.isin(problem.links.nodes, nodes).all(axis=1))),
         loading=replace(problem.loading, load=load),
+        elastic=None if problem.elastic is None else problem.elastic.under(numbers),
     )
     return own, held
+
+
+def settlement_by_loads_beside(problem: Problem, places: Array) -> Array:
+    """Return what loads beside the plate settle an elastic continuum at places (p, 2), (p,) [m]."""
+    beside = problem.loading.beside
+    if problem.elastic is None or not len(beside):
+        return np.zeros(len(places))
+    return problem.elastic.settle_by(beside[:, 2], beside[:, :2], places)

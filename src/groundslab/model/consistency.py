@@ -9,7 +9,7 @@ from groundslab.geometry.validity import TOO_CLOSE, find_issues
 from groundslab.model.columns import Column
 from groundslab.model.design.floors import AnyFloor
 from groundslab.model.design.limits import SoilStrength
-from groundslab.model.ground import AnyGround, Layered, SoilLayer, Winkler, carry_shear
+from groundslab.model.ground import AnyGround, ContinuousGround, Continuum, Layered, SoilLayer, Winkler, carry_shear
 from groundslab.model.loads.load_cases import Combination, LoadCase, check_case_names, check_factors
 from groundslab.model.loads.load_types import AnyLoad, SettlementLoad
 from groundslab.model.loads.patterns import Move
@@ -19,17 +19,16 @@ from groundslab.model.plates.further import FurtherPlate, bounds_of, list_plates
 from groundslab.model.plates.joints import AnyJoint
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.serviceability.cracking import Cracking
-from groundslab.model.settings import Beyond, Contact, Mesh
+from groundslab.model.settings import SIDES, Beyond, Contact, Mesh
 from groundslab.model.supports import (
     AnySupport,
     LineSupport,
-    PointSupport,
     check_line_supports,
     check_names,
     check_support_distances,
     plan_of_plate,
 )
-from groundslab.model.varying_ground import SoilZone
+from groundslab.model.varying_ground import Borehole, SoilZone
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import describe, one_of, quote, suggestion
 
@@ -91,6 +90,24 @@ def check_shear_of_layers(
             yield RelativeIssue((*place, *key), "0 N/m", "k1 above 0, as other ground has it and is infinite", hint)
 
 
+def check_continuum(
+    ground: AnyGround, beyond: Beyond, soil_zones: tuple[SoilZone, ...], boreholes: tuple[Borehole, ...]
+) -> Iterator[RelativeIssue]:
+    """Find what ground without an end sideways cannot have."""
+    if not isinstance(ground, ContinuousGround):
+        return
+    varying: list[tuple[str, tuple[object, ...]]] = [("soil_zones", soil_zones)]
+    varying += [("boreholes", boreholes)] if isinstance(ground, Continuum) else []
+    for name, given in varying:
+        if given:
+            hint = 'boreholes go with ground.kind = "constrained modulus" or "vlasov"'
+            yield RelativeIssue((name,), f"{name} in {quote(ground.kind)} ground", "no such", hint)
+    if beyond.kind == "margin" and (beyond.edge == "fixed" or beyond.sides != SIDES):
+        found = "a margin that ends" if beyond.edge == "fixed" else "ground beyond some sides"
+        expected = 'kind = "infinite", as this ground has no end on any side'
+        yield RelativeIssue(("beyond",), found, expected, "width says how much of it is shown")
+
+
 def check_contact_voids(plate: Plate, plates: tuple[FurtherPlate, ...], contact: Contact) -> Iterator[RelativeIssue]:
     """Find voids that do not lie on the plate."""
     covered = PlateRegion(plate, plates)
@@ -139,7 +156,7 @@ def check_supports(
     yield from far
     if not supports or far or any(check_line_supports(supports)):
         return
-    points = [n for n, support in enumerate(supports) if isinstance(support, PointSupport)]
+    points = [n for n, support in enumerate(supports) if not isinstance(support, LineSupport)]
     lines = [n for n, support in enumerate(supports) if isinstance(support, LineSupport)]
     called = {f"plate.points[{n}]": number for n, number in enumerate(points, start=1)}
     called |= {f"plate.lines[{n}]": number for n, number in enumerate(lines, start=1)}
@@ -221,7 +238,7 @@ def check_supports_on_joints(
             continue
         line = shared_line(*(known[name] for name in joint.between)).buffer(near)
         for position, support in enumerate(supports):
-            if isinstance(support, PointSupport):
+            if not isinstance(support, LineSupport):
                 held = line.intersects(Point(support.x, support.y))
             else:
                 held = len(support.points) > 1 and line.intersection(LineString(support.points)).length > 4 * near

@@ -31,7 +31,7 @@ from groundslab.model.plates.joints import Joint, check_joints
 from groundslab.model.serviceability.cracking import Cracking, check_cracking
 from groundslab.model.serviceability.long_term import LongTerm
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
-from groundslab.model.supports import Support
+from groundslab.model.supports import Support, check_piles
 from groundslab.schema import reference
 from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Text
@@ -48,6 +48,7 @@ class Model(Section):
         consistency.check_supports_on_joints,
         consistency.check_glued_joints,
         consistency.check_shear_of_layers,
+        consistency.check_continuum,
         consistency.check_some_load_acts,
         check_point_loads,
         check_distributed_loads,
@@ -64,6 +65,7 @@ class Model(Section):
         check_patterns,
         check_positions,
         consistency.check_supports,
+        check_piles,
         consistency.check_settlement_loads,
         varying_ground.check_soil_zone_types,
         varying_ground.check_soil_zone_extent,

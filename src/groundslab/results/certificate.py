@@ -10,8 +10,19 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.fem.assembly import scatter
 from groundslab.fem.bearings import CLOSED, YIELDING
+from groundslab.fem.continuum.pile_group import PileGroup
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
-from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, move_plates, plate_unknowns, single_plates
+from groundslab.fem.problem import (
+    BETA_X,
+    BETA_Y,
+    TOP,
+    Problem,
+    W,
+    move_plates,
+    plate_unknowns,
+    settlement_by_loads_beside,
+    single_plates,
+)
 from groundslab.fem.system import (
     System,
     edge_decays,
@@ -148,10 +159,19 @@ def _tail_forces(problem: Problem, w: Array, column: Column) -> Array:
     return forces
 
 
+def pressing_forces(solution: Solution) -> Array:
+    """Return the forces (n, 2) that the cells of an elastic continuum put on the plate's w, and on their surface."""
+    elastic, pressed = solution.system.problem.elastic, solution.pressed
+    assert elastic is not None
+    assert pressed is not None
+    on_w = elastic.cells.spread @ pressed.force
+    return np.column_stack([on_w, on_w])
+
+
 def resistance(solution: Solution) -> tuple[Array, Array]:
     """Return the forces (n, F) with which plate and ground resist, and the ground's share of them (n, 1 + S)."""
     s, U, column = solution.system, solution.U, solution.column
-    ground = ground_forces(s, U, column)
+    ground = ground_forces(s, U, column) if solution.pressed is None else pressing_forces(solution)
     inner = link_forces(s, U, column, joints=True)
     inner[:, :TOP] += plate_forces(s, U)
     for surface in range(column.surfaces):
@@ -191,7 +211,8 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     support[:, W] -= link_forces(s, U, column, joints=True)[:, W]
     # what presses on the ground beside the plate's edge does not reach the plate
     contact = ground[:, 0].copy()
-    contact[under] -= load[under, TOP]
+    if solution.pressed is None:
+        contact[under] -= load[under, TOP]
     pushed, beside = contact.sum(), load[:, TOP].sum()
     balances = [
         _balance(plate, contact, support, np.abs(c.force[held & elastic]), rounding)
@@ -208,7 +229,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
         reaction=sum(each.reaction for each in balances) * share,
         force_balance=max(each.force for each in balances),
         moment_balance=max(each.moment for each in balances),
-        ground_balance=float(abs(_sum_lost_forces(s, U, column, rest) - pushed - beside) / (size + abs(beside))),
+        ground_balance=float(abs(_sum_down(solution, rest) - pushed - beside) / (size + abs(beside))),
         worst_gap=float(gap / settlement),
         worst_pressure=force,
         worst_product=float(product / settlement),
@@ -250,6 +271,13 @@ def _balance(plate: Problem, contact: Array, support: Array, springs: Array, rou
     )
 
 
+def _sum_down(solution: Solution, rest: Array) -> float:
+    """Return the force that the ground carries down and out, which is what its cells bear if it has such."""
+    if solution.pressed is not None:
+        return float(solution.pressed.force.sum() + solution.system.problem.load[:, TOP].sum())
+    return _sum_lost_forces(solution.system, solution.U, solution.column, rest)
+
+
 def _mismatch(problem: Problem, U: Array) -> float:
     """Return the largest difference [m] across links that should have none: of the ground's surface, and of hinges."""
     links = problem.links
@@ -271,8 +299,9 @@ def _bearing_errors(solution: Solution, nothing: float) -> tuple[float, float, f
     that counts as nothing.
     """
     problem, law, c = solution.system.problem, solution.law, solution.contact
+    of_cells = _cell_errors(solution, nothing)
     if not len(law):
-        return 0.0, 0.0, 0.0
+        return of_cells
     ground = problem.bearing.support < 0
     scale = np.full(len(law), np.abs(c.force[~ground]).max(initial=0.0))
     area = problem.depths.area[problem.bearing.node[ground], problem.bearing.depth[ground]]
@@ -283,10 +312,52 @@ def _bearing_errors(solution: Solution, nothing: float) -> tuple[float, float, f
     way[elastic] -= c.force[elastic] / law.stiffness[elastic]
     one_sided = ~law.bilateral
     yielding = c.state == YIELDING
-    broken = np.where(law.bilateral, np.abs(way), np.where(yielding, -way, way))[law.limit_force > 0]
+    broken = np.where(law.bilateral, np.abs(way), np.where(yielding, -way, way))
+    if problem.elastic is not None and problem.elastic.piles is not None:
+        piles = problem.elastic.piles.bearing
+        broken[piles] = _pile_errors(solution, problem.elastic.piles)
+    broken = broken[law.limit_force > 0]
     force = np.where(one_sided, np.maximum(-c.force, c.force - law.limit_force), 0.0) / scale
     product = np.where(one_sided & ~yielding, np.abs(c.force * way), 0.0) / scale
-    return max(0.0, float(broken.max(initial=0.0))), max(0.0, float(force.max())), float(product.max())
+    of_bearings = float(broken.max(initial=0.0)), float(force.max()), float(product.max())
+    way_off, force_off, product_off = (max(0.0, *each) for each in zip(of_bearings, of_cells, strict=True))
+    return way_off, force_off, product_off
+
+
+def _pile_errors(solution: Solution, piles: PileGroup) -> Array:
+    """Return how far the heads of piles are from where their loads and the ground put them (p,) [m].
+
+    At the limit in compression the plate may lie deeper than the pile by itself, at that in tension higher.
+    """
+    assert solution.pressed is not None
+    load = solution.contact.force[piles.bearing]
+    deeper = solution.law.penetration(solution.contact.u)[piles.bearing] - piles.settle(load, solution.pressed.force)
+    below, above = np.where(load >= piles.upper, 0.0, deeper), np.where(load <= piles.lower, 0.0, -deeper)
+    found: Array = np.maximum(
+        np.maximum(below, above), np.maximum(load - piles.upper, piles.lower - load) * np.diag(piles.own)
+    )
+    return found
+
+
+def _cell_errors(solution: Solution, nothing: float) -> tuple[float, float, float]:
+    """Return the same for the cells of an elastic continuum, whose gaps follow from its settlement and the plate's."""
+    elastic, pressed, problem = solution.system.problem.elastic, solution.pressed, solution.system.problem
+    if elastic is None or pressed is None:
+        return 0.0, 0.0, 0.0
+    force, area, limit = pressed.force, elastic.cells.area, elastic.limit_force
+    gap = elastic.settle(force) + elastic.gap - elastic.cells.spread.T @ solution.U[:, W]
+    gap += settlement_by_loads_beside(problem, elastic.cells.center)
+    if elastic.piles is not None:
+        gap += solution.contact.force[elastic.piles.bearing] @ elastic.piles.on_cells
+    scale = np.maximum(area * np.abs(force / area).max(), nothing)
+    yielding = (force >= limit) & (limit > 0)
+    bears = limit > 0
+    if not problem.tensionless:
+        return float(np.abs(gap).max()), 0.0, 0.0
+    broken = np.where(yielding, gap, -gap)[bears]
+    wrong = np.maximum(-force, np.where(np.isinf(limit), 0.0, force - limit)) / scale
+    product = np.where(yielding, 0.0, np.abs(force * gap)) / scale
+    return float(broken.max(initial=0.0)), float(wrong.max(initial=0.0)), float(product.max(initial=0.0))
 
 
 def _own_w(problem: Problem) -> Array:

@@ -14,6 +14,9 @@ from groundslab.results.edge_forces import ground_shear, pressure_forces, split_
 from groundslab.results.result_mesh import ResultMesh
 from groundslab.solvers.solution import Solution
 
+#: A node touches if so much of the cells around it does.
+HALF = 0.5
+
 
 def contact_fields(solution: Solution, frame: ResultMesh) -> tuple[dict[str, Array], Array]:
     """Return fields at the nodes of a frame (k,), whether they touch as 1 or 0, and each element's mean pressure (mp,).
@@ -21,6 +24,8 @@ def contact_fields(solution: Solution, frame: ResultMesh) -> tuple[dict[str, Arr
     A node's pressure is the contact force on its own elements over their share of area, less the line force along the
     plate's edge, so that all nodes together, and all elements together, carry the whole contact force beside that.
     """
+    if solution.pressed is not None:
+        return _on_cells(solution, frame)
     problem, elements = solution.system.problem, frame.mesh.elements
     pressure, touching, gap, sunk, line_force = _at_depths(solution, frame)
     of = problem.mesh.elements[problem.plate_elements]
@@ -45,6 +50,31 @@ def contact_fields(solution: Solution, frame: ResultMesh) -> tuple[dict[str, Arr
         "contact_area": bears,
         "line_force": np.where(frame.edge_length > 0, line_force[frame.node], 0.0),
     }, np.einsum("ea,ea->e", frame.mean, at_elements)
+
+
+def _on_cells(solution: Solution, frame: ResultMesh) -> tuple[dict[str, Array], Array]:
+    """Return the same of an elastic continuum, from the cells around each node and under each element.
+
+    Nodes together carry what the cells carry: means around them are scaled by what little their areas are off.
+    """
+    elastic, pressed = solution.system.problem.elastic, solution.pressed
+    assert elastic is not None
+    assert pressed is not None
+    cells, here = elastic.cells, frame.node
+    p = pressed.force / cells.area
+    tensionless = solution.system.problem.tensionless
+    touching = cells.around @ ((pressed.force > 0) | (not tensionless)).astype(np.float64)
+    at_nodes = (cells.around @ p)[here]
+    carried = float(at_nodes @ frame.area)
+    gap, in_contact = (cells.around @ pressed.gap)[here], touching[here] >= HALF
+    return {
+        "gap": np.where(in_contact, 0.0, np.maximum(gap, 0.0)),
+        "penetration": np.where(in_contact, np.maximum(-gap, 0.0), 0.0),
+        "pressure": at_nodes * (pressed.force.sum() / carried if carried else 1.0),
+        "in_contact": in_contact.astype(np.float64),
+        "contact_area": touching[here] * frame.area,
+        "line_force": np.zeros(len(here)),
+    }, cells.under @ p
 
 
 def _at_depths(solution: Solution, frame: ResultMesh) -> tuple[Array, Array, Array, Array, Array]:

@@ -46,13 +46,14 @@ def goes_below_zero(values: Array) -> bool:
 def contact_function(results: CombinationResult) -> Array:
     """Return a field (n,) that is negative at nodes in contact, positive elsewhere, zero on the boundary.
 
-    Without shear in the ground it is k0 g - p, with k0 of all layers in series: on Winkler ground it crosses
+    On springs without shear it is k0 g - p, with k0 of all layers in series: on Winkler ground it crosses
     zero linearly. With shear the pressure jumps to zero at the boundary and the gap grows as the square of the
-    distance, so its root stands for the distance on the open side, and half a usual first step on the other.
+    distance (on an elastic continuum, as its power 3/2), so its root stands for the distance on the open side, and half
+    a usual first step on the other.
     """
     plate = results.plate
     closed = plate.in_contact
-    if any(k1 > 0 for k1 in results.constants.k1):
+    if not results.constants.k0 or any(k1 > 0 for k1 in results.constants.k1):
         outside = np.sqrt(np.maximum(plate.gap, 0.0))
         mixed = closed[plate.elements].any(axis=1) & ~closed[plate.elements].all(axis=1)
         front = np.setdiff1d(plate.elements[mixed], np.flatnonzero(closed))

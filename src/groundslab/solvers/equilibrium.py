@@ -5,6 +5,7 @@ Existence is decided before anything is solved, uniqueness once the bearings tha
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
@@ -100,19 +101,28 @@ def rigid_motions(problem: Problem) -> Array:
     return motions
 
 
-def require_hold(problem: Problem, contact: Contact) -> None:
+def require_hold(problem: Problem, contact: Contact, pressing: Array | None = None) -> None:
     """Raise NeutralEquilibrium if the plate can still move as a rigid body against what touches it with some force.
 
-    The solution would then be one of many. Bearings that have reached their limit give way and hold nothing.
+    The solution would then be one of many. Bearings that have reached their limit give way and hold nothing. pressing
+    (c,) are the forces of an elastic continuum's cells.
     """
     if not problem.tensionless:
         return
+    elastic = problem.elastic
     for plates, own in joined_plates(problem):
-        _require_plates_held(plates, contact.state[own], contact.force[own], _prefix(problem, plates))
+        pressed = None
+        if elastic is not None and pressing is not None:
+            numbers = [problem.plate_names.index(name) for name in plates.plate_names]
+            pressed = pressing[np.isin(elastic.cells.plate, numbers)]
+        _require_plates_held(plates, contact.state[own], contact.force[own], pressed, _prefix(problem, plates))
 
 
-def _require_plates_held(problem: Problem, state: Integers, force: Array, prefix: str) -> None:
-    """Raise NeutralEquilibrium if plates can move against bearings in states (c,) with forces (c,)."""
+def _require_plates_held(problem: Problem, state: Integers, force: Array, pressing: Array | None, prefix: str) -> None:
+    """Raise NeutralEquilibrium if plates can move against bearings in states (c,) with forces (c,).
+
+    pressing (k,) are the forces of the cells under them.
+    """
     free = free_motions(problem, mirrored=True)
     if free.shape[1] == 0:
         return
@@ -123,6 +133,9 @@ def _require_plates_held(problem: Problem, state: Integers, force: Array, prefix
     for axis in (0, 1):
         if problem.symmetry[axis]:
             rows, force = np.vstack([rows, rows * _mirror(axis)]), np.tile(force, 2)
+    if pressing is not None and problem.elastic is not None:
+        holding = np.where(pressing < problem.elastic.limit_force, pressing, 0.0)
+        rows, force = np.vstack([rows, _rows_of_cells(problem)]), np.append(force, holding)
     corners = _extreme_points(problem)
     scale = _scale(corners)
     centre = corners.mean(axis=0)
@@ -175,34 +188,64 @@ def _mirror(axis: int) -> Array:
     return np.where(np.arange(3) == axis + 1, -1.0, 1.0)
 
 
+@dataclass(frozen=True, slots=True)
+class _OneWay:
+    """What acts on plates one way: the ground, at nodes or in cells, and supports."""
+
+    up: Array  # (c,): 1.0 if it pushes up, -1.0 if it holds down
+    row: Array  # (c, 3 plates): what rigid motions settle there
+    limit_force: Array  # (c,) [N]
+    support: Integers  # (c,): number of the support, -1 for the ground
+
+
+def _one_way(problem: Problem) -> _OneWay:
+    """Return all that acts on plates one way."""
+    b, law, elastic = problem.bearing, problem.bearing.law, problem.elastic
+    own = ~law.bilateral & (b.field <= TOP)
+    up = np.where(b.support[own] < 0, 1.0, -law.sign[own])
+    row, limit_force, support = motion_rows(problem, b.node[own], b.field[own]), law.limit_force[own], b.support[own]
+    if elastic is not None:
+        cells = len(elastic.gap)
+        up, support = np.append(up, np.ones(cells)), np.append(support, np.full(cells, -1))
+        row, limit_force = np.vstack([row, _rows_of_cells(problem)]), np.append(limit_force, elastic.limit_force)
+    return _OneWay(up, row, limit_force, support)
+
+
+def _rows_of_cells(problem: Problem) -> Array:
+    """Return what rigid motions settle at the cells of an elastic continuum, (c, 3 plates)."""
+    assert problem.elastic is not None
+    cells = problem.elastic.cells
+    rows = np.zeros((len(cells.area), len(problem.plate_names), 3))
+    rows[np.arange(len(rows)), cells.plate] = np.column_stack([np.ones(len(rows)), cells.center])
+    return rows.reshape(len(rows), -1)
+
+
 def _only_pushed(problem: Problem) -> bool:
     """Return whether all that bears one way pushes up, without limit, on the plate that the ground pushes everywhere.
 
     Supports that push up then add nothing to the ground.
     """
-    b = problem.bearing
-    pulls = (b.law.sign > 0) & (b.support >= 0) & (b.field < TOP) & ~b.law.bilateral
-    return not (pulls.any() or np.isfinite(b.law.limit_force).any())
+    b = _one_way(problem)
+    return not ((b.up < 0).any() or np.isfinite(b.limit_force).any())
 
 
 def _share_balanced(problem: Problem, motions: Array, scale: Array, work: Array, margin: float) -> tuple[float, Flags]:
     """Return which share of the load bearings with limits can balance, 1 at most, and which are then at their limit.
 
     A linear program: how large a share of the load's work on the free motions can forces do, each a little off zero
-    and off its limit force? Also which bearings (c,) are at their limit.
+    and off its limit force? Also which of what acts one way (c,) is at its limit.
     """
     from scipy.optimize import linprog
 
-    b, law = problem.bearing, problem.bearing.law
-    full = np.zeros(len(law), dtype=bool)
-    use = np.flatnonzero(~law.bilateral & (law.limit_force > 0) & (b.field <= TOP))
+    b = _one_way(problem)
+    full = np.zeros(len(b.up), dtype=bool)
+    use = np.flatnonzero(b.limit_force > 0)
     # forced curvature, as by temperature, presses supports that pull against the ground without any force from outside
     size = problem.loading.size or float(np.abs(problem.load[:, BETA_X : BETA_Y + 1]).sum() * scale[1])
     if not len(use) or size == 0:
         return 0.0, full
-    up = np.where(b.support[use] < 0, 1.0, -law.sign[use])
-    generators = up[:, None] * ((motion_rows(problem, b.node[use], b.field[use]) * scale) @ motions)
-    capacity = law.limit_force[use] / size
+    generators = b.up[use, None] * ((b.row[use] * scale) @ motions)
+    capacity = b.limit_force[use] / size
     little = margin * np.minimum(capacity, 1 / len(use))
     bounds = [(low, None if np.isinf(high) else high - low) for low, high in zip(little, capacity, strict=True)]
     found = linprog(
@@ -332,25 +375,24 @@ def _reason(problem: Problem, corners: Array, motions: Array, scale: Array, work
     F, Fx, Fy = _resultant(problem)
     F = 0.0 if abs(F) <= MARGIN * problem.loading.size else F
     share = 2.0 ** sum(problem.symmetry)
-    b, law = problem.bearing, problem.bearing.law
-    pushing = ~law.bilateral & ((b.support < 0) | (law.sign < 0))
-    pulling = ~law.bilateral & ~pushing
-    most, least = law.limit_force[pushing].sum(), law.limit_force[pulling].sum()
+    b = _one_way(problem)
+    pushing, pulling = b.up > 0, b.up < 0
+    most, least = b.limit_force[pushing].sum(), b.limit_force[pulling].sum()
     if most <= F * (1 + LIMIT_MARGIN):
         return (
             f"the loads of {F * share / 1e3:.6g} kN are more than ground and supports can carry at their limits, "
-            f"{most * share / 1e3:.6g} kN; enlarge the plate, or look at {_limits(problem, pushing)}"
+            f"{most * share / 1e3:.6g} kN; enlarge the plate, or look at {_limits(b, pushing)}"
         )
     if 0 < least <= -F * (1 + LIMIT_MARGIN):
         return (
             f"the loads lift the plate by {-F * share / 1e3:.6g} kN, more than the supports can hold down at their "
-            f"limits, {least * share / 1e3:.6g} kN; look at {_limits(problem, pulling)}, or add weight"
+            f"limits, {least * share / 1e3:.6g} kN; look at {_limits(b, pulling)}, or add weight"
         )
     balanced, full = _share_balanced(problem, motions, scale, work, 0.0)
     if MARGIN < balanced < 1 and full.any():
         return (
             f"the loads, {F * share / 1e3:.6g} kN in all (downwards positive), are more than ground and supports can "
-            f"balance where they act: {100 * balanced:.4g} % of them bring {_limits(problem, full)} to the limit; move "
+            f"balance where they act: {100 * balanced:.4g} % of them bring {_limits(b, full)} to the limit; move "
             "the loads, or add to what carries them"
         )
     if MARGIN * problem.loading.size >= F:
@@ -378,13 +420,12 @@ def _reason(problem: Problem, corners: Array, motions: Array, scale: Array, work
     )
 
 
-def _limits(problem: Problem, bearings: Flags) -> str:
-    """Return the names of the limits that some bearings (c,) have, as the file calls them."""
-    b = problem.bearing
-    limited = bearings & np.isfinite(b.law.limit_force)
+def _limits(b: _OneWay, which: Flags) -> str:
+    """Return the names of the limits that some of what acts one way (c,) has, as the file calls them."""
+    limited = which & np.isfinite(b.limit_force)
     supports = b.support[limited]
     names = [f"supports[{number + 1}].limit" for number in np.unique(supports[supports >= 0])]
     if (supports < 0).any():
-        lasting = b.law.limit_force[limited][supports < 0] > 0
+        lasting = b.limit_force[limited][supports < 0] > 0
         names += ["contact.limit_pressure"] * bool(lasting.any()) + ["voids without depth"] * bool((~lasting).any())
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)

@@ -143,6 +143,10 @@ class CachedFactorization:
         self._factor = self.symbolic.factor(system.A.constrain(system.fixed, system.diagonal_shift))
         self.system = system
 
+    def solve(self, b: Array) -> Array:
+        """Return x (size,) that solves the system factorized last for b (size,)."""
+        return self._factor.solve(b)
+
     def iterate(self, system: ConstrainedSystem, load: Array, u: Array, residual: Array, steps: int) -> bool:
         """Improve u (size,) towards the solution under a load (size,) by steps of conjugate gradients.
 

@@ -14,6 +14,14 @@ from groundslab.fem.system import System
 
 
 @dataclass(frozen=True, slots=True)
+class Pressed:
+    """What c cells of an elastic continuum carry, and how far the plate is off."""
+
+    force: Array  # (c,) [N]
+    gap: Array  # (c,) [m]: below zero where the plate has sunk into ground that yields
+
+
+@dataclass(frozen=True, slots=True)
 class Solution:
     """A converged state of one mesh: unknowns as a table (n, F), contact, ground, and how gamma came about."""
 
@@ -27,6 +35,7 @@ class Solution:
     gamma_change: float = 0.0  # relative, of one more step
     gamma_slope: float = 0.0  # of the step's outcome over gamma
     gamma_iterations: int = 0
+    pressed: Pressed | None = None  # what the cells of an elastic continuum carry
 
     def nodes_in(self, *states: int) -> Array:
         """Return -1.0 at the nodes where the ground is in one of some states (see contact), else 1.0, (n,)."""

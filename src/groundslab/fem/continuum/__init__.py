@@ -1,0 +1,1 @@
+"""The elastic half-space and layered elastic continuum under the plate."""
