@@ -18,6 +18,7 @@ from groundslab.fem.problem import (
     TOP,
     Problem,
     W,
+    free_motions,
     move_plates,
     plate_unknowns,
     settlement_by_loads_beside,
@@ -34,7 +35,6 @@ from groundslab.fem.system import (
 )
 from groundslab.results.record import Certificate
 from groundslab.solvers.cracking import error_of_law
-from groundslab.solvers.equilibrium import free_motions
 from groundslab.solvers.solution import Solution
 
 _CHUNK = 4096

@@ -19,7 +19,9 @@ from groundslab.fem.problem import (
     TOP,
     Problem,
     W,
+    free_motions,
     joined_plates,
+    mirror_motion,
     motion_rows,
     move_plates,
     single_plates,
@@ -132,7 +134,7 @@ def _require_plates_held(problem: Problem, state: Integers, force: Array, pressi
     rows = motion_rows(problem, b.node[touching], b.field[touching])
     for axis in (0, 1):
         if problem.symmetry[axis]:
-            rows, force = np.vstack([rows, rows * _mirror(axis)]), np.tile(force, 2)
+            rows, force = np.vstack([rows, rows * mirror_motion(axis)]), np.tile(force, 2)
     if pressing is not None and problem.elastic is not None:
         holding = np.where(pressing < problem.elastic.limit_force, pressing, 0.0)
         rows, force = np.vstack([rows, _rows_of_cells(problem)]), np.append(force, holding)
@@ -181,11 +183,6 @@ def _scale(corners: Array) -> Array:
     """Return what makes settlement and slopes of a plate alike: 1, and 1 over its size [1/m] twice."""
     size = np.ptp(corners, axis=0).max()
     return np.array([1.0, 1 / size, 1 / size])
-
-
-def _mirror(axis: int) -> Array:
-    """Return what a motion (a, b, c) is multiplied with in the mirror across an axis."""
-    return np.where(np.arange(3) == axis + 1, -1.0, 1.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -259,69 +256,6 @@ def _share_balanced(problem: Problem, motions: Array, scale: Array, work: Array,
         return 0.0, full
     full[use] = found.x[:-1] >= capacity - 2 * little
     return float(found.x[-1]), full
-
-
-def free_motions(problem: Problem, mirrored: bool = False) -> Array:
-    """Return the rigid motions w = a + b x + c y that the supports which act both ways allow, as columns (3 plates, d).
-
-    Of a plate of which a part is meshed those that its mirrors allow, or, mirrored, those of the full plate.
-    """
-    if len(problem.plate_names) > 1:
-        every = _block_diagonal([free_motions(plate, mirrored) for plate, _ in single_plates(problem)])
-        return _without_steps(problem, every)
-    nodes, b = problem.plate_nodes, problem.bearing
-    fixed = problem.unknown[:, : BETA_Y + 1] < 0
-    both = b.law.bilateral
-    fixed[b.node[both], b.field[both]] = True
-    for axis in (0, 1):
-        if mirrored and problem.symmetry[axis]:
-            fixed[problem.mesh.nodes[:, axis] == 0.0, BETA_X + axis] = False
-    fixed = fixed[nodes]
-    x, y = problem.mesh.nodes[nodes].T
-    one, zero = np.ones_like(x), np.zeros_like(x)
-    own_w = np.ones(len(nodes), dtype=bool)
-    if not problem.element.center_w:
-        own_w[np.isin(nodes, problem.mesh.elements[problem.plate_elements, 8])] = False
-    constraints = np.vstack(
-        [
-            np.column_stack([one, x, y])[fixed[:, W] & own_w],
-            np.column_stack([zero, one, zero])[fixed[:, BETA_X]],
-            np.column_stack([zero, zero, one])[fixed[:, BETA_Y]],
-        ]
-    )
-    for axis in (0, 1):
-        if mirrored and problem.symmetry[axis]:
-            constraints = np.vstack([constraints, constraints * _mirror(axis)])
-    _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([constraints, np.zeros((3, 3))]), mode="r"))
-    rank = int((sizes > 1e-10 * max(sizes.max(), 1e-300)).sum())
-    return V[rank:].T
-
-
-def _without_steps(problem: Problem, motions: Array) -> Array:
-    """Return those combinations of motions (3 plates, d) that make no step across joints that hold plates together."""
-    links = problem.links
-    first, second = links.nodes[links.holds].T
-    if not len(first):
-        return motions
-    size = np.ptp(problem.mesh.nodes[problem.plate_nodes], axis=0).max()
-    scale = np.tile([1.0, 1 / size, 1 / size], len(problem.plate_names))
-    # about the plates' middle, in which settlements and slopes are alike
-    unit = np.linalg.qr(scale[:, None] ** -1 * motions)[0]
-    settling = np.full(len(first), W)
-    one, other = (motion_rows(problem, nodes, settling) for nodes in (first, second))
-    steps = ((one - other) * scale) @ unit
-    _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([steps, np.zeros((unit.shape[1],) * 2)]), mode="r"))
-    rank = int((sizes > 1e-9 * max(sizes.max(initial=0.0), 1e-300)).sum())
-    found: Array = scale[:, None] * (unit @ V[rank:].T)
-    return found
-
-
-def _block_diagonal(blocks: list[Array]) -> Array:
-    """Return the matrix with blocks along its diagonal; those without columns have rows alone."""
-    from scipy.linalg import block_diag
-
-    found: Array = block_diag(*blocks)
-    return found
 
 
 def _extreme_points(problem: Problem) -> Array:

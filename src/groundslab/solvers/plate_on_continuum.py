@@ -18,12 +18,11 @@ from groundslab.fem.bearings import Bearings
 from groundslab.fem.continuum.elastic_ground import ElasticGround
 from groundslab.fem.continuum.media import elastic_length
 from groundslab.fem.continuum.preconditioner import Preconditioner, make_preconditioner
-from groundslab.fem.problem import TOP, Problem, W, move_plates
+from groundslab.fem.problem import TOP, Problem, W, free_motions, move_plates
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.sparse import Symmetric
 from groundslab.fem.system import System
 from groundslab.solvers.bounded_forces import BoundedForces, BoundedSolution
-from groundslab.solvers.equilibrium import free_motions
 from groundslab.solvers.factor_reuse import CachedFactorization, ConstrainedSystem
 
 if TYPE_CHECKING:
