@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.errors import GroundslabError
+from groundslab.results.pressed_cells import PressedCells
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
@@ -27,6 +28,8 @@ def require_finite(results: CombinationResult) -> None:
         values = getattr(results, part)
         for item in fields(values):
             value = getattr(values, item.name)
+            if isinstance(value, PressedCells):
+                value = value.force
             if value is not None and not np.all(np.isfinite(value)):
                 raise GroundslabError(
                     f"{part}.{item.name} of the results holds a number that is not finite; nothing is shown or written"

@@ -12,6 +12,7 @@ from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import Mesh, MeshLocations, bounding_boxes, interpolate, locate
 from groundslab.fem.shape_functions import areas
 from groundslab.results.fields import PLATE_FIELDS
+from groundslab.results.pressed_cells import PressedCells
 from groundslab.schema.wording import describe, one_of, suggestion
 
 if TYPE_CHECKING:
@@ -278,11 +279,14 @@ class GroundResult:
         Nodes of the elements: four corners, four midsides, center.
     settlement : (S, n) array of float
         Settlement of every surface [m], from the top one downwards.
+    cells : PressedCells or None
+        On an elastic continuum the cells on which the plate presses; None on other ground.
     """
 
     nodes: Array
     elements: Integers
     settlement: Array
+    cells: PressedCells | None = None
 
     @overload
     def value_at(self, x: float, y: float, surface: int = 0) -> float: ...
@@ -319,6 +323,73 @@ class GroundResult:
             raise InputError([Issue("surface", describe(surface), expected)])
         return _values_at(Mesh(self.nodes, self.elements), self.settlement[surface], x, y, "the meshed ground")
 
+    @overload
+    def settlement_at(self, x: float, y: float, z: float) -> float: ...
+    @overload
+    def settlement_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> Array: ...
+    def settlement_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> float | Array:
+        """Return the settlement of an elastic continuum at points anywhere in it, beside the plate too.
+
+        Parameters
+        ----------
+        x, y : array_like of float
+            Coordinates [m].
+        z : array_like of float
+            Depth below the base of the plate [m], of a shape that broadcasts against those of x and y.
+
+        Returns
+        -------
+        float or array of float
+            Settlement [m]: a float for three numbers, else an array of the broadcast shape.
+
+        Raises
+        ------
+        InputError
+            If the ground is no elastic continuum, or if a point lies above the surface or below the base.
+
+        References
+        ----------
+        Bonded elastic layers under the pressures of the cells (docs/ground_models.md).
+
+        Examples
+        --------
+        >>> settlement = results.ground.settlement_at(x, y, [0.0, 1.0, 5.0])  # doctest: +SKIP
+        """
+        return self._in_depth(0, x, y, z)
+
+    @overload
+    def stress_at(self, x: float, y: float, z: float) -> float: ...
+    @overload
+    def stress_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> Array: ...
+    def stress_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> float | Array:
+        """Return the vertical stress by the plate in an elastic continuum, without the soil's own weight.
+
+        Parameters
+        ----------
+        x, y, z : array_like of float
+            Points as for `settlement_at` [m].
+
+        Returns
+        -------
+        float or array of float
+            Stress sigma_z [Pa], compression positive; at z = 0 the pressure of the cell.
+
+        Raises
+        ------
+        InputError
+            As `settlement_at` does.
+        """
+        return self._in_depth(1, x, y, z)
+
+    def _in_depth(self, which: int, *coordinates: ArrayLike) -> float | Array:
+        """Return settlement (0) or vertical stress (1) at points."""
+        if self.cells is None:
+            expected = 'an elastic continuum, ground.kind = "continuum"'
+            raise InputError([Issue("ground", "ground of which only surfaces are known", expected)])
+        points = _points(*coordinates)
+        found = self.cells.at_points(points.reshape(-1, 3))[which]
+        return float(found[0]) if points.ndim == 1 else found.reshape(points.shape[:-1])
+
 
 def mean_at_nodes(plate: PlateResult, values: Array) -> Array:
     """Return the means (n,) of a field of elements (m,) over the elements that meet at each node, by their areas."""
@@ -341,13 +412,14 @@ def _values_at(mesh: Mesh, values: Array, x: ArrayLike, y: ArrayLike, region: st
     return float(found[0]) if points.ndim == 1 else found.reshape(points.shape[:-1])
 
 
-def _points(x: ArrayLike, y: ArrayLike) -> Array:
-    """Return points as an array (..., 2) of floats; InputError if x and y are no numbers or do not fit together."""
+def _points(*coordinates: ArrayLike) -> Array:
+    """Return points as an array (..., 2 or 3) of floats; InputError if these are no numbers or do not fit together."""
     try:
-        points: Array = np.stack(np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(y, dtype=float)), axis=-1)
+        points: Array = np.stack(np.broadcast_arrays(*(np.asarray(x, dtype=float) for x in coordinates)), axis=-1)
     except (TypeError, ValueError):
-        found = " and ".join(describe(each) if np.ndim(each) == 0 else f"shape {np.shape(each)}" for each in (x, y))
-        raise InputError([Issue("x, y", found, "numbers in meters, in shapes that broadcast")]) from None
+        found = " and ".join(describe(each) if np.ndim(each) == 0 else f"shape {np.shape(each)}" for each in coordinates)
+        names = ", ".join("xyz"[: len(coordinates)])
+        raise InputError([Issue(names, found, "numbers in meters, in shapes that broadcast")]) from None
     return points
 
 

@@ -16,6 +16,7 @@ from groundslab.model.model import Model
 from groundslab.results.certificate import apply, resistance
 from groundslab.results.contact_fields import contact_fields
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
+from groundslab.results.pressed_cells import PressedCells, pressed_cells
 from groundslab.results.record import Certificate, Constants, Step
 from groundslab.results.result_mesh import ResultMesh
 from groundslab.results.results import CombinationResult, Comparison, Increment, SupportResult
@@ -36,6 +37,7 @@ class MeshedFields:
     nodal: dict[str, Array]  # (k,)
     elements: dict[str, Array]  # (mp,)
     surfaces: Array  # (S, n) [m]: settlements
+    cells: PressedCells | None = None
 
 
 def recover(
@@ -81,7 +83,7 @@ def recover_fields(solution: Solution, frame: ResultMesh) -> MeshedFields:
     nodal = {name: field[frame.node] for name, field in moved.items()}
     nodal |= {"area": frame.area, "edge_length": frame.edge_length} | section_forces(frame, forces) | contact
     elements = _element_fields(problem, gauss) | {"pressure": pressure}
-    return MeshedFields(forces, nodal, elements, surface_settlement(s, U))
+    return MeshedFields(forces, nodal, elements, surface_settlement(s, U), pressed_cells(solution))
 
 
 def expand(fields: MeshedFields, frame: ResultMesh) -> tuple[PlateResult, ElementResult, GroundResult]:
@@ -98,7 +100,7 @@ def expand(fields: MeshedFields, frame: ResultMesh) -> tuple[PlateResult, Elemen
     return (
         PlateResult(plate.mesh.nodes, plate.mesh.elements, in_contact=in_contact, **nodal),
         ElementResult(section=section, **elements),
-        GroundResult(ground.mesh.nodes, ground.mesh.elements, fields.surfaces[:, ground.node]),
+        GroundResult(ground.mesh.nodes, ground.mesh.elements, fields.surfaces[:, ground.node], fields.cells),
     )
 
 
