@@ -13,6 +13,7 @@ from groundslab.arrays import Array, Flags, Memo
 from groundslab.discretize.load_borders import load_borders
 from groundslab.discretize.singular_places import corners_of, near_places, near_singular
 from groundslab.geometry.plan import Segment
+from groundslab.model.ground import Continuum
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
@@ -41,7 +42,7 @@ def find_limits(model: Model, nodes: Array, in_contact: Flags) -> Limits:
     Shear forces around footprints and where they are singular, at the plate's corners too if ground with shear goes on
     beyond them, have no meaning in design, where punching is checked instead. Pressures on ground without shear follow
     the settlement; with shear they have no limit where section forces have none, and jump where loads, lines, zones and
-    voids begin, and around where the plate has lifted off. There they are zero, but may not be so on a coarser mesh.
+    voids begin, and around where the plate has lifted off; on an elastic continuum they have none along the edges. There they are zero, but may not be so on a coarser mesh.
     """
     limits = _WITHOUT_CONTACT.get(nodes, model, lambda: _without_contact(model, nodes))
     if not model.ground_carries_shear or in_contact.all():
@@ -88,9 +89,12 @@ def _creases(model: Model) -> Iterator[Segment]:
     for support in model.supports:
         if support.kind == "line":
             yield from (Segment(start, end) for start, end in pairwise(support.points))
-    plate, soil, voids = model.plate.zones, model.soil_zones, model.contact.voids
+    plate, soil, voids = model.plate, model.soil_zones, model.contact.voids
+    # under the edges of a plate the pressure of an elastic continuum has no limit
+    edges = (plate, *plate.openings) if isinstance(model.ground, Continuum) else ()
     for ring in (
-        *(zone.shape.ring() for zone in plate),
+        *(each.ring() for each in edges),
+        *(zone.shape.ring() for zone in plate.zones),
         *(zone.shape.ring() for zone in soil),
         *(v.ring() for v in voids),
     ):

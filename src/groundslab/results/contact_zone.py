@@ -21,6 +21,12 @@ EDGE_NOTE = (
     "grows slowly as the mesh is refined."
 )
 
+#: What a reader must know of the pressures of an elastic continuum.
+CELLS_NOTE = (
+    "Pressures are constant on cells, those at nodes are means of the cells around them. Along the plate's edge, where "
+    "it is pressed into an elastic continuum, the pressure has no limit: its largest value grows as the mesh is refined."
+)
+
 
 def require_finite(results: CombinationResult) -> None:
     """Raise GroundslabError if any number of the results is infinite or not a number."""
@@ -51,7 +57,8 @@ def contact_function(results: CombinationResult) -> Array:
 
     On springs without shear it is k0 g - p, with k0 of all layers in series: on Winkler ground it crosses
     zero linearly. With shear the pressure jumps to zero at the boundary and the gap grows as the square of the
-    distance (on an elastic continuum, as its power 3/2), so its root stands for the distance on the open side, and half a usual first step on the other.
+    distance (on an elastic continuum, as its power 3/2), so its root stands for the distance on the open side, and half
+    a usual first step on the other.
     """
     plate = results.plate
     closed = plate.in_contact

@@ -792,7 +792,7 @@ class TestConvergence:
         assert "340 unknowns" in reported
         assert "1234 unknowns" in reported
         assert "converged in 3 steps" in reported
-        assert (changed.get_ylabel(), touching.get_ylabel()) == ("changed nodes [-]", "nodes in contact [-]")
+        assert (changed.get_ylabel(), touching.get_ylabel()) == ("changed [-]", "in contact [-]")
         assert touching.get_xlabel() == "step"
 
     def test_gamma_has_axes_of_its_own_if_it_is_iterated(self) -> None:
