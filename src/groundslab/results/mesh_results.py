@@ -417,7 +417,9 @@ def _points(*coordinates: ArrayLike) -> Array:
     try:
         points: Array = np.stack(np.broadcast_arrays(*(np.asarray(x, dtype=float) for x in coordinates)), axis=-1)
     except (TypeError, ValueError):
-        found = " and ".join(describe(each) if np.ndim(each) == 0 else f"shape {np.shape(each)}" for each in coordinates)
+        found = " and ".join(
+            describe(each) if np.ndim(each) == 0 else f"shape {np.shape(each)}" for each in coordinates
+        )
         names = ", ".join("xyz"[: len(coordinates)])
         raise InputError([Issue(names, found, "numbers in meters, in shapes that broadcast")]) from None
     return points

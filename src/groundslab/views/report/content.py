@@ -293,4 +293,10 @@ def _history(found: Sequence[Entry]) -> TableLayout:
         for results in (entry.results for entry in found if entry.results is not None)
         for step in results.steps
     )
-    return TableLayout("", heads, rows, ("* on the final mesh. Contact is counted in nodes, on an elastic continuum in cells.",), folded=len(rows) > table_layout.MOST_ROWS)
+    return TableLayout(
+        "",
+        heads,
+        rows,
+        ("* on the final mesh. Contact is counted in nodes, on an elastic continuum in cells.",),
+        folded=len(rows) > table_layout.MOST_ROWS,
+    )
