@@ -13,7 +13,7 @@ from groundslab.errors import NotConverged
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Contact, plastic_slip
 from groundslab.fem.foundation import Column
 from groundslab.fem.sparse import Symmetric
-from groundslab.fem.system import System, current_bearings, nodal_table, right_hand_side
+from groundslab.fem.system import current_bearings, nodal_table, right_hand_side
 from groundslab.fem.vlasov import GAMMA_START, Soil
 from groundslab.results.certificate import decay_squared
 from groundslab.results.record import Step
@@ -30,6 +30,7 @@ GAMMA_SMALL = 0.01
 MAX_GAMMA_ITERATIONS = 60
 #: A contact force this small against the largest nodal_table load is rounding: the plate does not touch the ground.
 NO_CONTACT = 1e-9
+
 
 class _ContactIteration:
     """Solves the contact of a load step for one column of ground after another, each started from the one before."""

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Callable
 
 import numpy as np
 
+from groundslab.analysis.extrapolation import Extrapolation
 from groundslab.analysis.load_step import LoadStep
 from groundslab.analysis.mesh_hierarchy import Level
 from groundslab.arrays import Array, Integers
+from groundslab.errors import NotConverged
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings, Contact, plastic_slip
 from groundslab.fem.continuum.cells import prolong
 from groundslab.fem.foundation import single
-from groundslab.fem.problem import TOP, Problem, W
-from groundslab.fem.system import System, current_bearings, nodal_table, plate_settlement, right_hand_side
+from groundslab.fem.problem import TOP, Problem
+from groundslab.fem.system import System, current_bearings, nodal_table, right_hand_side
 from groundslab.results.record import Step
 from groundslab.solvers import bounded_forces
+from groundslab.solvers.bounded_forces import BoundedSolution
 from groundslab.solvers.equilibrium import require_hold
 from groundslab.solvers.plate_on_continuum import PlateOnContinuum, bound_forces, make_plate_on_continuum, move
 from groundslab.solvers.solution import Pressed, Solution
@@ -37,13 +40,7 @@ def solve_pressures(step: LoadStep, start: Solution | None) -> Solution:
     def report(iteration: int, bearing: int, changed: int) -> None:
         step.report(Step(s.pattern.size, 1, None, iteration, bearing, changed, step.finest))
 
-    found = bounded_forces.solve(
-        bound_forces(operator, problem, law, f),
-        _start(problem, operator, start),
-        TOLERANCE if step.finest else TOLERANCE_COARSE,
-        PRODUCTS * step.max_iterations,
-        report,
-    )
+    found = _iterate(step, operator, law, f, _start(problem, start), report)
     u = move(operator, f, found)
     c = len(problem.elastic.gap) if problem.elastic else 0
     contact = Contact(u, _states(law, found.x[c:]), found.x[c:])
@@ -55,6 +52,36 @@ def solve_pressures(step: LoadStep, start: Solution | None) -> Solution:
     if step.finest:
         require_hold(problem, contact, pressed.force)
     return solution
+
+
+def _iterate(
+    step: LoadStep, p: PlateOnContinuum, law: Bearings, f: Array, x: Array, report: Callable[[int, int, int], None]
+) -> BoundedSolution:
+    """Return the forces (c + b,), started from x, under loads f (size,).
+
+    What ground that varies over the plan or was loaded before settles beyond a symmetric linear operator is a gap that
+    is iterated, extrapolated from the steps before.
+    """
+    ground, c = p.ground, len(p.ground.gap)
+    tolerance = TOLERANCE if step.finest else TOLERANCE_COARSE
+    further, history = np.zeros(c), list[dict[str, float]]()
+    if not ground.linear:
+        further = ground.settle(x[:c]) - ground.settle_mutually(x[:c])
+    extrapolation = Extrapolation()
+    while True:
+        problem = bound_forces(p, step.system.problem, law, f, further)
+        found = bounded_forces.solve(problem, x, tolerance, PRODUCTS * step.max_iterations, report)
+        if ground.linear:
+            return found
+        x, settled = found.x, ground.settle(found.x[:c])
+        after = settled - ground.settle_mutually(x[:c])
+        change = float(np.abs(after - further).max() / np.abs(settled).max(initial=1e-300))
+        history.append({"iteration": len(history) + 1, "change": change})
+        if change <= tolerance:
+            return found
+        if len(history) >= step.max_iterations:
+            raise NotConverged("the settlement of the ground", history, {"x": x})
+        further = extrapolation.next(further, after)
 
 
 def _operator(level: Level, s: System) -> PlateOnContinuum:
@@ -72,7 +99,7 @@ def _states(law: Bearings, force: Array) -> Integers:
     return np.where(~law.bilateral & (force >= law.limit_force) & (force > 0), YIELDING, state)
 
 
-def _start(problem: Problem, operator: PlateOnContinuum, start: Solution | None) -> Array:
+def _start(problem: Problem, start: Solution | None) -> Array:
     """Return the forces (c + b,) from which the iteration starts."""
     assert problem.elastic is not None
     cells, supports = problem.elastic.cells, len(problem.bearing.law)

@@ -6,10 +6,10 @@ import numpy as np
 
 from groundslab.arrays import Flags, Integers
 from groundslab.discretize.constraints import concatenate, fixed_nodes, ground_bearing, support_bearing
+from groundslab.discretize.continuum.pressure_cells import elastic_ground
 from groundslab.discretize.ground import Factors, carries_shear, ground_under, grounds_of, surfaces_of
 from groundslab.discretize.nodal_loads import loadings, materials
 from groundslab.discretize.plan_layout import AXIS, OUTWARD, Layout, Meshes, layout
-from groundslab.discretize.pressure_cells import elastic_ground
 from groundslab.discretize.serviceability.cracking import cracked_sections
 from groundslab.discretize.voids import find_depths, initial_gap, level_ground
 from groundslab.fem import plate
@@ -17,7 +17,7 @@ from groundslab.fem.assembly import number_unknowns
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Loading, Problem, W
 from groundslab.geometry.plan import SAME_PLACE
-from groundslab.model.ground import Continuum
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 
@@ -49,7 +49,7 @@ def discretize(
         acting = model if loaded else model.model_copy(update={"cases": (), "loads": ()})
         cases = loadings(acting, plan, element, fields)
     unknown = number_unknowns(plan.rank, present)
-    elastic = elastic_ground(model, plan, element, coarsening)
+    elastic = elastic_ground(model, plan, element, coarsening, sum(float(each.load[:, W].sum()) for each in cases))
     below = find_depths(model, plan, ground, coarsening == 0) if elastic is None else level_ground(plan)
     gap = initial_gap(model, plan)
     edges, corners = _infinite_edges(model, plan)
@@ -105,7 +105,7 @@ def _known_cases(
 
 def _infinite_edges(model: Model, plan: Layout) -> tuple[Integers, Integers]:
     """Return the outer sides (e, 3: end, end, middle) and corner nodes (c,) beyond which the ground is infinite."""
-    if model.beyond.kind != "infinite" or isinstance(model.ground, Continuum):
+    if model.beyond.kind != "infinite" or isinstance(model.ground, ContinuousGround):
         return np.zeros((0, 3), dtype=np.int64), np.zeros(0, dtype=np.int64)
     across_x, across_y = (plan.outer[plan.outer_axis == axis] for axis in (0, 1))
     return plan.outer, np.intersect1d(across_x, across_y)
@@ -120,7 +120,7 @@ def _present(model: Model, plan: Layout, element: plate.PlateElement, surfaces: 
     present = np.ones((n, TOP + surfaces), dtype=bool)
     present[:, :TOP] = under[:, None]
     present[:, TOP] = model.contact.tensionless | ~under
-    if isinstance(model.ground, Continuum):
+    if isinstance(model.ground, ContinuousGround):
         present[:, TOP] = False  # what it settles follows from the pressures
     if not element.center_w:
         present[mesh.elements[plate_elements, 8], W] = False

@@ -28,7 +28,7 @@ from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import Plan, Ring, Segment, rectangle
 from groundslab.meshing.sizing import Sources
 from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
-from groundslab.model.ground import Continuum
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.model import Model
 from groundslab.model.supports import plan_of_plate
 
@@ -215,7 +215,7 @@ def _width_beyond(model: Model, grounds: list[Soil | Column]) -> float:
         return 0.0
     if model.beyond.width is not None:
         return model.beyond.width
-    if isinstance(model.ground, Continuum):
+    if isinstance(model.ground, ContinuousGround):
         return SHOWN_SHARE * max(model.plate.sides)
     return MESHED_DECAYS * _longest_decay(model, grounds)
 

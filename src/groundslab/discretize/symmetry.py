@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections import Counter
 
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads import load_types as loads
-from groundslab.model.ground import Continuum
 from groundslab.model.model import Model
 
 Interval = tuple[float, float]
@@ -17,7 +17,7 @@ def symmetries(model: Model) -> tuple[bool, bool]:
     # where the slab cracks, bars are stiffness, which may differ from side to side
     varying = varying or (model.cracking is not None and bool(model.reinforcement and model.reinforcement.zones))
     # Fourier transforms take the cells of the whole plate
-    varying = varying or isinstance(model.ground, Continuum)
+    varying = varying or isinstance(model.ground, ContinuousGround)
     if model.mesh.symmetry == "off" or not model.plain or varying:
         return False, False
     return _symmetric(model, 0), _symmetric(model, 1)

@@ -7,7 +7,16 @@ from collections.abc import Iterator
 from groundslab.geometry.plan import MOST_ELEMENTS
 from groundslab.geometry.validity import find_issues
 from groundslab.model.columns import Column
-from groundslab.model.ground import AnyGround, Continuum, InterfaceLayer, Layered, Pasternak, SoilLayer, Winkler
+from groundslab.model.ground import (
+    AnyGround,
+    ContinuousGround,
+    Continuum,
+    InterfaceLayer,
+    Layered,
+    Pasternak,
+    SoilLayer,
+    Winkler,
+)
 from groundslab.model.loads.load_cases import Combination, LoadCase, check_case_names, check_factors
 from groundslab.model.loads.load_types import AnyLoad, SettlementLoad
 from groundslab.model.loads.patterns import Move
@@ -25,7 +34,7 @@ from groundslab.model.supports import (
 )
 from groundslab.model.varying_ground import Borehole, SoilZone
 from groundslab.schema.issues import RelativeIssue
-from groundslab.schema.wording import describe, one_of, suggestion
+from groundslab.schema.wording import describe, one_of, quote, suggestion
 
 MOST_SURFACES = 200  # each couples with all others at every node
 SHORT_SIDE_ELEMENTS = 24  # of the first mesh, where none is described
@@ -66,7 +75,7 @@ def carry_shear(ground: AnyGround) -> list[bool]:
         return [False]
     if isinstance(ground, Pasternak):
         return [ground.k1 > 0]
-    if isinstance(ground, Continuum):
+    if isinstance(ground, ContinuousGround):
         return [True]
     return [not isinstance(layer, InterfaceLayer) or layer.k1 > 0 for layer in ground.layers]
 
@@ -95,16 +104,18 @@ def check_shear_of_layers(
 def check_continuum(
     ground: AnyGround, beyond: Beyond, soil_zones: tuple[SoilZone, ...], boreholes: tuple[Borehole, ...]
 ) -> Iterator[RelativeIssue]:
-    """Find what an elastic continuum, the same everywhere and without an end, cannot have."""
-    if not isinstance(ground, Continuum):
+    """Find what ground without an end sideways cannot have."""
+    if not isinstance(ground, ContinuousGround):
         return
-    for name, given in (("soil_zones", soil_zones), ("boreholes", boreholes)):
+    varying: list[tuple[str, tuple[object, ...]]] = [("soil_zones", soil_zones)]
+    varying += [("boreholes", boreholes)] if isinstance(ground, Continuum) else []
+    for name, given in varying:
         if given:
-            hint = 'ground.kind = "vlasov" has layers that vary over the plan'
-            yield RelativeIssue((name,), f"{name} in a continuum", "the same layers everywhere", hint)
+            hint = 'boreholes go with ground.kind = "constrained modulus" or "vlasov"'
+            yield RelativeIssue((name,), f"{name} in {quote(ground.kind)} ground", "no such", hint)
     if beyond.kind == "margin" and (beyond.edge == "fixed" or beyond.sides != SIDES):
         found = "a margin that ends" if beyond.edge == "fixed" else "ground beyond some sides"
-        expected = 'kind = "infinite", as a continuum goes on without an end on all sides'
+        expected = 'kind = "infinite", as this ground has no end on any side'
         yield RelativeIssue(("beyond",), found, expected, "width says how much of it is shown")
 
 

@@ -160,7 +160,7 @@ def resistance(solution: Solution) -> tuple[Array, Array]:
 
 def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     """Return the certificate of a solution under the full load."""
-    s, U, column, c = solution.system, solution.U, solution.column, solution.contact
+    s, U, c = solution.system, solution.U, solution.contact
     problem = s.problem
     nodes, under, bearing = problem.mesh.nodes, problem.plate_nodes, problem.bearing
     (inner, ground), load = resistance(solution), problem.load

@@ -22,6 +22,8 @@ class Constants:
     decay : float or None
         Decay of the settlement over the plan [1/m], which all columns of soil have in common: the root of
         int |grad w|^2 / int w^2. None if gamma is None.
+    limit_depth : float or None
+        Depth below which nothing settles [m], where it follows from the stresses. None if all layers count.
     """
 
     k0: tuple[float, ...]
@@ -29,6 +31,7 @@ class Constants:
     gamma: float | None
     gamma_iterations: int
     decay: float | None = None
+    limit_depth: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

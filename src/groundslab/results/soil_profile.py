@@ -14,7 +14,7 @@ from groundslab.discretize.serviceability.lasting_ground import lasts, with_last
 from groundslab.discretize.voids import VoidShares, share_voids
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.vlasov import Soil
-from groundslab.model.ground import Continuum, Layered, SoilLayer, Vlasov
+from groundslab.model.ground import ContinuousGround, Layered, SoilLayer, Vlasov
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Flags
@@ -101,7 +101,7 @@ def profiles_of(results: CombinationResult) -> tuple[Profile, ...]:
 
 def _layers(ground: AnyGround) -> tuple[SoilLayer, ...]:
     """Return the layers of a ground that are given by E, nu and thickness."""
-    if not isinstance(ground, Vlasov | Layered | Continuum):
+    if not isinstance(ground, Vlasov | Layered | ContinuousGround):
         return ()
     return tuple(layer for layer in ground.layers if isinstance(layer, SoilLayer))
 

@@ -15,8 +15,10 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.fem.bearings import Bearings
 from groundslab.fem.continuum.elastic_ground import ElasticGround
+from groundslab.fem.continuum.media import elastic_length
 from groundslab.fem.continuum.preconditioner import Preconditioner, make_preconditioner
 from groundslab.fem.problem import TOP, Problem, W, planes
+from groundslab.fem.shape_functions import areas
 from groundslab.fem.sparse import Symmetric
 from groundslab.fem.system import System
 from groundslab.solvers.bounded_forces import BoundedForces, BoundedSolution
@@ -38,7 +40,7 @@ class PlateOnContinuum:
     C: csr_array  # (size, c + b): of a force on each cell and each support
     R: Array  # (size, r): rigid motions
     preconditioner: Preconditioner
-    elastic_length: float  # [m]: (D / k)^(1/4) of plate and ground
+    elastic_length: float  # [m]: of plate and ground
     D: float  # [N m]: mean bending rigidity
 
     def solve(self, f: Array) -> Array:
@@ -67,24 +69,29 @@ def make_plate_on_continuum(s: System, A: Symmetric, factorization: CachedFactor
     )
     law = problem.bearing.law
     pushed = coo_array((law.sign, (law.unknown, np.arange(len(law)))), shape=(A.size, len(law)))
-    D = float(np.average(problem.bending[problem.rigidity, 0, 0], weights=_plate_areas(problem)))
+    D = float(
+        np.average(problem.bending[problem.rigidity, 0, 0], weights=areas(problem.mesh.xy[problem.plate_elements]))
+    )
     none = np.zeros(A.size)
     return PlateOnContinuum(
         A, ground, ConstrainedSystem(A, fixed, none, none), factorization, csr_array(hstack([pressed, pushed])), R,
-        make_preconditioner(ground, D), _elastic_length(ground, D), D,
+        make_preconditioner(ground, D), elastic_length(ground.medium, D), D,
     )  # fmt: skip
 
 
-def bound_forces(p: PlateOnContinuum, problem: Problem, law: Bearings, f: Array) -> BoundedForces:
-    """Return the problem of the forces on a plate under loads f (size,), whose supports follow a law."""
+def bound_forces(p: PlateOnContinuum, problem: Problem, law: Bearings, f: Array, further: Array) -> BoundedForces:
+    """Return the problem of the forces on a plate under loads f (size,), whose supports follow a law.
+
+    further (c,) [m] is what cells settle beside what the forces do to them mutually.
+    """
     c, ground = len(p.ground.gap), p.ground
     flexible = np.where(np.isinf(law.stiffness), 0.0, 1 / law.stiffness)
-    own = np.concatenate([ground.gap, -law.sign * law.offset])
+    own = np.concatenate([ground.gap + further, -law.sign * law.offset])
     C, Ct, G = p.C, p.C.T.tocsr(), (p.C.T @ p.R).T
     planes_of_gaps = np.linalg.qr(G.T)[0]
 
     def settle(x: Array) -> Array:
-        return np.concatenate([ground.settle(x[:c]), flexible * x[c:]])
+        return np.concatenate([ground.settle_mutually(x[:c]), flexible * x[c:]])
 
     def gaps(x: Array) -> tuple[Array, float]:
         settled, bent = settle(x), Ct @ p.solve(f + C @ x)
@@ -132,19 +139,3 @@ def _holding(R: Array, settlements: Integers) -> Integers:
     order = qr(R[own].T, pivoting=True, mode="r")[1]
     found: Integers = own[order[: R.shape[1]]]
     return found
-
-
-def _plate_areas(problem: Problem) -> Array:
-    """Return the areas of the plate's elements [m2]."""
-    from groundslab.fem.shape_functions import areas
-
-    return areas(problem.mesh.nodes[problem.mesh.elements[problem.plate_elements]])
-
-
-def _elastic_length(ground: ElasticGround, D: float) -> float:
-    """Return the length l at which waves cos(x / l) find plate and ground alike stiff [m]."""
-    from groundslab.fem.continuum.transfer import surface_compliance
-
-    l = np.geomspace(1e-3, 1e4, 701)
-    T = surface_compliance(ground.layers, 1 / l)
-    return float(l[np.argmin(np.abs(np.log(D * T / l**4)))])

@@ -35,7 +35,7 @@ class Grid:
     @property
     def centers(self) -> tuple[Array, Array]:
         """Return x (nx,) and y (ny,) of the centers [m]."""
-        return self.x0 + self.dx * (np.arange(self.nx) + 0.5), self.y0 + self.dy * (np.arange(self.ny) + 0.5)
+        return self.x0 + self.dx * np.arange(0.5, self.nx), self.y0 + self.dy * np.arange(0.5, self.ny)
 
     def number(self, x: Array, y: Array) -> Integers:
         """Return the numbers of the cells that hold places in the grid."""
@@ -96,7 +96,7 @@ def cover(grid: Grid, xy: Array, elements: Integers, nodes: int, w: Array) -> Ce
 
     pairs = _pairs(grid, xy)
     element, cell, area = pairs.element, pairs.cell, pairs.area
-    on_cells = np.bincount(cell, weights=area, minlength=grid.nx * grid.ny)
+    on_cells = np.bincount(cell, weights=area, minlength=grid.nx * grid.ny).astype(np.float64)
     number = np.flatnonzero(on_cells > LEAST_SHARE * grid.dx * grid.dy)
 
     def matrix(values: Array, row: Integers, rows: int) -> csr_array:
@@ -108,8 +108,7 @@ def cover(grid: Grid, xy: Array, elements: Integers, nodes: int, w: Array) -> Ce
         grid,
         number,
         on_cells[number],
-        np.stack([np.bincount(cell, weights=each)[number] for each in pairs.moment.T], axis=1)
-        / on_cells[number, None],
+        np.stack([np.bincount(cell, weights=x)[number] / on_cells[number] for x in pairs.moment.T], axis=1),
         csr_array(spread.multiply(1 / on_cells[number][None, :])),
         _rows_to_one(matrix(pairs.hats.ravel(), elements[element].ravel(), nodes)),
         _rows_to_one(matrix(area, element, len(xy))),
@@ -179,7 +178,7 @@ def _hats(points: Array) -> Array:
 
 
 def _points(grid: Grid, xy: Array) -> tuple[Array, Array]:
-    """Return points (p, 2) and weights (p,) of Gauss's rule on the parts of an element, as many as the largest needs."""
+    """Return points (p, 2) and weights (p,) of Gauss's rule on parts of an element, as many as the largest needs."""
     extent = np.ptp(xy, axis=1).max(axis=0)
     parts = [max(1, PARTS * round(float(length / d))) for length, d in zip(extent, (grid.dx, grid.dy), strict=True)]
     n = max(parts)

@@ -1,4 +1,4 @@
-"""The ground as an operator on forces of cells: settlement is their convolution with a kernel, by Fourier transforms."""
+"""The ground as an operator on forces of cells: it convolves them with a kernel, by Fourier transforms."""
 
 from __future__ import annotations
 

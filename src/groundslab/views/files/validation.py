@@ -170,7 +170,7 @@ def _of_constants(results: CombinationResult) -> Iterator[str]:
         yield "cells of an elastic continuum on other ground, or none on it"
     if not all(k0 > 0 for k0 in constants.k0) or not all(k1 >= 0 for k1 in constants.k1):
         yield "constants of the ground that are not positive"
-    numbers = [*constants.k0, *constants.k1, constants.gamma, constants.decay]
+    numbers = [*constants.k0, *constants.k1, constants.gamma, constants.decay, constants.limit_depth]
     numbers += [getattr(certificate, item.name) for item in fields(certificate)]
     numbers += [step.gamma for step in results.steps] + [factor for _, factor in results.factors]
     if not all(number is None or abs(number) <= LARGEST for number in numbers):

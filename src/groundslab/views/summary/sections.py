@@ -164,6 +164,8 @@ def description_of_ground(results: CombinationResult) -> SummarySection:
     if constants.gamma is not None:
         rows.append(Row("gamma", "decay of the mode", constants.gamma, None, "gamma"))
         rows.append(Row("gamma_iterations", "iterations for gamma", constants.gamma_iterations))
+    if constants.limit_depth is not None:
+        rows.append(Row("limit_depth", "limit depth", constants.limit_depth, UNITS["m"]))
     if results.coarser is not None:
         coarser = {row.key: row for row in description_of_ground(results.coarser).rows}
         rows = [with_error(row, coarser.get(row.key), results) for row in rows]
