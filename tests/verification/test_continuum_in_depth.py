@@ -11,6 +11,7 @@ from groundslab.errors import InputError
 from groundslab.fem.continuum.cells import Grid
 from groundslab.fem.continuum.depth import LoadedCells, settle_below
 from groundslab.fem.continuum.elastic_ground import make_operator
+from groundslab.fem.continuum.media import BondedLayers
 from groundslab.fem.continuum.transfer import ElasticLayer, carry_down
 from groundslab.results.pressed_cells import PressedCells
 
@@ -120,7 +121,7 @@ def test_the_base_does_not_settle_and_the_surface_bears_the_pressure() -> None:
 def test_the_surface_settles_as_the_analysis_says(layers: tuple[ElasticLayer, ...]) -> None:
     """Settlement at depth 0, averaged over a cell, is that of the operator of the analysis."""
     cells = loaded_rectangle(2.0, 1.0, 8, 4)
-    wanted = make_operator(layers, Grid(-1.0, -0.5, 0.25, 0.25, 8, 4)).settle(cells.force.reshape(8, 4))
+    wanted = make_operator(BondedLayers(layers), Grid(-1.0, -0.5, 0.25, 0.25, 8, 4)).settle(cells.force.reshape(8, 4))
     s, weight = np.polynomial.legendre.leggauss(6)
     X, Y = np.meshgrid(s / 8, s / 8, indexing="ij")
     for i, j in ((3, 1), (0, 0)):
@@ -130,10 +131,29 @@ def test_the_surface_settles_as_the_analysis_says(layers: tuple[ElasticLayer, ..
         assert mean == pytest.approx(wanted[i, j], rel=1e-4)
 
 
+def test_layers_compressed_by_the_stresses_of_a_half_space() -> None:
+    """w below a circle's center is the sum over the layers below of int sigma_z dz / M, by its closed form; 0 below."""
+    a, z = 1.0, np.array([0.0, 0.03, 0.5, 1.0, 2.0, 4.0, 9.0])
+    layers = (ElasticLayer(8e6, 0.0, 1.0), ElasticLayer(20e6, 0.0, 3.0))
+    settlement, stress = settle_below(layers, loaded_circle(a, 64), CENTER, z, bonded=False)
+
+    def integral(depth: Array) -> Array:
+        """Return int (1 - z^3 / R^3) dz = z - R - a^2 / R."""
+        R = np.hypot(depth, a)
+        found: Array = depth - R - a**2 / R
+        return found
+
+    within = [np.clip(z, top, bottom) for top, bottom in ((0.0, 1.0), (1.0, 4.0))]
+    ends = zip(within, (1.0, 4.0), layers, strict=True)
+    exact = Q * sum((integral(np.array(bottom)) - integral(top)) / layer.E for top, bottom, layer in ends)
+    np.testing.assert_allclose(settlement[0], exact, rtol=2e-4, atol=1e-9)
+    np.testing.assert_allclose(stress[0], Q * (1 - (z / np.hypot(z, a)) ** 3), atol=2e-4 * Q)
+
+
 def test_points_outside_the_ground_are_refused_all_at_once() -> None:
     """Above the surface, below the base, and no numbers; depths may come in any order."""
     layers = np.array([(each.E, each.nu, each.thickness) for each in LAYERS])
-    cells = PressedCells(CENTER, np.array([1.0, 1.0]), np.array([1e3]), layers)
+    cells = PressedCells(CENTER, np.array([1.0, 1.0]), np.array([1e3]), np.array([1e3]), layers, True)
     assert cells.base == 4.0
     with pytest.raises(InputError, match="rigid base"):
         cells.at_points(np.array([[0.0, 0.0, 5.0]]))

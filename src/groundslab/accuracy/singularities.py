@@ -13,7 +13,7 @@ from groundslab.arrays import Array, Flags, Memo
 from groundslab.discretize.load_borders import load_borders
 from groundslab.discretize.singular_places import corners_of, near_places, near_singular
 from groundslab.geometry.plan import Segment
-from groundslab.model.ground import Continuum
+from groundslab.model.ground import ContinuousGround
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
@@ -91,7 +91,7 @@ def _creases(model: Model) -> Iterator[Segment]:
             yield from (Segment(start, end) for start, end in pairwise(support.points))
     plate, soil, voids = model.plate, model.soil_zones, model.contact.voids
     # under the edges of a plate the pressure of an elastic continuum has no limit
-    edges = (plate, *plate.openings) if isinstance(model.ground, Continuum) else ()
+    edges = (plate, *plate.openings) if isinstance(model.ground, ContinuousGround) else ()
     for ring in (
         *(each.ring() for each in edges),
         *(zone.shape.ring() for zone in plate.zones),

@@ -23,8 +23,8 @@ EDGE_NOTE = (
 
 #: What a reader must know of the pressures of an elastic continuum.
 CELLS_NOTE = (
-    "Pressures are constant on cells, those at nodes are means of the cells around them. Along the plate's edge, where "
-    "it is pressed into an elastic continuum, the pressure has no limit: its largest value grows as the mesh is refined."
+    "Pressures are constant on cells; those at nodes are means of the cells around them. Along the plate's edge, where "
+    "it is pressed into such ground, the pressure has no limit: its largest value grows as the mesh is refined."
 )
 
 

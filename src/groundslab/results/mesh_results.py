@@ -384,8 +384,11 @@ class GroundResult:
     def _in_depth(self, which: int, *coordinates: ArrayLike) -> float | Array:
         """Return settlement (0) or vertical stress (1) at points."""
         if self.cells is None:
-            expected = 'an elastic continuum, ground.kind = "continuum"'
+            expected = 'ground.kind = "continuum" or "constrained modulus"'
             raise InputError([Issue("ground", "ground of which only surfaces are known", expected)])
+        if which == 0 and not self.cells.settles_alike:
+            expected, hint = "the same layers everywhere", "value_at knows the settlement of the surface"
+            raise InputError([Issue("ground", "layers that differ between boreholes", expected, hint)])
         points = _points(*coordinates)
         found = self.cells.at_points(points.reshape(-1, 3))[which]
         return float(found[0]) if points.ndim == 1 else found.reshape(points.shape[:-1])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 from typing import TYPE_CHECKING
 
@@ -11,11 +11,14 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.errors import InputError, Issue
 from groundslab.fem.continuum.depth import LoadedCells, base_of, settle_below
+from groundslab.fem.continuum.media import BondedLayers, StressedLayers
 from groundslab.fem.continuum.transfer import ElasticLayer
 
 if TYPE_CHECKING:
     from groundslab.solvers.solution import Solution
 
+#: All homogeneous half-spaces have the same stresses.
+ANY_HALF_SPACE = ElasticLayer(1.0, 0.0, inf)
 #: At most so many depths are computed at a time.
 DEPTHS = 64
 #: A depth is that of the base but for this share.
@@ -34,26 +37,48 @@ class PressedCells:
         Their sides along x and y [m].
     force : (c,) array of float
         Force of the plate on each [N]; where the plate covers a cell in part, it counts as spread over all of it.
+    settling : (c,) array of float
+        What of it settles the ground as under first loading [N]: all of it unless an excavation has relieved the ground.
     layers : (L, 3) array of float
         Young's modulus [Pa], Poisson's ratio and thickness [m] of the homogeneous layers as analyzed, from the top
-        downwards. The thickness of a half-space is infinite; without one a rigid base follows.
+        downwards. The thickness of a half-space is infinite; without one a rigid base follows. Of layers that are not
+        bonded the constrained modulus, and 0 for the ratio. None if layers differ between boreholes.
+    bonded : bool
+        Whether the layers are bonded; else the stresses of a homogeneous half-space compress them.
     """
 
     center: Array
     size: Array
     force: Array
+    settling: Array
     layers: Array
+    bonded: bool
 
     @property
     def base(self) -> float:
-        """The depth of the rigid base [m], infinite on a half-space."""
-        return base_of(self._elastic_layers())
+        """The depth of the rigid base [m], infinite on a half-space and where stresses are those of a half-space."""
+        return base_of(self._elastic_layers()) if self.bonded else inf
+
+    @property
+    def settles_alike(self) -> bool:
+        """Whether the layers are the same everywhere, so that settlements in their depth are known."""
+        return len(self.layers) > 0
 
     def below(self, places: Array, depth: Array) -> tuple[Array, Array]:
-        """Return settlement [m] and vertical stress [Pa] below places (p, 2) at depths (z,) [m], (p, z) each."""
+        """Return settlement [m] and vertical stress [Pa] below places (p, 2) at depths (z,) [m], (p, z) each.
+
+        Settlements between boreholes are NaN.
+        """
         dx, dy = map(float, self.size)
         cells = LoadedCells(self.center, (dx, dy), self.force)
-        return settle_below(self._elastic_layers(), cells, places, depth)
+        if not self.settles_alike:
+            _, stress = settle_below((ANY_HALF_SPACE,), cells, places, depth)
+            return np.full(stress.shape, np.nan), stress
+        settlement, stress = settle_below(self._elastic_layers(), cells, places, depth, self.bonded)
+        if not np.array_equal(self.settling, self.force):
+            cells = replace(cells, force=self.settling)
+            settlement, _ = settle_below(self._elastic_layers(), cells, places, depth, self.bonded)
+        return settlement, stress
 
     def at_points(self, points: Array) -> tuple[Array, Array]:
         """Return settlement [m] and vertical stress [Pa] at points (p, 3) of x, y and depth [m], (p,) each.
@@ -83,8 +108,16 @@ def pressed_cells(solution: Solution) -> PressedCells | None:
     grid = elastic.cells.grid
     x, y = (each.ravel() for each in np.meshgrid(*grid.centers, indexing="ij"))
     center = np.column_stack([x, y])[elastic.cells.number]
-    layers = np.array([(layer.E, layer.nu, layer.thickness) for layer in elastic.layers])
-    return PressedCells(center, np.array([grid.dx, grid.dy]), pressed.force, layers)
+    medium = elastic.medium
+    if isinstance(medium, BondedLayers):
+        layers = [(layer.E, layer.nu, layer.thickness) for layer in medium.layers]
+    else:
+        assert isinstance(medium, StressedLayers)
+        layers = [(M, 0.0, h) for M, h in zip(medium.modulus, medium.thickness, strict=True)]
+    return PressedCells(
+        center, np.array([grid.dx, grid.dy]), pressed.force, elastic.settling(pressed.force),
+        np.array(layers if elastic.columns is None else []).reshape(-1, 3), isinstance(medium, BondedLayers),
+    )  # fmt: skip
 
 
 def _require_within(points: Array, base: float) -> None:

@@ -27,7 +27,7 @@ from groundslab.discretize.ground import grounds_of
 from groundslab.errors import InputError
 from groundslab.fem.foundation import Column
 from groundslab.model.design.floors import ACI360Floor, AnyFloor, TR34Floor
-from groundslab.model.ground import Continuum
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import SERVICEABILITY
 from groundslab.model.model import Model
 from groundslab.results.fields import extreme
@@ -106,7 +106,7 @@ def slab_of(model: Model) -> Slab:
     h = min([plate.thickness, *(zone.thickness for zone in plate.zones if zone.thickness is not None)])
     grounds = [each if isinstance(each, Column) else each.first_column() for each in grounds_of(model)]
     k = min(1 / float(np.linalg.inv(column.A0)[0, 0]) for column in grounds)
-    return Slab(plate.E, h, plate.nu, k, isinstance(model.ground, Continuum))
+    return Slab(plate.E, h, plate.nu, k, isinstance(model.ground, ContinuousGround))
 
 
 def _by_tr34(floor: TR34Floor, results: list[CombinationResult]) -> Iterator[DesignCheck]:

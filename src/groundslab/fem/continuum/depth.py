@@ -2,7 +2,8 @@
 
 What layers carry down is smooth over the plan: W(k, z) and sigma(k, z) of `transfer.carry_down`, transformed by FFTLog
 like the surface's settlement. Only near the surface, in the top layer, it is not: there the half-space of that soil
-under a rectangle is split off in closed form, and what the other layers add is smooth.
+under a rectangle is split off in closed form, and what the other layers add is smooth. Layers that settle by the
+stresses of a homogeneous half-space (`media.StressedLayers`) are said by their constrained moduli, with nu = 0.
 """
 
 from __future__ import annotations
@@ -55,7 +56,7 @@ def base_of(layers: Sequence[ElasticLayer]) -> float:
 
 
 def settle_below(
-    layers: tuple[ElasticLayer, ...], cells: LoadedCells, places: Array, depth: Array
+    layers: tuple[ElasticLayer, ...], cells: LoadedCells, places: Array, depth: Array, bonded: bool = True
 ) -> tuple[Array, Array]:
     """Return settlement [m] and vertical stress [Pa] below places (p, 2) [m] at depths (z,) [m], (p, z) each.
 
@@ -68,7 +69,9 @@ def settle_below(
     places : (p, 2) array of float
         Places in plan, anywhere [m].
     depth : (z,) array of float
-        Depths from the surface, down to the base [m].
+        Depths from the surface, of bonded layers down to the base [m].
+    bonded : bool
+        Whether layers are bonded; else they are compressed by the stresses of a homogeneous half-space.
 
     Returns
     -------
@@ -81,7 +84,7 @@ def settle_below(
     """
     far = float(np.linalg.norm(np.ptp(np.vstack([cells.center, places]), axis=0))) + 2 * max(cells.size)
     # rounded up, so that other places have the same kernels
-    known = _kernels(layers, tuple(map(float, depth)), max(cells.size), 2.0 ** np.ceil(np.log2(far)))
+    known = _kernels(layers, bonded, tuple(map(float, depth)), max(cells.size), 2.0 ** np.ceil(np.log2(far)))
     found = _sum_smooth(known, cells, places)
     settlement, stress = np.split(found, 2, axis=1)
     for index in np.flatnonzero(known.split):
@@ -92,7 +95,9 @@ def settle_below(
 
 
 @lru_cache(maxsize=16)
-def _kernels(layers: tuple[ElasticLayer, ...], depth: tuple[float, ...], side: float, far: float) -> DepthKernels:
+def _kernels(
+    layers: tuple[ElasticLayer, ...], bonded: bool, depth: tuple[float, ...], side: float, far: float
+) -> DepthKernels:
     """Return what carries the surface's forces down to some depths, for cells of a side and distances up to far."""
     from scipy.ndimage import spline_filter1d
 
@@ -104,10 +109,10 @@ def _kernels(layers: tuple[ElasticLayer, ...], depth: tuple[float, ...], side: f
     lowest = layers[-1].half_space if np.isinf(layers[-1].thickness) else 0.0
     far_away = np.where(split, lowest - layers[0].half_space, lowest)
     scale = float(min(image.min(), top)) if split.any() else float(image.min())
-    cut, at = _cut(layers, z)
+    carry = _carry_bonded if bonded else _carry_stressed
 
     def k_times(k: Array) -> Array:
-        W, sigma = (each[at] for each in carry_down(cut, k))
+        W, sigma = carry(layers, z, k)
         kz = k * z[:, None]
         decay = np.where(split[:, None], np.exp(-kz), 0.0)
         W = k * W - decay * layers[0].half_space * (1 + kz / (2 * (1 - layers[0].nu)))
@@ -117,6 +122,30 @@ def _kernels(layers: tuple[ElasticLayer, ...], depth: tuple[float, ...], side: f
     r, values = hankel_table(k_times, FLAT * scale, max(far, float(image.max())))
     values[: len(z)] += far_away[:, None] / (2 * np.pi * np.hypot(r, image[:, None]))
     return DepthKernels(spline_filter1d(values), float(np.log(r[0])), FLAT * scale, split, scale)
+
+
+def _carry_bonded(layers: tuple[ElasticLayer, ...], z: Array, k: Array) -> tuple[Array, Array]:
+    """Return W [m/Pa] and sigma at depths of bonded layers, (z, n) each."""
+    cut, at = _cut(layers, z)
+    W, sigma = carry_down(cut, k)
+    return W[at], sigma[at]
+
+
+def _carry_stressed(layers: tuple[ElasticLayer, ...], z: Array, k: Array) -> tuple[Array, Array]:
+    """Return the same of layers of constrained moduli E: sigma = (1 + k z) exp(-k z), W its integral from z over E."""
+    bottoms = np.cumsum([layer.thickness for layer in layers])
+    tops = np.concatenate([[0.0], bottoms[:-1]])
+
+    def k_times_below(depth: Array) -> Array:
+        kz: Array = k * depth[:, None]
+        return (2 + kz) * np.exp(-kz)
+
+    kW = sum(
+        (k_times_below(np.maximum(z, top)) - k_times_below(np.maximum(z, bottom))) / layer.E
+        for layer, top, bottom in zip(layers, tops, bottoms, strict=True)
+    )
+    kz = k * z[:, None]
+    return kW / k, (1 + kz) * np.exp(-kz)
 
 
 def _cut(layers: tuple[ElasticLayer, ...], z: Array) -> tuple[list[ElasticLayer], Integers]:

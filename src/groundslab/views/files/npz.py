@@ -206,7 +206,12 @@ def _comparison(about: _About, arrays: dict[str, Any]) -> Comparison:
 def _arrays(below: str, state: CombinationResult | Increment | Comparison) -> dict[str, Any]:
     """Return the arrays of a state by their names, which begin with `below`; a mesh that is known stands there once."""
     found: dict[str, Any] = {}
-    parts = {"plate": state.plate, "elements": state.elements, "ground": state.ground, CELLS: state.ground.cells}
+    parts: dict[str, Any] = {
+        "plate": state.plate,
+        "elements": state.elements,
+        "ground": state.ground,
+        CELLS: state.ground.cells,
+    }
     for part, values in parts.items():
         if values is None:
             continue
@@ -225,8 +230,9 @@ def _parts(below: str, arrays: dict[str, Any]) -> dict[str, Any]:
         optional = {item.name for item in fields(kind) if item.default is None and names[item.name] not in arrays}
         found[part] = kind(**{name: arrays[key] for name, key in names.items() if name not in optional})
     if any(name.startswith(f"{below}{CELLS}.") for name in arrays):
-        cells = PressedCells(**{each.name: arrays[f"{below}{CELLS}.{each.name}"] for each in fields(PressedCells)})
-        found["ground"] = replace(found["ground"], cells=cells)
+        cells = {each.name: arrays[f"{below}{CELLS}.{each.name}"] for each in fields(PressedCells)}
+        cells["bonded"] = bool(cells["bonded"])
+        found["ground"] = replace(found["ground"], cells=PressedCells(**cells))
     return found
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from groundslab.model.ground import Continuum
+from groundslab.model.ground import ContinuousGround
 
 if TYPE_CHECKING:
     from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
@@ -92,7 +92,7 @@ def _of_state(name: str, state: State, layers: int) -> Iterator[str]:
 def _of_cells(name: str, cells: PressedCells) -> Iterator[str]:
     """Yield what is wrong with the cells on an elastic continuum, and with its layers."""
     c, layers = np.shape(cells.force)[:1], np.shape(cells.layers)[:1]
-    if not (c and c[0] and layers and layers[0]):
+    if not (c and c[0] and layers):
         yield f"{name} without cells or layers"
     shapes = {"center": (*c, 2), "size": (2,), "layers": (*layers, 3)}
     yield from _of_arrays(name, replace(cells, layers=np.where(np.isinf(cells.layers), 1.0, cells.layers)), c, shapes)
@@ -164,9 +164,13 @@ def _within_plate(results: CombinationResult) -> Iterator[str]:
 def _of_constants(results: CombinationResult) -> Iterator[str]:
     """Yield what is wrong with single numbers; their types are known to be right."""
     constants, certificate = results.constants, results.certificate
-    if bool(constants.k0) == isinstance(results.model.ground, Continuum) or len(constants.k0) != len(constants.k1):
+    if bool(constants.k0) == isinstance(results.model.ground, ContinuousGround) or len(constants.k0) != len(
+        constants.k1
+    ):
         yield "constants.k0 and constants.k1 of different lengths"
-    if any((each.ground.cells is None) == isinstance(results.model.ground, Continuum) for each in _states(results)):
+    if any(
+        (each.ground.cells is None) == isinstance(results.model.ground, ContinuousGround) for each in _states(results)
+    ):
         yield "cells of an elastic continuum on other ground, or none on it"
     if not all(k0 > 0 for k0 in constants.k0) or not all(k1 >= 0 for k1 in constants.k1):
         yield "constants of the ground that are not positive"

@@ -1,4 +1,4 @@
-"""How the iteration went: nodes, or cells of a continuum, that changed and are in contact at each step, mesh by mesh, and gamma."""
+"""How the iteration went: nodes, or cells, that changed and are in contact at each step, mesh by mesh, and gamma."""
 
 from __future__ import annotations
 

@@ -11,7 +11,16 @@ import numpy as np
 
 from groundslab.discretize.ground import layer_of, sublayers, winkler_modulus
 from groundslab.fem.foundation import Layer
-from groundslab.model.ground import Continuum, InterfaceLayer, Layered, Pasternak, SoilLayer, Vlasov, Winkler
+from groundslab.model.ground import (
+    ContinuousGround,
+    Continuum,
+    InterfaceLayer,
+    Layered,
+    Pasternak,
+    SoilLayer,
+    Vlasov,
+    Winkler,
+)
 from groundslab.results.soil_profile import Profile, profiles_of
 from groundslab.views.plots import style
 
@@ -85,7 +94,7 @@ def _plotted_layers(
         return (PlottedLayer(None if soil is None else soil.depth, E, None, (winkler_modulus(ground, model),), ()),)
     if isinstance(ground, Pasternak):
         return (PlottedLayer(None, None, None, (ground.k0,), (ground.k1,)),)
-    assert isinstance(ground, Vlasov | Layered | Continuum)
+    assert isinstance(ground, Vlasov | Layered | ContinuousGround)
     plotted = []
     for index, layer in enumerate(layers):
         if isinstance(layer, InterfaceLayer):
@@ -95,15 +104,15 @@ def _plotted_layers(
         k0, k1 = _own_constants(ground, own, index, found)
         s = np.linspace(0, 1, 41 if any(own.moduli[1:]) else 2)
         plotted.append(PlottedLayer(layer.thickness, (s, own.E(s)), layer.nu, k0, k1))
-    soil = ground.half_space if isinstance(ground, Continuum) else None
-    if soil is not None:
+    below = ground.half_space if isinstance(ground, Continuum) else None
+    if below is not None:
         drawn = ENDLESS * (sum(each.thickness or 0.0 for each in plotted) or max(model.plate.sides))
-        plotted.append(PlottedLayer(drawn, (np.array([0.0, 1.0]), np.full(2, soil.E)), soil.nu, (), (), endless=True))
+        plotted.append(PlottedLayer(drawn, (np.array([0.0, 1.0]), np.full(2, below.E)), below.nu, (), (), endless=True))
     return tuple(plotted)
 
 
 def _own_constants(
-    ground: Vlasov | Layered | Continuum, layer: Layer, index: int, found: Sequence[Profile]
+    ground: Vlasov | Layered | ContinuousGround, layer: Layer, index: int, found: Sequence[Profile]
 ) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Return k0 and k1 of a layer of a stack: of its sublayers, or in each combination; else nothing."""
     if not isinstance(ground, Layered):

@@ -11,7 +11,7 @@ from groundslab.case import casefile
 from groundslab.design.checks import check_design
 from groundslab.design.result_tables import tables_of
 from groundslab.errors import InputError, Issue
-from groundslab.model.ground import Continuum
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
 from groundslab.results.record import Certificate
 from groundslab.results.soil_profile import list_columns
@@ -129,7 +129,7 @@ def _verdict(combined: Results, found: Sequence[Entry]) -> tuple[str, str]:
 def _analysed(combined: Results) -> list[SummarySection]:
     """Return plate and mesh as analyzed, and ground without constants, which has no table of them."""
     plate, mesh, ground, *_ = combinations.description(combined)
-    return [plate, mesh, *([ground] if isinstance(combined.model.ground, Continuum) else [])]
+    return [plate, mesh, *([ground] if isinstance(combined.model.ground, ContinuousGround) else [])]
 
 
 def _section(section: SummarySection) -> TableLayout:
