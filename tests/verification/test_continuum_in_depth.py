@@ -12,8 +12,8 @@ from groundslab.fem.continuum.cells import Grid
 from groundslab.fem.continuum.depth import LoadedCells, settle_below
 from groundslab.fem.continuum.elastic_ground import make_operator
 from groundslab.fem.continuum.media import BondedLayers
+from groundslab.fem.continuum.pressed_cells import PressedCells
 from groundslab.fem.continuum.transfer import ElasticLayer, carry_down
-from groundslab.results.pressed_cells import PressedCells
 
 E, NU, Q = 30e6, 0.3, 100e3
 HALF_SPACE = (ElasticLayer(E, NU, np.inf),)
@@ -132,7 +132,7 @@ def test_the_surface_settles_as_the_analysis_says(layers: tuple[ElasticLayer, ..
 
 
 def test_layers_compressed_by_the_stresses_of_a_half_space() -> None:
-    """w below a circle's center is the sum over the layers below of int sigma_z dz / M, by its closed form; 0 below."""
+    """Settlement below a circle's center is the sum over the layers below of int sigma_z dz / M, in closed form."""
     a, z = 1.0, np.array([0.0, 0.03, 0.5, 1.0, 2.0, 4.0, 9.0])
     layers = (ElasticLayer(8e6, 0.0, 1.0), ElasticLayer(20e6, 0.0, 3.0))
     settlement, stress = settle_below(layers, loaded_circle(a, 64), CENTER, z, bonded=False)

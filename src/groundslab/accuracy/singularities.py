@@ -42,7 +42,8 @@ def find_limits(model: Model, nodes: Array, in_contact: Flags) -> Limits:
     Shear forces around footprints and where they are singular, at the plate's corners too if ground with shear goes on
     beyond them, have no meaning in design, where punching is checked instead. Pressures on ground without shear follow
     the settlement; with shear they have no limit where section forces have none, and jump where loads, lines, zones and
-    voids begin, and around where the plate has lifted off; on an elastic continuum they have none along the edges. There they are zero, but may not be so on a coarser mesh.
+    voids begin, and around where the plate has lifted off. There they are zero, but may not be so on a coarser mesh.
+    On an elastic continuum they have no limit along the edges of the plate.
     """
     limits = _WITHOUT_CONTACT.get(nodes, model, lambda: _without_contact(model, nodes))
     if not model.ground_carries_shear or in_contact.all():

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.errors import GroundslabError
-from groundslab.results.pressed_cells import PressedCells
+from groundslab.fem.continuum.pressed_cells import PressedCells
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array

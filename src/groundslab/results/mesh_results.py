@@ -9,10 +9,10 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers, Memo
 from groundslab.errors import InputError, Issue
+from groundslab.fem.continuum.pressed_cells import PressedCells
 from groundslab.fem.mesh import Mesh, MeshLocations, bounding_boxes, interpolate, locate
 from groundslab.fem.shape_functions import areas
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.pressed_cells import PressedCells
 from groundslab.schema.wording import describe, one_of, suggestion
 
 if TYPE_CHECKING:

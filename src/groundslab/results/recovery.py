@@ -8,6 +8,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.fem.assembly import scatter
+from groundslab.fem.continuum.pressed_cells import PressedCells, press
 from groundslab.fem.problem import BETA_X, BETA_Y, Problem, W, plate_unknowns
 from groundslab.fem.system import plate_settlement, surface_settlement
 from groundslab.fem.vlasov import Soil
@@ -16,7 +17,6 @@ from groundslab.model.model import Model
 from groundslab.results.certificate import apply, resistance
 from groundslab.results.contact_fields import contact_fields
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-from groundslab.results.pressed_cells import PressedCells, pressed_cells
 from groundslab.results.record import Certificate, Constants, Step
 from groundslab.results.result_mesh import ResultMesh
 from groundslab.results.results import CombinationResult, Comparison, Increment, SupportResult
@@ -83,7 +83,13 @@ def recover_fields(solution: Solution, frame: ResultMesh) -> MeshedFields:
     nodal = {name: field[frame.node] for name, field in moved.items()}
     nodal |= {"area": frame.area, "edge_length": frame.edge_length} | section_forces(frame, forces) | contact
     elements = _element_fields(problem, gauss) | {"pressure": pressure}
-    return MeshedFields(forces, nodal, elements, surface_settlement(s, U), pressed_cells(solution))
+    return MeshedFields(forces, nodal, elements, surface_settlement(s, U), _press(solution))
+
+
+def _press(solution: Solution) -> PressedCells | None:
+    """Return the cells that bear the plate, None on ground without such."""
+    elastic, pressed = solution.system.problem.elastic, solution.pressed
+    return None if elastic is None or pressed is None else press(elastic, pressed.force)
 
 
 def expand(fields: MeshedFields, frame: ResultMesh) -> tuple[PlateResult, ElementResult, GroundResult]:

@@ -1,8 +1,9 @@
 """Industrial floors: yield lines by TR34, flexural stresses by ACI 360R-10 and PCA, the restraint of shrinkage.
 
 The formulas are those of `design/floors`; they know the ground as springs, k being the pressure on it over its
-settlement; that of an elastic continuum is the equivalent one of `discretize.ground.subgrade_modulus`. Stresses by ACI 360R are those of the contact analysis. Of zones the thinnest counts in the formulas, at
-stresses each node's own thickness.
+settlement; that of an elastic continuum is the equivalent one of `discretize.ground.subgrade_modulus`. Stresses by ACI
+360R are those of the contact analysis. Of zones the thinnest counts in the formulas, at stresses each node's own
+thickness.
 """
 
 from __future__ import annotations

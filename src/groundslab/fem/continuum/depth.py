@@ -80,7 +80,7 @@ def settle_below(
 
     References
     ----------
-    Newmark 1935 for the stress below a loaded rectangle; Boussinesq 1885 (docs/bibliography.md).
+    Boussinesq 1885; Holl 1940 for the stress below a loaded rectangle (docs/bibliography.md).
     """
     far = float(np.linalg.norm(np.ptp(np.vstack([cells.center, places]), axis=0))) + 2 * max(cells.size)
     # rounded up, so that other places have the same kernels
@@ -210,7 +210,7 @@ def _sum_half_space(soil: ElasticLayer, cells: LoadedCells, places: Array, z: fl
     """Return settlement [m] and vertical stress [Pa] of a half-space at a depth below places (p, 2), (p,) each.
 
     The integrals of Boussinesq's settlement (1 + nu) / (2 pi E) (2 (1 - nu) / R + z^2 / R^3) and stress
-    3 z^3 / (2 pi R^5) over rectangles, as differences over their corners; the stress is Newmark's (1935).
+    3 z^3 / (2 pi R^5) (1885) over rectangles, as differences over their corners.
     """
     settlement, stress = np.zeros(len(places)), np.zeros(len(places))
     pressure = cells.force / (cells.size[0] * cells.size[1])
@@ -228,7 +228,7 @@ def _sum_half_space(soil: ElasticLayer, cells: LoadedCells, places: Array, z: fl
 
 
 def _of_corner(u: Array, v: Array, z: float) -> tuple[Array, Array, Array]:
-    """Return the integrals over 0 to u and 0 to v of 1 / R, z^2 / R^3 and 3 z^3 / R^5, but for parts of u or v alone."""
+    """Return the integrals over 0 to u and 0 to v of 1 / R, z^2 / R^3 and 3 z^3 / R^5 (Holl 1940)."""
     of_u, of_v = np.maximum(np.hypot(u, z), TINY), np.maximum(np.hypot(v, z), TINY)
     R = np.maximum(np.sqrt(u**2 + v**2 + z**2), TINY)
     angle = np.arctan2(u * v, z * R)

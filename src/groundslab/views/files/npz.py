@@ -14,8 +14,8 @@ import numpy as np
 
 from groundslab._version import __version__
 from groundslab.errors import InputError, Issue
+from groundslab.fem.continuum.pressed_cells import PressedCells
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-from groundslab.results.pressed_cells import PressedCells
 from groundslab.results.record import Certificate, Constants, Step
 from groundslab.results.results import CombinationResult, Comparison, Increment, SupportResult
 from groundslab.views.files.validation import require_sound

@@ -11,8 +11,8 @@ import numpy as np
 from groundslab.model.ground import ContinuousGround
 
 if TYPE_CHECKING:
+    from groundslab.fem.continuum.pressed_cells import PressedCells
     from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-    from groundslab.results.pressed_cells import PressedCells
     from groundslab.results.results import CombinationResult, Comparison, Increment, SupportResult
 
     State: TypeAlias = CombinationResult | Comparison | Increment

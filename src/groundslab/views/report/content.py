@@ -261,13 +261,15 @@ def _constants(found: Sequence[Entry]) -> TableLayout:
 
 
 def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[drawings.Drawing]:
-    """Yield the plan of the case, the mesh and the ground in section."""
+    """Yield the plan of the case, the mesh, stresses in the ground if they are known, and the ground in section."""
     yield drawings.draw_case(combined.model)
     if leading is not None:
         yield drawings.draw_mesh_plan(leading)
     soil = None if leading is None else drawings.draw_soil(leading)
     if soil is None or leading is None:
         return
+    if (stress := drawings.draw_stress(leading)) is not None:
+        yield stress
     notes = ["Ground below the plate, to scale in depth."]
     if leading.constants.gamma is not None:
         notes.append(

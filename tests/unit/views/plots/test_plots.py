@@ -39,8 +39,9 @@ from groundslab.results.mesh_results import mean_at_nodes
 from groundslab.results.results import CombinationResult, Results, results_of
 from groundslab.views import plots
 from groundslab.views.files import results_folder
-from groundslab.views.plots import contours, convergence, deformed, plan, request, sections, soil
+from groundslab.views.plots import contours, convergence, deformed, plan, request, sections
 from groundslab.views.plots.annotations import LabelPlacement
+from groundslab.views.plots.ground import soil
 from groundslab.views.plots.panels import build_panels
 from groundslab.views.plots.request import parse_request
 from groundslab.views.plots.style import apply_style, math_symbol, number, plain_text

@@ -4,18 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from math import inf
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.errors import InputError, Issue
 from groundslab.fem.continuum.depth import LoadedCells, base_of, settle_below
+from groundslab.fem.continuum.elastic_ground import ElasticGround
 from groundslab.fem.continuum.media import BondedLayers, StressedLayers
 from groundslab.fem.continuum.transfer import ElasticLayer
-
-if TYPE_CHECKING:
-    from groundslab.solvers.solution import Solution
 
 #: All homogeneous half-spaces have the same stresses.
 ANY_HALF_SPACE = ElasticLayer(1.0, 0.0, inf)
@@ -38,7 +35,7 @@ class PressedCells:
     force : (c,) array of float
         Force of the plate on each [N]; where the plate covers a cell in part, it counts as spread over all of it.
     settling : (c,) array of float
-        What of it settles the ground as under first loading [N]: all of it unless an excavation has relieved the ground.
+        What of it settles the ground as under first loading [N]: all, where no excavation has relieved the ground.
     layers : (L, 3) array of float
         Young's modulus [Pa], Poisson's ratio and thickness [m] of the homogeneous layers as analyzed, from the top
         downwards. The thickness of a half-space is infinite; without one a rigid base follows. Of layers that are not
@@ -100,24 +97,19 @@ class PressedCells:
         return tuple(ElasticLayer(float(E), float(nu), float(h)) for E, nu, h in self.layers)
 
 
-def pressed_cells(solution: Solution) -> PressedCells | None:
-    """Return the cells of a solution on an elastic continuum, None on other ground."""
-    elastic, pressed = solution.system.problem.elastic, solution.pressed
-    if elastic is None or pressed is None:
-        return None
-    grid = elastic.cells.grid
+def press(ground: ElasticGround, force: Array) -> PressedCells:
+    """Return the cells of a ground under forces (c,) [N]."""
+    grid, medium = ground.cells.grid, ground.medium
     x, y = (each.ravel() for each in np.meshgrid(*grid.centers, indexing="ij"))
-    center = np.column_stack([x, y])[elastic.cells.number]
-    medium = elastic.medium
+    center = np.column_stack([x, y])[ground.cells.number]
     if isinstance(medium, BondedLayers):
         layers = [(layer.E, layer.nu, layer.thickness) for layer in medium.layers]
     else:
         assert isinstance(medium, StressedLayers)
         layers = [(M, 0.0, h) for M, h in zip(medium.modulus, medium.thickness, strict=True)]
-    return PressedCells(
-        center, np.array([grid.dx, grid.dy]), pressed.force, elastic.settling(pressed.force),
-        np.array(layers if elastic.columns is None else []).reshape(-1, 3), isinstance(medium, BondedLayers),
-    )  # fmt: skip
+    known = np.array(layers if ground.columns is None else []).reshape(-1, 3)
+    size = np.array([grid.dx, grid.dy])
+    return PressedCells(center, size, force, ground.settling(force), known, isinstance(medium, BondedLayers))
 
 
 def _require_within(points: Array, base: float) -> None:
