@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers, Memo
+from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import InputError, Issue
 from groundslab.fem.continuum.pressed_cells import PressedCells
-from groundslab.fem.mesh import Mesh, MeshLocations, bounding_boxes, interpolate, locate
+from groundslab.fem.mesh import Mesh, interpolate, locate_within
 from groundslab.fem.shape_functions import areas
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.schema.wording import describe, one_of, suggestion
@@ -18,10 +18,6 @@ from groundslab.schema.wording import describe, one_of, suggestion
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
     from pyvista import UnstructuredGrid
-    from shapely import STRtree
-
-#: An error names at most so many points outside, and counts the others.
-MOST_NAMED = 100
 
 
 @dataclass(frozen=True, slots=True)
@@ -206,7 +202,7 @@ class PlateResult:
         300 mm
         """
         points = _points(x, y)
-        found: Integers = _locate(Mesh(self.nodes, self.elements), points, "the plate")[0]
+        found: Integers = locate_within(Mesh(self.nodes, self.elements), points, "the plate")[0]
         return int(found[0]) if points.ndim == 1 else found.reshape(points.shape[:-1])
 
 
@@ -323,46 +319,30 @@ class GroundResult:
             raise InputError([Issue("surface", describe(surface), expected)])
         return _values_at(Mesh(self.nodes, self.elements), self.settlement[surface], x, y, "the meshed ground")
 
-    @overload
-    def settlement_at(self, x: float, y: float, z: float) -> float: ...
-    @overload
-    def settlement_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> Array: ...
-    def settlement_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> float | Array:
-        """Return the settlement of an elastic continuum at points anywhere in it, beside the plate too.
+    def settlement_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> Array:
+        """Return the settlement of a continuum at points anywhere in it, beside the plate too.
 
         Parameters
         ----------
-        x, y : array_like of float
-            Coordinates [m].
-        z : array_like of float
-            Depth below the base of the plate [m], of a shape that broadcasts against those of x and y.
+        x, y, z : array_like of float
+            Coordinates and depth below the base of the plate [m], of any shapes that broadcast against each other.
 
         Returns
         -------
-        float or array of float
-            Settlement [m]: a float for three numbers, else an array of the broadcast shape.
+        array of float
+            Settlement [m], of the broadcast shape.
 
         Raises
         ------
         InputError
-            If the ground is no elastic continuum, or if a point lies above the surface or below the base.
-
-        References
-        ----------
-        Bonded elastic layers under the pressures of the cells (docs/ground_models.md).
-
-        Examples
-        --------
-        >>> settlement = results.ground.settlement_at(x, y, [0.0, 1.0, 5.0])  # doctest: +SKIP
+            If the ground is no continuum, or if a point lies above its surface or below its base.
         """
+        if self.cells is not None and not self.cells.settles_alike:
+            raise InputError([Issue("ground", "layers that differ between boreholes", "the same layers everywhere")])
         return self._in_depth(0, x, y, z)
 
-    @overload
-    def stress_at(self, x: float, y: float, z: float) -> float: ...
-    @overload
-    def stress_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> Array: ...
-    def stress_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> float | Array:
-        """Return the vertical stress by the plate in an elastic continuum, without the soil's own weight.
+    def stress_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> Array:
+        """Return the vertical stress by the plate in a continuum, without the soil's own weight.
 
         Parameters
         ----------
@@ -371,27 +351,18 @@ class GroundResult:
 
         Returns
         -------
-        float or array of float
+        array of float
             Stress sigma_z [Pa], compression positive; at z = 0 the pressure of the cell.
-
-        Raises
-        ------
-        InputError
-            As `settlement_at` does.
         """
         return self._in_depth(1, x, y, z)
 
-    def _in_depth(self, which: int, *coordinates: ArrayLike) -> float | Array:
+    def _in_depth(self, which: int, *coordinates: ArrayLike) -> Array:
         """Return settlement (0) or vertical stress (1) at points."""
         if self.cells is None:
             expected = 'ground.kind = "continuum" or "constrained modulus"'
             raise InputError([Issue("ground", "ground of which only surfaces are known", expected)])
-        if which == 0 and not self.cells.settles_alike:
-            expected, hint = "the same layers everywhere", "value_at knows the settlement of the surface"
-            raise InputError([Issue("ground", "layers that differ between boreholes", expected, hint)])
         points = _points(*coordinates)
-        found = self.cells.at_points(points.reshape(-1, 3))[which]
-        return float(found[0]) if points.ndim == 1 else found.reshape(points.shape[:-1])
+        return self.cells.at_points(points.reshape(-1, 3))[which].reshape(points.shape[:-1])
 
 
 def mean_at_nodes(plate: PlateResult, values: Array) -> Array:
@@ -411,7 +382,7 @@ def in_space(nodes: Array) -> Array:
 def _values_at(mesh: Mesh, values: Array, x: ArrayLike, y: ArrayLike, region: str) -> float | Array:
     """Return nodal values (n,) at points: a float for two numbers, else an array of their shape."""
     points = _points(x, y)
-    found = interpolate(mesh, values, _locate(mesh, points, region))
+    found = interpolate(mesh, values, locate_within(mesh, points, region))
     return float(found[0]) if points.ndim == 1 else found.reshape(points.shape[:-1])
 
 
@@ -426,24 +397,3 @@ def _points(*coordinates: ArrayLike) -> Array:
         names = ", ".join("xyz"[: len(coordinates)])
         raise InputError([Issue(names, found, "numbers in meters, in shapes that broadcast")]) from None
     return points
-
-
-def _locate(mesh: Mesh, points: Array, region: str) -> MeshLocations:
-    """Return the elements that hold points (..., 2) and where in them; InputError names points outside."""
-    boxes = _BOXES.get(mesh.elements, mesh.nodes, lambda: bounding_boxes(mesh))
-    where = locate(mesh, points.reshape(-1, 2), boxes=boxes)
-    outside = np.argwhere(where[0].reshape(points.shape[:-1]) < 0)
-    issues = []
-    for index in outside[:MOST_NAMED]:
-        x, y = points[tuple(index)]
-        issues.append(Issue(f"point{index.tolist() or ''}", f"({x:g}, {y:g}) m", f"a point on {region}"))
-    if len(outside) > MOST_NAMED:
-        found = f"{len(outside) - MOST_NAMED} more points outside"
-        issues.append(Issue("points", found, f"points on {region}"))
-    if issues:
-        raise InputError(issues)
-    return where
-
-
-#: Search trees of the meshes in which points have been located.
-_BOXES: Memo[STRtree] = Memo()
