@@ -153,7 +153,7 @@ def test_layers_compressed_by_the_stresses_of_a_half_space() -> None:
 def test_points_outside_the_ground_are_refused_all_at_once() -> None:
     """Above the surface, below the base, and no numbers; depths may come in any order."""
     layers = np.array([(each.E, each.nu, each.thickness) for each in LAYERS])
-    cells = PressedCells(CENTER, np.array([1.0, 1.0]), np.array([1e3]), np.array([1e3]), layers, True)
+    cells = PressedCells(CENTER, np.array([1.0, 1.0]), np.array([1e3]), np.array([1e3]), layers, True, np.zeros((0, 3)))
     assert cells.base == 4.0
     with pytest.raises(InputError, match="rigid base"):
         cells.at_points(np.array([[0.0, 0.0, 5.0]]))

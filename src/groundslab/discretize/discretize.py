@@ -11,7 +11,7 @@ from groundslab.discretize.ground import Factors, carries_shear, ground_under, g
 from groundslab.discretize.nodal_loads import loadings, materials
 from groundslab.discretize.plan_layout import AXIS, OUTWARD, Layout, Meshes, layout
 from groundslab.discretize.serviceability.cracking import cracked_sections
-from groundslab.discretize.voids import find_depths, initial_gap, level_ground
+from groundslab.discretize.voids import find_depths, initial_gap
 from groundslab.fem import plate
 from groundslab.fem.assembly import number_unknowns
 from groundslab.fem.mesh import sides_on_boundary
@@ -22,7 +22,7 @@ from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 
 #: Parts of a model on which the loading of a mesh depends.
-ACTING = ("plate", "columns", "supports", "cases", "loads")
+ACTING = ("plate", "plates", "columns", "supports", "cases", "loads")
 
 
 def discretize(
@@ -44,14 +44,13 @@ def discretize(
     element, sections = plate.ELEMENTS[model.plate.element], materials(model)
     present = _present(model, plan, element, surfaces_of(ground))
     fields = present.shape[1]
-    cases = _known_cases(model, plan, element, fields, like)
-    if not cases:
-        acting = model if loaded else model.model_copy(update={"cases": (), "loads": ()})
-        cases = loadings(acting, plan, element, fields)
+    acting = model if loaded else model.model_copy(update={"cases": (), "loads": ()})
+    cases = _known_cases(model, plan, element, fields, like) or loadings(acting, plan, element, fields)
     unknown = number_unknowns(plan.rank, present)
-    elastic = elastic_ground(model, plan, element, coarsening, sum(float(each.load[:, W].sum()) for each in cases))
-    below = find_depths(model, plan, ground, coarsening == 0) if elastic is None else level_ground(plan)
-    gap = initial_gap(model, plan)
+    below, gap = find_depths(model, plan, ground, coarsening == 0), initial_gap(model, plan)
+    bearing = concatenate(
+        ground_bearing(model, plan, unknown, below, ground, gap), support_bearing(model, plan, unknown)
+    )
     edges, corners = _infinite_edges(model, plan)
     return Problem(
         mesh=plan.mesh,
@@ -59,9 +58,11 @@ def discretize(
         plate_nodes=plan.plate_nodes,
         element=element,
         bending=np.array([plate.bending_rigidity(E, nu, t) for E, nu, t in sections]),
-        shear=np.array([plate.shear_rigidity(E, nu, t, model.plate.shear_factor) for E, nu, t in sections]),
+        shear=np.array([plate.shear_rigidity(*each) for each in _with_shear_factors(model)]),
         rigidity=plan.section,
         section=plan.section,
+        plate_number=plan.plate,
+        plate_names=tuple(each.name or f"plate {n}" for n, each in enumerate(model.every_plate, start=1)),
         thickness=np.array([t for _, _, t in sections])[plan.section],
         ground=ground,
         constants=constants,
@@ -71,10 +72,7 @@ def discretize(
         loading=sum(cases[1:], cases[0]),
         initial_gap=gap + np.where(np.isfinite(below.depth), below.depth, 0.0)[below.shallowest],
         depths=below,
-        bearing=concatenate(
-            *([ground_bearing(model, plan, unknown, below, ground, gap)] if elastic is None else []),
-            support_bearing(model, plan, unknown),
-        ),
+        bearing=bearing,
         tensionless=model.contact.tensionless,
         limit_pressure=np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure,
         plate_edges=plan.plate_edges,
@@ -82,9 +80,15 @@ def discretize(
         edges=edges,
         corners=corners,
         symmetry=plan.symmetry,
-        elastic=elastic,
+        elastic=elastic_ground(model, plan, element, coarsening, bearing, cases),
         cracking=cracked_sections(model, plan.section, plan.mesh.nodes[plan.mesh.elements[plan.plate_elements, -1]]),
     )
+
+
+def _with_shear_factors(model: Model) -> list[tuple[float, float, float, float]]:
+    """Return E [Pa], nu, thickness [m] and shear factor of each section."""
+    factors = [each.shear_factor for each in model.every_plate for _ in (each, *each.zones)]
+    return [(*own, factor) for own, factor in zip(materials(model), factors, strict=True)]
 
 
 def _known_cases(
@@ -125,16 +129,18 @@ def _present(model: Model, plan: Layout, element: plate.PlateElement, surfaces: 
     if not element.center_w:
         present[mesh.elements[plate_elements, 8], W] = False
 
+    first = np.zeros(n, dtype=bool)
+    first[mesh.elements[plate_elements[plan.plate == 0]]] = True
     x0, x1, y0, y1 = model.plate.bounds
     at = {"left": x0, "right": x1, "bottom": y0, "top": y1}
-    near = SAME_PLACE * max(model.plate.sides)
+    near = SAME_PLACE * max(model.sides)
     for side, axis in AXIS.items():
         along = 1 - axis
         if symmetry[axis] and OUTWARD[side] < 0:
             present[mesh.nodes[:, axis] == 0.0, BETA_X + axis] = False
             continue
         kind = getattr(model.plate.edges, side)
-        on_edge = under & (np.abs(mesh.nodes[:, axis] - at[side]) <= near)
+        on_edge = first & (np.abs(mesh.nodes[:, axis] - at[side]) <= near)
         _fix(present, on_edge, kind, along)
     if model.plate.support != "free":
         _fix_outline(present, model.plate, plan)

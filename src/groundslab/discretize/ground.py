@@ -218,7 +218,7 @@ def _columns_under(model: Model, mesh: Mesh, factors: Factors, followed_borders:
         element, part = np.arange(len(centres)), np.ones(len(centres))
         listed = _between_boreholes(model.boreholes, tables, centres)
     else:
-        share = shares(mesh.xy, zone_rings(model), followed_borders, max(model.plate.sides))
+        share = shares(mesh.xy, zone_rings(model), followed_borders, max(model.sides))
         element, zone = np.nonzero(share)
         part, listed = share[element, zone], tables[zone]
     for name, factor in factors.items():

@@ -65,5 +65,5 @@ def _locate(load: loads.AnyLoad, model: Model) -> tuple[tuple[object, ...], tupl
             what = ("point", own.case, own.P, own.width_x, own.width_y, own.diameter)
             return what, ((own.x, own.x), (own.y, own.y))
     if isinstance(load, loads.PatchLoad) and (load.slope, load.bend) == (loads.NO_SLOPE, loads.NO_BEND):
-        return ("patch", load.case, load.q), (load.x, load.y)
+        return ("patch", load.case, load.on, load.q), (load.x, load.y)
     return None

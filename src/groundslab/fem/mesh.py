@@ -213,6 +213,11 @@ def _polynomial(C: Array, xi: Array, eta: Array) -> tuple[Array, Array, Array]:
 MeshLocations = tuple[Integers, Array]
 
 
+def in_space(nodes: Array) -> Array:
+    """Return nodes (n, 2) as points (n, 3) at z = 0."""
+    return np.column_stack([nodes, np.zeros(len(nodes))])
+
+
 def locate_within(mesh: Mesh, points: Array, region: str) -> MeshLocations:
     """Return the elements that hold points (..., 2) and where in them; InputError names points outside."""
     boxes = _BOXES.get(mesh.elements, mesh.nodes, lambda: bounding_boxes(mesh))

@@ -335,3 +335,14 @@ class ConstrainedModulus(Section):
 ContinuousGround = Continuum | ConstrainedModulus
 AnyGround = Winkler | Pasternak | Vlasov | Layered | Continuum | ConstrainedModulus
 Ground = Annotated[AnyGround, ByKind()]
+
+
+def carry_shear(ground: AnyGround) -> list[bool]:
+    """Return whether the layers of a ground carry shear, from the top downwards."""
+    if isinstance(ground, Winkler):
+        return [False]
+    if isinstance(ground, Pasternak):
+        return [ground.k1 > 0]
+    if isinstance(ground, ContinuousGround):
+        return [True]
+    return [not isinstance(layer, InterfaceLayer) or layer.k1 > 0 for layer in ground.layers]

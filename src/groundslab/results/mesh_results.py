@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
@@ -10,8 +10,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import InputError, Issue
 from groundslab.fem.continuum.pressed_cells import PressedCells
-from groundslab.fem.mesh import Mesh, interpolate, locate_within
-from groundslab.fem.shape_functions import areas
+from groundslab.fem.mesh import Mesh, in_space, interpolate, locate_within
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.schema.wording import describe, one_of, suggestion
 
@@ -91,6 +90,23 @@ class PlateResult:
     def contact_share(self) -> float:
         """The part of the plate's area that rests on the ground."""
         return float(self.contact_area.sum() / self.area.sum())
+
+    def part(self, elements: Flags) -> PlateResult:
+        """Return some of the elements with their nodes, as one of several plates.
+
+        Parameters
+        ----------
+        elements : (m,) array of bool
+            Which elements.
+
+        Returns
+        -------
+        PlateResult
+            Their nodes and elements, numbered anew, with the same fields.
+        """
+        nodes, numbers = np.unique(self.elements[elements], return_inverse=True)
+        nodal = {each.name: getattr(self, each.name)[nodes] for each in fields(self) if each.name != "elements"}
+        return PlateResult(elements=numbers.reshape(-1, 9), **nodal)
 
     def point_data(self) -> dict[str, Array]:
         """Return the nodal fields in units of display, by names such as "settlement w [mm]".
@@ -330,7 +346,7 @@ class GroundResult:
         Returns
         -------
         array of float
-            Settlement [m], of the broadcast shape.
+            Settlement [m].
 
         Raises
         ------
@@ -359,24 +375,9 @@ class GroundResult:
     def _in_depth(self, which: int, *coordinates: ArrayLike) -> Array:
         """Return settlement (0) or vertical stress (1) at points."""
         if self.cells is None:
-            expected = 'ground.kind = "continuum" or "constrained modulus"'
-            raise InputError([Issue("ground", "ground of which only surfaces are known", expected)])
+            raise InputError([Issue("ground", "ground of which only surfaces are known", "a continuum")])
         points = _points(*coordinates)
         return self.cells.at_points(points.reshape(-1, 3))[which].reshape(points.shape[:-1])
-
-
-def mean_at_nodes(plate: PlateResult, values: Array) -> Array:
-    """Return the means (n,) of a field of elements (m,) over the elements that meet at each node, by their areas."""
-    weights = np.repeat(areas(plate.nodes[plate.elements]), plate.elements.shape[1])
-    nodes, n = plate.elements.ravel(), len(plate.nodes)
-    sums = np.bincount(nodes, weights=weights * np.repeat(values, plate.elements.shape[1]), minlength=n)
-    means: Array = sums / np.bincount(nodes, weights=weights, minlength=n)
-    return means
-
-
-def in_space(nodes: Array) -> Array:
-    """Return nodes (n, 2) as points (n, 3) at z = 0."""
-    return np.column_stack([nodes, np.zeros(len(nodes))])
 
 
 def _values_at(mesh: Mesh, values: Array, x: ArrayLike, y: ArrayLike, region: str) -> float | Array:

@@ -88,8 +88,10 @@ def recover_fields(solution: Solution, frame: ResultMesh) -> MeshedFields:
 
 def _press(solution: Solution) -> PressedCells | None:
     """Return the cells that bear the plate, None on ground without such."""
-    elastic, pressed = solution.system.problem.elastic, solution.pressed
-    return None if elastic is None or pressed is None else press(elastic, pressed.force)
+    problem, pressed = solution.system.problem, solution.pressed
+    if problem.elastic is None or pressed is None:
+        return None
+    return press(problem.elastic, pressed.force, problem.loading.beside)
 
 
 def expand(fields: MeshedFields, frame: ResultMesh) -> tuple[PlateResult, ElementResult, GroundResult]:

@@ -143,10 +143,10 @@ def crossed_borders(results: CombinationResult) -> tuple[Coverage, ...]:
     model, ground, plate = results.model, results.ground, results.plate
     if not model.soil_zones and not model.contact.voids:
         return ()
-    x0, x1, y0, y1 = model.plate.bounds
+    x0, x1, y0, y1 = model.bounds
     (low_x, low_y), (high_x, high_y) = ground.nodes.min(axis=0), ground.nodes.max(axis=0)
     width = float(max(x0 - low_x, high_x - x1, y0 - low_y, high_y - y1))
-    size = max(model.plate.sides)
+    size = max(model.sides)
     met = find_followed_borders(model, width if width > 1e-9 * size else 0.0)
     xy = ground.nodes[ground.elements]
     by_zone = shares(xy, zone_rings(model), met, size)

@@ -13,6 +13,7 @@ import pytest
 import groundslab
 from groundslab.errors import InputError
 from groundslab.model.model import Model
+from groundslab.model.supports import Pile
 from groundslab.results.results import CombinationResult, Results
 from groundslab.results.soil_profile import profile_depths
 from groundslab.views.files import npz, results_folder
@@ -29,20 +30,20 @@ LAYERS = [
     groundslab.SoilLayer(E=20e6, E_bottom=40e6, nu=0.3, thickness=3.0),
 ]
 BONDED = groundslab.Continuum(layers=LAYERS, half_space=groundslab.HalfSpace(E=60e6, nu=0.3))
+LOAD = groundslab.UniformLoad(q=10e3)
 STRESSED = groundslab.ConstrainedModulus(layers=LAYERS)
 
 
 def solve(ground: Any, **parts: Any) -> Results:
     """Return the results of a slab of 6 by 4 m under a force beside its middle."""
-    model = Model(
-        plate=groundslab.Plate(length_x=6, length_y=4, thickness=0.4, E=30e9, nu=0.2),
-        ground=ground,
-        loads=[groundslab.PointLoad(P=800e3, x=1, y=0.5, width_x=0.4, width_y=0.4), groundslab.UniformLoad(q=10e3)],
-        mesh=groundslab.Mesh(size=0.5),
-        output=groundslab.Output(points=[groundslab.OutputPoint(name="A", x=1.1, y=0.6)]),
-        **parts,
-    )
-    return groundslab.solve(model)
+    force = groundslab.PointLoad(P=800e3, x=1, y=0.5, width_x=0.4, width_y=0.4)
+    common = {
+        "plate": groundslab.Plate(length_x=6, length_y=4, thickness=0.4, E=30e9, nu=0.2),
+        "loads": [force, LOAD],
+        "mesh": groundslab.Mesh(size=0.5),
+        "output": groundslab.Output(points=[groundslab.OutputPoint(name="A", x=1.1, y=0.6)]),
+    }
+    return groundslab.solve(Model(ground=ground, **common | parts))
 
 
 @pytest.fixture(scope="module")
@@ -76,7 +77,7 @@ def test_cells_come_back_from_a_folder(bonded: Results, stressed: Results, tmp_p
         pairs = [(found, wanted), (found.comparison, wanted.comparison)]
         pairs += list(zip(found.increments, wanted.increments, strict=True))
         for one, other in pairs:
-            for part in ("center", "size", "force", "settling", "layers", "bonded"):
+            for part in ("center", "size", "force", "settling", "layers", "bonded", "beside", "piled"):
                 assert np.array_equal(getattr(one.ground.cells, part), getattr(other.ground.cells, part))
         at = 1.0, 0.5, [0.0, 0.7, 3.0, 9.0]
         assert np.array_equal(found.ground.stress_at(*at), wanted.ground.stress_at(*at))
@@ -151,6 +152,29 @@ def test_between_boreholes_stresses_are_known_but_not_settlements(stressed: Resu
     assert "between boreholes" in table.notes[-1]
 
 
+def test_loads_beside_the_plate_press_on_the_ground_too() -> None:
+    """A surcharge beside the slab has its stresses in the depth beside those of the slab."""
+    patch = groundslab.PatchLoad(q=50e3, x=(4, 8), y=(-2, 2), on="ground")
+    beside = solve(STRESSED, beyond=groundslab.Beyond(kind="infinite"), loads=[LOAD, patch])
+    far = 40.0
+    stress = 3 / (2 * np.pi * far**2) * (50e3 * 16 + 10e3 * 24 * (1 + (6 / far) ** 2) ** -2.5)
+    # Boussinesq's forces, as areas of 4 m are seen from so deep
+    assert beside.ground.stress_at(6.0, 0.0, far) == pytest.approx(stress, rel=0.01)
+
+
+def test_nothing_is_said_of_the_depth_below_piles() -> None:
+    """Piles carry loads into the depth: points, table and section are refused, or say why they are empty."""
+    pile = Pile(name="P", x=1, y=0.5, diameter=0.6, length=3.0)
+    piled = solve(BONDED, supports=[pile])
+    with pytest.raises(InputError, match="piles"):
+        piled.ground.stress_at(0, 0, 1)
+    with pytest.raises(InputError, match="without piles"):
+        groundslab.plot(piled, kind="stress")
+    table = {each.name: each for each in groundslab.tables_of(piled)}["soil"]
+    assert len(table) == 0
+    assert "Piles" in table.notes[-1]
+
+
 def test_other_ground_has_no_depth() -> None:
     """Springs have neither settlements in a depth nor sections through it, and say which ground has."""
     springs = synthetic.results()
@@ -176,7 +200,7 @@ def test_drawings_of_the_ground(bonded: Results) -> None:
 
 
 def test_report_shows_the_ground(bonded: Results) -> None:
-    """Its layers and cells as analyzed, the stresses as a picture and a table; no constants, of which there are none."""
+    """Its layers and cells as analyzed, the stresses as a picture and a table; no constants, which it has not."""
     page = render_report(bonded)
     for words in ("cells of pressure under the plate", "Soil below points", "Vertical stress in the ground"):
         assert words in page

@@ -49,7 +49,7 @@ def soil(combined: Results) -> Table:
     rows: list[list[Cell]] = []
     for results in solved_results(combined):
         cells = results.ground.cells
-        if cells is None:
+        if cells is None or cells.piled:
             continue
         w, sigma = cells.below(np.array([(point.x, point.y) for point in wanted]), depths)
         for point, of_point, stresses in zip(wanted, w, sigma, strict=True):
@@ -61,6 +61,8 @@ def soil(combined: Results) -> Table:
         "Depths from the base of the plate. Vertical stresses are those by the pressure of the plate, compression "
         "positive, without the soil's own weight; at z = 0 they are the pressure of the cell there.",
     ]
+    if not rows:
+        notes.append("Piles carry loads into the depth, of which nothing is known then.")
     if model.boreholes:
         notes.append("Settlements in the depth are not known where layers differ between boreholes.")
     return table_of("soil", "Soil below points", heads, rows, notes)

@@ -7,10 +7,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from groundslab.arrays import Array
+from groundslab.arrays import Array, Memo
 from groundslab.fem.continuum.cells import Cells, Grid
 from groundslab.fem.continuum.flexibility import Flexibility, make_flexibility
 from groundslab.fem.continuum.media import Medium
+from groundslab.fem.continuum.pile_group import PileGroup
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +52,7 @@ class ElasticGround:
     columns: Columns | None = None
     relief: Relief | None = None
     limit_depth: float | None = None  # [m]: below it nothing settles
+    piles: PileGroup | None = None
 
     @property
     def linear(self) -> bool:
@@ -89,23 +91,51 @@ class ElasticGround:
 
         Interpolated between the means of cells of the same size that reach over all places.
         """
-        from scipy.interpolate import RegularGridInterpolator
-
         force = self.settling(force)
         grid, wide = self.cells.grid, _reach_over(self.cells.grid, places)
         first = round((grid.x0 - wide.x0) / grid.dx), round((grid.y0 - wide.y0) / grid.dy)
         on_wide = np.zeros((wide.nx, wide.ny))
         on_wide[first[0] : first[0] + grid.nx, first[1] : first[1] + grid.ny] = self.cells.on_grid(force)
+        return self._settle_wide(wide, on_wide, places)
 
-        def settle(medium: Medium) -> Array:
-            found: Array = RegularGridInterpolator(wide.centers, make_operator(medium, wide).settle(on_wide))(places)
+    def settle_by(self, force: Array, points: Array, places: Array) -> Array:
+        """Return the settlement [m] of the surface at places (p, 2) [m] by forces (f,) [N] at points (f, 2) beside it.
+
+        Each force is spread over the four cells around it, of a grid that reaches over points and places.
+        """
+        wide = _reach_over(self.cells.grid, np.vstack([points, places]))
+        at = (points - [wide.x0, wide.y0]) / [wide.dx, wide.dy] - 0.5
+        low = np.floor(at).astype(int)
+        on_wide = np.zeros((wide.nx, wide.ny))
+        for i in (0, 1):
+            for j in (0, 1):
+                weight = np.abs(1 - np.array([i, j]) - (at - low)).prod(axis=1)
+                np.add.at(on_wide, (low[:, 0] + i, low[:, 1] + j), weight * force)
+        return self._settle_wide(wide, on_wide, places)
+
+    def _settle_wide(self, wide: Grid, force: Array, places: Array) -> Array:
+        """Return the settlement (p,) [m] at places by forces on a grid, interpolated between its cells."""
+        from scipy.interpolate import RegularGridInterpolator
+
+        def settle(medium: Medium, of: Flexibility) -> Array:
+            operator = _WIDE.get(of, wide, lambda: make_operator(medium, wide))
+            found: Array = RegularGridInterpolator(wide.centers, operator.settle(force))(places)
             return found
 
         if self.columns is None:
-            return settle(self.medium)
-        of_each = np.stack([settle(each) for each in self.columns.media], axis=1)
-        mean: Array = (self.columns.weights_at(places) * of_each).sum(axis=1)
+            return settle(self.medium, self.flexibility)
+        of_each = [settle(*each) for each in zip(self.columns.media, self.columns.flexibility, strict=True)]
+        mean: Array = (self.columns.weights_at(places) * np.stack(of_each, axis=1)).sum(axis=1)
         return mean
+
+    def of_plate(self, number: int) -> tuple[Array, Array]:
+        """Return centers (k, 2) [m] and limit forces (k,) [N] of the cells under one of several plates."""
+        own = self.cells.plate == number
+        return self.cells.center[own], self.limit_force[own]
+
+
+#: Operators of wider grids, by those of the cells.
+_WIDE: Memo[Flexibility] = Memo()
 
 
 def make_operator(medium: Medium, grid: Grid) -> Flexibility:

@@ -42,6 +42,10 @@ class PressedCells:
         bonded the constrained modulus, and 0 for the ratio. None if layers differ between boreholes.
     bonded : bool
         Whether the layers are bonded; else the stresses of a homogeneous half-space compress them.
+    beside : (f, 3) array of float
+        Places x, y [m] and forces [N] of loads beside the plate, each spread over an area as large as a cell.
+    piled : bool
+        Whether piles carry a part of the load down, so that nothing is known of the depth.
     """
 
     center: Array
@@ -50,6 +54,8 @@ class PressedCells:
     settling: Array
     layers: Array
     bonded: bool
+    beside: Array
+    piled: bool = False
 
     @property
     def base(self) -> float:
@@ -67,21 +73,24 @@ class PressedCells:
         Settlements between boreholes are NaN.
         """
         dx, dy = map(float, self.size)
-        cells = LoadedCells(self.center, (dx, dy), self.force)
+        centers = np.vstack([self.center, self.beside[:, :2]])
+        cells = LoadedCells(centers, (dx, dy), np.append(self.force, self.beside[:, 2]))
         if not self.settles_alike:
             _, stress = settle_below((ANY_HALF_SPACE,), cells, places, depth)
             return np.full(stress.shape, np.nan), stress
         settlement, stress = settle_below(self._elastic_layers(), cells, places, depth, self.bonded)
         if not np.array_equal(self.settling, self.force):
-            cells = replace(cells, force=self.settling)
+            cells = replace(cells, force=np.append(self.settling, self.beside[:, 2]))
             settlement, _ = settle_below(self._elastic_layers(), cells, places, depth, self.bonded)
         return settlement, stress
 
     def at_points(self, points: Array) -> tuple[Array, Array]:
         """Return settlement [m] and vertical stress [Pa] at points (p, 3) of x, y and depth [m], (p,) each.
 
-        Raises InputError for points that are not in the ground.
+        Raises InputError for points that are not in the ground, and where piles carry loads into it.
         """
+        if self.piled:
+            raise InputError([Issue("supports", "piles, which carry loads into the depth", "a plate without piles")])
         _require_within(points, self.base)
         settlement, stress = np.empty(len(points)), np.empty(len(points))
         depths, which = np.unique(points[:, 2], return_inverse=True)
@@ -97,8 +106,8 @@ class PressedCells:
         return tuple(ElasticLayer(float(E), float(nu), float(h)) for E, nu, h in self.layers)
 
 
-def press(ground: ElasticGround, force: Array) -> PressedCells:
-    """Return the cells of a ground under forces (c,) [N]."""
+def press(ground: ElasticGround, force: Array, beside: Array) -> PressedCells:
+    """Return the cells of a ground under forces (c,) [N], and those beside at places, (f, 3)."""
     grid, medium = ground.cells.grid, ground.medium
     x, y = (each.ravel() for each in np.meshgrid(*grid.centers, indexing="ij"))
     center = np.column_stack([x, y])[ground.cells.number]
@@ -109,7 +118,8 @@ def press(ground: ElasticGround, force: Array) -> PressedCells:
         layers = [(M, 0.0, h) for M, h in zip(medium.modulus, medium.thickness, strict=True)]
     known = np.array(layers if ground.columns is None else []).reshape(-1, 3)
     size = np.array([grid.dx, grid.dy])
-    return PressedCells(center, size, force, ground.settling(force), known, isinstance(medium, BondedLayers))
+    bonded, piled = isinstance(medium, BondedLayers), ground.piles is not None
+    return PressedCells(center, size, force, ground.settling(force), known, bonded, beside, piled)
 
 
 def _require_within(points: Array, base: float) -> None:

@@ -231,7 +231,7 @@ def _parts(below: str, arrays: dict[str, Any]) -> dict[str, Any]:
         found[part] = kind(**{name: arrays[key] for name, key in names.items() if name not in optional})
     if any(name.startswith(f"{below}{CELLS}.") for name in arrays):
         cells = {each.name: arrays[f"{below}{CELLS}.{each.name}"] for each in fields(PressedCells)}
-        cells["bonded"] = bool(cells["bonded"])
+        cells |= {name: bool(cells[name]) for name in ("bonded", "piled")}
         found["ground"] = replace(found["ground"], cells=PressedCells(**cells))
     return found
 

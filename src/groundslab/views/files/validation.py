@@ -94,7 +94,7 @@ def _of_cells(name: str, cells: PressedCells) -> Iterator[str]:
     c, layers = np.shape(cells.force)[:1], np.shape(cells.layers)[:1]
     if not (c and c[0] and layers):
         yield f"{name} without cells or layers"
-    shapes = {"center": (*c, 2), "size": (2,), "layers": (*layers, 3)}
+    shapes = {"center": (*c, 2), "size": (2,), "layers": (*layers, 3), "beside": (len(cells.beside), 3)}
     yield from _of_arrays(name, replace(cells, layers=np.where(np.isinf(cells.layers), 1.0, cells.layers)), c, shapes)
     E, nu, thickness = cells.layers.T
     if not (np.all(cells.size > 0) and np.all(E > 0) and np.all((nu >= 0) & (nu < 0.5)) and np.all(thickness > 0)):
@@ -149,7 +149,7 @@ def _of_arrays(
 
 def _within_plate(results: CombinationResult) -> Iterator[str]:
     """Yield if the mesh is not that of the described plate, or the ground is not below all of it."""
-    x0, x1, y0, y1 = results.model.plate.bounds
+    x0, x1, y0, y1 = results.model.bounds
     sides = np.array([x1 - x0, y1 - y0])
     near = 1e-6 * sides.max()
     low, high = results.plate.nodes.min(axis=0), results.plate.nodes.max(axis=0)

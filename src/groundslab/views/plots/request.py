@@ -243,9 +243,10 @@ def middle_line(model: Model) -> SectionLine:
 
 def _require_depth(kind: str, combinations: Sequence[PlottedCombination]) -> None:
     """Raise InputError if stresses in the depth of other ground are to be drawn than a continuum."""
-    if kind == "stress" and any(each.results.ground.cells is None for each in combinations):
+    known = [cells is not None and not cells.piled for cells in (each.results.ground.cells for each in combinations)]
+    if kind == "stress" and not all(known):
         found = f"{quote(kind)} of {quote(combinations[0].results.model.ground.kind)} ground"
-        hint = 'ground.kind = "continuum" or "constrained modulus" has them'
+        hint = 'ground.kind = "continuum" or "constrained modulus" has them, below a slab without piles'
         raise InputError([Issue("kind", found, "ground whose stresses in the depth are known", hint)])
 
 

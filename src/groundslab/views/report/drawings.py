@@ -80,7 +80,7 @@ def draw_soil(results: CombinationResult) -> Drawing | None:
 
 def draw_stress(results: CombinationResult) -> Drawing | None:
     """Return the vertical stress of one combination in sections through a continuum, None of other ground."""
-    if results.ground.cells is None:
+    if results.ground.cells is None or results.ground.cells.piled:
         return None
     caption = f"Vertical stress in the ground, without the soil's own weight, of the combination {results.combination}."
     return Drawing(to_inline_svg(partial(plot, results, kind="stress"), "stress", caption), caption)

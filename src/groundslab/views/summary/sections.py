@@ -205,21 +205,24 @@ def _borders(results: CombinationResult) -> tuple[Row, ...]:
 
 
 def cut_loads(model: Model) -> list[SummarySection]:
-    """Return what of the loads lies off the plate and does not act, nothing where all of them act."""
+    """Return what of the loads lies where it does not act, nothing where all of them act."""
     from groundslab.model.loads.clipping import find_clipped_loads
 
-    clipped = find_clipped_loads(model.plate, model.loads)
+    clipped = find_clipped_loads(model.plate, model.loads, model.plates)
     if not clipped:
         return []
     rows = []
     for each in clipped[:MOST_CUT]:
         name = f"loads[{each.number}]" + (f" {each.name}" if each.name else "")
-        rows.append(Row(f"share_{each.number}", f"{name}, off the plate", each.share, UNITS["%"]))
+        rows.append(Row(f"share_{each.number}", f"{name}, {each.where}", each.share, UNITS["%"]))
         rows.append(Row(f"force_{each.number}", f"{name}, does not act", each.force, UNITS["kN"]))
     if len(clipped) > MOST_CUT:
         rows.append(Row("more", "further loads that are cut off", len(clipped) - MOST_CUT))
     rows.append(Row("sum_of_forces", "all that does not act", sum(each.force for each in clipped), UNITS["kN"]))
-    note = "Areas and lines act where they lie on the plate. Forces without the factors of combinations."
+    note = (
+        "Areas and lines act where they lie on the plate, those on the ground where they lie beside it. Forces without "
+        "the factors of combinations."
+    )
     return [SummarySection("cut_loads", "Loads cut off at the edge of the plate", tuple(rows), (note,))]
 
 
@@ -325,6 +328,8 @@ def certificate_section(results: CombinationResult) -> SummarySection:
         Row("load", "sum of the loads", certificate.load, UNITS["kN"]),
         Row("reaction", "sum of the reactions", certificate.reaction, UNITS["kN"]),
     ]
+    if certificate.ground_load:
+        rows.append(Row("ground_load", "sum of the loads beside the plate", certificate.ground_load, UNITS["kN"]))
     limits = certificate.limits()
     words = CERTIFICATE_WORDS if results.ground.cells is None else CERTIFICATE_WORDS | WORDS_OF_CELLS
     for name, value in certificate.limited().items():

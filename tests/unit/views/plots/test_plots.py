@@ -17,7 +17,7 @@ import pytest
 
 import groundslab
 from groundslab.cli import main
-from groundslab.design.tables.quantities import nodal_values
+from groundslab.design.tables.quantities import mean_at_nodes, nodal_values
 from groundslab.discretize.ground import ground_under
 from groundslab.errors import InputError, NotConverged
 from groundslab.fem import vlasov
@@ -35,7 +35,6 @@ from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.model.varying_ground import Borehole, Void
 from groundslab.results.contact_zone import contact_function
 from groundslab.results.fields import BAR_FIELDS
-from groundslab.results.mesh_results import mean_at_nodes
 from groundslab.results.results import CombinationResult, Results, results_of
 from groundslab.views import plots
 from groundslab.views.files import results_folder
