@@ -291,7 +291,7 @@ def test_the_mesh_is_drawn_over_the_field(server: Server, bench: Bench, case: Pa
 
 
 def test_the_ground_becomes_a_continuum(server: Server, bench: Bench, case: Path) -> None:
-    """Another kind of ground is chosen, filled in and solved; its depth can be mended in the form; springs come back."""
+    """Another kind of ground is chosen, filled in and solved; a value in it is changed; springs come back."""
     bench.open(server.start(case))
     bench.wait_solved()
     springs = bench.largest("largest settlement")

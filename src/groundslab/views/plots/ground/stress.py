@@ -11,6 +11,7 @@ from groundslab.views.plots import style
 from groundslab.views.plots.annotations import TitleLine, draw_title
 from groundslab.views.plots.contours import draw_color_bar, draw_contours, make_scale
 from groundslab.views.plots.panels import NOT_CERTIFIED
+from groundslab.views.plots.symbols import white_outline
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -100,12 +101,13 @@ def _draw_section(
     )
 
 
-def _draw_borders(axes: Axes, request: PlotRequest, line: SectionLine, deepest: float) -> None:
+def _draw_borders(axes: Axes, request: PlotRequest, section: SectionLine, deepest: float) -> None:
     """Draw the line's ends at the surface, and the borders of the layers."""
-    length = float(np.hypot(*np.subtract(line.end, line.start)))
+    length = float(np.hypot(*np.subtract(section.end, section.start)))
     axes.plot([0.0, length], [0.0, 0.0], color=style.INK, linewidth=2.6, solid_capstyle="butt", clip_on=False)
     if request.combined.model.boreholes:
         return
     for depth in np.cumsum([layer.thickness for layer in getattr(request.combined.model.ground, "layers", ())]):
         if depth < deepest:
-            axes.axhline(depth, color=style.INK, linewidth=0.8, linestyle=(0, (6, 3)), zorder=3)
+            line = axes.axhline(depth, color=style.INK, linewidth=0.8, linestyle=(0, (6, 3)), zorder=3)
+            line.set_path_effects(white_outline(1.8))
