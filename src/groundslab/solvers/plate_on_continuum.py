@@ -93,21 +93,10 @@ def bound_forces(
     further (c,) [m] is what cells settle beside what the forces do to them mutually; bend takes forces (c + b,) to
     about the settlements of the plate that they cause, for less than a substitution.
     """
-    c, ground = len(p.ground.gap), p.ground
-    flexible = np.where(np.isinf(law.stiffness), 0.0, 1 / law.stiffness)
+    c, ground, settle = len(p.ground.gap), p.ground, _settling(p.ground, law)
     own = np.concatenate([ground.gap + further, -law.sign * law.offset])
     C, Ct, G = p.C, p.C.T.tocsr(), (p.C.T @ p.R).T
     planes_of_gaps = np.linalg.qr(G.T)[0]
-
-    piles = ground.piles
-
-    def settle(x: Array) -> Array:
-        settled = np.concatenate([ground.settle_mutually(x[:c]), flexible * x[c:]])
-        if piles is not None:
-            load = x[c + piles.bearing]
-            settled[:c] += load @ piles.on_cells
-            settled[c + piles.bearing] = piles.settle(load, x[:c])
-        return settled
 
     def gaps(x: Array) -> tuple[Array, float]:
         settled, bent = settle(x), Ct @ p.solve(f + C @ x)
@@ -123,23 +112,50 @@ def bound_forces(
         return settle(x) + bend(x)
 
     # a support's own give, and that of a plate on springs under a force (Westergaard 1926)
-    of_support = flexible + p.elastic_length**2 / (8 * p.D)
+    of_support = _give(law) + p.elastic_length**2 / (8 * p.D)
+    if ground.piles is not None:
+        of_support[ground.piles.bearing] += np.diag(ground.piles.own)
 
     def precondition(y: Array) -> Array:
         return np.concatenate([p.preconditioner.apply(y[:c]), y[c:] / of_support])
 
-    free = np.full(c, not problem.tensionless)
-    lower = np.where(np.concatenate([free, law.bilateral]), -np.inf, 0.0)
-    upper = np.concatenate([ground.limit_force, np.where(law.bilateral, np.inf, law.limit_force)])
-    if piles is not None:
-        of_support[piles.bearing] = 1 / np.diag(piles.own)
-        lower[c + piles.bearing], upper[c + piles.bearing] = piles.lower, piles.upper
     weight = np.concatenate([ground.cells.area, np.full(len(law), ground.cells.area.mean())])
     flexibility = np.concatenate([np.full(c, ground.flexibility.own), of_support])
     return BoundedForces(
-        gaps, multiply, precondition, G, -p.R.T @ f, lower, upper, weight, flexibility,
+        gaps, multiply, precondition, G, -p.R.T @ f, *_bounds(ground, problem, law), weight, flexibility,
         None if bend is None else approximate,
     )  # fmt: skip
+
+
+def _give(law: Bearings) -> Array:
+    """Return how far supports give way under a unit force (b,)."""
+    return np.where(np.isinf(law.stiffness), 0.0, 1 / law.stiffness)
+
+
+def _settling(ground: ElasticGround, law: Bearings) -> Callable[[Array], Array]:
+    """Return what takes forces (c + b,) to the settlements of cells and supports (c + b,) [m]."""
+    c, give, piles = len(ground.gap), _give(law), ground.piles
+
+    def settle(x: Array) -> Array:
+        settled = np.concatenate([ground.settle_mutually(x[:c]), give * x[c:]])
+        if piles is not None:
+            load = x[c + piles.bearing]
+            settled[:c] += load @ piles.on_cells
+            settled[c + piles.bearing] = piles.settle(load, x[:c])
+        return settled
+
+    return settle
+
+
+def _bounds(ground: ElasticGround, problem: Problem, law: Bearings) -> tuple[Array, Array]:
+    """Return between which bounds the forces of cells and supports lie, (c + b,) each [N]."""
+    c, piles = len(ground.gap), ground.piles
+    glued = np.full(c, not problem.tensionless)
+    lower = np.where(np.concatenate([glued, law.bilateral]), -np.inf, 0.0)
+    upper = np.concatenate([ground.limit_force, np.where(law.bilateral, np.inf, law.limit_force)])
+    if piles is not None:
+        lower[c + piles.bearing], upper[c + piles.bearing] = piles.lower, piles.upper
+    return lower, upper
 
 
 def move(p: PlateOnContinuum, f: Array, found: BoundedSolution) -> Array:

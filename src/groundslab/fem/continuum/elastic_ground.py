@@ -140,8 +140,7 @@ _WIDE: Memo[Flexibility] = Memo()
 
 def make_operator(medium: Medium, grid: Grid) -> Flexibility:
     """Return the operator that settles the cells of a grid on some ground."""
-    smallest, largest = min(grid.dx, grid.dy), float(np.hypot(grid.nx * grid.dx, grid.ny * grid.dy))
-    return make_flexibility(medium.kernel(smallest / 100, 2 * largest), grid)
+    return make_flexibility(medium.kernel(), grid)
 
 
 def _reach_over(grid: Grid, places: Array) -> Grid:
