@@ -299,6 +299,7 @@ def test_the_ground_becomes_a_continuum(server: Server, bench: Bench, case: Path
     choice = bench.field("ground", "kind").locator("select")
     choice.select_option(label="continuum")
     bench.wait_text('kind = "continuum"', 'half_space = {E = "60 MPa", nu = 0.3}')
+    bench.until(lambda: bench.page.locator(".layers rect").count() == 2)
     bench.wait_solved()
     bench.until(lambda: bench.largest("largest settlement") != springs)
     summary = bench.page.locator(".result")
