@@ -14,6 +14,7 @@ import groundslab
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.model.supports import Pile
+from groundslab.results.contact_zone import contact_function
 from groundslab.results.results import CombinationResult, Results
 from groundslab.results.soil_profile import profile_depths
 from groundslab.views.files import npz, results_folder
@@ -197,6 +198,15 @@ def test_drawings_of_the_ground(bonded: Results) -> None:
     np.testing.assert_allclose(stress[48, 10], bonded.ground.stress_at(0.0, 0.0, z[10]), rtol=1e-4)
     assert len(groundslab.plot(bonded, kind="stress").axes) >= 1
     assert len(groundslab.plot(bonded, kind="soil").axes) >= 2
+
+
+def test_the_contact_boundary_is_that_of_the_cells(bonded: Results) -> None:
+    """The contact function is negative where a node touches, and zero where half of the cells around it do."""
+    plate = bonded.plate
+    assert 0 < plate.in_contact.mean() < 1
+    found = contact_function(bonded.only)
+    assert np.array_equal(found < 0, plate.in_contact)
+    np.testing.assert_allclose(found, 0.5 - plate.contact_area / plate.area, atol=1e-6)
 
 
 def test_report_shows_the_ground(bonded: Results) -> None:

@@ -310,6 +310,10 @@ def _soil_issues(keep: RequestedOutput, of: str, model: Model) -> Iterator[Relat
     if not isinstance(ground, ContinuousGround) or (of == "soil settlement" and model.boreholes):
         expected = 'a case whose ground.kind is "continuum" or "constrained modulus", for settlements without boreholes'
         yield RelativeIssue(("of",), describe(keep.of), expected)
+    if any(support.kind == "pile" for support in model.supports):
+        yield RelativeIssue(
+            ("of",), f"{of} below a slab on piles", "a slab without, as they carry loads into the depth"
+        )
     for name in ("x", "y", "z"):
         if getattr(keep, name) is None:
             yield RelativeIssue((name,), "nothing", f"where in the ground the {of} is")
