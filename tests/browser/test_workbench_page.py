@@ -291,7 +291,9 @@ def test_the_mesh_is_drawn_over_the_field(server: Server, bench: Bench, case: Pa
 
 
 def test_the_ground_becomes_a_continuum(server: Server, bench: Bench, case: Path) -> None:
-    """Another kind of ground is chosen, filled in and solved; a value in it is changed; springs come back."""
+    """Another kind is chosen, filled in and solved, a value of it changed; springs with their zone come back."""
+    zone = '[[soil_zones]]\nshape = {kind = "rectangle", x = ["0 m", "3 m"], y = ["-2 m", "2 m"]}\n'
+    case.write_text(case.read_text() + zone + 'ground = {kind = "winkler", k = "30 MPa/m"}\n')
     bench.open(server.start(case))
     bench.wait_solved()
     springs = bench.largest("largest settlement")
@@ -299,6 +301,7 @@ def test_the_ground_becomes_a_continuum(server: Server, bench: Bench, case: Path
     choice = bench.field("ground", "kind").locator("select")
     choice.select_option(label="continuum")
     bench.wait_text('kind = "continuum"', 'half_space = {E = "60 MPa", nu = 0.3}')
+    assert "soil_zones" not in bench.text()
     bench.until(lambda: bench.page.locator(".layers rect").count() == 2)
     bench.wait_solved()
     bench.until(lambda: bench.largest("largest settlement") != springs)
@@ -311,7 +314,7 @@ def test_the_ground_becomes_a_continuum(server: Server, bench: Bench, case: Path
     bench.wait_solved()
     bench.until(lambda: bench.largest("largest settlement") < settlement)
     choice.select_option(label="winkler")
-    bench.wait_text('k = "20 MPa/m"')
+    bench.wait_text('k = "20 MPa/m"', "[[soil_zones]]", 'k = "30 MPa/m"')
     bench.wait_solved()
     bench.until(lambda: bench.largest("largest settlement") == springs)
 

@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from groundslab.model.ground import ContinuousGround
-
 if TYPE_CHECKING:
     from groundslab.fem.continuum.pressed_cells import PressedCells
     from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
@@ -163,14 +161,13 @@ def _within_plate(results: CombinationResult) -> Iterator[str]:
 
 def _of_constants(results: CombinationResult) -> Iterator[str]:
     """Yield what is wrong with single numbers; their types are known to be right."""
+    from groundslab.model.ground import ContinuousGround
+
     constants, certificate = results.constants, results.certificate
-    if bool(constants.k0) == isinstance(results.model.ground, ContinuousGround) or len(constants.k0) != len(
-        constants.k1
-    ):
+    continuous = isinstance(results.model.ground, ContinuousGround)
+    if bool(constants.k0) == continuous or len(constants.k0) != len(constants.k1):
         yield "constants.k0 and constants.k1 of different lengths"
-    if any(
-        (each.ground.cells is None) == isinstance(results.model.ground, ContinuousGround) for each in _states(results)
-    ):
+    if any((each.ground.cells is None) == continuous for each in _states(results)):
         yield "cells of an elastic continuum on other ground, or none on it"
     if not all(k0 > 0 for k0 in constants.k0) or not all(k1 >= 0 for k1 in constants.k1):
         yield "constants of the ground that are not positive"

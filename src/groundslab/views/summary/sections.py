@@ -10,7 +10,6 @@ import numpy as np
 
 from groundslab.accuracy.mesh_statistics import POOR, mesh_statistics
 from groundslab.arrays import Memo
-from groundslab.model.ground import ContinuousGround, Continuum
 from groundslab.results.contact_zone import CELLS_NOTE, EDGE_NOTE, goes_below_zero, has_line_force, require_finite
 from groundslab.results.fields import PLATE_FIELDS, extreme, place_of
 from groundslab.units import UNITS
@@ -20,6 +19,7 @@ from groundslab.views.summary.rows import Row, SummarySection
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
+    from groundslab.model.ground import SoilLayer
     from groundslab.model.model import Model
     from groundslab.results.results import CombinationResult, SupportResult
 
@@ -175,14 +175,15 @@ def description_of_ground(results: CombinationResult) -> SummarySection:
 def _continuum(results: CombinationResult) -> tuple[Row, ...]:
     """Return the layers of an elastic continuum and its cells of pressure, nothing of other ground."""
     ground, cells = results.model.ground, results.ground.cells
-    if not isinstance(ground, ContinuousGround) or cells is None:
+    if cells is None:
         return ()
-    depth, below = sum(layer.thickness for layer in ground.layers), "nothing settles"
-    if isinstance(ground, Continuum):
-        below = "rigid base" if ground.half_space is None else "half-space"
-    words = "bonded elastic layers" if isinstance(ground, Continuum) else "layers, under a half-space's stresses"
+    layers: tuple[SoilLayer, ...] = getattr(ground, "layers", ())
+    depth, below = sum(layer.thickness for layer in layers), "nothing settles"
+    if cells.bonded:
+        below = "rigid base" if getattr(ground, "half_space", None) is None else "half-space"
+    words = "bonded elastic layers" if cells.bonded else "layers, under a half-space's stresses"
     return (
-        Row("layers", words, len(ground.layers)),
+        Row("layers", words, len(layers)),
         *([Row("depth", "depth of the layers", depth, UNITS["m"])] if depth else []),
         Row("below", "below the layers", below),
         Row("beyond", "beyond the plate", "the same ground, without an end"),
