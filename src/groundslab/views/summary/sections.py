@@ -62,6 +62,7 @@ CERTIFICATE_WORDS = {
     "gamma_change": "last change of gamma",
     "margin_effect": "effect of a wider margin of ground",
     "section_law": "moments against cracked sections",
+    "joint_mismatch": "steps across hinges and in the ground",
 }
 #: The same where cells of pressure bear the plate.
 WORDS_OF_CELLS = {"ground_balance": "cells' forces against the plate's"}
