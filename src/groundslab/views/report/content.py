@@ -11,6 +11,7 @@ from groundslab.case import casefile
 from groundslab.design.checks import check_design
 from groundslab.design.result_tables import tables_of
 from groundslab.errors import InputError, Issue
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
 from groundslab.results.record import Certificate
 from groundslab.results.soil_profile import list_columns
@@ -87,8 +88,8 @@ def build_page(
         "case": input_tables(combined.model),
         "drawings": list(_drawings(combined, leading)),
         "loads": list(drawings.draw_loads(combined.model)),
-        "constants": _constants(found) if there else None,
-        "analysed": list(map(_section, combinations.description(combined)[:2])) if there else [],
+        "constants": _constants(found) if any(each.constants.k0 for each in there) else None,
+        "analysed": list(map(_section, _analysed(combined))) if there else [],
         "certificates": _certificates(combined, found),
         "extremes": list(_extremes(combined, found)),
         "tables": list(map(_table, tables)),
@@ -123,6 +124,12 @@ def _verdict(combined: Results, found: Sequence[Entry]) -> tuple[str, str]:
         return ("bad", "FAILED: no combination has a certified result; use nothing of it.")
     words = f"{len(numbers)} of {len(found)} combinations have no certified result, number {', '.join(numbers)}."
     return ("bad", f"FAILED: {words} The results of the others are certified.")
+
+
+def _analysed(combined: Results) -> list[SummarySection]:
+    """Return plate and mesh as analyzed, and ground without constants, which has no table of them."""
+    plate, mesh, ground, *_ = combinations.description(combined)
+    return [plate, mesh, *([ground] if isinstance(combined.model.ground, ContinuousGround) else [])]
 
 
 def _section(section: SummarySection) -> TableLayout:
@@ -262,13 +269,15 @@ def _constants(found: Sequence[Entry]) -> TableLayout:
 
 
 def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[drawings.Drawing]:
-    """Yield the plan of the case, the mesh and the ground in section."""
+    """Yield the plan of the case, the mesh, stresses in the ground if they are known, and the ground in section."""
     yield drawings.draw_case(combined.model)
     if leading is not None:
         yield drawings.draw_mesh_plan(leading)
     soil = None if leading is None else drawings.draw_soil(leading)
     if soil is None or leading is None:
         return
+    if (stress := drawings.draw_stress(leading)) is not None:
+        yield stress
     notes = ["Ground below the plate, to scale in depth."]
     if leading.constants.gamma is not None:
         notes.append(
@@ -287,11 +296,17 @@ def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[
 
 def _history(found: Sequence[Entry]) -> TableLayout:
     """Return all steps of all combinations that have results."""
-    numbers = ("#unknowns of the mesh", "#load increment", "#gamma", "#contact iteration", "#nodes in contact")
-    heads = headers("combination", *numbers, "#nodes changed", "")
+    numbers = ("#unknowns of the mesh", "#load increment", "#gamma", "#contact iteration", "#in contact")
+    heads = headers("combination", *numbers, "#changed", "")
     rows = tuple(
         (Cell(results.combination), *(Cell(text, "number") for text in step_texts(step)), Cell("*" * step.finest))
         for results in (entry.results for entry in found if entry.results is not None)
         for step in results.steps
     )
-    return TableLayout("", heads, rows, ("* on the final mesh.",), folded=len(rows) > table_layout.MOST_ROWS)
+    return TableLayout(
+        "",
+        heads,
+        rows,
+        ("* on the final mesh. Contact is counted in nodes, on an elastic continuum in cells.",),
+        folded=len(rows) > table_layout.MOST_ROWS,
+    )
