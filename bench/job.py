@@ -10,7 +10,8 @@ is taken in turn with the whole analysis; medians are printed. And kinds of thei
 gamma that comes out given), combinations (of three load cases, in turn with the first of them alone), variants (of the
 ground, each in turn with a cold solution of the same model, on one thread as in a study), study (the same variants by
 two workers and by one), solvers (a further factorization by each of them, on one thread), threads (an analysis on one
-and on all) and cases:
+and on all), continuum (the first combination of the same loads on bonded layers, in turn with the bare solve of the
+plate alone, and with all combinations) and cases:
 
     python bench/job.py case bench/slabs/house_raft.toml 5   # beside as many bare solves as it has combinations
 """
@@ -35,16 +36,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.accuracy.judgment import judge
-from groundslab.analysis import driver, gamma_iteration, mesh_hierarchy, nested
+from groundslab.analysis import driver, gamma_iteration, mesh_hierarchy, nested, pressure_iteration
 from groundslab.arrays import Array
 from groundslab.case import casefile
 from groundslab.discretize.discretize import discretize
 from groundslab.fem import system
+from groundslab.fem.foundation import single
 from groundslab.fem.sparse import Symmetric
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
 from groundslab.solvers import contact, factor_reuse, factorization
 from groundslab.solvers.direct import pardiso
+from groundslab.solvers.plate_on_continuum import make_plate_on_continuum
 
 if TYPE_CHECKING:
     from groundslab.study.definition.files import StudyInput
@@ -104,13 +107,16 @@ def model_of(kind: str, unknowns: int) -> Model:
     given = KINDS.get(kind, KINDS["pasternak"])
     if kind == "gamma":
         given = {"ground": SOIL}
-    elif kind == "combinations":
+    elif kind == "continuum":
+        given = {"ground": SOIL | {"kind": "continuum"}}
+    if kind in ("combinations", "continuum"):
         together = [
             {"name": name, "factors": dict(zip(CASES, factors, strict=True))} for name, factors in COMBINATIONS.items()
         ]
         model = model.replace(loads=LOADS, cases=[{"name": case} for case in CASES], combinations=together)
-    # 432 elements in the quarter (24 x 18) have 5236 to 6734 unknowns; the counts are those of the whole plate
-    scale = math.sqrt(unknowns / 6734)
+    # 432 elements in the quarter (24 x 18) have 5236 to 6734 unknowns; the counts are those of the whole plate, which
+    # on a continuum is solved as a whole, without a surface of the ground
+    scale = math.sqrt(unknowns / (19_515 if kind == "continuum" else 6734))
     counts = tuple(2 * round(n * scale) for n in (24, 18))
     return model.replace(
         ground=given["ground"], contact=given.get("contact", {}), mesh={"counts": counts}, beyond={"kind": "none"}
@@ -340,6 +346,43 @@ def combinations(unknowns: int, times: int) -> dict[str, Any]:
     }
 
 
+def continuum(unknowns: int, times: int) -> dict[str, Any]:
+    """Return what an analysis on a continuum takes, beside the bare solve of its plate, and further combinations."""
+    model = model_of("continuum", unknowns)
+    first = model.replace(combinations=model.combinations[:1])
+    s = system.build_system(discretize(first))
+    plate = make_plate_on_continuum(s, system.stiffness(s, single(0.0, 0.0)), None)  # type: ignore[arg-type]
+    held = plate.A.constrain(plate.system.fixed, np.zeros(plate.A.size))
+    alone = bare(Symmetric(plate.A.indptr, plate.A.indices, held), system.right_hand_side(s, 1.0))
+    products = list[int]()
+    solve = pressure_iteration.bounded_forces.solve
+
+    def counted(*arguments: Any) -> Any:
+        found = solve(*arguments)
+        products.append(found.products)
+        return found
+
+    pressure_iteration.bounded_forces.solve = counted  # type: ignore[assignment]
+    figures = defaultdict[str, list[float]](list)
+    for _ in range(times):
+        least = alone()
+        total, results = measure(driver.solve_combinations, first)
+        products.clear()
+        together, combined = measure(driver.solve_combinations, model)
+        assert not combined.refused
+        figures["total [s]"].append(total)
+        figures["bare solve [s]"].append(least)
+        figures["total / bare"].append(total / least)
+        figures["further / first"].append((together - total) / (len(COMBINATIONS) - 1) / total)
+    (found,) = results.results.values()
+    return {
+        "unknowns": found.unknowns,
+        **{name: statistics.median(each) for name, each in figures.items()},
+        "products, all meshes and combinations": products,
+        "iterations on the finest mesh": max(step.iteration for step in found.steps if step.finest),
+    }
+
+
 @factorization.one_thread()
 def variants(unknowns: int, times: int) -> dict[str, Any]:
     """Return what a variant of the ground costs on one thread, beside a cold solution of the same model."""
@@ -497,7 +540,7 @@ def main(kind: str, unknowns: int, times: int) -> dict[str, Any]:
     keep_memory()
     own = {
         "gamma": gamma, "combinations": combinations, "variants": variants, "study": study, "solvers": solvers,
-        "threads": threads,
+        "threads": threads, "continuum": continuum,
     }  # fmt: skip
     if kind in own:
         return {"kind": kind, **own[kind](unknowns, times)}

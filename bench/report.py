@@ -35,6 +35,7 @@ NAMES = {
     "raft": "L-shaped raft, tensionless",
     "gamma": "Vlasov, tensionless, gamma iterated",
     "combinations": "several combinations of loads",
+    "continuum": "elastic continuum, tensionless, five combinations",
     "variants": "variants of the ground",
     "study": "a study of such variants, two workers",
     "solvers": "a further factorization, on one thread",

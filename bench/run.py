@@ -61,6 +61,7 @@ KINDS = {
     "raft": ("100k",),
     "gamma": ("100k", "250k"),
     "combinations": ("250k",),
+    "continuum": ("6k", "100k"),
     "variants": ("6k",),
     "study": ("6k", "25k"),
     "solvers": ("250k",),

@@ -49,6 +49,7 @@ CAPABILITIES = {
     "Pasternak": lambda m: m.ground.kind == "pasternak",
     "Vlasov": lambda m: m.ground.kind == "vlasov",
     "layers": lambda m: m.ground.kind == "layered",
+    "continuum": lambda m: m.ground.kind == "continuum",
     "varying ground": lambda m: bool(m.soil_zones or m.boreholes),
     "ground beyond": lambda m: m.beyond.kind != "none",
     "lift-off": lambda m: m.contact.tensionless,

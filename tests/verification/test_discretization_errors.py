@@ -136,7 +136,8 @@ def test_values(case: str) -> None:
 #: Where only the plan's mesh is off: the layers of a stack have errors of their own.
 EXACT_CASES = (
     "circular_plates", "curling_slab", "edge_decay", "lifting_circle", "part_loaded_circles", "plate_on_a_column",
-    "plate_on_pasternak", "point_load", "ring_loaded_circles", "spring_mat", "varying_ground",
+    "plate_on_pasternak", "point_load", "rigid_circles_on_continuum", "rigid_rectangles_on_half_space",
+    "ring_loaded_circles", "spring_mat", "varying_ground",
 )  # fmt: skip
 
 

@@ -14,6 +14,13 @@ from groundslab.verification.analytic_beams import (
     strip_on_pasternak,
     supported_beam_on_springs,
 )
+from groundslab.verification.analytic_continuum import (
+    flexible_circle,
+    flexible_rectangle,
+    rigid_circle_on_half_space,
+    rigid_circle_on_layer,
+    rigid_rectangle_on_half_space,
+)
 from groundslab.verification.analytic_ground import confined_compression, sinh_mode, wedge
 from groundslab.verification.analytic_plates import (
     circle_under_linear_pressure,
@@ -240,6 +247,11 @@ _SINGLE = (
     rigid_circle_on_pasternak,
     rigid_cap_on_piles,
     rigid_strip,
+    flexible_rectangle,
+    flexible_circle,
+    rigid_rectangle_on_half_space,
+    rigid_circle_on_half_space,
+    rigid_circle_on_layer,
     confined_compression,
     wedge,
 )

@@ -13,10 +13,12 @@ from groundslab.fem.shape_functions import jacobian, q9
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-#: A cell of which the plate covers less than this share bears nothing.
-LEAST_SHARE = 1e-3
-#: Each element is divided into so many parts a side for each cell that it is long, with Gauss's two points each way.
-PARTS = 2
+#: A cell of which the plate covers less than this share bears nothing, one of which it covers more bears wholly: half
+#: keeps the area of the plate, and its outline, where they are. A little less, so that rounding does not decide.
+LEAST_SHARE = 0.5 - 1e-6
+#: Each element is divided into so many parts a side for each cell that it is long, with Gauss's two points each way;
+#: thirds are where the functions of its nodes have their kinks.
+PARTS = 3
 #: Elements whose points are placed at a time.
 _CHUNK = 4096
 
@@ -54,11 +56,11 @@ def make_grid(bounds: tuple[float, float, float, float], size: float) -> Grid:
 
 @dataclass(frozen=True, slots=True)
 class Cells:
-    """The c cells of a grid that plates cover, wholly or in part; one that two plates cover stands twice."""
+    """The c cells of a grid half of which plates cover at least; one that two plates share stands twice."""
 
     grid: Grid
     number: Integers  # (c,): of each in the grid
-    area: Array  # (c,) [m2]: what the plate covers of it
+    area: Array  # (c,) [m2]: of the whole cell, on which the ground feels the pressure
     center: Array  # (c, 2) [m]: of what the plate covers
     spread: csr_array  # (n, c): share of a force on each cell that goes to w of each node; means of w, transposed
     around: csr_array  # (n, c): what is made of values of cells for nodes, means of those around them
@@ -100,25 +102,44 @@ def cover(grid: Grid, xy: Array, elements: Integers, nodes: int, w: Array, plate
     pairs = _pairs(grid, xy)
     element, area = pairs.element, pairs.area
     cell = plate[element] * size + pairs.cell
-    on_cells = np.bincount(cell, weights=area, minlength=1).astype(np.float64)
-    number = np.flatnonzero(on_cells > LEAST_SHARE * grid.dx * grid.dy)
-    covered = on_cells[number]
+    on_cells = np.bincount(cell, weights=area, minlength=size * (int(plate.max()) + 1)).astype(np.float64)
+    # of a plate narrower than cells those bear that it covers best
+    whole = np.minimum(on_cells.reshape(-1, size).max(axis=1), grid.dx * grid.dy)
+    number = np.flatnonzero(on_cells >= LEAST_SHARE * whole.repeat(size))
+    covered, near, within = on_cells[number], _nearest(grid, number, cell), number % size
 
-    def matrix(values: Array, row: Integers, rows: int) -> csr_array:
-        column = np.repeat(cell, len(row) // len(cell))
+    def matrix(values: Array, row: Integers, rows: int, to: Integers) -> csr_array:
+        column = np.repeat(to, len(row) // len(cell))
         return csr_array(coo_array((values, (row, column)), shape=(rows, len(on_cells))))[:, number]
 
-    spread = matrix(np.einsum("pa,pab->pb", pairs.shapes, w[element]).ravel(), elements[element].ravel(), nodes)
+    spread = matrix(np.einsum("pa,pab->pb", pairs.shapes, w[element]).ravel(), elements[element].ravel(), nodes, cell)
     return Cells(
         grid,
-        number % size,
-        covered,
+        within,
+        grid.dx * grid.dy / np.bincount(within, minlength=size)[within],
         np.stack([np.bincount(cell, weights=x)[number] / covered for x in pairs.moment.T], axis=1),
         csr_array(spread.multiply(1 / covered[None, :])),
-        _rows_to_one(matrix(pairs.hats.ravel(), elements[element].ravel(), nodes)),
-        _rows_to_one(matrix(area, element, len(xy))),
+        _rows_to_one(matrix(pairs.hats.ravel(), elements[element].ravel(), nodes, near)),
+        _rows_to_one(matrix(area, element, len(xy), near)),
         number // size,
     )
+
+
+def _nearest(grid: Grid, number: Integers, cell: Integers) -> Integers:
+    """Return for some cells (p,), counted through the plates, the nearest one under the same plate that bears (c,)."""
+    from scipy.spatial import cKDTree
+
+    found, lost = cell.copy(), ~np.isin(cell, number)
+    if lost.any() and len(number):
+        far = grid.nx * grid.ny * max(grid.dx, grid.dy)
+        places = [
+            np.column_stack(np.unravel_index(each % (grid.nx * grid.ny), (grid.nx, grid.ny))) * [grid.dx, grid.dy]
+            for each in (number, cell[lost])
+        ]
+        plates = [far * (each // (grid.nx * grid.ny)) for each in (number, cell[lost])]
+        bearing, asked = (np.column_stack(each) for each in zip(places, plates, strict=True))
+        found[lost] = number[cKDTree(bearing).query(asked)[1]]
+    return found
 
 
 def prolong(coarse: Cells, force: Array, fine: Cells) -> Array:
@@ -170,34 +191,43 @@ class _Pairs:
     area: Array  # (p,) [m2]
     moment: Array  # (p, 2) [m3]: int x dA and int y dA
     shapes: Array  # (p, 9) [m2]: integrals of the element's shape functions
-    hats: Array  # (p, 9) [m2]: of functions that are linear between neighboring nodes each way, and positive
+    hats: Array  # (p, 9) [m2]: of positive functions of its nodes, which share its area as shape functions do
 
 
 def _pairs(grid: Grid, xy: Array) -> _Pairs:
     """Return the pairs of elements (m, 9, 2) and cells that share a part, integrated by points in the elements."""
+    from scipy.sparse import csr_array
+
     points, weights = _points(grid, xy)
     N, dN = q9(points)
-    values = np.column_stack([np.ones(len(N)), N, _hats(points)])
-    found = []
+    values, size = np.column_stack([np.ones(len(N)), N, _hats(points)]), grid.nx * grid.ny
+    pairs, sums = list[Integers](), list[Array]()
     for start in range(0, len(xy), _CHUNK):
         part = xy[start : start + _CHUNK]
-        at = np.einsum("pa,eax->epx", N, part)
-        dA = jacobian(dN, part)[2] * weights
-        pair = np.arange(start, start + len(part))[:, None] * (grid.nx * grid.ny) + grid.number(at[..., 0], at[..., 1])
-        order = np.argsort(pair, axis=None, kind="stable")
-        pair = pair.ravel()[order]
-        first = np.flatnonzero(np.diff(pair, prepend=-1))
-        all_ = np.column_stack([values[order % len(points)], at.reshape(-1, 2)[order]])
-        found.append(np.column_stack([pair[first], np.add.reduceat(dA.ravel()[order, None] * all_, first)]))
-    rows = np.concatenate(found)
-    element, cell = np.divmod(rows[:, 0].astype(np.int64), grid.nx * grid.ny)
-    return _Pairs(element, cell, rows[:, 1], rows[:, 20:], rows[:, 2:11], rows[:, 11:20])
+        x, y = (part[..., axis] @ N.T for axis in (0, 1))
+        dA = (jacobian(dN, part)[2] * weights).ravel()
+        pair = (np.arange(start, start + len(part))[:, None] * size + grid.number(x, y)).ravel()
+        order = np.argsort(pair, kind="stable")
+        pair = pair[order]
+        first = np.append(np.flatnonzero(np.diff(pair, prepend=-1)), len(pair))
+        of_pairs = csr_array((dA[order], order % len(points), first), shape=(len(first) - 1, len(points)))
+        pairs.append(pair[first[:-1]])
+        sums.append(of_pairs @ values)
+    (element, cell), found = np.divmod(np.concatenate(pairs), size), np.concatenate(sums)
+    shapes = found[:, 1:10]
+    return _Pairs(element, cell, found[:, 0], np.einsum("pa,pax->px", shapes, xy[element]), shapes, found[:, 10:])
 
 
 def _hats(points: Array) -> Array:
-    """Return functions (p, 9) of an element's nodes that are linear each way between neighboring ones."""
-    corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [0, -1], [1, 0], [0, 1], [-1, 0], [0, 0]], dtype=float)
-    hats: Array = np.maximum(1 - np.abs(points[:, None] - corners), 0.0).prod(axis=2)
+    """Return functions (p, 9) of an element's nodes, positive, with the sum one, linear each way.
+
+    Each way they reach a third of the element from its ends and leave two thirds to its middle: so they have the
+    integrals of the shape functions, by which nodes share the element's area.
+    """
+    ends = np.maximum(0.0, 1 - 1.5 * (1 - points[:, None] * np.array([[-1.0], [1.0]])))
+    each = np.stack([ends[:, 0], 1 - ends.sum(axis=1), ends[:, 1]])  # (3, p, 2), of the nodes at -1, 0, 1
+    corners = np.array([[0, 0], [2, 0], [2, 2], [0, 2], [1, 0], [2, 1], [1, 2], [0, 1], [1, 1]])
+    hats: Array = (each[corners[:, 0], :, 0] * each[corners[:, 1], :, 1]).T
     return hats
 
 
