@@ -9,58 +9,90 @@ import numpy as np
 from groundslab.analysis.driver import Variants
 from groundslab.analysis.ground_comparison.figures import Samples, sample
 from groundslab.arrays import Array
+from groundslab.discretize.ground import Factors
+from groundslab.errors import NotCertified
 from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
-from groundslab.model.ground import AnyGround, Pasternak, Winkler
+from groundslab.model.ground import Pasternak, Winkler
 from groundslab.model.model import Model
+from groundslab.results.mesh_results import PlateResult
 
-#: Grounds whose constants are fitted, by their kinds: how many there are, of k0 and k1, and what makes a ground of them.
-FITTED: dict[str, tuple[int, Callable[..., AnyGround]]] = {
-    "pasternak": (2, lambda k0, k1: Pasternak(k0=k0, k1=k1)),
-    "winkler": (1, lambda k: Winkler(k=k)),
+Springs = Winkler | Pasternak
+
+#: Grounds whose constants are fitted, by their kinds: their constants k0, or k0 and k1, by their keys.
+FITTED: dict[str, tuple[type[Springs], tuple[str, ...]]] = {
+    "pasternak": (Pasternak, ("k0", "k1")),
+    "winkler": (Winkler, ("k",)),
 }
-#: Slopes are differences between constants that differ by about this share: meshes differ a little with them, too.
-DIFFERENCE = 0.02
-#: The constants are found to this share, or until a step lessens the sum of squares by a smaller share than the other one.
+#: The meshed ground beyond the plate is as wide as the first constants need: from those found all are sought again.
+ROUNDS = 2
+#: Slopes are differences between constants that differ by about this share.
+DIFFERENCE = 0.01
+#: The constants are found to this share, or until a step lessens the sum of squares by less than the other one.
 TOLERANCE, LEAST_GAIN = 1e-6, 1e-5
-#: Constants are sought up to this factor above and below the first ones.
-REACH = 1e4
-MOST_SOLUTIONS = 30
+#: Constants are sought up to this factor above and below the first ones, in so many steps at most.
+REACH, MOST_STEPS = 1e4, 30
 
 
-def fit(
-    model: Model, start: Sequence[float], make: Callable[..., AnyGround], samples: Samples, settlement: Array
-) -> AnyGround:
-    """Return the ground on which a model with one combination settles most like given values (p,) at samples [m].
+def fit(kind: str, model: Model, start: Sequence[float], samples: Samples, settlement: Array) -> Springs:
+    """Return the springs on which a model with one combination settles most like given values (p,) at samples [m].
 
-    The integral over the plate of the square of the difference is least. `start` are the constants to begin with.
+    The integral over the plate of the square of the difference is least. `start` are k0 and k1 to begin with.
     """
+    springs, names = FITTED[kind]
+    found = springs(**dict(zip(names, start, strict=False)))
+    for _ in range(ROUNDS):
+        ratios = _best_ratios(model, found, names, samples, settlement)
+        found = found.replace(**{name: getattr(found, name) * ratio for name, ratio in zip(names, ratios, strict=True)})
+    return found
+
+
+def _best_ratios(
+    model: Model, first: Springs, names: Sequence[str], samples: Samples, settlement: Array
+) -> list[float]:
+    """Return the ratios of the best constants to the first ones, all on the mesh of the latter."""
     from scipy.optimize import least_squares
 
-    first, weights = np.log(start), samples.weights / np.abs(settlement).max()
-    variants = Variants(_on_given_mesh(model).model_copy(update={"ground": make(*start)}))
+    variants = Variants(_prepare(model, first))
+    weights = samples.weights / np.abs(settlement).max()
 
     def residuals(logs: Array) -> Array:
-        on_these = variants.base.model.model_copy(update={"ground": make(*np.exp(logs).tolist())})
-        found = sample(variants.solve_combinations(on_these).only.plate, "settlement", samples.places)
+        factors = {f"ground.{name}": _constant(ratio) for name, ratio in zip(names, np.exp(logs), strict=True)}
+        found = sample(_solve(variants, factors), "settlement", samples.places)
         # a place that a mesh with other chords of a curved edge does not reach counts nothing
-        return np.nan_to_num((found - settlement) * weights)
+        difference: Array = np.nan_to_num((found - settlement) * weights)
+        return difference
 
-    best = least_squares(
-        residuals,
-        first,
-        bounds=(first - np.log(REACH), first + np.log(REACH)),
-        diff_step=DIFFERENCE / np.abs(first),
-        xtol=TOLERANCE / np.abs(first).max(),
-        ftol=LEAST_GAIN,
-        gtol=None,
-        max_nfev=MOST_SOLUTIONS,
-    )
-    return make(*np.exp(best.x).tolist())
+    def slopes(logs: Array) -> Array:
+        steps = DIFFERENCE * np.eye(len(logs))
+        return np.stack([residuals(logs + step) - residuals(logs - step) for step in steps], axis=1) / (2 * DIFFERENCE)
+
+    reach = np.log(REACH)
+    found = least_squares(
+        residuals, np.zeros(len(names)), slopes, bounds=(-reach, reach),
+        xtol=TOLERANCE, ftol=LEAST_GAIN, gtol=None, max_nfev=MOST_STEPS,
+    )  # fmt: skip
+    return list(np.exp(found.x).tolist())
 
 
-def _on_given_mesh(model: Model) -> Model:
-    """Return a model whose mesh is not adaptive: settlements need no finer one than the first."""
-    if not model.mesh.adaptive:
-        return model
-    size = min(model.plate.sides) / SHORT_SIDE_ELEMENTS
-    return model.model_copy(update={"mesh": model.mesh.model_copy(update={"size": size})})
+def _prepare(model: Model, ground: Springs) -> Model:
+    """Return a model on springs, whose mesh is not adaptive: settlements need no finer one than the first."""
+    changes: dict[str, object] = {"symmetry": "off"}
+    if model.mesh.adaptive:
+        changes["size"] = min(model.plate.sides) / SHORT_SIDE_ELEMENTS
+    return model.model_copy(update={"ground": ground, "mesh": model.mesh.model_copy(update=changes)})
+
+
+def _constant(ratio: float) -> Callable[[Array, Array], Array]:
+    """Return a ratio as what it is at all places."""
+    return lambda x, _: np.full(len(x), ratio)
+
+
+def _solve(variants: Variants, factors: Factors) -> PlateResult:
+    """Return the plate on springs multiplied by factors; one whose meshed ground is too narrow will do for a trial."""
+    found = variants.solve_combinations(variants.base.model, factors)
+    for reason in found.refused.values():
+        if not isinstance(reason, NotCertified):
+            raise reason
+        plate: PlateResult = reason.results.plate
+        return plate
+    return found.only.plate
