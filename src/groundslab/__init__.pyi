@@ -28,6 +28,7 @@ from .model.design.floors import TR34Floor as TR34Floor
 from .model.design.limits import Limits as Limits
 from .model.design.limits import SoilStrength as SoilStrength
 from .model.design.reinforcement import Reinforcement as Reinforcement
+from .model.ground import ConstrainedModulus as ConstrainedModulus
 from .model.ground import Continuum as Continuum
 from .model.ground import HalfSpace as HalfSpace
 from .model.ground import InterfaceLayer as InterfaceLayer
@@ -63,6 +64,7 @@ from .model.outputs import Report as Report
 from .model.plate import Edges as Edges
 from .model.plate import Plate as Plate
 from .model.plate import Zone as Zone
+from .model.plates.further import FurtherPlate as FurtherPlate
 from .model.serviceability.cracking import Cracking as Cracking
 from .model.serviceability.long_term import LongTerm as LongTerm
 from .model.settings import Analysis as Analysis

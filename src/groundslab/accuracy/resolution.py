@@ -30,11 +30,11 @@ def find_unresolved(results: CombinationResult) -> Unresolved | None:
     Without a footprint they count as if they had one of a thickness, over which moments are means.
     """
     model, mesh = results.model, Mesh(results.plate.nodes, results.plate.elements)
-    found = []
+    found, least = [], min(plate.thickness for plate in model.every_plate)
     for load in (each.on(model.columns) for each in model.loads if isinstance(each, PointLoad)):
         sides = [side for side in (load.width_x, load.width_y, load.diameter) if side]
-        found.append((load.x, load.y, min(sides, default=model.plate.thickness)))
-    found += [(each.x, each.y, model.plate.thickness) for each in model.supports if each.kind == "point"]
+        found.append((load.x, load.y, min(sides, default=least)))
+    found += [(each.x, each.y, least) for each in model.supports if each.kind == "point"]
     if not found:
         return None
     x, y, side = np.array(found, dtype=float).T

@@ -48,19 +48,21 @@ def find_limits(model: Model, nodes: Array, in_contact: Flags) -> Limits:
         return limits
     from scipy.spatial import KDTree
 
-    reach = AWAY * model.plate.thickness
+    reach = AWAY * max(plate.thickness for plate in model.every_plate)
     distance, _ = KDTree(nodes[~in_contact]).query(nodes, distance_upper_bound=1.001 * reach)
     return Limits(limits.shear_forces, limits.pressures & ((distance > reach) | ~in_contact))
 
 
 def _without_contact(model: Model, nodes: Array) -> Limits:
     """Return at which nodes (n, 2) shear forces and pressures are judged where nothing has lifted off."""
-    reach = AWAY * model.plate.thickness
+    reach = AWAY * max(plate.thickness for plate in model.every_plate)
     footprints = [edge for load in model.loads if load.kind == "point" for edge in load_borders(load, model)]
     within = np.full(len(nodes), reach)
     singular = near_singular(model, nodes, within)
     if model.ground_reaches:
-        singular |= near_places([*corners_of(model.plate.ring(), None)], nodes, within)
+        singular |= near_places(
+            [place for plate in model.every_plate for place in corners_of(plate.ring(), None)], nodes, within
+        )
     shear_forces = ~(singular | _near(nodes, footprints, reach))
     if not model.ground_carries_shear:
         return Limits(shear_forces, np.ones(len(nodes), dtype=bool))
@@ -88,9 +90,10 @@ def _creases(model: Model) -> Iterator[Segment]:
     for support in model.supports:
         if support.kind == "line":
             yield from (Segment(start, end) for start, end in pairwise(support.points))
-    plate, soil, voids = model.plate.zones, model.soil_zones, model.contact.voids
+    zones = [zone for plate in model.every_plate for zone in plate.zones]
+    soil, voids = model.soil_zones, model.contact.voids
     for ring in (
-        *(zone.shape.ring() for zone in plate),
+        *(zone.shape.ring() for zone in zones),
         *(zone.shape.ring() for zone in soil),
         *(v.ring() for v in voids),
     ):

@@ -41,7 +41,7 @@ def check(model: Model) -> None:
     if model.analysis.solver != "auto":
         factorization.choose(model.analysis.solver)
     model = place_patterns(model)
-    ratio = estimate_elements(model.plate, model.mesh) / MAX_CHECKED_ELEMENTS
+    ratio = estimate_elements(model.plate, model.plates, model.mesh) / MAX_CHECKED_ELEMENTS
     if len(model.loads) > MAX_COMPARED_LOADS:
         model = model.model_copy(update={"mesh": model.mesh.replace(symmetry="off")})
     ground = discretize(model, max(0, math.ceil(math.log2(ratio) / 2)), loaded=False).ground

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections import deque
 from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
 
+from groundslab.analysis.extrapolation import Extrapolation
 from groundslab.analysis.gamma_iteration import solve_load_step
 from groundslab.analysis.load_step import LoadStep, OnStep
 from groundslab.analysis.mesh_hierarchy import Level, MeshHierarchy
-from groundslab.arrays import Array
 from groundslab.errors import NoEquilibrium, NotConverged, SingularMatrix
 from groundslab.fem.concrete.cracked_section import decisive_moments, effective_stiffness, law_error, secant_stiffness
 from groundslab.results.record import Certificate
@@ -21,8 +20,6 @@ from groundslab.solvers.solution import Solution
 #: The stiffness is iterated until moments are off the law by less than this share of the largest.
 TOLERANCE = Certificate.LAW_TOLERANCE / 2
 MAX_ITERATIONS = 300
-#: How many earlier steps the next one is extrapolated from (Anderson 1965).
-DEPTH = 5
 #: An error that grows by more than this begins the extrapolation anew.
 GROWTH = 2.0
 
@@ -52,7 +49,7 @@ def _solve_cracked(level: Level, start: Solution, report: OnStep, finest: bool) 
     slip = np.zeros(len(uncracked.problem.bearing.law))
     M = decisive_moments(mean_moments(uncracked.problem, start.U))
     B = effective_stiffness(M, *law.curve).min(axis=2)
-    extrapolation, solution = _Extrapolation(), start
+    extrapolation, solution = Extrapolation(), start
     history: list[dict[str, float]] = []
     while len(history) < MAX_ITERATIONS:
         s = with_stiffness(uncracked, B)
@@ -63,25 +60,7 @@ def _solve_cracked(level: Level, start: Solution, report: OnStep, finest: bool) 
         if history[-1]["error"] <= TOLERANCE:
             return solution
         if len(history) > 1 and history[-1]["error"] > GROWTH * history[-2]["error"]:
-            extrapolation = _Extrapolation()
+            extrapolation = Extrapolation()
         tried = extrapolation.next(np.log(B), np.log(found))
         B = np.exp(np.clip(tried, np.log(law.least), np.log(law.B_I)))
     raise NotConverged("the cracked stiffness", history, {"U": solution.U, "stiffness": B})
-
-
-class _Extrapolation:
-    """Extrapolates a fixed-point iteration from its latest steps (Anderson 1965)."""
-
-    def __init__(self) -> None:
-        self.steps: deque[tuple[Array, Array]] = deque(maxlen=DEPTH)  # what came out, and by how much it changed
-
-    def next(self, x: Array, found: Array) -> Array:
-        """Return what to try after x, of which `found` came out."""
-        change = (found - x).ravel()
-        self.steps.append((found.ravel(), change))
-        if len(self.steps) < 2:
-            return found
-        outcomes, changes = (np.diff(np.array(each), axis=0) for each in zip(*self.steps, strict=True))
-        weights = np.linalg.lstsq(changes.T, change, rcond=1e-8)[0]
-        tried: Array = (found.ravel() - weights @ outcomes).reshape(x.shape)
-        return tried

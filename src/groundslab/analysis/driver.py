@@ -21,7 +21,7 @@ from groundslab.discretize.plan_layout import Meshes, coarsest
 from groundslab.discretize.serviceability.lasting_ground import lasts, with_lasting_ground
 from groundslab.errors import GroundslabError, IllConditioned, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
 from groundslab.model.combinations import list_combinations, place_patterns
-from groundslab.model.ground import Continuum
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.certificate import certificate, worst
@@ -310,7 +310,7 @@ def _cracks(model: Model, combination: Combination) -> bool:
 
 def _is_infinite(model: Model) -> bool:
     """Return whether infinite ground beyond the plate is meshed and ends in tails."""
-    return model.beyond.kind == "infinite" and model.ground_reaches and not isinstance(model.ground, Continuum)
+    return model.beyond.kind == "infinite" and model.ground_reaches and not isinstance(model.ground, ContinuousGround)
 
 
 def _with_load_shares(earlier: Sequence[Solution]) -> list[tuple[float, Solution]]:

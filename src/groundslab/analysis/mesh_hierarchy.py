@@ -26,7 +26,7 @@ from groundslab.solvers.plate_on_continuum import PlateOnContinuum
 from groundslab.solvers.solution import Solution
 
 #: Sections of a model on which the mesh of its results depends.
-RESULT_MESH_SECTIONS = ("plate", "supports", "columns", "loads")
+RESULT_MESH_SECTIONS = ("plate", "plates", "supports", "columns", "loads")
 
 
 @dataclass(slots=True)

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
+from groundslab.analysis.extrapolation import Extrapolation
 from groundslab.analysis.load_step import LoadStep
 from groundslab.analysis.mesh_hierarchy import Level
 from groundslab.arrays import Array, Integers
+from groundslab.errors import NotConverged
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings, Contact, plastic_slip
 from groundslab.fem.continuum.cells import prolong
 from groundslab.fem.foundation import single
-from groundslab.fem.problem import TOP, Problem
+from groundslab.fem.problem import TOP, Problem, settlement_by_loads_beside
 from groundslab.fem.system import System, current_bearings, nodal_table, right_hand_side
 from groundslab.results.record import Step
 from groundslab.solvers import bounded_forces
+from groundslab.solvers.bounded_forces import BoundedSolution
 from groundslab.solvers.equilibrium import require_hold
 from groundslab.solvers.plate_on_continuum import PlateOnContinuum, bound_forces, make_plate_on_continuum, move
 from groundslab.solvers.solution import Pressed, Solution
@@ -35,24 +40,48 @@ def solve_pressures(step: LoadStep, start: Solution | None) -> Solution:
     def report(iteration: int, bearing: int, changed: int) -> None:
         step.report(Step(s.pattern.size, 1, None, iteration, bearing, changed, step.finest))
 
-    found = bounded_forces.solve(
-        bound_forces(operator, problem, law, f),
-        _start(problem, start),
-        TOLERANCE if step.finest else TOLERANCE_COARSE,
-        PRODUCTS * step.max_iterations,
-        report,
-    )
+    found = _iterate(step, operator, law, f, _start(problem, start), report)
     u = move(operator, f, found)
     c = len(problem.elastic.gap) if problem.elastic else 0
     contact = Contact(u, _states(law, found.x[c:]), found.x[c:])
     pressed = Pressed(found.x[:c], found.y[:c])
-    solution = Solution(
-        s, _table(s, u, pressed), contact, single(0.0, 0.0), None, law, step.slip + plastic_slip(law, contact),
-        pressed=pressed,
-    )  # fmt: skip
+    U, slip = _table(s, u, pressed, step.factor), step.slip + plastic_slip(law, contact)
+    solution = Solution(s, U, contact, single(0.0, 0.0), None, law, slip, pressed=pressed)
     if step.finest:
         require_hold(problem, contact, pressed.force)
     return solution
+
+
+def _iterate(
+    step: LoadStep, p: PlateOnContinuum, law: Bearings, f: Array, x: Array, report: Callable[[int, int, int], None]
+) -> BoundedSolution:
+    """Return the forces (c + b,), started from x, under loads f (size,).
+
+    What ground that varies over the plan or was loaded before settles beyond a symmetric linear operator is a gap that
+    is iterated, extrapolated from the steps before.
+    """
+    ground, c = p.ground, len(p.ground.gap)
+    tolerance = TOLERANCE if step.finest else TOLERANCE_COARSE
+    beside = step.factor * settlement_by_loads_beside(step.system.problem, ground.cells.center)
+    history = list[dict[str, float]]()
+    further = np.zeros(c)
+    if not ground.linear:
+        further = ground.settle(x[:c]) - ground.settle_mutually(x[:c])
+    extrapolation = Extrapolation()
+    while True:
+        problem = bound_forces(p, step.system.problem, law, f, further + beside)
+        found = bounded_forces.solve(problem, x, tolerance, PRODUCTS * step.max_iterations, report)
+        if ground.linear:
+            return found
+        x, settled = found.x, ground.settle(found.x[:c])
+        after = settled - ground.settle_mutually(x[:c])
+        change = float(np.abs(after - further).max() / np.abs(settled).max(initial=1e-300))
+        history.append({"iteration": len(history) + 1, "change": change})
+        if change <= tolerance:
+            return found
+        if len(history) >= step.max_iterations:
+            raise NotConverged("the settlement of the ground", history, {"x": x})
+        further = extrapolation.next(further, after)
 
 
 def _operator(level: Level, s: System) -> PlateOnContinuum:
@@ -88,7 +117,7 @@ def _start(problem: Problem, start: Solution | None) -> Array:
     return np.concatenate([prolong(known.elastic.cells, start.pressed.force, cells), on_supports])
 
 
-def _table(s: System, u: Array, pressed: Pressed) -> Array:
+def _table(s: System, u: Array, pressed: Pressed, factor: float) -> Array:
     """Return unknowns (size,) as a table (n, F), and with them the settlement of the ground's surface at every node."""
     problem, elastic = s.problem, s.problem.elastic
     assert elastic is not None
@@ -98,4 +127,5 @@ def _table(s: System, u: Array, pressed: Pressed) -> Array:
     beyond = np.setdiff1d(np.arange(len(U)), under)
     if len(beyond):
         U[beyond, TOP] = elastic.settle_at(pressed.force, problem.mesh.nodes[beyond])
+        U[beyond, TOP] += factor * settlement_by_loads_beside(problem, problem.mesh.nodes[beyond])
     return U

@@ -49,14 +49,14 @@ def check_case(options: argparse.Namespace) -> int:
     from groundslab.model.loads.patterns import absent_forces
 
     check(model)
-    plate = model.plate
+    what = f"{len(model.every_plate)} plates" if model.plates else "plate"
     lines = [
-        f"{options.case}: fine ({plate.sides[0]:g} m x {plate.sides[1]:g} m plate, "
+        f"{options.case}: fine ({model.sides[0]:g} m x {model.sides[1]:g} m {what}, "
         f"{model.ground.kind} ground, {len(model.loads)} load{'s' if len(model.loads) > 1 else ''})"
     ]
     lines += _columns_and_supports(model) + _cases_and_combinations(model)
-    lines += [f"  remark: {each.words()}" for each in find_clipped_loads(model.plate, model.loads)]
-    lines += [f"  remark: {each}" for each in absent_forces(model.plate, model.patterns, model.moves)]
+    lines += [f"  remark: {each.words()}" for each in find_clipped_loads(model.plate, model.loads, model.plates)]
+    lines += [f"  remark: {each}" for each in absent_forces(model.plate, model.patterns, model.moves, model.plates)]
     print_stdout("\n".join(lines))
     return EXIT_OK
 

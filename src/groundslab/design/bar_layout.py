@@ -18,7 +18,7 @@ from groundslab.arrays import Array
 from groundslab.model.design.bars import Bars
 from groundslab.model.design.laid_bars import polygon_of
 from groundslab.model.model import Model
-from groundslab.model.plate import PlateRegion
+from groundslab.model.plates.region import PlateRegion
 from groundslab.results.fields import LAYERS
 
 if TYPE_CHECKING:
@@ -59,7 +59,7 @@ class BarSet:
 
 def bar_sets(model: Model) -> list[BarSet]:
     """Return all bars that are laid, layer by layer: first those all over the slab, then zone by zone."""
-    steel, plan = model.reinforcement, PlateRegion(model.plate).area
+    steel, plan = model.reinforcement, PlateRegion(model.plate, model.plates).area
     if steel is None or not steel.laid:
         return []
     found = []

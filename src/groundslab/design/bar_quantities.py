@@ -9,7 +9,7 @@ import numpy as np
 from groundslab.design.bar_layout import BarSet, bar_sets
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.model.model import Model
-from groundslab.model.plate import PlateRegion
+from groundslab.model.plates.region import PlateRegion
 
 #: Bars of one set have a row for each length, to the millimeter, unless there are more lengths than this.
 MOST_LENGTHS = 6
@@ -23,7 +23,7 @@ def bars(model: Model) -> Table:
         ("least length", "m"), ("greatest length", "m"), ("total length", "m"), ("mass", "kg"),
         ("mass per area", "kg/m2"),
     ]  # fmt: skip
-    area = PlateRegion(model.plate).area.area
+    area = PlateRegion(model.plate, model.plates).area.area
     rows = [row for each in bar_sets(model) for row in _rows(each, area)]
     if rows:
         number, length, mass, share = (sum(float(row[i] or 0) for row in rows) for i in (5, 8, 9, 10))

@@ -6,6 +6,7 @@ import functools
 import re
 from bisect import bisect
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,7 +17,7 @@ from groundslab.geometry.validity import TOO_CLOSE, find_issues
 from groundslab.model.model import Model
 
 if TYPE_CHECKING:
-    from shapely import Polygon
+    from shapely import MultiPolygon, Polygon
 
 #: So many borders are followed at most: a line of a grid for each side of more would be no mesh for a plate.
 MOST_BORDERS = 200
@@ -50,13 +51,13 @@ def add_borders(plan: Plan, rings: tuple[Ring, ...]) -> Plan:
     kept: list[Ring] = []
     lines = _coordinates(plan)
     curved = not plan.rectilinear or meshing.available()
-    domain = plan.domain.polygon(FLAT * plan.extent)
+    domain = plan.domain_polygon(FLAT * plan.extent)
     for ring in (part for each in rings[:MOST_BORDERS] for part in _clip(each, plan, domain)):
         own = _move(ring, lines, TOO_CLOSE * plan.extent) if ring.rectilinear else ring
         if _coarse_enough(own, plan) and (curved or own.rectilinear):
             kept.append(own)
     while kept:
-        found = Plan(plan.outline, plan.openings, plan.zones, plan.beyond, plan.points, plan.lines, tuple(kept))
+        found = replace(plan, borders=tuple(kept))
         refused = {max(map(int, named)) for issue in find_issues(found)
                    if (named := re.findall(r"borders\[(\d+)\]", f"{issue.location} {issue.found}"))}  # fmt: skip
         if not refused:
@@ -72,7 +73,7 @@ def _coordinates(plan: Plan) -> tuple[list[float], list[float]]:
     return sorted(x for x, _ in places), sorted(y for _, y in places)
 
 
-def _clip(ring: Ring, plan: Plan, domain: Polygon) -> list[Ring]:
+def _clip(ring: Ring, plan: Plan, domain: Polygon | MultiPolygon) -> list[Ring]:
     """Return the curves around what of a ring is meshed; one with arcs, or on a curved domain, as it is."""
     import shapely
 
@@ -80,7 +81,8 @@ def _clip(ring: Ring, plan: Plan, domain: Polygon) -> list[Ring]:
     own = ring.polygon(chord)
     if not own.is_valid or not own.boundary.intersects(domain.buffer(-2 * chord)):
         return []
-    if not (ring.straight and plan.domain.straight) or domain.contains(own):
+    edge = plan.outlines if plan.beyond is None else (plan.beyond,)
+    if not (ring.straight and all(each.straight for each in edge)) or domain.contains(own):
         return [ring]
     parts = shapely.get_parts(own.intersection(domain))
     return [_ring_around(part) for part in parts if part.geom_type == "Polygon" and part.area > 0]

@@ -132,7 +132,7 @@ def _without_doubles(model: Model, b: Bearing) -> Bearing:
             )
     if issues:
         raise InputError(list(issues.values()))
-    return Bearing(b.law.select(keep), *(getattr(b, name)[keep] for name in LOCATION))
+    return b.select(keep)
 
 
 def fixed_nodes(model: Model, plan: Layout) -> Integers:

@@ -17,12 +17,12 @@ from groundslab.fem.assembly import number_unknowns
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Loading, Problem, W
 from groundslab.geometry.plan import SAME_PLACE
-from groundslab.model.ground import Continuum
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 
 #: Parts of a model on which the loading of a mesh depends.
-ACTING = ("plate", "columns", "supports", "cases", "loads")
+ACTING = ("plate", "plates", "columns", "supports", "cases", "loads")
 
 
 def discretize(
@@ -49,7 +49,7 @@ def discretize(
         acting = model if loaded else model.model_copy(update={"cases": (), "loads": ()})
         cases = loadings(acting, plan, element, fields)
     unknown = number_unknowns(plan.rank, present)
-    elastic = elastic_ground(model, plan, element, coarsening)
+    elastic = elastic_ground(model, plan, element, coarsening, sum(float(each.load[:, W].sum()) for each in cases))
     below = find_depths(model, plan, ground, coarsening == 0) if elastic is None else level_ground(plan)
     gap = initial_gap(model, plan)
     edges, corners = _infinite_edges(model, plan)
@@ -59,9 +59,11 @@ def discretize(
         plate_nodes=plan.plate_nodes,
         element=element,
         bending=np.array([plate.bending_rigidity(E, nu, t) for E, nu, t in sections]),
-        shear=np.array([plate.shear_rigidity(E, nu, t, model.plate.shear_factor) for E, nu, t in sections]),
+        shear=np.array([plate.shear_rigidity(*each) for each in _with_shear_factors(model)]),
         rigidity=plan.section,
         section=plan.section,
+        plate_number=plan.plate,
+        plate_names=tuple(each.name or f"plate {n}" for n, each in enumerate(model.every_plate, start=1)),
         thickness=np.array([t for _, _, t in sections])[plan.section],
         ground=ground,
         constants=constants,
@@ -87,6 +89,12 @@ def discretize(
     )
 
 
+def _with_shear_factors(model: Model) -> list[tuple[float, float, float, float]]:
+    """Return E [Pa], nu, thickness [m] and shear factor of each section."""
+    factors = [each.shear_factor for each in model.every_plate for _ in (each, *each.zones)]
+    return [(*own, factor) for own, factor in zip(materials(model), factors, strict=True)]
+
+
 def _known_cases(
     model: Model, plan: Layout, element: plate.PlateElement, fields: int, like: tuple[Model, Problem] | None
 ) -> tuple[Loading, ...]:
@@ -105,7 +113,7 @@ def _known_cases(
 
 def _infinite_edges(model: Model, plan: Layout) -> tuple[Integers, Integers]:
     """Return the outer sides (e, 3: end, end, middle) and corner nodes (c,) beyond which the ground is infinite."""
-    if model.beyond.kind != "infinite" or isinstance(model.ground, Continuum):
+    if model.beyond.kind != "infinite" or isinstance(model.ground, ContinuousGround):
         return np.zeros((0, 3), dtype=np.int64), np.zeros(0, dtype=np.int64)
     across_x, across_y = (plan.outer[plan.outer_axis == axis] for axis in (0, 1))
     return plan.outer, np.intersect1d(across_x, across_y)
@@ -120,21 +128,23 @@ def _present(model: Model, plan: Layout, element: plate.PlateElement, surfaces: 
     present = np.ones((n, TOP + surfaces), dtype=bool)
     present[:, :TOP] = under[:, None]
     present[:, TOP] = model.contact.tensionless | ~under
-    if isinstance(model.ground, Continuum):
+    if isinstance(model.ground, ContinuousGround):
         present[:, TOP] = False  # what it settles follows from the pressures
     if not element.center_w:
         present[mesh.elements[plate_elements, 8], W] = False
 
+    first = np.zeros(n, dtype=bool)
+    first[mesh.elements[plate_elements[plan.plate == 0]]] = True
     x0, x1, y0, y1 = model.plate.bounds
     at = {"left": x0, "right": x1, "bottom": y0, "top": y1}
-    near = SAME_PLACE * max(model.plate.sides)
+    near = SAME_PLACE * max(model.sides)
     for side, axis in AXIS.items():
         along = 1 - axis
         if symmetry[axis] and OUTWARD[side] < 0:
             present[mesh.nodes[:, axis] == 0.0, BETA_X + axis] = False
             continue
         kind = getattr(model.plate.edges, side)
-        on_edge = under & (np.abs(mesh.nodes[:, axis] - at[side]) <= near)
+        on_edge = first & (np.abs(mesh.nodes[:, axis] - at[side]) <= near)
         _fix(present, on_edge, kind, along)
     if model.plate.support != "free":
         _fix_outline(present, model.plate, plan)

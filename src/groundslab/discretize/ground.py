@@ -19,7 +19,8 @@ from groundslab.arrays import Array, Integers
 from groundslab.discretize.borders import shares, zone_rings
 from groundslab.discretize.interpolation import interpolate_linearly
 from groundslab.errors import InputError, Issue
-from groundslab.fem.continuum.transfer import ElasticLayer, elastic_length
+from groundslab.fem.continuum.media import BondedLayers, Medium, StressedLayers, elastic_length
+from groundslab.fem.continuum.transfer import ElasticLayer
 from groundslab.fem.foundation import Column, Layer, Parts, consistent_stack, interface_stack, single
 from groundslab.fem.mesh import Mesh
 from groundslab.fem.plate import bending_rigidity
@@ -27,7 +28,17 @@ from groundslab.fem.shape_functions import areas
 from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import Ring
 from groundslab.model.combinations import list_combinations
-from groundslab.model.ground import AnyGround, Continuum, InterfaceLayer, Layered, Pasternak, SoilLayer, Vlasov, Winkler
+from groundslab.model.ground import (
+    AnyGround,
+    ContinuousGround,
+    Continuum,
+    InterfaceLayer,
+    Layered,
+    Pasternak,
+    SoilLayer,
+    Vlasov,
+    Winkler,
+)
 from groundslab.model.model import Model
 from groundslab.model.varying_ground import Borehole
 
@@ -73,7 +84,7 @@ def ground_under(
     stack they are Ec / h and G h of each sublayer, for the mean of its E.
     """
     none = np.zeros(0), np.zeros(0)
-    if isinstance(model.ground, Continuum):
+    if isinstance(model.ground, ContinuousGround):
         return single(0.0, 0.0), none  # cells bear the plate, no column
     if not varies(model) and not factors:
         tables, parts = _table(model.ground, model)[None], None
@@ -99,25 +110,30 @@ def winkler_modulus(ground: Winkler, model: Model) -> float:
     return 2 * ground.selvadurai.E / (a * math.log(1 + 2 * ground.selvadurai.depth / a))
 
 
-def elastic_layers(ground: Continuum) -> tuple[ElasticLayer, ...]:
-    """Return the layers of a continuum; one whose modulus varies is GRADED_PARTS homogeneous ones."""
+def medium_of(ground: ContinuousGround, layers: tuple[SoilLayer, ...], depth: float = math.inf) -> Medium:
+    """Return layers as the ground says that they settle, down to a depth [m]; one that varies as GRADED_PARTS parts."""
     found = []
-    for layer in map(layer_of, ground.layers):
-        parts = layer.split(1 if layer.moduli[1:] == (0.0, 0.0) else GRADED_PARTS)
-        found += [ElasticLayer(float(part.mean), float(part.nu), float(part.thickness)) for part in parts]
-    if ground.half_space is not None:
-        found.append(ElasticLayer(ground.half_space.E, ground.half_space.nu, math.inf))
-    return tuple(found)
+    for layer in map(layer_of, layers):
+        found += layer.split(1 if layer.moduli[1:] == (0.0, 0.0) else GRADED_PARTS)
+    if isinstance(ground, Continuum):
+        bonded = [ElasticLayer(float(each.mean), float(each.nu), float(each.thickness)) for each in found]
+        if ground.half_space is not None:
+            bonded.append(ElasticLayer(ground.half_space.E, ground.half_space.nu, math.inf))
+        return BondedLayers(tuple(bonded))
+    bottoms = np.minimum(np.cumsum([each.thickness for each in found]), depth)
+    thickness = np.diff(bottoms, prepend=0.0)
+    moduli = [float(each.oedometric_ratio * each.mean) for each in found]
+    return StressedLayers(*zip(*((M, float(h)) for M, h in zip(moduli, thickness, strict=True) if h > 0), strict=True))
 
 
-def subgrade_modulus(ground: Continuum, model: Model) -> float:
+def subgrade_modulus(ground: ContinuousGround, model: Model) -> float:
     """Return k [Pa/m] that a continuum has for the wave length 2 pi l of a load that plate and ground resist alike.
 
     With l = (D / k)^(1/4), the elastic length, and 1 / k = T(1 / l), the settlement by a pressure of that wave length:
     a measure for sizes of elements, not of settlements.
     """
     D = float(bending_rigidity(model.plate.E, model.plate.nu, model.plate.thickness)[0, 0])
-    return D / elastic_length(elastic_layers(ground), D) ** 4
+    return D / elastic_length(medium_of(ground, ground.layers), D) ** 4
 
 
 def surfaces_of(ground: Soil | Column) -> int:
@@ -138,7 +154,7 @@ def _table(ground: AnyGround, model: Model) -> Array:
         return np.array([[winkler_modulus(ground, model), 0.0]])
     if isinstance(ground, Pasternak):
         return np.array([[ground.k0, ground.k1]])
-    if isinstance(ground, Continuum):
+    if isinstance(ground, ContinuousGround):
         return np.array([[subgrade_modulus(ground, model), 0.0]])
     given = [[layer.k0, layer.k1] for layer in ground.layers if isinstance(layer, InterfaceLayer)]
     return np.array(given) if given else _table_of_soil(ground.layers)
@@ -151,6 +167,8 @@ def _table_of_soil(layers: tuple[SoilLayer | InterfaceLayer, ...]) -> Array:
 
 def _tables(model: Model) -> list[Array]:
     """Return the tables of the boreholes, or of the ground and then of its zones."""
+    if isinstance(model.ground, ContinuousGround):
+        return [_table(model.ground, model)]
     if model.boreholes:
         return [_table_of_soil(hole.layers) for hole in model.boreholes]
     return [_table(ground, model) for ground in (model.ground, *(zone.ground for zone in model.soil_zones))]
@@ -200,7 +218,7 @@ def _columns_under(model: Model, mesh: Mesh, factors: Factors, followed_borders:
         element, part = np.arange(len(centres)), np.ones(len(centres))
         listed = _between_boreholes(model.boreholes, tables, centres)
     else:
-        share = shares(mesh.xy, zone_rings(model), followed_borders, max(model.plate.sides))
+        share = shares(mesh.xy, zone_rings(model), followed_borders, max(model.sides))
         element, zone = np.nonzero(share)
         part, listed = share[element, zone], tables[zone]
     for name, factor in factors.items():

@@ -64,7 +64,7 @@ def follow_loads(plan: Plan, model: Model) -> Plan:
     edges = [edge for load in model.loads if isinstance(load, loads.LineLoad) for edge in load.segments()]
     lines = [(edge.start, edge.end) for edge in edges if edge.straight]
     some, straight = (tuple(dict.fromkeys(found))[:MOST_BORDERS] for found in (rings, lines))
-    return _follow(plan, some, straight, model.plate.thickness)
+    return _follow(plan, some, straight, min(each.thickness for each in model.every_plate))
 
 
 @functools.lru_cache(maxsize=64)
@@ -113,7 +113,7 @@ def _add_lines(plan: Plan, lines: tuple[Line, ...]) -> Plan:
 
     chord = FLAT * plan.extent
     openings = shapely.union_all([ring.polygon(chord) for ring in plan.openings])
-    plate = plan.outline.polygon(chord).difference(openings)
+    plate = plan.plate_polygon(chord).difference(openings)
     pieces = shapely.get_parts([shapely.LineString(line).intersection(plate) for line in lines])
     ends = [shapely.get_coordinates(piece)[[0, -1]] for piece in pieces if piece.geom_type == "LineString"]
     kept: list[Line] = [((float(ax), float(ay)), (float(bx), float(by))) for (ax, ay), (bx, by) in ends]

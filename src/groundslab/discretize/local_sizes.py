@@ -18,6 +18,7 @@ from groundslab.meshing.sizing import LocalExtents, along
 from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
 from groundslab.model.loads.load_types import PatchLoad, PointLoad
 from groundslab.model.model import Model
+from groundslab.model.plates.further import AnyPlate
 
 #: Places in a part that is refined are so many to a side of an element there.
 PLACES_PER_SIDE = 2
@@ -41,12 +42,8 @@ def local_sizes(model: Model) -> LocalExtents | None:
     found: list[tuple[Array, float | Array]] = []
     found += [(_places(part.shape.ring(), part.size), SURE * part.size) for part in model.mesh.refine]
     if model.mesh.adaptive:
-        least = min(model.plate.sides) / MOST_ON_SHORT_SIDE
-        size, edge_size = max(_elastic_length(model), least), max(model.plate.thickness, least)
-        if size < min(model.plate.sides) / SHORT_SIDE_ELEMENTS:
-            found.append((_places(model.plate.ring(), size), size))
-        for ring in [model.plate.ring(), *(each.ring() for each in model.plate.openings)]:
-            found += _across(ring, edge_size)
+        for plate in model.every_plate:
+            found += _sizes_on(plate, model)
         found += [(_raster(ring.bounds, 3, 3), min(_sides(ring)) / ACROSS) for ring in _footprints(model)]
     if not found:
         return None
@@ -54,9 +51,20 @@ def local_sizes(model: Model) -> LocalExtents | None:
     return places, np.concatenate([np.full(where.shape, extents) for where, extents in found])
 
 
-def _elastic_length(model: Model) -> float:
+def _sizes_on(plate: AnyPlate, model: Model) -> Iterator[tuple[Array, float | Array]]:
+    """Yield places (p, 2) on a plate and along its edges, with sizes or extents (2,) of elements [m] there."""
+    shortest = min(plate.sides)
+    least, usual = shortest / MOST_ON_SHORT_SIDE, shortest / SHORT_SIDE_ELEMENTS
+    size, edge_size = max(_elastic_length(plate, model), least), max(plate.thickness, least)
+    if size < usual or model.plates:
+        size = min(size, usual)
+        yield _places(plate.ring(), size), size
+    for ring in plate.rings():
+        yield from _across(ring, edge_size)
+
+
+def _elastic_length(plate: AnyPlate, model: Model) -> float:
     """Return the least elastic length (D / k)^(1/4) [m], k being the pressure on the ground over its settlement."""
-    plate = model.plate
     parts = [(plate.E, plate.nu, plate.thickness)]
     parts += [(zone.E or plate.E, zone.nu or plate.nu, zone.thickness or plate.thickness) for zone in plate.zones]
     grounds = [each if isinstance(each, Column) else each.first_column() for each in grounds_of(model)]
@@ -99,7 +107,7 @@ def _sides(ring: Ring) -> tuple[float, float]:
 
 def _footprints(model: Model) -> Iterator[Ring]:
     """Yield the footprints of forces, a thickness wide where there are none, and rectangles under pressure."""
-    t = model.plate.thickness
+    t = min(each.thickness for each in model.every_plate)
     for load in model.loads:
         if isinstance(load, PointLoad | PatchLoad):
             yield from load_rings(load, model)

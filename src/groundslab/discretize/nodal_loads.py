@@ -10,8 +10,9 @@ from groundslab.arrays import Array
 from groundslab.discretize.plan_layout import Layout
 from groundslab.fem import load_vectors, plate
 from groundslab.fem.assembly import scatter
-from groundslab.fem.problem import BETA_X, Loading, W
+from groundslab.fem.problem import BETA_X, TOP, Loading, W
 from groundslab.geometry.plan import FLAT, SAME_PLACE
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads import load_types as loads
 from groundslab.model.loads.clipping import clip_line_load
 from groundslab.model.model import Model
@@ -25,11 +26,14 @@ def loadings(model: Model, plan: Layout, element: plate.PlateElement, fields: in
 
 
 def materials(model: Model) -> list[tuple[float, float, float]]:
-    """Return E [Pa], nu and thickness [m] of each section: the plate's own, then those of its zones."""
-    own = (model.plate.E, model.plate.nu, model.plate.thickness)
-    zones = [(zone.E, zone.nu, zone.thickness) for zone in model.plate.zones]
-    differing = [tuple(a if b is None else b for a, b in zip(own, zone, strict=True)) for zone in zones]
-    return [own, *differing]  # type: ignore[list-item]
+    """Return E [Pa], nu and thickness [m] of each section: a plate's own, those of its zones, then the next plate's."""
+    found: list[tuple[float, float, float]] = []
+    for each in model.every_plate:
+        found.append((each.E, each.nu, each.thickness))
+        for zone in each.zones:
+            t = each.thickness if zone.thickness is None else zone.thickness
+            found.append((each.E if zone.E is None else zone.E, each.nu if zone.nu is None else zone.nu, t))
+    return found
 
 
 def _loading(
@@ -39,22 +43,26 @@ def _loading(
     mesh, elements = plan.mesh, plan.plate_elements
     n = len(mesh.nodes)
     forces, couples, size = np.zeros((len(elements), 9)), np.zeros((2, len(elements), 9)), 0.0
+    beside = np.zeros(n)
     length = np.ptp(mesh.nodes[plan.plate_nodes], axis=0).max()
     warp, settlement = np.zeros(len(elements)), np.zeros(len(model.supports))
     thickness = np.array([t for _, _, t in materials(model)])[plan.section]
+    expansion = np.array([each.thermal_expansion for each in model.every_plate])[plan.plate]
     for load in acting:
         if isinstance(load, loads.TemperatureLoad):
             # u = -z beta_x, and the bottom, z = t/2, is warmer by the difference
-            warp -= model.plate.thermal_expansion * load.difference / thickness
+            warp -= _on_plate(load, model, plan) * expansion * load.difference / thickness
         elif isinstance(load, loads.ShrinkageLoad):
             # as if the top were colder by the difference over the thermal expansion
-            warp -= (load.top - load.bottom) / thickness
+            warp -= _on_plate(load, model, plan) * (load.top - load.bottom) / thickness
         elif isinstance(load, loads.SettlementLoad):
             settlement[[support.name for support in model.supports].index(load.support)] += load.w
         elif isinstance(load, loads.PointLoad):
             force, couple = _at_point(load.on(model.columns), model, plan)
             forces, couples = forces + force, couples + couple
             size += float(np.abs(force).sum() + np.abs(couple).sum() / length)
+        elif loads.presses_ground(load):
+            beside += _on_ground(load, plan)
         else:
             force = _spread(load, model, plan, thickness)
             forces += force
@@ -62,7 +70,10 @@ def _loading(
     if not element.center_w:
         forces = np.einsum("ea,eab->eb", forces, element.w_functions(mesh.xy[elements]))
     table = np.zeros((n, fields))
-    table[:, W] = scatter(mesh.elements[elements], forces, n)
+    table[:, W], table[:, TOP] = scatter(mesh.elements[elements], forces, n), beside
+    # under the edge of the plate, too, the ground's surface settles by the sum of both
+    if not isinstance(model.ground, ContinuousGround):
+        table[plan.plate_nodes, W] += beside[plan.plate_nodes]
     if warp.any():
         D = np.array([plate.bending_rigidity(E, nu, t) for E, nu, t in materials(model)])[plan.section]
         couples = couples + plate.free_couples(mesh.xy[elements], D, np.column_stack([warp, warp]))
@@ -70,6 +81,15 @@ def _loading(
         if couples[axis].any():
             table[:, BETA_X + axis] = scatter(mesh.elements[elements], couples[axis], n)
     return Loading(table, np.column_stack([warp, warp]), settlement, size)
+
+
+def _on_ground(load: loads.OnGround, plan: Layout) -> Array:
+    """Return the nodal forces (n,) [N] of a load on the meshed ground beside the plate."""
+    mesh = plan.mesh
+    elements = np.setdiff1d(np.arange(len(mesh.elements)), plan.plate_elements)
+    pressure, area = loads.pressure_function(load), load.to_shapely(math.inf)
+    forces = load_vectors.integrate_over_polygon(mesh, elements, area, pressure)
+    return scatter(mesh.elements[elements], forces, len(mesh.nodes))
 
 
 def _spread(
@@ -81,16 +101,23 @@ def _spread(
     """Return the nodal forces (mp, 9) [N] of a distributed load on the meshed part of the plate."""
     mesh, elements = plan.mesh, plan.plate_elements
     if isinstance(load, loads.SelfWeight):
-        return load.unit_weight * thickness[:, None] * load_vectors.integrate_over_elements(mesh, elements)
+        weight = _on_plate(load, model, plan) * load.unit_weight * thickness
+        return weight[:, None] * load_vectors.integrate_over_elements(mesh, elements)
     if isinstance(load, loads.LineLoad):
         total = np.zeros((len(elements), 9))
-        for piece in clip_line_load(model.plate, load):
+        for piece in clip_line_load(model.plate, load, model.plates):
             total += load_vectors.integrate_along_line(mesh, elements, piece.edge, piece.q)
         return total
     pressure = loads.pressure_function(load)
     if isinstance(load, loads.UniformLoad):
-        return load_vectors.integrate_over_elements(mesh, elements, pressure)
+        return _on_plate(load, model, plan)[:, None] * load_vectors.integrate_over_elements(mesh, elements, pressure)
     return load_vectors.integrate_over_polygon(mesh, elements, load.to_shapely(math.inf), pressure)
+
+
+def _on_plate(load: loads.OnEveryPlate, model: Model, plan: Layout) -> Array:
+    """Return 1.0 for the elements of the plate that a load names, of all plates if it names none, else 0.0, (mp,)."""
+    names = np.array([plate.name for plate in model.every_plate])
+    return np.where((load.plate == "") | (names == load.plate)[plan.plate], 1.0, 0.0)
 
 
 def _at_point(load: loads.PointLoad, model: Model, plan: Layout) -> tuple[Array, Array]:
@@ -99,7 +126,7 @@ def _at_point(load: loads.PointLoad, model: Model, plan: Layout) -> tuple[Array,
     On a footprint a force is a uniform pressure, a moment one that grows linearly from the middle.
     """
     mesh, elements = plan.mesh, plan.plate_elements
-    place = load.to_shapely(FLAT * max(model.plate.sides))
+    place = load.to_shapely(FLAT * max(model.sides))
     none = np.zeros((2, len(elements), 9))
     if place.geom_type == "Point":
         N = _share(load, plan) * load_vectors.integrate_at_point(mesh, elements, _on_meshed_side(load, plan))

@@ -28,8 +28,11 @@ from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import Plan, Ring, Segment, rectangle
 from groundslab.meshing.sizing import Sources
 from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
-from groundslab.model.ground import Continuum
+from groundslab.model.ground import ContinuousGround
+from groundslab.model.loads.beside import distances_beyond
 from groundslab.model.model import Model
+from groundslab.model.plates.further import first_sections
+from groundslab.model.settings import SIDES, Side
 from groundslab.model.supports import plan_of_plate
 
 #: A mesh is made coarser for the nested iteration while its plate keeps at least this many elements each way.
@@ -42,8 +45,8 @@ SHOWN_SHARE = 0.5
 EDGE_SHARE = 0.5
 #: ... but not smaller than this share of the largest ones: then the force along the edge is next to nothing.
 EDGE_LEAST = 1 / 16
-AXIS = {"left": 0, "right": 0, "bottom": 1, "top": 1}
-OUTWARD = {"left": -1, "right": 1, "bottom": -1, "top": 1}
+AXIS: dict[Side, int] = {"left": 0, "right": 0, "bottom": 1, "top": 1}
+OUTWARD: dict[Side, int] = {"left": -1, "right": 1, "bottom": -1, "top": 1}
 
 
 Meshed = tuple[Mesh, Integers, Integers]
@@ -76,6 +79,7 @@ class Layout:
     rank: Integers  # (n,): order of elimination of the nodes
     plate_elements: Integers  # (mp,)
     section: Integers  # (mp,): which section each plate element has
+    plate: Integers  # (mp,): which plate it belongs to
     symmetry: tuple[bool, bool]
     outer: Integers  # (s, 3: end, end, middle): sides on the outer edge of the meshed ground
     outer_axis: Integers  # (s,): the axis across each of them
@@ -118,7 +122,9 @@ def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: 
     plate_elements = np.flatnonzero(section >= 0)
     outer, axis = _outer_sides(model, symmetry, mesh)
     borders = find_followed_borders(model, width)
-    return Layout(mesh, rank, plate_elements, section[plate_elements], symmetry, outer, axis, borders)
+    section = section[plate_elements]
+    plate = np.searchsorted(first_sections(model.every_plate), section, side="right") - 1
+    return Layout(mesh, rank, plate_elements, section, plate, symmetry, outer, axis, borders)
 
 
 def _divide(coarser: Meshed, arcs: list[Segment]) -> tuple[Mesh, Integers]:
@@ -140,9 +146,9 @@ def _mesh_of(
     edge_size = _edge_size(model, grounds, coarsening)
     if uniform(model, width):
         counts = _counts(model, symmetry, coarsening)
-        sides = model.beyond.sides if width else ()
-        source = model.plate.sides, symmetry, counts, model.mesh.counts, sides, width, edge_size
-        return source, lambda: _make_grid(model, symmetry, counts, width, edge_size), []
+        widths = _widths(model, width)
+        source = model.plate.sides, symmetry, counts, model.mesh.counts, tuple(widths.values()), edge_size
+        return source, lambda: _make_grid(model, symmetry, counts, widths, edge_size), []
     plan, size = plan_of(model, width), _size(model) * 2**coarsening
     arcs = [edge for ring in plan.rings().values() for edge in ring.segments() if not edge.straight]
     if local is not None:
@@ -174,10 +180,21 @@ def find_followed_borders(model: Model, width: float) -> tuple[Ring, ...]:
     return () if uniform(model, width) else plan_of(model, width).borders
 
 
+def _widths(model: Model, width: float) -> dict[Side, float]:
+    """Return how wide the meshed ground is on each side of the plate [m], width [m] of it beside plate and loads.
+
+    A margin is as wide as it is described: loads lie on it.
+    """
+    widths: dict[Side, float] = {side: width if side in model.beyond.sides else 0.0 for side in SIDES}
+    if width and model.beyond.kind == "infinite":
+        for side, distance in distances_beyond(model.plate, model.loads, model.plates).items():
+            widths[side] += max(distance, 0.0)
+    return widths
+
+
 def _reach(model: Model, width: float) -> tuple[float, float, float, float]:
     """Return the rectangle x0, x1, y0, y1 around the plate and so wide a ground beyond it [m]."""
-    grow = {side: width if side in model.beyond.sides else 0.0 for side in OUTWARD}
-    x0, x1, y0, y1 = model.plate.bounds
+    grow, (x0, x1, y0, y1) = _widths(model, width), model.bounds
     return x0 - grow["left"], x1 + grow["right"], y0 - grow["bottom"], y1 + grow["top"]
 
 
@@ -198,8 +215,8 @@ def has_coarser(model: Model) -> bool:
 
 
 def _counts(model: Model, symmetry: tuple[bool, bool], coarsening: int) -> tuple[int, int]:
-    """Return the numbers of elements along x and y in the part of the plate that is meshed."""
-    lengths = model.plate.sides
+    """Return the numbers of elements along x and y in the part of the plate that is meshed, of several the least."""
+    lengths = [min(each.sides[axis] for each in model.every_plate) for axis in (0, 1)]
     if model.mesh.counts is not None:
         counts = [c // 2 if s else c for c, s in zip(model.mesh.counts, symmetry, strict=True)]
     else:
@@ -215,7 +232,7 @@ def _width_beyond(model: Model, grounds: list[Soil | Column]) -> float:
         return 0.0
     if model.beyond.width is not None:
         return model.beyond.width
-    if isinstance(model.ground, Continuum):
+    if isinstance(model.ground, ContinuousGround):
         return SHOWN_SHARE * max(model.plate.sides)
     return MESHED_DECAYS * _longest_decay(model, grounds)
 
@@ -229,7 +246,7 @@ def _columns(grounds: list[Soil | Column]) -> list[Column]:
 def _longest_decay(model: Model, grounds: list[Soil | Column]) -> float:
     """Return the longest length over which a mode of the ground dies out [m], at most twice the plate's longer side."""
     longest = max((1 / float(edge_decay(column).decay.min()) for column in _columns(grounds)), default=0.0)
-    return min(longest, 2 * max(model.plate.sides))
+    return min(longest, 2 * max(model.sides))
 
 
 def _edge_size(model: Model, grounds: list[Soil | Column], coarsening: int) -> float:
@@ -244,21 +261,23 @@ def _edge_size(model: Model, grounds: list[Soil | Column], coarsening: int) -> f
 
 
 def _make_grid(
-    model: Model, symmetry: tuple[bool, bool], counts: tuple[int, int], width: float, edge_size: float
+    model: Model, symmetry: tuple[bool, bool], counts: tuple[int, int], widths: dict[Side, float], edge_size: float
 ) -> tuple[Mesh, Integers]:
     """Return the grid of a plain rectangle and its ground beyond, and each element's section, -1 beyond."""
     lines, inside = [], []
     for axis, (length, count) in enumerate(zip(model.plate.sides, counts, strict=True)):
         low, high = 0.0 if symmetry[axis] else -length / 2, length / 2
         size = (high - low) / count
-        reached = {OUTWARD[side] for side in model.beyond.sides if width and AXIS[side] == axis}
-        reached -= {-1} if symmetry[axis] else set()
+        reached = {OUTWARD[side]: width for side, width in widths.items() if width and AXIS[side] == axis}
+        if symmetry[axis]:
+            reached.pop(-1, None)
         own = np.linspace(low, high, count + 1)
         if reached and model.mesh.counts is None:
             own = _towards_edges(low, high, size, np.array([side * length / 2 for side in reached]), edge_size)
-        beyond = _distances_beyond(width, min(size, edge_size), size, length / 2) if reached else np.zeros(0)
-        before = -length / 2 - beyond[::-1] if -1 in reached else np.zeros(0)
-        after = length / 2 + beyond if 1 in reached else np.zeros(0)
+        beyond = {outward: _distances_beyond(width, min(size, edge_size), size, length / 2)
+                  for outward, width in reached.items()}  # fmt: skip
+        before = -length / 2 - beyond[-1][::-1] if -1 in reached else np.zeros(0)
+        after = length / 2 + beyond[1] if 1 in reached else np.zeros(0)
         lines.append(np.concatenate([before, own, after]))
         inside.append(np.repeat([False, True, False], [len(before), len(own) - 1, len(after)]))
     return grid(lines[0], lines[1]), np.where((inside[1][:, None] & inside[0]).ravel(), 0, -1)
@@ -299,8 +318,10 @@ def _widen(model: Model, symmetry: tuple[bool, bool], narrow: Meshed, wider: flo
 
 
 def _size(model: Model) -> float:
-    """Return the largest side that an element may have [m]."""
-    return model.mesh.size if model.mesh.size is not None else min(model.plate.sides) / SHORT_SIDE_ELEMENTS
+    """Return the largest side that an element may have [m]; on smaller plates it is less, see `local_sizes`."""
+    if model.mesh.size is not None:
+        return model.mesh.size
+    return max(min(each.sides) for each in model.every_plate) / SHORT_SIDE_ELEMENTS
 
 
 def _make_plan_mesh(plan: Plan, size: float, edge_size: float, local: Sources | None) -> tuple[Mesh, Integers]:
@@ -322,7 +343,7 @@ def plan_of(model: Model, width: float) -> Plan:
     def meshed(x0: float, x1: float, y0: float, y1: float) -> Ring:
         return rectangle(max(x0, low[0]), x1, max(y0, low[1]), y1)
 
-    plan = plan_of_plate(model.plate, model.supports, meshed(*_reach(model, width)) if width else None)
+    plan = plan_of_plate(model.plate, model.supports, meshed(*_reach(model, width)) if width else None, model.plates)
     if any(symmetries(model)):
         plan = replace(plan, outline=meshed(*model.plate.bounds))
     plan = add_borders(plan, void_rings(model) + zone_rings(model))

@@ -52,12 +52,14 @@ def singular_places(model: Model) -> dict[str, list[Place]]:
     point into the plate, those of zones of other thickness or material, and those between a clamped and a free edge
     (Williams 1952).
     """
-    plate, lines = model.plate, [load for load in model.loads if isinstance(load, LineLoad)]
+    plates, lines = model.every_plate, [load for load in model.loads if isinstance(load, LineLoad)]
     ends = [place for line in lines for place in line.points or ()]
     ends += [place for support in model.supports if support.kind == "line" for place in support.points]
-    corners = [*corners_of(plate.ring(), 1), *_between_edges(plate)]
-    corners += [place for each in plate.openings for place in corners_of(each.ring(), -1)]
-    corners += [place for zone in plate.zones for place in corners_of(zone.shape.ring(), None)]
+    corners = [*_between_edges(model.plate)]
+    for plate in plates:
+        corners += corners_of(plate.ring(), 1)
+        corners += [place for each in plate.openings for place in corners_of(each.ring(), -1)]
+        corners += [place for zone in plate.zones for place in corners_of(zone.shape.ring(), None)]
     found = {
         "forces without a footprint": [*forces_without_footprint(model)],
         "point supports": [(support.x, support.y) for support in model.supports if support.kind == "point"],

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 
-from groundslab.model.ground import Continuum
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads import load_types as loads
 from groundslab.model.model import Model
 
@@ -17,7 +17,7 @@ def symmetries(model: Model) -> tuple[bool, bool]:
     # where the slab cracks, bars are stiffness, which may differ from side to side
     varying = varying or (model.cracking is not None and bool(model.reinforcement and model.reinforcement.zones))
     # Fourier transforms take the cells of the whole plate
-    varying = varying or isinstance(model.ground, Continuum)
+    varying = varying or isinstance(model.ground, ContinuousGround)
     if model.mesh.symmetry == "off" or not model.plain or varying:
         return False, False
     return _symmetric(model, 0), _symmetric(model, 1)
@@ -65,5 +65,5 @@ def _locate(load: loads.AnyLoad, model: Model) -> tuple[tuple[object, ...], tupl
             what = ("point", own.case, own.P, own.width_x, own.width_y, own.diameter)
             return what, ((own.x, own.x), (own.y, own.y))
     if isinstance(load, loads.PatchLoad) and (load.slope, load.bend) == (loads.NO_SLOPE, loads.NO_BEND):
-        return ("patch", load.case, load.q), (load.x, load.y)
+        return ("patch", load.case, load.on, load.q), (load.x, load.y)
     return None

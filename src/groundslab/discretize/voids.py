@@ -44,7 +44,7 @@ def share_voids(model: Model, xy: Array, followed_borders: Sequence[Ring], steps
     order = np.argsort(own, kind="stable")  # where voids overlap the deepest counts
     rings = [void_rings(model)[k] for k in order]
     depth, of = np.unique([0.0, *own], return_inverse=True)
-    by_ring = shares(xy, rings, followed_borders, max(model.plate.sides))
+    by_ring = shares(xy, rings, followed_borders, max(model.sides))
     drawn = np.zeros((len(xy), len(own)))
     drawn[:, order] = by_ring[:, 1:]
     parts = np.column_stack([by_ring[:, 0], drawn])

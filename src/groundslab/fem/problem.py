@@ -11,13 +11,14 @@ from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers
+from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem import plate
 from groundslab.fem.bearings import Bearings
 from groundslab.fem.concrete.cracked_section import CrackedSections
 from groundslab.fem.continuum.elastic_ground import ElasticGround
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import Mesh
+from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
 
 W, BETA_X, BETA_Y, TOP = range(4)
@@ -31,10 +32,10 @@ MIDSIDES = slice(4, 8)
 class Loading:
     """What acts together: forces, the curvature that temperature or shrinkage would give, settlements of supports."""
 
-    load: Array  # (n, F) [N, N m]
+    load: Array  # (n, F) [N, N m]: in TOP those on the ground's surface beside the plate
     free_curvature: Array  # (mp, 2) [1/m]: beta_x,x and beta_y,y that each plate element would take freely
     settlement: Array  # (s,) [m]: of each support
-    size: float  # [N]: the sizes of all forces, and of moments over the plate's length, whatever they cancel
+    size: float  # [N]: sizes of all forces on the plate, and of moments over its length, whatever they cancel
 
     def __add__(self, other: Loading) -> Loading:
         """Return the sum of two loadings."""
@@ -57,6 +58,11 @@ class Bearing:
     support: Integers  # (c,): number of the support, -1 for the ground
     length: Array  # (c,) [m]: the share of a line support, 0 for all else
     depth: Integers  # (c,): at which of the depths the ground lies; 0 for supports
+
+    def select(self, which: Flags) -> Bearing:
+        """Return some of the bearings by a mask (c,)."""
+        others = (getattr(self, each.name)[which] for each in fields(self) if each.name != "law")
+        return Bearing(self.law.select(which), *others)
 
 
 def largest_share(share: Array) -> Integers:
@@ -103,6 +109,8 @@ class Problem:
     shear: Array  # (k,) [N/m]
     rigidity: Integers  # (mp,): which of these each plate element has
     section: Integers  # (mp,): number of each plate element's section: 0 outside all zones, else the zone's, from 1
+    plate_number: Integers  # (mp,): which of several plates it belongs to
+    plate_names: tuple[str, ...]
     thickness: Array  # (mp,) [m]: of each plate element
     ground: Soil | Column
     constants: tuple[Array, Array]  # (L,) each: k0 [Pa/m] and k1 [Pa m], means under the plate; of soil, nothing
@@ -126,8 +134,19 @@ class Problem:
 
     @property
     def load(self) -> Array:
-        """Return the nodal loads (n, F) [N, N m]."""
+        """Return the nodal loads (n, F) [N, N m]; what presses on the ground at the plate's edge is in W and in TOP."""
         return self.loading.load
+
+    @property
+    def plate_load(self) -> Array:
+        """Return the nodal loads on the plate alone (n, 3) [N, N m]."""
+        load = self.loading.load[:, :TOP].copy()
+        load[self.plate_nodes, W] -= self.loading.load[self.plate_nodes, TOP]
+        return load
+
+    def nodes_of(self, plate: int) -> Integers:
+        """Return the nodes of one of the plates, ascending."""
+        return unique_integers(self.mesh.elements[self.plate_elements[self.plate_number == plate]])[0]
 
     def combine(self, factors: Array) -> Problem:
         """Return the problem under the sum of its load cases times factors (cases,)."""
@@ -149,10 +168,51 @@ def plate_unknowns(problem: Problem, U: Array) -> Array:
 
 
 def planes(problem: Problem) -> Array:
-    """Return the rigid motions w = 1, x, y of a plate as W, BETA_X and BETA_Y at every node, (n, 3, 3)."""
+    """Return the rigid motions w = 1, x, y of each plate as W, BETA_X and BETA_Y at every node, (n, 3, 3 plates).
+
+    Of a single plate they are continued beyond it; of several each has its own.
+    """
     nodes = problem.mesh.nodes
     x, y = nodes.T
     motions = np.zeros((len(nodes), TOP, 3))
     motions[:, W] = np.column_stack([np.ones_like(x), x, y])
     motions[:, BETA_X, 1] = motions[:, BETA_Y, 2] = 1.0
-    return motions
+    if len(problem.plate_names) == 1:
+        return motions
+    every = np.zeros((len(nodes), TOP, 3 * len(problem.plate_names)))
+    for number in range(len(problem.plate_names)):
+        own = problem.nodes_of(number)
+        every[own, :, 3 * number : 3 * number + 3] = motions[own]
+    return every
+
+
+def single_plates(problem: Problem) -> list[tuple[Problem, Flags]]:
+    """Return each plate by itself, with the loads and bearings on it, and which of all bearings (c,) these are."""
+    if len(problem.plate_names) == 1:
+        return [(problem, np.ones(len(problem.bearing.law), dtype=bool))]
+    found = []
+    for number, name in enumerate(problem.plate_names):
+        nodes, elements = problem.nodes_of(number), problem.plate_number == number
+        held = np.isin(problem.bearing.node, nodes)
+        load = np.zeros_like(problem.load)
+        load[nodes] = problem.load[nodes]
+        own = replace(
+            problem,
+            plate_elements=problem.plate_elements[elements],
+            plate_nodes=nodes,
+            plate_number=problem.plate_number[elements],
+            plate_names=(name,),
+            bearing=problem.bearing.select(held),
+            loading=replace(problem.loading, load=load),
+        )
+        found.append((own, held))
+    return found
+
+
+def settlement_by_loads_beside(problem: Problem, places: Array) -> Array:
+    """Return what loads beside the plate settle an elastic continuum at places (p, 2), (p,) [m]."""
+    force = problem.load[:, TOP]
+    loaded = np.flatnonzero(force)
+    if problem.elastic is None or not len(loaded):
+        return np.zeros(len(places))
+    return problem.elastic.settle_by(force[loaded], problem.mesh.nodes[loaded], places)

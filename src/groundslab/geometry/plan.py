@@ -17,7 +17,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 
 if TYPE_CHECKING:
-    from shapely import Polygon
+    from shapely import MultiPolygon, Polygon
 
 Place = tuple[float, float]
 
@@ -270,13 +270,13 @@ def rectangle(x0: float, x1: float, y0: float, y1: float) -> Ring:
 
 @dataclass(frozen=True)
 class Plan:
-    """The plan of a plate: outline, openings, zones, and points and lines where nodes must lie.
+    """The plan of a plate, or of several: outline, openings, zones, and points and lines where nodes must lie.
 
     A zone is a ring and its section, a number from 1; section 0 is the rest of the plate. Where zones overlap, the last
     one counts; what reaches over the plate's edge is cut off. `beyond` is the outer edge of the meshed ground, which
     then lies under the openings too; without it nothing but the plate is meshed. Points and lines are places of
     supports, columns and walls. Borders are further curves that the mesh follows wherever something is meshed: those of
-    soil zones and voids.
+    soil zones and voids. Each further plate has an outline and a section, from which those of its zones count on.
     """
 
     outline: Ring
@@ -286,18 +286,35 @@ class Plan:
     points: tuple[Place, ...] = ()
     lines: tuple[tuple[Place, ...], ...] = ()
     borders: tuple[Ring, ...] = ()
+    others: tuple[tuple[Ring, int], ...] = ()
+
+    @property
+    def outlines(self) -> tuple[Ring, ...]:
+        """Return the outlines of all plates."""
+        return (self.outline, *(ring for ring, _ in self.others))
+
+    def plate_polygon(self, tolerance: float) -> Polygon | MultiPolygon:
+        """Return what the outlines enclose, openings too, arcs as chords at most a tolerance [m] off."""
+        import shapely
+
+        return shapely.union_all([ring.polygon(tolerance) for ring in self.outlines])
+
+    def domain_polygon(self, tolerance: float) -> Polygon | MultiPolygon:
+        """Return what is meshed, regardless of openings in the plate, arcs as chords at most a tolerance [m] off."""
+        return self.plate_polygon(tolerance) if self.beyond is None else self.beyond.polygon(tolerance)
 
     def rings(self) -> dict[str, Ring]:
         """Return all rings by the names that issues give them."""
         named = {"plate.outline": self.outline}
+        named |= {f"plates[{i}].outline": ring for i, (ring, _) in enumerate(self.others, start=1)}
         named |= {f"plate.openings[{i}]": ring for i, ring in enumerate(self.openings, start=1)}
         named |= {f"plate.zones[{i}]": ring for i, (ring, _) in enumerate(self.zones, start=1)}
         named |= {} if self.beyond is None else {"beyond": self.beyond}
         return named | {f"borders[{i}]": ring for i, ring in enumerate(self.borders, start=1)}
 
     def edges_on_ground(self) -> tuple[Ring, ...]:
-        """Return the plate's outline and its openings if ground is meshed beyond them, else nothing."""
-        return () if self.beyond is None else (self.outline, *self.openings)
+        """Return the plates' outlines and openings if ground is meshed beyond them, else nothing."""
+        return () if self.beyond is None else (*self.outlines, *self.openings)
 
     def line_segments(self) -> list[Segment]:
         """Return the straight pieces of all lines."""
@@ -306,7 +323,7 @@ class Plan:
     @cached_property
     def bounds(self) -> tuple[float, float, float, float]:
         """Return the rectangle x0, y0, x1, y1 around all rings but the borders, which may reach far beyond."""
-        rings = (self.outline, *self.openings, *(ring for ring, _ in self.zones), *filter(None, [self.beyond]))
+        rings = (*self.outlines, *self.openings, *(ring for ring, _ in self.zones), *filter(None, [self.beyond]))
         places = np.concatenate([ring.flat(math.inf) for ring in rings])
         low, high = places.min(axis=0), places.max(axis=0)
         return float(low[0]), float(low[1]), float(high[0]), float(high[1])
@@ -325,14 +342,9 @@ class Plan:
         )
 
     @property
-    def domain(self) -> Ring:
-        """Return the outer edge of the mesh, regardless of openings in the plate."""
-        return self.outline if self.beyond is None else self.beyond
-
-    @property
     def area(self) -> float:
-        """Return the area of the plate without openings [m2]."""
-        return self.outline.area - sum(ring.area for ring in self.openings)
+        """Return the area of the plates without openings [m2]."""
+        return sum(ring.area for ring in self.outlines) - sum(ring.area for ring in self.openings)
 
 
 def sections(plan: Plan, places: Array) -> Integers:
@@ -346,9 +358,12 @@ def sections(plan: Plan, places: Array) -> Integers:
     if plan.beyond is not None:
         section[inside(plan.beyond)] = GROUND
     empty = section.copy()
-    section[inside(plan.outline)] = 0
+    starts = np.array([0, *(number for _, number in plan.others)])
+    for ring, number in zip(plan.outlines, starts, strict=True):
+        section[inside(ring)] = number
+    own = section.copy()
     for ring, number in plan.zones:
-        section[inside(ring) & (section >= 0)] = number
+        section[inside(ring) & (own == starts[starts <= number].max())] = number
     for ring in plan.openings:
         cut = inside(ring)
         section[cut] = empty[cut]

@@ -113,7 +113,7 @@ def _meeting(a: Polygon, b: Polygon) -> str:
 def _find_opening_issues(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
     import shapely
 
-    outline = flat["plate.outline"]
+    outline = _outlines(flat)
     near = TOO_CLOSE * plan.extent
     names = [name for name in flat if name.startswith("plate.openings")]
     hint = "to cut into the plate's edge, draw the outline so"
@@ -149,6 +149,13 @@ def _narrow_strip(name: str, other: str, place: Place, gap: float, near: float) 
     return Issue(name, found, f"nothing, or at least {near:.3g} m", "so narrow a strip cannot be meshed")
 
 
+def _outlines(flat: dict[str, Polygon]) -> Any:
+    """Return what the outlines of all plates enclose."""
+    import shapely
+
+    return shapely.union_all([polygon for name, polygon in flat.items() if name.endswith(".outline")])
+
+
 def _openings(flat: dict[str, Polygon]) -> Any:
     """Return the openings as shapely takes several, none too."""
     return np.array([polygon for name, polygon in flat.items() if name.startswith("plate.openings")], dtype=object)
@@ -158,7 +165,7 @@ def _find_zone_issues(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
     """Yield zones off the plate, and ground that does not surround it."""
     import shapely
 
-    outline = flat["plate.outline"]
+    outline = _outlines(flat)
     plate = outline.difference(shapely.union_all(_openings(flat)))
     for name, polygon in flat.items():
         if name.startswith("plate.zones") and plate.intersection(polygon).area <= (SAME_PLACE * plan.extent) ** 2:
@@ -178,7 +185,7 @@ def _find_place_issues(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
     if not (plan.points or plan.lines):
         return
     inner = shapely.union_all(shapely.buffer(_openings(flat), -2 * FLAT * plan.extent))
-    plate = flat["plate.outline"].buffer(2 * FLAT * plan.extent).difference(inner)
+    plate = _outlines(flat).buffer(2 * FLAT * plan.extent).difference(inner)
     shapely.prepare(plate)
     for i, point in enumerate(plan.points, start=1):
         if not plate.covers(shapely.Point(point)):
@@ -218,9 +225,10 @@ def _find_near_misses(plan: Plan) -> Iterator[Issue]:
     places = np.array([place for _, place in corners])
     # what of a zone lies outside the plate is cut off, and meets nothing; nor does a border where nothing is meshed
     counts = np.ones(len(places), dtype=bool)
-    for kind, within in (("plate.zones", plan.outline), ("borders", plan.domain)):
+    chord = FLAT * plan.extent
+    for kind, within in (("plate.zones", plan.plate_polygon(chord)), ("borders", plan.domain_polygon(chord))):
         own = np.char.startswith(names, kind)
-        reach = within.polygon(FLAT * plan.extent).buffer(2 * FLAT * plan.extent)
+        reach = within.buffer(2 * chord)
         counts[own] = shapely.intersects_xy(reach, *places[own].T)
     near = TOO_CLOSE * plan.extent
     seen: set[tuple[str, str]] = set()

@@ -153,10 +153,10 @@ class PlanGeometry:
         self.middle = np.array([(x0 + x1) / 2, (y0 + y1) / 2])
         self.scale = SCALED_EXTENT / plan.extent
         occ = gmsh.model.occ
-        outline = (2, self.face(plan.outline))
+        outlines = [(2, self.face(ring)) for ring in plan.outlines]
         openings = [(2, self.face(ring)) for ring in plan.openings]
         keep = {"removeObject": False, "removeTool": False}
-        plate = occ.cut([outline], openings, **keep)[0] if openings else [outline]
+        plate = occ.cut(outlines, openings, **keep)[0] if openings else outlines
         zones = []
         for ring, _ in plan.zones:
             zones += occ.intersect([(2, self.face(ring))], plate, removeObject=True, removeTool=False)[0]
@@ -166,14 +166,15 @@ class PlanGeometry:
             borders += occ.intersect([(2, self.face(ring))], domain, removeObject=True, removeTool=False)[0]
         lines = [(1, self.curve(edge, self.point(edge.start), self.point(edge.end))) for edge in plan.line_segments()]
         points = [(0, self.point(point)) for point in plan.points]
-        tools = [part for part in [outline, *openings, *zones, *borders, *lines, *points] if part not in domain]
+        tools = [part for part in [*outlines, *openings, *zones, *borders, *lines, *points] if part not in domain]
         self.faces = {tag for _, tag in domain}
         self.inside = set(self.faces)
         if tools:
             _, origin = occ.fragment(domain, tools)
             parts = domain + tools
             self.faces = {tag for part in origin[: len(domain)] for _, tag in part}
-            self.inside = {tag for _, tag in origin[parts.index(outline)]} if outline in parts else set(self.faces)
+            own = [origin[parts.index(outline)] for outline in outlines if outline in parts]
+            self.inside = {tag for found in own for _, tag in found} if own else set(self.faces)
             self.inside &= self.faces
 
     def point(self, place: Place) -> int:
@@ -212,7 +213,8 @@ def _set_sizes(
     level = np.floor(8 * np.log2(size / sizes)).astype(np.int64)
     for k, place in sorted({(int(k), (x, y)) for k, (x, y) in zip(level, places, strict=True)}):
         requested.setdefault(k, []).append(geometry.point(place))
-    around = [geometry.point((x, y)) for x, y in along(plan.outline, size)] if plan.beyond is not None else []
+    outlines = plan.outlines if plan.beyond is not None else ()
+    around = [geometry.point((x, y)) for ring in outlines for x, y in along(ring, size)]
     gmsh.model.occ.synchronize()
 
     def near(points: list[int], least: float, growth: float) -> int:

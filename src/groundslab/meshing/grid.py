@@ -34,7 +34,7 @@ def rectilinear(
     scale = growth_distance(plan, beyond_growth)
     corners = np.array([point for ring in plan.rings().values() for point in ring.points])
     others = np.array([*plan.points, *(point for line in plan.lines for point in line)]).reshape(-1, 2)
-    outline = np.array(plan.outline.points)
+    outline = np.array([point for ring in plan.outlines for point in ring.points])
     domain = outline if plan.beyond is None else np.array(plan.beyond.points)
     lines = []
     for axis in (0, 1):

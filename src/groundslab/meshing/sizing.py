@@ -83,8 +83,7 @@ def along(ring: Ring, spacing: float) -> Array:
 def estimate_count(plan: Plan, size: float, local: Sources) -> float:
     """Return about how many elements of at most a size [m], smaller near local sources, fill the plate's rectangle."""
     limit = limit_of(local, size)
-    outline = np.array(plan.outline.flat(FLAT * plan.extent))
-    (x0, y0), (x1, y1) = outline.min(axis=0), outline.max(axis=0)
+    x0, y0, x1, y1 = plan.plate_polygon(FLAT * plan.extent).bounds
 
     def wanted(at: Array) -> Array:
         return np.minimum(limit(at), size)
@@ -98,8 +97,8 @@ def growth_distance(plan: Plan, given: float | None) -> float:
     """Return the distance from the plate at which elements are twice as large [m]."""
     if given is not None and not given > 0:
         raise InputError([Issue("mesh.beyond_growth", f"{given!r}", "a length greater than 0")])
-    outline = np.array(plan.outline.flat(FLAT * plan.extent))
-    return float(np.ptp(outline, axis=0).max()) / 2 if given is None else given
+    x0, y0, x1, y1 = plan.plate_polygon(FLAT * plan.extent).bounds
+    return max(x1 - x0, y1 - y0) / 2 if given is None else given
 
 
 def limit_of(smaller: Sources, size: float, slope: float = GRADING) -> Callable[[Array], Array]:
@@ -156,7 +155,7 @@ def cell_sizes(plan: Plan, size: float, smaller: Sources, scale: float) -> Calla
     import shapely
 
     limit = limit_of((smaller[0], 2 * smaller[1]), 2 * size)
-    plate = plan.outline.polygon(1e-3 * plan.extent)
+    plate = plan.plate_polygon(1e-3 * plan.extent)
     shapely.prepare(plate)
 
     def wanted(at: Array) -> Array:

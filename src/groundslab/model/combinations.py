@@ -12,7 +12,7 @@ from groundslab.model.loads.en1990 import make_combinations
 from groundslab.model.loads.load_cases import Combination, LoadCase
 from groundslab.model.loads.load_types import AnyLoad, PointLoad
 from groundslab.model.loads.patterns import expand, loads_on_plate, point_loads, position_name, stations
-from groundslab.model.plate import PlateRegion
+from groundslab.model.plates.region import PlateRegion
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
@@ -93,7 +93,7 @@ def _place(model: Model) -> Model:
 def _place_forces(model: Model) -> tuple[list[AnyLoad], dict[str, dict[str, tuple[PointLoad, ...]]]]:
     """Return the loads with those of patterns at fixed places, and those at each position of each moving case."""
     patterns = {pattern.name: pattern for pattern in model.patterns}
-    covered = PlateRegion(model.plate)
+    covered = PlateRegion(model.plate, model.plates)
     loads: list[AnyLoad] = list(model.loads)
     moving: dict[str, dict[str, tuple[PointLoad, ...]]] = {}
     for move in model.moves:

@@ -7,12 +7,17 @@ from collections.abc import Iterator
 from groundslab.geometry.plan import MOST_ELEMENTS
 from groundslab.geometry.validity import find_issues
 from groundslab.model.columns import Column
-from groundslab.model.ground import AnyGround, Continuum, InterfaceLayer, Layered, Pasternak, SoilLayer, Winkler
+from groundslab.model.design.floors import AnyFloor
+from groundslab.model.design.limits import SoilStrength
+from groundslab.model.ground import AnyGround, ContinuousGround, Continuum, Layered, SoilLayer, Winkler, carry_shear
 from groundslab.model.loads.load_cases import Combination, LoadCase, check_case_names, check_factors
 from groundslab.model.loads.load_types import AnyLoad, SettlementLoad
 from groundslab.model.loads.patterns import Move
 from groundslab.model.loads.placement import on_plate
-from groundslab.model.plate import Plate, PlateRegion
+from groundslab.model.plate import Plate
+from groundslab.model.plates.further import FurtherPlate, bounds_of, list_plates
+from groundslab.model.plates.region import PlateRegion
+from groundslab.model.serviceability.cracking import Cracking
 from groundslab.model.settings import SIDES, Beyond, Contact, Mesh
 from groundslab.model.supports import (
     AnySupport,
@@ -25,50 +30,43 @@ from groundslab.model.supports import (
 )
 from groundslab.model.varying_ground import Borehole, SoilZone
 from groundslab.schema.issues import RelativeIssue
-from groundslab.schema.wording import describe, one_of, suggestion
+from groundslab.schema.wording import describe, one_of, quote, suggestion
 
 MOST_SURFACES = 200  # each couples with all others at every node
 SHORT_SIDE_ELEMENTS = 24  # of the first mesh, where none is described
 
 
-def estimate_elements(plate: Plate, mesh: Mesh) -> float:
-    """Return about how many elements the plate has."""
+def estimate_elements(plate: Plate, plates: tuple[FurtherPlate, ...], mesh: Mesh) -> float:
+    """Return about how many elements the plates have."""
     if mesh.counts is not None:
         return mesh.counts[0] * mesh.counts[1]
-    x, y = plate.sides
-    size = mesh.size if mesh.size is not None else min(x, y) / SHORT_SIDE_ELEMENTS
-    return max(1.0, x / size) * max(1.0, y / size)
+    total = 0.0
+    for x, y in (each.sides for each in list_plates(plate, plates)):
+        size = mesh.size if mesh.size is not None else min(x, y) / SHORT_SIDE_ELEMENTS
+        total += max(1.0, x / size) * max(1.0, y / size)
+    return total
 
 
-def check_element_count(plate: Plate, mesh: Mesh) -> Iterator[RelativeIssue]:
+def check_element_count(plate: Plate, plates: tuple[FurtherPlate, ...], mesh: Mesh) -> Iterator[RelativeIssue]:
     """Find meshes with too many elements on the plate."""
-    total = estimate_elements(plate, mesh)
+    total = estimate_elements(plate, plates, mesh)
     if total > MOST_ELEMENTS:
         key = ("counts",) if mesh.counts is not None else ("size",) if mesh.size is not None else ()
         yield RelativeIssue(("mesh", *key), f"about {total:.3g} elements", f"at most {MOST_ELEMENTS:,} elements")
 
 
-def check_surface_count(plate: Plate, mesh: Mesh, ground: AnyGround) -> Iterator[RelativeIssue]:
+def check_surface_count(
+    plate: Plate, plates: tuple[FurtherPlate, ...], mesh: Mesh, ground: AnyGround
+) -> Iterator[RelativeIssue]:
     """Find layers that have too many elements in all their surfaces."""
     if isinstance(ground, Layered):
         surfaces = sum(layer.sublayers if isinstance(layer, SoilLayer) else 1 for layer in ground.layers)
-        on_plate = estimate_elements(plate, mesh)
+        on_plate = estimate_elements(plate, plates, mesh)
         if surfaces > MOST_SURFACES:
             yield RelativeIssue(("ground", "layers"), f"{surfaces} layers and sublayers", f"at most {MOST_SURFACES}")
         elif on_plate <= MOST_ELEMENTS < on_plate * surfaces:
             found = f"{surfaces} layers and sublayers on about {on_plate:.3g} elements"
             yield RelativeIssue(("ground", "layers"), found, f"at most {MOST_ELEMENTS:,} for the product of both")
-
-
-def carry_shear(ground: AnyGround) -> list[bool]:
-    """Return whether the layers of a ground carry shear, from the top downwards."""
-    if isinstance(ground, Winkler):
-        return [False]
-    if isinstance(ground, Pasternak):
-        return [ground.k1 > 0]
-    if isinstance(ground, Continuum):
-        return [True]
-    return [not isinstance(layer, InterfaceLayer) or layer.k1 > 0 for layer in ground.layers]
 
 
 def check_shear_of_layers(
@@ -95,30 +93,34 @@ def check_shear_of_layers(
 def check_continuum(
     ground: AnyGround, beyond: Beyond, soil_zones: tuple[SoilZone, ...], boreholes: tuple[Borehole, ...]
 ) -> Iterator[RelativeIssue]:
-    """Find what an elastic continuum, the same everywhere and without an end, cannot have."""
-    if not isinstance(ground, Continuum):
+    """Find what ground without an end sideways cannot have."""
+    if not isinstance(ground, ContinuousGround):
         return
-    for name, given in (("soil_zones", soil_zones), ("boreholes", boreholes)):
+    varying: list[tuple[str, tuple[object, ...]]] = [("soil_zones", soil_zones)]
+    varying += [("boreholes", boreholes)] if isinstance(ground, Continuum) else []
+    for name, given in varying:
         if given:
-            hint = 'ground.kind = "vlasov" has layers that vary over the plan'
-            yield RelativeIssue((name,), f"{name} in a continuum", "the same layers everywhere", hint)
+            hint = 'boreholes go with ground.kind = "constrained modulus" or "vlasov"'
+            yield RelativeIssue((name,), f"{name} in {quote(ground.kind)} ground", "no such", hint)
     if beyond.kind == "margin" and (beyond.edge == "fixed" or beyond.sides != SIDES):
         found = "a margin that ends" if beyond.edge == "fixed" else "ground beyond some sides"
-        expected = 'kind = "infinite", as a continuum goes on without an end on all sides'
+        expected = 'kind = "infinite", as this ground has no end on any side'
         yield RelativeIssue(("beyond",), found, expected, "width says how much of it is shown")
 
 
-def check_contact_voids(plate: Plate, contact: Contact) -> Iterator[RelativeIssue]:
+def check_contact_voids(plate: Plate, plates: tuple[FurtherPlate, ...], contact: Contact) -> Iterator[RelativeIssue]:
     """Find voids that do not lie on the plate."""
-    covered = PlateRegion(plate)
+    covered = PlateRegion(plate, plates)
     for position, void in enumerate(contact.voids):
         yield from on_plate(covered, void, ("contact", "voids", position))
 
 
-def check_mesh_counts(plate: Plate, mesh: Mesh, supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
-    """Find counts of elements on a plate that is not a plain rectangle."""
-    if mesh.counts is not None and (supports or not plate.plain):
-        hint = "counts are for a rectangle without openings, zones and supports"
+def check_mesh_counts(
+    plate: Plate, plates: tuple[FurtherPlate, ...], mesh: Mesh, supports: tuple[AnySupport, ...]
+) -> Iterator[RelativeIssue]:
+    """Find counts of elements on what is not one plain rectangle."""
+    if mesh.counts is not None and (plates or supports or not plate.plain):
+        hint = "counts are for one rectangle without openings, zones and supports"
         yield RelativeIssue(("mesh", "counts"), "counts", "a size", hint)
 
 
@@ -134,19 +136,23 @@ def check_combinations(combinations: tuple[Combination, ...], cases: tuple[LoadC
     yield from check_factors(combinations, cases)
 
 
-def check_columns(plate: Plate, columns: tuple[Column, ...]) -> Iterator[RelativeIssue]:
+def check_columns(
+    plate: Plate, plates: tuple[FurtherPlate, ...], columns: tuple[Column, ...]
+) -> Iterator[RelativeIssue]:
     """Find columns without a unique name or off the plate."""
     yield from check_names("columns", [column.name for column in columns], needed=True)
-    covered = PlateRegion(plate)
+    covered = PlateRegion(plate, plates)
     for position, column in enumerate(columns):
         yield from on_plate(covered, column, ("columns", position))
 
 
-def check_supports(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
+def check_supports(
+    plate: Plate, plates: tuple[FurtherPlate, ...], supports: tuple[AnySupport, ...]
+) -> Iterator[RelativeIssue]:
     """Find supports that no mesh can be fitted to."""
     yield from check_line_supports(supports)
     yield from check_names("supports", [support.name for support in supports], needed=False)
-    far = list(check_support_distances(plate, supports))
+    far = list(check_support_distances(bounds_of(plate, plates), supports))
     yield from far
     if not supports or far or any(check_line_supports(supports)):
         return
@@ -154,7 +160,7 @@ def check_supports(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[R
     lines = [n for n, support in enumerate(supports) if isinstance(support, LineSupport)]
     called = {f"plate.points[{n}]": number for n, number in enumerate(points, start=1)}
     called |= {f"plate.lines[{n}]": number for n, number in enumerate(lines, start=1)}
-    for issue in find_issues(plan_of_plate(plate, supports)):
+    for issue in find_issues(plan_of_plate(plate, supports, plates=plates)):
         met = next((name for name in called if name in issue.found), None)
         found = issue.found if met is None else issue.found.replace(met, f"supports[{called[met] + 1}]")
         if issue.location in called:
@@ -187,3 +193,33 @@ def check_some_load_acts(loads: tuple[AnyLoad, ...], moves: tuple[Move, ...]) ->
         yield RelativeIssue(
             ("loads",), "loads that are all zero", "at least one load that is not", "nothing would settle"
         )
+
+
+def check_plate_of_loads(
+    plate: Plate, plates: tuple[FurtherPlate, ...], loads: tuple[AnyLoad, ...]
+) -> Iterator[RelativeIssue]:
+    """Find loads on unknown plates."""
+    names = [each.name for each in list_plates(plate, plates) if each.name]
+    for position, load in enumerate(loads):
+        name = getattr(load, "plate", "")
+        if name and name not in names:
+            expected = one_of(names) if names else "no plate, as none has a name"
+            yield RelativeIssue(("loads", position, "plate"), describe(name), expected, suggestion(name, names))
+
+
+def check_sections_with_plates(
+    plates: tuple[FurtherPlate, ...],
+    ground: AnyGround,
+    floor: AnyFloor | None,
+    soil_strength: SoilStrength | None,
+    cracking: Cracking | None,
+) -> Iterator[RelativeIssue]:
+    """Find sections that are for a single plate beside several."""
+    if not plates:
+        return
+    if isinstance(ground, Winkler) and ground.selvadurai is not None:
+        hint = "the formula's k is one for each plate; soil_zones can hold them"
+        yield RelativeIssue(("ground", "selvadurai"), "soil that gives the k of one plate", "k", hint)
+    for name, section in {"floor": floor, "soil_strength": soil_strength, "cracking": cracking}.items():
+        if section is not None:
+            yield RelativeIssue((name,), f"{name} beside several plates", f"no {name}", "it is for a single plate")

@@ -194,6 +194,18 @@ class Layered(Section):
     formulas: FormulasKey = "exact"
 
 
+CellSide = Annotated[
+    float | None,
+    Quantity(
+        "length",
+        "",
+        "side of the cells on which the pressure is constant; by default half a side of the mesh's elements, so that a "
+        "finer mesh has a finer grid of cells",
+        POSITIVE,
+    ),
+]
+
+
 class HalfSpace(Section):
     """Soil without an end below the layers."""
 
@@ -234,17 +246,103 @@ class Continuum(Section):
         Table("the layers, from the top downwards; on a rigid rough base, unless there is a half_space"),
     ] = ()
     half_space: Annotated[HalfSpace | None, Table("soil below all layers, or all of it")] = None
-    cell: Annotated[
+    cell: CellSide = None
+
+
+def _check_limit_depth(
+    limit_ratio: float | None, unit_weight: float | None, given: set[str]
+) -> Iterator[RelativeIssue]:
+    if limit_ratio is not None and unit_weight is None:
+        yield RelativeIssue(("unit_weight",), "nothing", 'a weight such as "19 kN/m3", as limit_ratio is given')
+    for key in ("unit_weight", "unit_weight_below_water", "groundwater"):
+        if limit_ratio is None and key in given:
+            hint = "the soil's weight serves to find the limit depth"
+            yield RelativeIssue((key,), f"{key} without limit_ratio", "a limit_ratio such as 0.2", hint)
+
+
+def _check_groundwater(
+    groundwater: float | None, unit_weight_below_water: float | None, given: set[str]
+) -> Iterator[RelativeIssue]:
+    if (groundwater is None) != (unit_weight_below_water is None):
+        missing = "groundwater" if groundwater is None else "unit_weight_below_water"
+        other = "unit_weight_below_water" if groundwater is None else "groundwater"
+        if other in given:
+            yield RelativeIssue((missing,), "nothing", f"a value, as {other} is given")
+
+
+def _check_reloading(reloading: float | None, relief: float) -> Iterator[RelativeIssue]:
+    if reloading is not None and relief == 0:
+        hint = "what the excavation takes off: its depth times the soil's unit weight"
+        yield RelativeIssue(("reloading",), f"{reloading:g} without relief", "a relief above 0", hint)
+    if reloading is None and relief > 0:
+        yield RelativeIssue(("reloading",), "nothing", "a ratio of moduli such as 4, as there is a relief")
+
+
+class ConstrainedModulus(Section):
+    """Layers that are compressed by the stresses of a homogeneous half-space (DIN 4019, EN 1997-1 annex F)."""
+
+    checks: ClassVar[tuple[Check, ...]] = (
+        _check_vlasov_sublayers,
+        _check_limit_depth,
+        _check_groundwater,
+        _check_reloading,
+    )
+
+    kind: Annotated[
+        Literal["constrained modulus"],
+        Table("layers, each compressed by Boussinesq's stresses over its constrained modulus, as DIN 4019 does"),
+    ] = "constrained modulus"
+    layers: Annotated[
+        tuple[SoilLayer, ...],
+        Field(min_length=1),
+        Table("the layers, from the top downwards; their constrained modulus is E (1 - nu) / ((1 + nu)(1 - 2 nu)), E "
+              "itself for nu = 0; below them nothing settles"),
+    ]  # fmt: skip
+    relief: Annotated[
+        float,
+        Quantity("pressure", "sigma_e", "what the excavation has taken off under the slab", Range(at_least=0)),
+    ] = 0.0
+    reloading: Annotated[
         float | None,
-        Quantity(
-            "length",
+        Number(
             "",
-            "side of the cells on which the pressure is constant; by default half a side of the mesh's elements, "
-            "so that a finer mesh has a finer grid of cells",
-            POSITIVE,
+            "moduli for reloading, up to the relief, over those for first loading",
+            Range(at_least=1, at_most=20),
         ),
     ] = None
+    limit_ratio: Annotated[
+        float | None,
+        Number(
+            "",
+            "share of the overburden to which the stress by all loads falls at the limit depth, below which nothing "
+            "settles: 0.2 by DIN 4019 and EN 1997-1; without it all layers count",
+            Range(above=0, at_most=1),
+        ),
+    ] = None
+    unit_weight: Annotated[
+        float | None, Quantity("weight per volume", "gamma", "weight of the soil, for the overburden", POSITIVE)
+    ] = None
+    groundwater: Annotated[
+        float | None, Quantity("length", "z_w", "depth of the groundwater below the slab", Range(at_least=0))
+    ] = None
+    unit_weight_below_water: Annotated[
+        float | None, Quantity("weight per volume", "gamma'", "effective weight of the soil below it", POSITIVE)
+    ] = None
+    cell: CellSide = None
 
 
-AnyGround = Winkler | Pasternak | Vlasov | Layered | Continuum
+#: Ground without an end sideways that bears the plate by cells of pressure.
+ContinuousGround = Continuum | ConstrainedModulus
+AnyGround = Winkler | Pasternak | Vlasov | Layered | Continuum | ConstrainedModulus
 Ground = Annotated[AnyGround, ByKind()]
+
+
+def carry_shear(ground: AnyGround) -> list[bool]:
+    """Return whether the layers of a ground carry shear, from the top downwards."""
+    if isinstance(ground, Winkler):
+        return [False]
+    if isinstance(ground, Pasternak):
+        return [ground.k1 > 0]
+    if isinstance(ground, ContinuousGround):
+        return [True]
+    return [not isinstance(layer, InterfaceLayer) or layer.k1 > 0 for layer in ground.layers]

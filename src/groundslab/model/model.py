@@ -16,7 +16,8 @@ from groundslab.model.columns import Column
 from groundslab.model.design.floors import Floor, check_floor
 from groundslab.model.design.limits import Limits, SoilStrength
 from groundslab.model.design.reinforcement import Reinforcement, check_bar_distances, check_bar_zones
-from groundslab.model.ground import Ground
+from groundslab.model.ground import Ground, carry_shear
+from groundslab.model.loads.beside import check_ground_loads
 from groundslab.model.loads.clipping import check_distributed_loads
 from groundslab.model.loads.en1990 import check_combine
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations
@@ -25,6 +26,7 @@ from groundslab.model.loads.patterns import Move, Pattern, check_patterns, check
 from groundslab.model.loads.placement import check_load_columns, check_point_loads
 from groundslab.model.outputs import Output, Project, Report, check_output
 from groundslab.model.plate import Plate
+from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, check_plates, list_plates
 from groundslab.model.serviceability.cracking import Cracking, check_cracking
 from groundslab.model.serviceability.long_term import LongTerm
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
@@ -38,11 +40,15 @@ class Model(Section):
     """A model: plate, ground, loads, combinations, and settings of the analysis."""
 
     checks: ClassVar[tuple[Check, ...]] = (
+        check_plates,
+        consistency.check_plate_of_loads,
+        consistency.check_sections_with_plates,
         consistency.check_shear_of_layers,
         consistency.check_continuum,
         consistency.check_some_load_acts,
         check_point_loads,
         check_distributed_loads,
+        check_ground_loads,
         consistency.check_contact_voids,
         consistency.check_element_count,
         consistency.check_surface_count,
@@ -72,6 +78,7 @@ class Model(Section):
     project: Annotated[Project | None, Table("title block of the report")] = None
     report: Annotated[Report, Table("what the report holds")] = Report()
     plate: Annotated[Plate, Table("the plate")]
+    plates: Annotated[tuple[FurtherPlate, ...], Table("further plates on the same ground", 100)] = ()
     ground: Annotated[Ground, Table("the ground under the plate")]
     beyond: Annotated[Beyond, Table("ground beyond the plate, without effect where it carries no shear")] = Beyond()
     contact: Annotated[Contact, Table("contact between plate and ground")] = Contact()
@@ -123,7 +130,7 @@ class Model(Section):
     def ground_carries_shear(self) -> bool:
         """Return whether the ground carries shear in any layer anywhere."""
         grounds = (self.ground, *(zone.ground for zone in self.soil_zones))
-        return any(any(consistency.carry_shear(each)) for each in grounds)
+        return any(any(carry_shear(each)) for each in grounds)
 
     @property
     def ground_reaches(self) -> bool:
@@ -133,7 +140,23 @@ class Model(Section):
     @property
     def plain(self) -> bool:
         """Return whether the plate is a plain rectangle without supports that the mesh has to follow."""
-        return self.plate.plain and not self.supports
+        return self.plate.plain and not self.supports and not self.plates
+
+    @property
+    def every_plate(self) -> tuple[AnyPlate, ...]:
+        """Return the first plate and the further ones."""
+        return list_plates(self.plate, self.plates)
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Return the rectangle x0, x1, y0, y1 around all plates [m]."""
+        return bounds_of(self.plate, self.plates)
+
+    @property
+    def sides(self) -> tuple[float, float]:
+        """Return the sides of the rectangle around all plates [m]."""
+        x0, x1, y0, y1 = self.bounds
+        return x1 - x0, y1 - y0
 
 
 def json_schema() -> dict[str, Any]:

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, get_args
 
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.placement import on_plate
-from groundslab.model.plate import Plate, PlateRegion
+from groundslab.model.plate import Plate
+from groundslab.model.plates.further import FurtherPlate, list_plates
+from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import Place
 from groundslab.model.supports import check_names
 from groundslab.schema.base import Check, Section, Table
@@ -112,16 +114,16 @@ class Output(Section):
     strips: Annotated[tuple[OutputStrip, ...], Table("design strips")] = ()
 
 
-def check_output(plate: Plate, output: Output) -> Iterator[RelativeIssue]:
+def check_output(plate: Plate, plates: tuple[FurtherPlate, ...], output: Output) -> Iterator[RelativeIssue]:
     """Find points that do not lie on the plate, and lines and strips that miss it."""
-    from shapely import LineString
+    from shapely import LineString, union_all
 
-    covered = PlateRegion(plate)
+    covered = PlateRegion(plate, plates)
     for position, point in enumerate(output.points):
         yield from on_plate(covered, point, ("output", "points", position))
     if not (output.lines or output.strips):
         return
-    outline = plate.ring().polygon(1e-4 * max(plate.sides))
+    outline = union_all([each.ring().polygon(1e-4 * max(each.sides)) for each in list_plates(plate, plates)])
     wanted: dict[str, tuple[OutputLine | OutputStrip, ...]] = {"lines": output.lines, "strips": output.strips}
     for part, lines in wanted.items():
         for position, line in enumerate(lines):

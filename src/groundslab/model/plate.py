@@ -3,26 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cached_property
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
-from groundslab.geometry.plan import Plan, Ring, equal_area_polygon
-from groundslab.geometry.regions import Region
+from groundslab.geometry.plan import Plan, Ring
 from groundslab.geometry.validity import find_issues
 from groundslab.model.ground import POISSON, POSITIVE
-from groundslab.model.shapes import CHORD, AnyShape, Rectangle, Shape
+from groundslab.model.shapes import AnyShape, Rectangle, Shape
 from groundslab.schema.base import Check, Section, Table
-from groundslab.schema.fields import Choice, Number, Quantity
+from groundslab.schema.fields import Choice, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.wording import quote
 
-if TYPE_CHECKING:
-    from shapely.geometry.base import BaseGeometry
-
-#: What reaches over the edge by less than this, relative to the plate's longer side, lies on the plate: by rounding,
-#: and where arcs are chords.
-ROUNDING, CURVED = 1e-9, 5e-5
+#: Key of the shear correction factor.
+SHEAR_FACTOR = Number("kappa", "shear correction factor, 5/6 by default", Range(above=0, at_most=1))
 
 Element = Literal["mitc9", "q9", "heterosis"]
 Support = Literal["free", "hinged", "soft", "clamped"]
@@ -100,6 +94,13 @@ def _check_geometry(
         if length_x is None or length_y is None:
             return
         outline = Rectangle(x=(-length_x / 2, length_x / 2), y=(-length_y / 2, length_y / 2))
+    yield from check_geometry(outline, openings, zones)
+
+
+def check_geometry(
+    outline: AnyShape, openings: tuple[AnyShape, ...], zones: tuple[Zone, ...]
+) -> Iterator[RelativeIssue]:
+    """Find geometry of an outline with openings and zones that cannot be meshed."""
     rings = tuple(opening.ring() for opening in openings)
     plan = Plan(outline.ring(), rings, tuple((zone.shape.ring(), n) for n, zone in enumerate(zones, start=1)))
     for issue in find_issues(plan):
@@ -112,6 +113,7 @@ class Plate(Section):
 
     checks: ClassVar[tuple[Check, ...]] = (_check_outline, _check_edges, _check_hinged_edges, _check_geometry)
 
+    name: Annotated[str, Text("name of the plate, needed where loads of one of several plates name it")] = ""
     length_x: Annotated[
         float | None, Quantity("length", "L_x", "side along x of a rectangle about the origin", POSITIVE)
     ] = None
@@ -124,9 +126,7 @@ class Plate(Section):
     thickness: Annotated[float, Quantity("length", "t", "thickness", POSITIVE)]
     E: Annotated[float, Quantity("pressure", "E", "Young's modulus", POSITIVE)]
     nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]
-    shear_factor: Annotated[
-        float, Number("kappa", "shear correction factor, 5/6 by default", Range(above=0, at_most=1))
-    ] = 5 / 6
+    shear_factor: Annotated[float, SHEAR_FACTOR] = 5 / 6
     thermal_expansion: Annotated[
         float, Quantity("strain per temperature", "alpha_T", "strain per temperature; of concrete by default", POSITIVE)
     ] = 1e-5
@@ -154,48 +154,12 @@ class Plate(Section):
         """Return the outline as a curve."""
         return (self.outline or Rectangle(x=self.bounds[:2], y=self.bounds[2:])).ring()
 
+    def rings(self) -> tuple[Ring, ...]:
+        """Return the outline and the openings as curves."""
+        return self.ring(), *(opening.ring() for opening in self.openings)
+
     @property
     def sides(self) -> tuple[float, float]:
         """Return the sides of the rectangle around the plate [m]."""
         x0, x1, y0, y1 = self.bounds
         return x1 - x0, y1 - y0
-
-
-class PlateRegion:
-    """What a plate covers in plan, computed once for all checks."""
-
-    def __init__(self, plate: Plate) -> None:
-        self.plate, self.bounds, self.size = plate, plate.bounds, max(plate.sides)
-        self.rings = (plate.ring(), *(opening.ring() for opening in plate.openings))
-        self.straight = all(ring.straight for ring in self.rings)
-        self.near = (ROUNDING if self.straight else CURVED) * self.size
-
-    @cached_property
-    def edges(self) -> Region:
-        """The edges of the plate and its openings."""
-        return Region(edge for ring in self.rings for edge in ring.segments())
-
-    @cached_property
-    def area(self) -> BaseGeometry:
-        """The plate without its openings."""
-        from shapely import union_all
-
-        outline, *openings = map(equal_area_polygon, self.rings)
-        return outline.difference(union_all(openings))
-
-    @cached_property
-    def grown(self) -> BaseGeometry:
-        """The area grown by what counts as rounding."""
-        return self._grow(self.near)
-
-    @cached_property
-    def reach(self) -> BaseGeometry:
-        """What a part must not leave, wider than the area by what rounding and chords may take."""
-        return self.grown if self.straight else self._grow(2 * CHORD * self.size)
-
-    def _grow(self, distance: float) -> BaseGeometry:
-        from shapely import prepare
-
-        grown = self.area.buffer(distance, join_style="mitre")
-        prepare(grown)
-        return grown

@@ -8,6 +8,7 @@ from typing import Annotated, ClassVar, Literal
 from groundslab.geometry.plan import Plan, Ring
 from groundslab.model.ground import POSITIVE
 from groundslab.model.plate import Plate
+from groundslab.model.plates.further import FurtherPlate, first_sections, list_plates
 from groundslab.model.shapes import Place
 from groundslab.schema.base import ByKind, Check, Section, Table
 from groundslab.schema.fields import Choice, ListOf, Quantity, Text
@@ -101,10 +102,12 @@ def check_line_supports(supports: tuple[AnySupport, ...]) -> Iterator[RelativeIs
             yield RelativeIssue(("supports", position, "points"), f"{len(support.points)} point", "at least two")
 
 
-def check_support_distances(plate: Plate, supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
-    """Find supports further off the plate than it is long."""
-    x0, x1, y0, y1 = plate.bounds
-    far = max(plate.sides)
+def check_support_distances(
+    bounds: tuple[float, float, float, float], supports: tuple[AnySupport, ...]
+) -> Iterator[RelativeIssue]:
+    """Find supports further off the rectangle x0, x1, y0, y1 around the plates [m] than it is long."""
+    x0, x1, y0, y1 = bounds
+    far = max(x1 - x0, y1 - y0)
     for position, support in enumerate(supports):
         places = support.points if isinstance(support, LineSupport) else ((support.x, support.y),)
         for x, y in places:
@@ -126,13 +129,25 @@ def check_names(part: str, names: list[str], needed: bool) -> Iterator[RelativeI
         seen |= {name} - {""}
 
 
-def plan_of_plate(plate: Plate, supports: tuple[AnySupport, ...], beyond: Ring | None = None) -> Plan:
-    """Return the plan of a plate with its supports: zone i is section i."""
+def plan_of_plate(
+    plate: Plate,
+    supports: tuple[AnySupport, ...],
+    beyond: Ring | None = None,
+    plates: tuple[FurtherPlate, ...] = (),
+) -> Plan:
+    """Return the plan of a plate, and of further ones, with supports; sections are numbered as by `first_sections`."""
+    every = list_plates(plate, plates)
+    starts = first_sections(every)
     return Plan(
         plate.ring(),
-        tuple(shape.ring() for shape in plate.openings),
-        tuple((zone.shape.ring(), number) for number, zone in enumerate(plate.zones, start=1)),
+        tuple(shape.ring() for each in every for shape in each.openings),
+        tuple(
+            (zone.shape.ring(), number)
+            for each, start in zip(every, starts, strict=True)
+            for number, zone in enumerate(each.zones, start=start + 1)
+        ),
         beyond,
         tuple((support.x, support.y) for support in supports if isinstance(support, PointSupport)),
         tuple(support.points for support in supports if isinstance(support, LineSupport)),
+        others=tuple((each.ring(), start) for each, start in zip(plates, starts[1:], strict=True)),
     )

@@ -8,7 +8,18 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 from pydantic import Field
 
 from groundslab.geometry.plan import Ring, rectangle
-from groundslab.model.ground import POSITIVE, AnyGround, Continuum, Ground, InterfaceLayer, Layered, SoilLayer, Vlasov
+from groundslab.model.ground import (
+    POSITIVE,
+    AnyGround,
+    ConstrainedModulus,
+    ContinuousGround,
+    Continuum,
+    Ground,
+    InterfaceLayer,
+    Layered,
+    SoilLayer,
+    Vlasov,
+)
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import AnyShape, Shape
 from groundslab.schema.base import Check, Section, Table
@@ -87,7 +98,7 @@ def check_soil_depth(plate: Plate, ground: AnyGround, boreholes: tuple[Borehole,
     described: dict[tuple[str | int, ...], tuple[SoilLayer | InterfaceLayer, ...]] = {}
     for position, hole in enumerate(boreholes):
         described["boreholes", position, "layers"] = hole.layers
-    if isinstance(ground, Vlasov | Layered | Continuum):
+    if isinstance(ground, Vlasov | Layered | ContinuousGround):
         described["ground", "layers"] = ground.layers
     for place, layers in described.items():
         depth = sum(layer.thickness for layer in layers if isinstance(layer, SoilLayer))
@@ -102,7 +113,8 @@ def check_boreholes(
     """Find boreholes that do not match the ground or each other."""
     if not boreholes or isinstance(ground, Continuum):
         return
-    if not isinstance(ground, Vlasov | Layered) or any(isinstance(each, InterfaceLayer) for each in ground.layers):
+    layers = ground.layers if isinstance(ground, Vlasov | Layered | ConstrainedModulus) else ()
+    if not layers or any(isinstance(layer, InterfaceLayer) for layer in layers):
         expected = "ground of layers given by E, nu and thickness"
         yield RelativeIssue(("boreholes",), f"boreholes in {quote(ground.kind)} ground without soil layers", expected)
         return
@@ -114,12 +126,12 @@ def check_boreholes(
         yield RelativeIssue(("ground", "formulas"), '"as printed" with boreholes', '"exact"')
     seen: dict[tuple[float, float], int] = {}
     for position, hole in enumerate(boreholes):
-        if len(hole.layers) != len(ground.layers):
+        if len(hole.layers) != len(layers):
             found = f"{len(hole.layers)} layers"
-            expected = f"{len(ground.layers)}, as many as the ground has"
+            expected = f"{len(layers)}, as many as the ground has"
             hint = "a layer that is missing there has a small thickness"
             yield RelativeIssue(("boreholes", position, "layers"), found, expected, hint)
-        for number, (layer, wanted) in enumerate(zip(hole.layers, ground.layers, strict=False)):
+        for number, (layer, wanted) in enumerate(zip(hole.layers, layers, strict=False)):
             assert isinstance(wanted, SoilLayer)
             if layer.sublayers not in (1, wanted.sublayers):
                 place = ("boreholes", position, "layers", number, "sublayers")

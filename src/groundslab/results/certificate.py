@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -11,7 +11,17 @@ from groundslab.arrays import Array, Integers
 from groundslab.fem.assembly import scatter
 from groundslab.fem.bearings import CLOSED, YIELDING
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
-from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, planes, plate_unknowns
+from groundslab.fem.problem import (
+    BETA_X,
+    BETA_Y,
+    TOP,
+    Problem,
+    W,
+    planes,
+    plate_unknowns,
+    settlement_by_loads_beside,
+    single_plates,
+)
 from groundslab.fem.system import System, edge_decays, edge_lengths, surface_fields, surface_settlement
 from groundslab.results.record import Certificate
 from groundslab.solvers.cracking import error_of_law
@@ -170,7 +180,8 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     borne = np.zeros_like(U)
     np.add.at(borne, (bearing.node, bearing.field), bearing.law.sign * c.force)
     # a load that a rigid support takes at once is no measure of what plate, ground and springs resist
-    springs = np.abs(c.force[np.isfinite(solution.law.stiffness)])
+    elastic = np.isfinite(solution.law.stiffness)
+    springs = np.abs(c.force[elastic])
     way = np.abs(solution.law.offset[c.state == CLOSED]).max(initial=0.0)
     rounding = max(ROUNDING * np.abs(s.blocks.plate).max() * way, NOTHING * np.abs(load).max())
     residual = float(
@@ -182,44 +193,72 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     support[:, W] *= _own_w(problem)
     own = bearing.field != TOP
     np.add.at(support, (bearing.node[own], bearing.field[own]), (bearing.law.sign * c.force)[own])
-    pushed = ground[:, 0].sum()
-    up = np.column_stack([ground[:, 0], np.zeros((len(nodes), 2))])
-    reaction = _resultant(nodes, up - support)
-    wanted = _resultant(nodes, load[:, :TOP])
-    missing = np.abs(reaction - wanted)
-    length = np.ptp(nodes[under], axis=0).max()
-    parts = (
-        (load + np.pad(support, ((0, 0), (0, load.shape[1] - TOP))))[:, :TOP] / [1.0, length, length],
-        ground[:, 0],
-        springs,
-    )
-    size = max(rounding, *(np.abs(part).sum() for part in parts)) or 1.0
-    moments = missing[1:] * ~np.array(problem.symmetry)  # those about a line of symmetry vanish by themselves
+    # what presses on the ground beside the plate's edge does not reach the plate
+    contact = ground[:, 0].copy()
+    if solution.pressed is None:
+        contact[under] -= load[under, TOP]
+    pushed, beside = contact.sum(), load[:, TOP].sum()
+    balances = [
+        _balance(plate, contact, support, np.abs(c.force[held & elastic]), rounding)
+        for plate, held in single_plates(problem)
+    ]
+    size = sum(each.size for each in balances)
 
-    settlement = max(np.abs(U[:, W]).max(), NOTHING * length)
+    settlement = max(np.abs(U[:, W]).max(), NOTHING * np.ptp(nodes[under], axis=0).max())
     gap, force, product = _bearing_errors(solution, NOTHING / Certificate.TOLERANCE * size)
     share = 2.0 ** sum(problem.symmetry)
     return Certificate(
         residual=residual,
-        load=float(wanted[0] * share),
-        reaction=float(reaction[0] * share),
-        force_balance=float(missing[0] / size),
-        moment_balance=float(moments.max() / (size * length)),
-        ground_balance=float(abs(_sum_down(solution, inner) - pushed) / size),
+        load=sum(each.load for each in balances) * share,
+        reaction=sum(each.reaction for each in balances) * share,
+        force_balance=max(each.force for each in balances),
+        moment_balance=max(each.moment for each in balances),
+        ground_balance=float(abs(_sum_down(solution, rest) - pushed - beside) / (size + abs(beside))),
         worst_gap=float(gap / settlement),
         worst_pressure=force,
         worst_product=float(product / settlement),
         gamma_change=solution.gamma_change,
         margin_effect=margin_effect,
         section_law=None if problem.stiffness is None else error_of_law(problem, U),
+        ground_load=float(beside * share),
     )
 
 
-def _sum_down(solution: Solution, inner: Array) -> float:
+@dataclass(frozen=True, slots=True)
+class _Balance:
+    """The balance of a plate: sums of loads and reactions [N], what is missing as a share of their size [N]."""
+
+    load: float
+    reaction: float
+    force: float
+    moment: float
+    size: float
+
+
+def _balance(plate: Problem, contact: Array, support: Array, springs: Array, rounding: float) -> _Balance:
+    """Return the balance of a single plate: what ground (n,) and supports (n, 3) push on it, and forces of springs."""
+    under, load = plate.plate_nodes, plate.plate_load
+    nodes, load, contact, support = (each[under] for each in (plate.mesh.nodes, load, contact, support))
+    up = np.column_stack([contact, np.zeros((len(nodes), 2))])
+    reaction, wanted = _resultant(nodes, up - support), _resultant(nodes, load)
+    missing, length = np.abs(reaction - wanted), np.ptp(nodes, axis=0).max()
+    parts = ((load + support) / [1.0, length, length], contact, springs)
+    size = max(rounding, *(np.abs(part).sum() for part in parts)) or 1.0
+    moments = missing[1:] * ~np.array(plate.symmetry)  # those about a line of symmetry vanish by themselves
+    return _Balance(
+        load=float(wanted[0]),
+        reaction=float(reaction[0]),
+        force=float(missing[0] / size),
+        moment=float(moments.max() / (size * length)),
+        size=float(size),
+    )
+
+
+def _sum_down(solution: Solution, rest: Array) -> float:
     """Return the force that the ground carries down and out, which is what its cells bear if it has such."""
     if solution.pressed is not None:
-        return float(solution.pressed.force.sum())
-    return _sum_lost_forces(solution.system, solution.U, solution.column, inner)
+        return float(solution.pressed.force.sum() + solution.system.problem.load[:, TOP].sum())
+    return _sum_lost_forces(solution.system, solution.U, solution.column, rest)
 
 
 def worst(proofs: Sequence[Certificate]) -> Certificate:
@@ -265,6 +304,7 @@ def _cell_errors(solution: Solution, nothing: float) -> tuple[float, float, floa
         return 0.0, 0.0, 0.0
     force, area, limit = pressed.force, elastic.cells.area, elastic.limit_force
     gap = elastic.settle(force) + elastic.gap - elastic.cells.spread.T @ solution.U[:, W]
+    gap += settlement_by_loads_beside(problem, elastic.cells.center)
     scale = np.maximum(area * np.abs(force / area).max(), nothing)
     yielding = (force >= limit) & (limit > 0)
     bears = limit > 0
@@ -290,14 +330,14 @@ def _resultant(nodes: Array, forces: Array) -> Array:
     return np.array([F.sum(), F @ nodes[:, 0] + forces[:, BETA_X].sum(), F @ nodes[:, 1] + forces[:, BETA_Y].sum()])
 
 
-def _sum_lost_forces(s: System, U: Array, column: Column, inner: Array) -> float:
+def _sum_lost_forces(s: System, U: Array, column: Column, rest: Array) -> float:
     """Return the force that leaves the ground: into the rigid base, into fixed outer edges and into infinite ground."""
     problem = s.problem
     w = surface_settlement(s, U)
     volume = s.blocks.mass.sum(axis=1)[s.blocks.kind]  # int N over each element
     base = np.einsum("...ij,j...a,...a->...", column.A0, w[:, problem.mesh.elements], volume).sum()
-    fixed = (problem.unknown[:, TOP:] < 0) & (inner[:, TOP:] != 0)
+    fixed = (problem.unknown[:, TOP:] < 0) & (rest[:, TOP:] != 0)
     fixed[problem.plate_nodes] = False
-    edge = -inner[:, TOP:][fixed].sum()
+    edge = -rest[:, TOP:][fixed].sum()
     lost = _tail_forces(problem, w, column).sum() if len(problem.edges) else 0.0
     return float(base + edge + lost)

@@ -88,7 +88,8 @@ def _at_depths(solution: Solution, frame: ResultMesh) -> tuple[Array, Array, Arr
     below, b = problem.depths, problem.bearing
     pressure, touching, gap, sunk = np.zeros((4, *below.area.shape))
     if not problem.tensionless:
-        pressure[under, 0] = ground_forces(s, U, solution.column)[under, 1] / below.area[under, 0]
+        resisting = ground_forces(s, U, solution.column)[under, 1] - problem.load[under, TOP]
+        pressure[under, 0] = resisting / below.area[under, 0]
         touching[under, 0] = 1.0
         return pressure, touching, gap, sunk, _line_force(solution, frame, pressure)
     ground = np.flatnonzero(b.support < 0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
@@ -94,6 +94,23 @@ class PlateResult:
     def contact_share(self) -> float:
         """The part of the plate's area that rests on the ground."""
         return float(self.contact_area.sum() / self.area.sum())
+
+    def part(self, elements: Flags) -> PlateResult:
+        """Return some of the elements with their nodes, as one of several plates.
+
+        Parameters
+        ----------
+        elements : (m,) array of bool
+            Which elements.
+
+        Returns
+        -------
+        PlateResult
+            Their nodes and elements, numbered anew, with the same fields.
+        """
+        nodes, numbers = np.unique(self.elements[elements], return_inverse=True)
+        nodal = {each.name: getattr(self, each.name)[nodes] for each in fields(self) if each.name != "elements"}
+        return PlateResult(elements=numbers.reshape(-1, 9), **nodal)
 
     def point_data(self) -> dict[str, Array]:
         """Return the nodal fields in units of display, by names such as "settlement w [mm]".

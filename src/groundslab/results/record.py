@@ -22,6 +22,8 @@ class Constants:
     decay : float or None
         Decay of the settlement over the plan [1/m], which all columns of soil have in common: the root of
         int |grad w|^2 / int w^2. None if gamma is None.
+    limit_depth : float or None
+        Depth below which nothing settles [m], where it follows from the stresses. None if all layers count.
     """
 
     k0: tuple[float, ...]
@@ -29,6 +31,7 @@ class Constants:
     gamma: float | None
     gamma_iterations: int
     decay: float | None = None
+    limit_depth: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,13 +76,13 @@ class Certificate:
     residual : float
         Largest unbalanced force at a node, over the largest nodal force.
     load, reaction : float
-        Sum of the loads, and of the contact forces and the supports' reactions [N].
+        Sum of the loads on the plate, and of the contact forces and the supports' reactions [N].
     force_balance : float
         Difference of load and reaction, over the sum of the loads' sizes.
     moment_balance : float
         The same for the moments about both axes, over load size times plate size.
     ground_balance : float
-        Contact forces against what the ground carries down and out, over the load size.
+        Contact forces and loads beside the plate against what the ground carries down and out, over the load size.
     worst_gap : float
         Largest violation of gap >= 0, over the largest settlement.
     worst_pressure : float
@@ -93,6 +96,8 @@ class Certificate:
     section_law : float or None
         Plates that crack only: largest difference between a moment and the one that the section's law gives for its
         curvature, over the largest moment.
+    ground_load : float
+        Sum of the loads on the ground beside the plate [N].
     """
 
     residual: float
@@ -107,6 +112,7 @@ class Certificate:
     gamma_change: float
     margin_effect: float | None
     section_law: float | None = None
+    ground_load: float = 0.0
 
     TOLERANCE = 1e-6
     MARGIN_TOLERANCE = 0.01
@@ -158,5 +164,5 @@ class Certificate:
         dict of str to float
             The figures by name.
         """
-        others = ("load", "reaction", "margin_effect", "section_law")
+        others = ("load", "reaction", "ground_load", "margin_effect", "section_law")
         return {each.name: getattr(self, each.name) for each in fields(self) if each.name not in others}

@@ -187,4 +187,5 @@ def ground_constants(solution: Solution) -> Constants:
             k0, k1 = ground.area_fraction @ k0, ground.area_fraction @ k1
     else:
         k0, k1 = problem.constants
-    return Constants(tuple(map(float, k0)), tuple(map(float, k1)), gamma, solution.gamma_iterations, decay)
+    limit_depth = None if problem.elastic is None else problem.elastic.limit_depth
+    return Constants(tuple(map(float, k0)), tuple(map(float, k1)), gamma, solution.gamma_iterations, decay, limit_depth)

@@ -14,7 +14,7 @@ from groundslab.discretize.serviceability.lasting_ground import lasts, with_last
 from groundslab.discretize.voids import VoidShares, share_voids
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.vlasov import Soil
-from groundslab.model.ground import Continuum, Layered, SoilLayer, Vlasov
+from groundslab.model.ground import ContinuousGround, Layered, SoilLayer, Vlasov
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Flags
@@ -101,7 +101,7 @@ def profiles_of(results: CombinationResult) -> tuple[Profile, ...]:
 
 def _layers(ground: AnyGround) -> tuple[SoilLayer, ...]:
     """Return the layers of a ground that are given by E, nu and thickness."""
-    if not isinstance(ground, Vlasov | Layered | Continuum):
+    if not isinstance(ground, Vlasov | Layered | ContinuousGround):
         return ()
     return tuple(layer for layer in ground.layers if isinstance(layer, SoilLayer))
 
@@ -125,10 +125,10 @@ def crossed_borders(results: CombinationResult) -> tuple[Coverage, ...]:
     model, ground, plate = results.model, results.ground, results.plate
     if not model.soil_zones and not model.contact.voids:
         return ()
-    x0, x1, y0, y1 = model.plate.bounds
+    x0, x1, y0, y1 = model.bounds
     (low_x, low_y), (high_x, high_y) = ground.nodes.min(axis=0), ground.nodes.max(axis=0)
     width = float(max(x0 - low_x, high_x - x1, y0 - low_y, high_y - y1))
-    size = max(model.plate.sides)
+    size = max(model.sides)
     met = find_followed_borders(model, width if width > 1e-9 * size else 0.0)
     xy = ground.nodes[ground.elements]
     by_zone = shares(xy, zone_rings(model), met, size)

@@ -10,7 +10,7 @@ import numpy as np
 
 from groundslab.errors import IllConditioned
 from groundslab.fem.foundation import Column
-from groundslab.fem.problem import Problem
+from groundslab.fem.problem import Problem, single_plates
 from groundslab.fem.system import System
 from groundslab.solvers.equilibrium import free_motions
 
@@ -54,5 +54,5 @@ def _ground(s: System, column: Column) -> float:
 
 
 def _size(problem: Problem) -> float:
-    """Return the length of the meshed part of the plate [m]."""
-    return float(np.ptp(problem.mesh.nodes[problem.plate_nodes], axis=0).max())
+    """Return the length of the meshed part of the longest plate [m]."""
+    return max(float(np.ptp(problem.mesh.nodes[own.plate_nodes], axis=0).max()) for own, _ in single_plates(problem))

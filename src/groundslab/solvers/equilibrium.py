@@ -13,7 +13,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import NeutralEquilibrium, NoEquilibrium
 from groundslab.fem.bearings import CLOSED, Contact
-from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, planes
+from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, planes, single_plates
 from groundslab.units import coordinate
 
 #: How far, relative to the plate's size, the resultant must stay inside the hull of the plate.
@@ -33,6 +33,17 @@ def require_equilibrium(problem: Problem) -> None:
     """
     if not problem.tensionless:
         return
+    for plate, _ in single_plates(problem):
+        _require_balance(plate, _prefix(problem, plate))
+
+
+def _prefix(problem: Problem, plate: Problem) -> str:
+    """Return which of several plates a sentence is about."""
+    return f"{plate.plate_names[0]}: " if len(problem.plate_names) > 1 else ""
+
+
+def _require_balance(problem: Problem, prefix: str) -> None:
+    """Raise NoEquilibrium unless pressure and supports can balance the load of a single plate."""
     free = free_motions(problem)
     if free.shape[1] == 0:
         return
@@ -47,7 +58,7 @@ def require_equilibrium(problem: Problem) -> None:
     else:
         possible = _share_balanced(problem, motions, scale, work, LIMIT_MARGIN)[0] >= 1
     if not possible:
-        raise NoEquilibrium(_reason(problem, corners, motions, scale, work))
+        raise NoEquilibrium(prefix + _reason(problem, corners, motions, scale, work))
 
 
 def rigid_motions(problem: Problem) -> Array:
@@ -71,12 +82,23 @@ def require_hold(problem: Problem, contact: Contact, pressing: Array | None = No
     """
     if not problem.tensionless:
         return
+    elastic = problem.elastic
+    for number, (plate, own) in enumerate(single_plates(problem)):
+        pressed = None if elastic is None or pressing is None else pressing[elastic.cells.plate == number]
+        _require_plate_held(plate, contact.state[own], contact.force[own], pressed, _prefix(problem, plate))
+
+
+def _require_plate_held(problem: Problem, state: Integers, force: Array, pressing: Array | None, prefix: str) -> None:
+    """Raise NeutralEquilibrium if a single plate can move against bearings in states (c,) with forces (c,).
+
+    pressing (k,) are the forces of the cells under it.
+    """
     free = free_motions(problem, mirrored=True)
     if free.shape[1] == 0:
         return
     b = problem.bearing
-    touching = np.flatnonzero((contact.state == CLOSED) & ~b.law.bilateral)
-    places, force = problem.mesh.nodes[b.node[touching]], np.maximum(contact.force[touching], 0.0)
+    touching = np.flatnonzero((state == CLOSED) & ~b.law.bilateral)
+    places, force = problem.mesh.nodes[b.node[touching]], np.maximum(force[touching], 0.0)
     rows = np.column_stack([np.ones(len(touching)), places])
     for field in (BETA_X, BETA_Y):
         turned = b.field[touching] == field
@@ -85,8 +107,9 @@ def require_hold(problem: Problem, contact: Contact, pressing: Array | None = No
         if problem.symmetry[axis]:
             rows, force = np.vstack([rows, rows * _mirror(axis)]), np.tile(force, 2)
     if pressing is not None and problem.elastic is not None:
-        holding = np.where(pressing < problem.elastic.limit_force, pressing, 0.0)
-        cells = np.column_stack([np.ones(len(holding)), problem.elastic.cells.center])
+        center, limit_force = problem.elastic.of_plate(_number(problem))
+        holding = np.where(pressing < limit_force, pressing, 0.0)
+        cells = np.column_stack([np.ones(len(holding)), center])
         rows, force = np.vstack([rows, cells]), np.append(force, holding)
     corners = _extreme_points(problem)
     scale = _scale(corners)
@@ -100,9 +123,9 @@ def require_hold(problem: Problem, contact: Contact, pressing: Array | None = No
     loose = about @ motions @ directions[:, shares < NEUTRAL]
     if loose.shape[1]:
         raise NeutralEquilibrium(
-            f"the equilibrium is neutral: the plate {_movement(loose, 1 / scale[1])} without any resistance, so that "
-            "its settlement is one of many; support it there, add the load that decides where it comes to rest, or "
-            "glue it to the ground with contact.tensionless = false"
+            f"{prefix}the equilibrium is neutral: the plate {_movement(loose, 1 / scale[1])} without any resistance, "
+            "so that its settlement is one of many; support it there, add the load that decides where it comes to "
+            "rest, or glue it to the ground with contact.tensionless = false"
         )
 
 
@@ -154,10 +177,15 @@ def _one_way(problem: Problem) -> _OneWay:
     up = np.where(b.support[own] < 0, 1.0, -law.sign[own])
     place, limit_force, support = problem.mesh.nodes[b.node[own]], law.limit_force[own], b.support[own]
     if elastic is not None:
-        cells = len(elastic.gap)
-        up, support = np.append(up, np.ones(cells)), np.append(support, np.full(cells, -1))
-        place, limit_force = np.vstack([place, elastic.cells.center]), np.append(limit_force, elastic.limit_force)
+        center, of_cells = elastic.of_plate(_number(problem))
+        up, support = np.append(up, np.ones(len(center))), np.append(support, np.full(len(center), -1))
+        place, limit_force = np.vstack([place, center]), np.append(limit_force, of_cells)
     return _OneWay(up, place, limit_force, support)
+
+
+def _number(problem: Problem) -> int:
+    """Return the number of a single plate among all."""
+    return int(problem.plate_number[0])
 
 
 def _only_pushed(problem: Problem) -> bool:
@@ -202,10 +230,12 @@ def _share_balanced(problem: Problem, motions: Array, scale: Array, work: Array,
 
 
 def free_motions(problem: Problem, mirrored: bool = False) -> Array:
-    """Return the rigid motions w = a + b x + c y that the supports which act both ways allow, as columns (3, d).
+    """Return the rigid motions w = a + b x + c y that the supports which act both ways allow, as columns (3 plates, d).
 
     Of a plate of which a part is meshed those that its mirrors allow, or, mirrored, those of the full plate.
     """
+    if len(problem.plate_names) > 1:
+        return _block_diagonal([free_motions(plate, mirrored) for plate, _ in single_plates(problem)])
     nodes, b = problem.plate_nodes, problem.bearing
     fixed = problem.unknown[:, : BETA_Y + 1] < 0
     both = b.law.bilateral
@@ -234,6 +264,14 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
     return V[rank:].T
 
 
+def _block_diagonal(blocks: list[Array]) -> Array:
+    """Return the matrix with blocks along its diagonal; those without columns have rows alone."""
+    from scipy.linalg import block_diag
+
+    found: Array = block_diag(*blocks)
+    return found
+
+
 def _extreme_points(problem: Problem) -> Array:
     """Return the corners (c, 2) of the convex hull of the plate [m], in their order around it."""
     from shapely import get_coordinates, linestrings
@@ -244,9 +282,9 @@ def _extreme_points(problem: Problem) -> Array:
 
 
 def _resultant(problem: Problem) -> Array:
-    """Return the load's force and its moments (sum F, sum F x, sum F y) [N, N m], moments at nodes included."""
+    """Return the force on the plate and its moments (sum F, sum F x, sum F y) [N, N m], moments at nodes included."""
     x, y = problem.mesh.nodes.T
-    F = problem.load[:, : TOP + 1]
+    F = problem.plate_load
     return np.array([F[:, W].sum(), (F[:, W] * x + F[:, BETA_X]).sum(), (F[:, W] * y + F[:, BETA_Y]).sum()])
 
 

@@ -15,8 +15,8 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.fem.bearings import Bearings
 from groundslab.fem.continuum.elastic_ground import ElasticGround
+from groundslab.fem.continuum.media import elastic_length
 from groundslab.fem.continuum.preconditioner import Preconditioner, make_preconditioner
-from groundslab.fem.continuum.transfer import elastic_length
 from groundslab.fem.problem import TOP, Problem, W, planes
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.sparse import Symmetric
@@ -75,20 +75,23 @@ def make_plate_on_continuum(s: System, A: Symmetric, factorization: CachedFactor
     none = np.zeros(A.size)
     return PlateOnContinuum(
         A, ground, ConstrainedSystem(A, fixed, none, none), factorization, csr_array(hstack([pressed, pushed])), R,
-        make_preconditioner(ground, D), elastic_length(ground.layers, D), D,
+        make_preconditioner(ground, D), elastic_length(ground.medium, D), D,
     )  # fmt: skip
 
 
-def bound_forces(p: PlateOnContinuum, problem: Problem, law: Bearings, f: Array) -> BoundedForces:
-    """Return the problem of the forces on a plate under loads f (size,), whose supports follow a law."""
+def bound_forces(p: PlateOnContinuum, problem: Problem, law: Bearings, f: Array, further: Array) -> BoundedForces:
+    """Return the problem of the forces on a plate under loads f (size,), whose supports follow a law.
+
+    further (c,) [m] is what cells settle beside what the forces do to them mutually.
+    """
     c, ground = len(p.ground.gap), p.ground
     flexible = np.where(np.isinf(law.stiffness), 0.0, 1 / law.stiffness)
-    own = np.concatenate([ground.gap, -law.sign * law.offset])
+    own = np.concatenate([ground.gap + further, -law.sign * law.offset])
     C, Ct, G = p.C, p.C.T.tocsr(), (p.C.T @ p.R).T
     planes_of_gaps = np.linalg.qr(G.T)[0]
 
     def settle(x: Array) -> Array:
-        return np.concatenate([ground.settle(x[:c]), flexible * x[c:]])
+        return np.concatenate([ground.settle_mutually(x[:c]), flexible * x[c:]])
 
     def gaps(x: Array) -> tuple[Array, float]:
         settled, bent = settle(x), Ct @ p.solve(f + C @ x)

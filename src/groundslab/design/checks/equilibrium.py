@@ -47,9 +47,9 @@ def _check(combined: Results, made: list[Combination], name: str, numbers: dict[
 
 
 def _uplift(combined: Results, made: list[Combination]) -> dict[str, Any]:
-    """Return the forces upwards and downwards [kN] of the worst combination; nothing if supports take part."""
+    """Return the forces upwards and downwards [kN] of the worst combination; nothing of several plates or supports."""
     solved = solved_results(combined)
-    if combined.model.supports or not solved:
+    if combined.model.supports or combined.model.plates or not solved:
         return {}
     forces = column_loads.sum_of_others(solved[0], outline(solved[0].plate), "")
     found = []

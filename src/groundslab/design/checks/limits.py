@@ -13,9 +13,11 @@ import numpy as np
 
 from groundslab.design.checks.check import DesignCheck
 from groundslab.design.tables.quantities import solved_results
-from groundslab.design.tilt import deflections_between, settlement_differences, tilt
+from groundslab.design.tilt import deflections_between, results_by_plate, settlement_differences, tilt
 from groundslab.model.loads.load_cases import SERVICEABILITY
+from groundslab.model.plates.region import PlateRegion
 from groundslab.results.fields import extreme
+from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult, Results
 
 #: What a combination demands: the value in SI units, what it is about, and its place [m].
@@ -44,53 +46,60 @@ def _extreme(field: str, sign: int) -> Callable[[CombinationResult], Demand]:
 
 
 def _difference(results: CombinationResult) -> Demand:
-    """Return the largest less the smallest settlement."""
-    w = results.plate.settlement
-    return float(w.max() - w.min()), "", None
+    """Return the largest less the smallest settlement of a plate."""
+    return max((float(np.ptp(plate.settlement)), name, None) for name, plate in results_by_plate(results).items())
 
 
 def _tilt(results: CombinationResult) -> Demand:
     """Return the slope of the plane that fits the settlements best."""
-    return tilt(results.plate).tilt, "", None
+    return max((tilt(plate).tilt, name, None) for name, plate in results_by_plate(results).items())
 
 
 def _distortion(results: CombinationResult) -> Demand | None:
-    """Return the largest angular distortion without tilt between two columns, None of fewer."""
-    columns = _columns(results)
-    if len(columns) < 2:
-        return None
-    found = settlement_differences(results.plate, columns)
-    worst = int(np.argmax(found.relative))
-    first, second = found.names[found.first[worst]], found.names[found.second[worst]]
-    return float(found.relative[worst]), f"{first} - {second}", columns[second]
+    """Return the largest angular distortion without tilt between two columns on a plate, None of fewer."""
+    demands: list[Demand] = []
+    for plate, columns in _columns_by_plate(results):
+        found = settlement_differences(plate, columns)
+        worst = int(np.argmax(found.relative))
+        first, second = found.names[found.first[worst]], found.names[found.second[worst]]
+        demands.append((float(found.relative[worst]), f"{first} - {second}", columns[second]))
+    return max(demands, key=lambda each: each[0], default=None)
 
 
 def _deflection(results: CombinationResult) -> Demand | None:
     """Return the largest sag between two neighboring columns over their distance, None of fewer."""
-    columns = _columns(results)
-    if len(columns) < 2:
-        return None
-    first, second, ratio = max(deflections_between(results.plate, columns), key=lambda each: each[2])
-    (x0, y0), (x1, y1) = columns[first], columns[second]
-    return ratio, f"{first} - {second}", ((x0 + x1) / 2, (y0 + y1) / 2)
+    demands: list[Demand] = []
+    for plate, columns in _columns_by_plate(results):
+        first, second, ratio = max(deflections_between(plate, columns), key=lambda each: each[2])
+        (x0, y0), (x1, y1) = columns[first], columns[second]
+        demands.append((ratio, f"{first} - {second}", ((x0 + x1) / 2, (y0 + y1) / 2)))
+    return max(demands, key=lambda each: each[0], default=None)
 
 
-def _columns(results: CombinationResult) -> dict[str, tuple[float, float]]:
-    """Return the places of the columns by name [m]; columns at one place are one point."""
-    names = {(column.x, column.y): column.name for column in results.model.columns}
-    return {name: place for place, name in names.items()}
+def _columns_by_plate(results: CombinationResult) -> Iterator[tuple[PlateResult, dict[str, tuple[float, float]]]]:
+    """Yield each plate with two columns and more, and their places [m]; columns at one place are one point."""
+    model = results.model
+    names = {(column.x, column.y): column.name for column in model.columns}
+    region = PlateRegion(model.plate, model.plates)
+    on = {place: region.plate_at(place) for place in names}
+    for number, plate in enumerate(results_by_plate(results).values()):
+        columns = {name: place for place, name in names.items() if on[place] == number}
+        if len(columns) > 1:
+            yield plate, columns
 
 
 def _mean_pressure(results: CombinationResult) -> Demand:
-    """Return the ground's force over the area in contact."""
-    plate = results.plate
-    area = plate.contact_share * plate.area.sum()
-    return float(plate.contact_force.sum() / area) if area else 0.0, "", None
+    """Return the ground's force over the area in contact, of several plates the largest."""
+    found = []
+    for name, plate in results_by_plate(results).items():
+        area = plate.contact_share * plate.area.sum()
+        found.append((float(plate.contact_force.sum() / area) if area else 0.0, name, None))
+    return max(found)
 
 
 def _contact(results: CombinationResult) -> Demand:
-    """Return the share of the plate's area that is in contact."""
-    return results.plate.contact_share, "", None
+    """Return the share of a plate's area that is in contact, of several plates the least."""
+    return min((plate.contact_share, name, None) for name, plate in results_by_plate(results).items())
 
 
 #: By the keys of [limits].

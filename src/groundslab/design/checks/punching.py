@@ -117,7 +117,7 @@ def _ratios(model: Model, punched: Demands) -> dict[str, float]:
         return {}
     columns = {column.name: column for column in model.columns}
     depths = {each.column: each.d for each in punched.found.values()}
-    return {name: punching_ratio(model.plate, steel, columns[name], d) for name, d in depths.items()}
+    return {name: punching_ratio(model.plate, steel, columns[name], d, model.plates) for name, d in depths.items()}
 
 
 def _at(stress: Stress, d: float) -> str:

@@ -169,7 +169,7 @@ def _counts(results: CombinationResult, d: Array, thickness: Array, reach: Mappi
     from shapely import LineString, Point, distance, points, union_all
 
     model, nodes = results.model, points(results.plate.nodes)
-    chord = 1e-3 * max(model.plate.sides)
+    chord = 1e-3 * max(model.sides)
     nearer = [distance(nodes, column.to_shapely(chord)) <= reach.get(column.name, 2 * d) for column in model.columns]
     stands = [LineString(each.points) if isinstance(each, LineSupport) else Point(each.x, each.y)
                for each in model.supports]  # fmt: skip

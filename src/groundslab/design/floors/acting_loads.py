@@ -15,7 +15,15 @@ from groundslab.design.floors.yield_lines import Location
 from groundslab.design.punching import RectangularColumn, RoundColumn
 from groundslab.geometry.plan import FLAT
 from groundslab.model.loads.clipping import clip_line_load
-from groundslab.model.loads.load_types import AreaLoad, LineLoad, PatchLoad, PointLoad, UniformLoad, pressure_function
+from groundslab.model.loads.load_types import (
+    AreaLoad,
+    LineLoad,
+    PatchLoad,
+    PointLoad,
+    UniformLoad,
+    presses_ground,
+    pressure_function,
+)
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult
 
@@ -49,7 +57,7 @@ class Borders:
     """The edges and corners of a plate."""
 
     def __init__(self, model: Model) -> None:
-        self.chord = 100 * FLAT * max(model.plate.sides)
+        self.chord = 100 * FLAT * max(model.sides)
         self.ring = model.plate.ring().polygon(self.chord)
         self.openings = [opening.ring().polygon(self.chord) for opening in model.plate.openings]
 
@@ -172,7 +180,7 @@ def line_loads(results: CombinationResult, borders: Borders) -> Iterator[tuple[f
     model, factors = results.model, factors_of(results)
     for load in model.loads:
         if isinstance(load, LineLoad) and factors.get(load.case):
-            for piece in clip_line_load(model.plate, load):
+            for piece in clip_line_load(model.plate, load, model.plates):
                 line = LineString(piece.edge.at(np.linspace(0, 1, piece.edge.chords(borders.chord) + 1)))
                 away = min(edge.distance(line) for edge in (borders.ring.exterior, *borders.openings))
                 x, y = line.interpolate(0.5, normalized=True).coords[0]
@@ -189,7 +197,7 @@ def pressures(results: CombinationResult) -> Iterator[tuple[float, tuple[float, 
     everywhere, parts = 0.0, list[tuple[float, "BaseGeometry"]]()
     for load in model.loads:
         factor = factors.get(load.case, 0.0)
-        if not factor or not isinstance(load, UniformLoad | PatchLoad | AreaLoad):
+        if not factor or presses_ground(load) or not isinstance(load, UniformLoad | PatchLoad | AreaLoad):
             continue
         if isinstance(load, UniformLoad):
             everywhere += factor * load.q if load.case in variable else 0.0
@@ -198,7 +206,7 @@ def pressures(results: CombinationResult) -> Iterator[tuple[float, tuple[float, 
         corners = np.array(shape.convex_hull.exterior.coords)
         parts.append((factor * float(pressure_function(load)(corners).max()), shape))
     if everywhere > 0:
-        x0, x1, y0, y1 = model.plate.bounds
+        x0, x1, y0, y1 = model.bounds
         yield everywhere, ((x0 + x1) / 2, (y0 + y1) / 2)
     for n, (q, shape) in enumerate(parts):
         over = sum(other for m, (other, area) in enumerate(parts) if m != n and other > 0 and shape.intersects(area))

@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING, assert_never
 
 import numpy as np
 
+from groundslab.arrays import Integers
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
 from groundslab.geometry.plan import FLAT
 from groundslab.model.loads import load_types
 from groundslab.model.loads.clipping import clip_line_load
 from groundslab.model.model import Model
-from groundslab.model.plate import Plate
+from groundslab.model.plates.further import first_sections
 from groundslab.results.results import CombinationResult
 
 if TYPE_CHECKING:
@@ -44,13 +45,16 @@ def moments_of_column(model: Model, name: str) -> tuple[dict[str, float], dict[s
 def sum_of_others(results: CombinationResult, part: Polygon, column: str) -> dict[str, float]:
     """Return the sum of all loads on a part of the plate but those that name a column [N], by load case."""
     model, plate = results.model, results.plate
-    mesh, chord = Mesh(plate.nodes, plate.elements), FLAT * max(model.plate.sides)
+    mesh, chord = Mesh(plate.nodes, plate.elements), FLAT * max(model.sides)
     elements = load_vectors.find_elements_near(mesh, part)
     force: dict[str, float] = defaultdict(float)
     for load in model.loads:
+        if load_types.presses_ground(load):
+            continue
         if isinstance(load, load_types.UniformLoad):
+            own = _of_plate(results, elements, load.plate)
             force[load.case] += float(
-                load_vectors.integrate_over_polygon(mesh, elements, part, load_types.pressure_function(load)).sum()
+                load_vectors.integrate_over_polygon(mesh, own, part, load_types.pressure_function(load)).sum()
             )
         elif isinstance(load, load_types.PatchLoad | load_types.AreaLoad):
             for piece in _pieces(part, load.to_shapely(chord)):
@@ -58,16 +62,24 @@ def sum_of_others(results: CombinationResult, part: Polygon, column: str) -> dic
                     load_vectors.integrate_over_polygon(mesh, elements, piece, load_types.pressure_function(load)).sum()
                 )
         elif isinstance(load, load_types.SelfWeight):
-            area = load_vectors.integrate_over_polygon(mesh, elements, part).sum(axis=1)
-            force[load.case] += float(load.unit_weight * (area @ results.elements.thickness[elements]))
+            own = _of_plate(results, elements, load.plate)
+            area = load_vectors.integrate_over_polygon(mesh, own, part).sum(axis=1)
+            force[load.case] += float(load.unit_weight * (area @ results.elements.thickness[own]))
         elif isinstance(load, load_types.LineLoad):
-            force[load.case] += _on_line(load, model.plate, part, chord)
+            force[load.case] += _on_line(load, model, part, chord)
         elif isinstance(load, load_types.PointLoad):
             if load.column != column and _may_meet(load, model, part):
                 force[load.case] += _on_footprint(load.on(model.columns), part, chord)
         elif not isinstance(load, load_types.TemperatureLoad | load_types.ShrinkageLoad | load_types.SettlementLoad):
             assert_never(load)
     return force
+
+
+def _of_plate(results: CombinationResult, elements: Integers, name: str) -> Integers:
+    """Return those of some elements that belong to the plate of a name, all of them if there is none."""
+    plates = results.model.every_plate
+    number = np.searchsorted(first_sections(plates), results.elements.section[elements], side="right") - 1
+    return elements if not name else elements[np.array([each.name for each in plates])[number] == name]
 
 
 def factored_sum(results: CombinationResult, force: Mapping[str, float]) -> float:
@@ -83,12 +95,12 @@ def _pieces(part: Polygon, area: BaseGeometry) -> list[Polygon]:
     return [piece for piece in get_parts(intersection(part, area)) if piece.geom_type == "Polygon" and piece.area > 0]
 
 
-def _on_line(load: load_types.LineLoad, plate: Plate, part: Polygon, chord: float) -> float:
+def _on_line(load: load_types.LineLoad, model: Model, part: Polygon, chord: float) -> float:
     """Return the force [N] of a line load on a part of the plate."""
     from shapely import LineString, Point, get_coordinates, get_parts, intersection
 
     force = 0.0
-    for piece in clip_line_load(plate, load):
+    for piece in clip_line_load(model.plate, load, model.plates):
         n = piece.edge.chords(chord)
         places = np.arange(n + 1) / n
         flat = LineString(piece.edge.at(places))
@@ -104,7 +116,7 @@ def _on_line(load: load_types.LineLoad, plate: Plate, part: Polygon, chord: floa
 def _may_meet(load: load_types.PointLoad, model: Model, part: Polygon) -> bool:
     """Return whether a load that names a column may stand on a part of the plate, by the column's place."""
     named = [each for each in model.columns if each.name == load.column]
-    return not named or bool(named[0].to_shapely(FLAT * max(model.plate.sides)).intersects(part))
+    return not named or bool(named[0].to_shapely(FLAT * max(model.sides)).intersects(part))
 
 
 def _on_footprint(load: load_types.PointLoad, part: Polygon, chord: float) -> float:

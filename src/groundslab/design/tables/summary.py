@@ -6,7 +6,7 @@ import numpy as np
 
 from groundslab.design.tables.quantities import nodal_values, ranged_fields, solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
-from groundslab.design.tilt import tilt
+from groundslab.design.tilt import results_by_plate, tilt
 from groundslab.discretize.singular_places import notes_on_singular_places
 from groundslab.model.loads.load_cases import Combination
 from groundslab.results.contact_zone import EDGE_NOTE, has_line_force
@@ -99,15 +99,19 @@ def extremes(combined: Results) -> Table:
 def tilts(combined: Results) -> Table:
     """Return the plane that fits the settlement of each combination best, and how far the plate is off it."""
     heads = [
-        ("combination", ""), ("mean settlement", "mm"), ("tilt along x", "mm/m"), ("tilt along y", "mm/m"),
+        ("combination", ""), ("plate", ""), ("mean settlement", "mm"),
+        ("tilt along x", "mm/m"), ("tilt along y", "mm/m"),
         ("tilt", "mm/m"), ("direction of the tilt from x", "deg"),
         ("largest deflection", "mm"), ("x of the deflection", "m"), ("y of the deflection", "m"),
     ]  # fmt: skip
     rows = []
     for results in solved_results(combined):
-        t = tilt(results.plate)
-        slopes = [t.tilt_x * 1e3, t.tilt_y * 1e3, t.tilt * 1e3, float(np.degrees(t.direction))]
-        rows.append([results.combination, t.settlement * 1e3, *slopes, t.deflection * 1e3, *t.place])
+        for name, plate in results_by_plate(results).items():
+            t = tilt(plate)
+            slopes = [t.tilt_x * 1e3, t.tilt_y * 1e3, t.tilt * 1e3, float(np.degrees(t.direction))]
+            rows.append([results.combination, name, t.settlement * 1e3, *slopes, t.deflection * 1e3, *t.place])
+    if not combined.model.plates:  # no names to tell plates apart
+        heads, rows = [heads[0], *heads[2:]], [[row[0], *row[2:]] for row in rows]
     notes = [
         "Of the plane that fits best, weighed by area. The plate goes down in the direction of the tilt.",
         "Deflections are settlements less the plane's.",

@@ -1,4 +1,4 @@
-"""The cells on which an elastic continuum bears a plate: their size, gaps, voids, limit forces."""
+"""The cells on which ground without an end bears a plate: their size, gaps, voids, limit forces, columns, relief."""
 
 from __future__ import annotations
 
@@ -8,17 +8,20 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.discretize.borders import void_rings
-from groundslab.discretize.ground import elastic_layers
-from groundslab.discretize.interpolation import interpolate_smoothly
+from groundslab.discretize.continuum.limit_depth import find_limit_depth
+from groundslab.discretize.ground import medium_of
+from groundslab.discretize.interpolation import interpolate_linearly, interpolate_smoothly
 from groundslab.discretize.plan_layout import Layout
 from groundslab.errors import InputError, Issue
-from groundslab.fem.continuum.cells import cover, make_grid
-from groundslab.fem.continuum.elastic_ground import ElasticGround, make_operator
+from groundslab.fem.continuum.cells import Cells, Grid, cover, make_grid
+from groundslab.fem.continuum.elastic_ground import Columns, ElasticGround, Relief, make_operator
+from groundslab.fem.continuum.media import Medium
 from groundslab.fem.plate import PlateElement
 from groundslab.fem.shape_functions import areas
-from groundslab.model.ground import Continuum
+from groundslab.model.ground import ConstrainedModulus, ContinuousGround
 from groundslab.model.model import Model
 from groundslab.model.shapes import CHORD
+from groundslab.model.varying_ground import Borehole
 
 #: Cells along the side of an element of mean area.
 CELLS_PER_SIDE = 2
@@ -26,38 +29,78 @@ CELLS_PER_SIDE = 2
 MOST_CELLS = 1_000_000
 
 
-def elastic_ground(model: Model, plan: Layout, element: PlateElement, coarsening: int) -> ElasticGround | None:
+def elastic_ground(
+    model: Model, plan: Layout, element: PlateElement, coarsening: int, load: float
+) -> ElasticGround | None:
     """Return the elastic continuum under a plate with its cells, None if the ground is none.
 
-    `coarsening` doubles the side of given cells so many times. Raises InputError for a void without a cell on the
-    finest mesh, and for more than MOST_CELLS cells.
+    `coarsening` doubles the side of given cells so many times; load [N] is the sum of all loads. Raises InputError for
+    a void without a cell on the finest mesh, and for more than MOST_CELLS cells.
     """
-    if not isinstance(model.ground, Continuum):
+    ground = model.ground
+    if not isinstance(ground, ContinuousGround):
         return None
     elements = plan.mesh.elements[plan.plate_elements]
     xy = plan.mesh.nodes[elements]
-    grid = make_grid(model.plate.bounds, _size(model.ground, areas(xy), coarsening))
+    grid = make_grid(model.bounds, _size(ground, areas(xy), coarsening))
     if grid.nx * grid.ny > MOST_CELLS:
         found = f"{grid.nx} x {grid.ny} cells of pressure"
         raise InputError([Issue("ground.cell", found, f"at most {MOST_CELLS:,} cells", "larger cells, or elements")])
-    cells = cover(grid, xy, elements, len(plan.mesh.nodes), element.w_functions(xy))
-    layers = elastic_layers(model.ground)
+    cells = cover(grid, xy, elements, len(plan.mesh.nodes), element.w_functions(xy), plan.plate)
+    void = _depths(model, cells.center, coarsening == 0)
     limit = math.inf if model.contact.limit_pressure is None else model.contact.limit_pressure
-    depth = _depths(model, cells.center, coarsening == 0)
-    gap = np.where(np.isinf(depth), 0.0, depth) + model.contact.gap
-    if model.contact.gaps:
-        known = np.array([(point.x, point.y, point.gap) for point in model.contact.gaps])
-        gap += interpolate_smoothly(known[:, :2], known[:, 2], cells.center)
+    depth = find_limit_depth(ground, cells, load) if isinstance(ground, ConstrainedModulus) else None
+    medium = medium_of(ground, ground.layers, depth or math.inf)
+    columns = None
+    if model.boreholes:
+        columns = _columns(ground, model.boreholes, medium, grid, cells, depth or math.inf)
     return ElasticGround(
-        layers, cells, make_operator(layers, grid), gap, np.where(np.isinf(depth), 0.0, limit * cells.area)
-    )
+        medium, cells, make_operator(medium, grid), _gaps(model, cells, np.where(np.isinf(void), 0.0, void)),
+        np.where(np.isinf(void), 0.0, limit * cells.area), columns, _relief(ground, cells), depth,
+    )  # fmt: skip
 
 
-def _size(ground: Continuum, areas: Array, coarsening: int) -> float:
+def _size(ground: ContinuousGround, areas: Array, coarsening: int) -> float:
     """Return the side of the cells [m]: given, or half that of an element of mean area."""
     if ground.cell is not None:
         return ground.cell * 2.0**coarsening
     return float(np.sqrt(areas.mean())) / CELLS_PER_SIDE
+
+
+def _gaps(model: Model, cells: Cells, void: Array) -> Array:
+    """Return the initial gap of cells (c,) [m], with voids of some depth (c,) [m]."""
+    gap = model.contact.gap + void
+    if model.contact.gaps:
+        known = np.array([(point.x, point.y, point.gap) for point in model.contact.gaps])
+        gap = gap + interpolate_smoothly(known[:, :2], known[:, 2], cells.center)
+    return gap
+
+
+def _columns(
+    ground: ContinuousGround, holes: tuple[Borehole, ...], mean: Medium, grid: Grid, cells: Cells, depth: float
+) -> Columns:
+    """Return the columns of boreholes, between which settlements are interpolated as layers are elsewhere."""
+    media = tuple(medium_of(ground, hole.layers, depth) for hole in holes)
+    known = np.array([(hole.x, hole.y) for hole in holes])
+
+    def weights_at(places: Array) -> Array:
+        weights = interpolate_linearly(known, np.eye(len(holes)), places)
+        found: Array = weights / weights.sum(axis=1, keepdims=True)
+        return found
+
+    weights = weights_at(cells.center)
+    # waves as long as the plate settle most
+    k = np.array([np.pi / max(grid.nx * grid.dx, grid.ny * grid.dy)])
+    ratios = np.array([float((each.compliance(k) / mean.compliance(k))[0]) for each in media])
+    operators = tuple(make_operator(each, grid) for each in media)
+    return Columns(media, operators, weights_at, weights, np.sqrt(weights @ ratios))
+
+
+def _relief(ground: ContinuousGround, cells: Cells) -> Relief | None:
+    """Return what the excavation has taken off."""
+    if not isinstance(ground, ConstrainedModulus) or ground.reloading is None:
+        return None
+    return Relief(ground.relief * cells.area, ground.reloading)
 
 
 def _depths(model: Model, places: Array, finest: bool) -> Array:

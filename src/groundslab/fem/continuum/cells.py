@@ -54,25 +54,25 @@ def make_grid(bounds: tuple[float, float, float, float], size: float) -> Grid:
 
 @dataclass(frozen=True, slots=True)
 class Cells:
-    """The c cells of a grid that a plate covers, wholly or in part."""
+    """The c cells of a grid that plates cover, wholly or in part; one that two plates cover stands twice."""
 
     grid: Grid
-    number: Integers  # (c,): of each in the grid, ascending
+    number: Integers  # (c,): of each in the grid
     area: Array  # (c,) [m2]: what the plate covers of it
     center: Array  # (c, 2) [m]: of what the plate covers
     spread: csr_array  # (n, c): share of a force on each cell that goes to w of each node; means of w, transposed
     around: csr_array  # (n, c): what is made of values of cells for nodes, means of those around them
     under: csr_array  # (m, c): the same for elements
+    plate: Integers  # (c,): number of the plate
 
     def on_grid(self, values: Array) -> Array:
-        """Return values (c,) on the whole grid (nx, ny), zero elsewhere."""
-        found = np.zeros(self.grid.nx * self.grid.ny)
-        found[self.number] = values
+        """Return the sums of values (c,) on the whole grid (nx, ny), zero elsewhere."""
+        found = np.bincount(self.number, values, self.grid.nx * self.grid.ny).astype(np.float64)
         return found.reshape(self.grid.nx, self.grid.ny)
 
 
-def cover(grid: Grid, xy: Array, elements: Integers, nodes: int, w: Array) -> Cells:
-    """Return the cells of a grid under the elements of a plate.
+def cover(grid: Grid, xy: Array, elements: Integers, nodes: int, w: Array, plate: Integers) -> Cells:
+    """Return the cells of a grid under the elements of plates.
 
     Parameters
     ----------
@@ -86,6 +86,8 @@ def cover(grid: Grid, xy: Array, elements: Integers, nodes: int, w: Array) -> Ce
         Number of all nodes, n.
     w : (m, 9, 9) array of float
         What makes the settlement of an element's nodes from those that are unknowns.
+    plate : (m,) array of int
+        Number of each element's plate.
 
     Returns
     -------
@@ -94,24 +96,28 @@ def cover(grid: Grid, xy: Array, elements: Integers, nodes: int, w: Array) -> Ce
     """
     from scipy.sparse import coo_array, csr_array
 
+    size = grid.nx * grid.ny
     pairs = _pairs(grid, xy)
-    element, cell, area = pairs.element, pairs.cell, pairs.area
-    on_cells: Array = np.bincount(cell, weights=area, minlength=grid.nx * grid.ny)
+    element, area = pairs.element, pairs.area
+    cell = plate[element] * size + pairs.cell
+    on_cells = np.bincount(cell, weights=area, minlength=1).astype(np.float64)
     number = np.flatnonzero(on_cells > LEAST_SHARE * grid.dx * grid.dy)
+    covered = on_cells[number]
 
     def matrix(values: Array, row: Integers, rows: int) -> csr_array:
         column = np.repeat(cell, len(row) // len(cell))
-        return csr_array(coo_array((values, (row, column)), shape=(rows, grid.nx * grid.ny)))[:, number]
+        return csr_array(coo_array((values, (row, column)), shape=(rows, len(on_cells))))[:, number]
 
     spread = matrix(np.einsum("pa,pab->pb", pairs.shapes, w[element]).ravel(), elements[element].ravel(), nodes)
     return Cells(
         grid,
-        number,
-        on_cells[number],
-        np.stack([np.bincount(cell, weights=x)[number] / on_cells[number] for x in pairs.moment.T], axis=1),
-        csr_array(spread.multiply(1 / on_cells[number][None, :])),
+        number % size,
+        covered,
+        np.stack([np.bincount(cell, weights=x)[number] / covered for x in pairs.moment.T], axis=1),
+        csr_array(spread.multiply(1 / covered[None, :])),
         _rows_to_one(matrix(pairs.hats.ravel(), elements[element].ravel(), nodes)),
         _rows_to_one(matrix(area, element, len(xy))),
+        number // size,
     )
 
 

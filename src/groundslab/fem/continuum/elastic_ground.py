@@ -2,52 +2,141 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from groundslab.arrays import Array
+from groundslab.arrays import Array, Memo
 from groundslab.fem.continuum.cells import Cells, Grid
 from groundslab.fem.continuum.flexibility import Flexibility, make_flexibility
-from groundslab.fem.continuum.kernels import surface_kernel
-from groundslab.fem.continuum.transfer import ElasticLayer
+from groundslab.fem.continuum.media import Medium
+
+
+@dataclass(frozen=True, slots=True)
+class Columns:
+    """Ground that differs over the plan: at each place the settlement is a mean of those that h columns would give."""
+
+    media: tuple[Medium, ...]
+    flexibility: tuple[Flexibility, ...]
+    weights_at: Callable[[Array], Array]  # weights (p, h) at places (p, 2), with the sum one
+    weights: Array  # (c, h): at the cells
+    softness: Array  # (c,): root of the settlement there over that of the mean ground
+
+    def settle(self, cells: Cells, force: Array) -> Array:
+        """Return the mean settlement of each cell [m] by forces on them (c,) [N]."""
+        on_grid = cells.on_grid(force)
+        of_each = np.stack([each.settle(on_grid).ravel()[cells.number] for each in self.flexibility], axis=1)
+        found: Array = (self.weights * of_each).sum(axis=1)
+        return found
+
+
+@dataclass(frozen=True, slots=True)
+class Relief:
+    """Ground that was loaded before: forces up to those of the excavation settle it less."""
+
+    force: Array  # (c,) [N]
+    ratio: float  # stiffness under reloading over that under first loading
 
 
 @dataclass(frozen=True, slots=True)
 class ElasticGround:
     """An elastic continuum and the c cells on which a plate bears on it."""
 
-    layers: tuple[ElasticLayer, ...]
+    medium: Medium
     cells: Cells
-    flexibility: Flexibility
+    flexibility: Flexibility  # of the medium, which is the mean of the columns, if there are such
     gap: Array  # (c,) [m]: initial one
     limit_force: Array  # (c,) [N]: infinite without a limit, 0 over cavities
+    columns: Columns | None = None
+    relief: Relief | None = None
+    limit_depth: float | None = None  # [m]: below it nothing settles
+
+    @property
+    def linear(self) -> bool:
+        """Return whether settlements are linear in the forces, and what one cell does to another is mutual."""
+        return self.columns is None and self.relief is None
 
     def settle(self, force: Array) -> Array:
         """Return the mean settlement of each cell [m] by forces on them (c,) [N]."""
+        if self.relief is None:
+            return self._settle_first(force)
+        again = np.clip(force, 0.0, self.relief.force)
+        return self._settle_first(force - again * (1 - 1 / self.relief.ratio))
+
+    def _settle_first(self, force: Array) -> Array:
+        """Return the settlement of each cell (c,) [m] under first loading."""
+        if self.columns is not None:
+            return self.columns.settle(self.cells, force)
+        return self._settle_medium(force)
+
+    def _settle_medium(self, force: Array) -> Array:
         found: Array = self.flexibility.settle(self.cells.on_grid(force)).ravel()[self.cells.number]
         return found
+
+    def settle_mutually(self, force: Array) -> Array:
+        """Return settlements (c,) [m] close to those, by a symmetric positive definite operator."""
+        if self.columns is None:
+            return self._settle_medium(force)
+        return self.columns.softness * self._settle_medium(self.columns.softness * force)
 
     def settle_at(self, force: Array, places: Array) -> Array:
         """Return the settlement [m] of the surface at places (p, 2) [m], anywhere, by forces on the cells (c,) [N].
 
         Interpolated between the means of cells of the same size that reach over all places.
         """
-        from scipy.interpolate import RegularGridInterpolator
-
+        if self.relief is not None:
+            force = force - np.clip(force, 0.0, self.relief.force) * (1 - 1 / self.relief.ratio)
         grid, wide = self.cells.grid, _reach_over(self.cells.grid, places)
         first = round((grid.x0 - wide.x0) / grid.dx), round((grid.y0 - wide.y0) / grid.dy)
         on_wide = np.zeros((wide.nx, wide.ny))
         on_wide[first[0] : first[0] + grid.nx, first[1] : first[1] + grid.ny] = self.cells.on_grid(force)
-        settlement = make_operator(self.layers, wide).settle(on_wide)
-        found: Array = RegularGridInterpolator(wide.centers, settlement)(places)
-        return found
+        return self._settle_wide(wide, on_wide, places)
+
+    def settle_by(self, force: Array, points: Array, places: Array) -> Array:
+        """Return the settlement [m] of the surface at places (p, 2) [m] by forces (f,) [N] at points (f, 2) beside it.
+
+        Each force is spread over the four cells around it, of a grid that reaches over points and places.
+        """
+        wide = _reach_over(self.cells.grid, np.vstack([points, places]))
+        at = (points - [wide.x0, wide.y0]) / [wide.dx, wide.dy] - 0.5
+        low = np.floor(at).astype(int)
+        on_wide = np.zeros((wide.nx, wide.ny))
+        for i in (0, 1):
+            for j in (0, 1):
+                weight = np.abs(1 - np.array([i, j]) - (at - low)).prod(axis=1)
+                np.add.at(on_wide, (low[:, 0] + i, low[:, 1] + j), weight * force)
+        return self._settle_wide(wide, on_wide, places)
+
+    def _settle_wide(self, wide: Grid, force: Array, places: Array) -> Array:
+        """Return the settlement (p,) [m] at places by forces on a grid, interpolated between its cells."""
+        from scipy.interpolate import RegularGridInterpolator
+
+        def settle(medium: Medium, of: Flexibility) -> Array:
+            operator = _WIDE.get(of, wide, lambda: make_operator(medium, wide))
+            found: Array = RegularGridInterpolator(wide.centers, operator.settle(force))(places)
+            return found
+
+        if self.columns is None:
+            return settle(self.medium, self.flexibility)
+        of_each = [settle(*each) for each in zip(self.columns.media, self.columns.flexibility, strict=True)]
+        mean: Array = (self.columns.weights_at(places) * np.stack(of_each, axis=1)).sum(axis=1)
+        return mean
+
+    def of_plate(self, number: int) -> tuple[Array, Array]:
+        """Return centers (k, 2) [m] and limit forces (k,) [N] of the cells under one of several plates."""
+        own = self.cells.plate == number
+        return self.cells.center[own], self.limit_force[own]
 
 
-def make_operator(layers: tuple[ElasticLayer, ...], grid: Grid) -> Flexibility:
-    """Return the operator that settles the cells of a grid on layers."""
-    smallest, largest = min(grid.dx, grid.dy), np.hypot(grid.nx * grid.dx, grid.ny * grid.dy)
-    return make_flexibility(surface_kernel(layers, smallest / 100, 2 * float(largest)), grid)
+#: Operators of wider grids, by those of the cells.
+_WIDE: Memo[Flexibility] = Memo()
+
+
+def make_operator(medium: Medium, grid: Grid) -> Flexibility:
+    """Return the operator that settles the cells of a grid on some ground."""
+    smallest, largest = min(grid.dx, grid.dy), float(np.hypot(grid.nx * grid.dx, grid.ny * grid.dy))
+    return make_flexibility(medium.kernel(smallest / 100, 2 * largest), grid)
 
 
 def _reach_over(grid: Grid, places: Array) -> Grid:

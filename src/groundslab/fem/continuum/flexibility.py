@@ -11,7 +11,7 @@ from groundslab.fem.continuum.cells import Cells, Grid
 from groundslab.fem.continuum.kernels import SurfaceKernel, cell_means
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, weakref_slot=True)
 class Flexibility:
     """Mean settlement of each cell of a grid by forces on cells; padded with zeros, so that nothing comes around."""
 

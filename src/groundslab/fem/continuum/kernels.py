@@ -38,7 +38,7 @@ class SurfaceKernel:
     scale: float  # [m]: over which the rest varies near r = 0; infinite if there is none
 
 
-def surface_kernel(layers: Sequence[ElasticLayer], smallest: float, largest: float) -> SurfaceKernel:
+def layered_kernel(layers: Sequence[ElasticLayer], smallest: float, largest: float) -> SurfaceKernel:
     """Return the settlement of layered ground by a unit force, for distances between two lengths [m].
 
     Parameters

@@ -8,7 +8,6 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.fem.continuum.elastic_ground import ElasticGround
-from groundslab.fem.continuum.transfer import surface_compliance
 
 #: T(k) is interpolated between so many wave numbers.
 TABLE = 400
@@ -43,6 +42,6 @@ def make_preconditioner(ground: ElasticGround, D: float) -> Preconditioner:
     # the mean is left to equilibrium
     k[0, 0] = np.pi / (2 * max(grid.nx * grid.dx, grid.ny * grid.dy))
     table = np.geomspace(k.min(), k.max(), TABLE)
-    T = np.exp(np.interp(np.log(k), np.log(table), np.log(surface_compliance(ground.layers, table))))
+    T = np.exp(np.interp(np.log(k), np.log(table), np.log(ground.medium.compliance(table))))
     means = np.sinc(k_x * grid.dx / (2 * np.pi))[:, None] * np.sinc(k_y * grid.dy / (2 * np.pi))
     return Preconditioner(ground, grid.dx * grid.dy / (means**2 * T + 1 / (D * k**4)))

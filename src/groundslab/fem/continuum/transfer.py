@@ -103,16 +103,6 @@ def carry_down(layers: Sequence[ElasticLayer], k: Array) -> tuple[Array, Array]:
     return np.stack(settlement), np.stack(stress)
 
 
-def elastic_length(layers: Sequence[ElasticLayer], D: float) -> float:
-    """Return the length l [m] at which layers and a plate of bending rigidity D [N m] resist waves cos(x / l) alike.
-
-    D / l^4 = 1 / T(1 / l), which falls from above one to below it as l grows.
-    """
-    lengths = np.geomspace(1e-4, 1e5, 2000)
-    ratio = np.log(D * surface_compliance(layers, 1 / lengths) / lengths**4)
-    return float(np.exp(np.interp(0.0, -ratio, np.log(lengths))))
-
-
 def _half_space(layer: ElasticLayer) -> Array:
     """Return k times (U, W) of a half-space by tractions (tau, sigma) on its surface, (2, 2)."""
     D, S = _decaying(layer, np.zeros(1))

@@ -21,7 +21,9 @@ from groundslab.geometry.plan import Ring
 from groundslab.model.columns import Column
 from groundslab.model.design.bars import Bars
 from groundslab.model.design.reinforcement import Reinforcement
-from groundslab.model.plate import ROUNDING, Plate, PlateRegion
+from groundslab.model.plate import Plate
+from groundslab.model.plates.further import FurtherPlate
+from groundslab.model.plates.region import ROUNDING, PlateRegion
 from groundslab.model.shapes import CHORD
 
 if TYPE_CHECKING:
@@ -74,7 +76,9 @@ def laid_bars(steel: Reinforcement, layer: str, places: Array) -> LaidBars:
     return LaidBars(np.pi / 4 * squares, squares / (count * diameter).sum(axis=0), farthest)
 
 
-def mean_area(plate: Plate, steel: Reinforcement, layer: str, column: Column, d: float) -> float:
+def mean_area(
+    plate: Plate, steel: Reinforcement, layer: str, column: Column, d: float, plates: tuple[FurtherPlate, ...] = ()
+) -> float:
     """Return the area of a layer's bars that counts for punching at a column [m2/m], d its effective depth [m].
 
     It is the mean over the column's width and 3 d on each side (6.4.4(1)), as far as the plate reaches: the least of
@@ -90,7 +94,7 @@ def mean_area(plate: Plate, steel: Reinforcement, layer: str, column: Column, d:
     zones = [(zone, polygon_of(zone.shape.ring())) for zone in steel.zones if layer in zone.layers]
     if not zones:
         return bar_area(base)
-    plan, found = PlateRegion(plate).area, list[float]()
+    plan, found = PlateRegion(plate, plates).area, list[float]()
     for where in (along[0] - BEYOND * d, (along[0] + along[1]) / 2, along[1] + BEYOND * d):
         ends = [(where, across[0] - BESIDE * d), (where, across[1] + BESIDE * d)]
         cut = LineString(ends if axis == 0 else [end[::-1] for end in ends]).intersection(plan)
@@ -100,9 +104,11 @@ def mean_area(plate: Plate, steel: Reinforcement, layer: str, column: Column, d:
     return min(found)
 
 
-def punching_ratio(plate: Plate, steel: Reinforcement, column: Column, d: float) -> float:
+def punching_ratio(
+    plate: Plate, steel: Reinforcement, column: Column, d: float, plates: tuple[FurtherPlate, ...] = ()
+) -> float:
     """Return rho_l of the bars that are laid at the bottom, for punching at a column (6.4.4(1))."""
-    x, y = (mean_area(plate, steel, layer, column, d) for layer in ("bottom_x", "bottom_y"))
+    x, y = (mean_area(plate, steel, layer, column, d, plates) for layer in ("bottom_x", "bottom_y"))
     return math.sqrt(x * y) / d
 
 

@@ -7,7 +7,9 @@ from typing import Annotated, ClassVar, Literal, get_args
 
 from groundslab.model.design.bars import Bars, BarZone, Layer, MeshName, bars_of_mesh
 from groundslab.model.ground import POSITIVE
-from groundslab.model.plate import Plate, PlateRegion
+from groundslab.model.plate import Plate
+from groundslab.model.plates.further import FurtherPlate, list_plates
+from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import CHORD
 from groundslab.model.supports import check_names
 from groundslab.schema.base import Check, Section, Table
@@ -236,11 +238,15 @@ class Reinforcement(Section):
         return (cover + a / 2, cover + a + b / 2) if self.outer == "x" else (cover + b + a / 2, cover + b / 2)
 
 
-def check_bar_distances(plate: Plate, reinforcement: Reinforcement | None) -> Iterator[RelativeIssue]:
+def check_bar_distances(
+    plate: Plate, plates: tuple[FurtherPlate, ...], reinforcement: Reinforcement | None
+) -> Iterator[RelativeIssue]:
     """Find bars that do not fit into the thinnest part of the plate."""
     if reinforcement is None:
         return
-    thinnest = min([plate.thickness, *(zone.thickness for zone in plate.zones if zone.thickness is not None)])
+    every = list_plates(plate, plates)
+    zones = [zone.thickness for each in every for zone in each.zones if zone.thickness is not None]
+    thinnest = min([*(each.thickness for each in every), *zones])
     for face in ("bottom", "top"):
         for position, distance in enumerate(getattr(reinforcement, f"{face}_axes")):
             if distance >= thinnest / 2:
@@ -249,16 +255,18 @@ def check_bar_distances(plate: Plate, reinforcement: Reinforcement | None) -> It
                 yield RelativeIssue(("reinforcement", place, position), f"{distance!r} m", expected)
 
 
-def check_bar_zones(plate: Plate, reinforcement: Reinforcement | None) -> Iterator[RelativeIssue]:
+def check_bar_zones(
+    plate: Plate, plates: tuple[FurtherPlate, ...], reinforcement: Reinforcement | None
+) -> Iterator[RelativeIssue]:
     """Find zones beside the plate or of bars that stick out, and plates with more bars than can be counted."""
     if reinforcement is None or not reinforcement.laid:
         return
     base = [reinforcement.base_bars(layer) for layer in get_args(Layer)]
-    count = max(plate.sides) / min(bars.spacing for bars in (*base, *(z.bars for z in reinforcement.zones)) if bars)
+    covered = PlateRegion(plate, plates)
+    count = covered.size / min(bars.spacing for bars in (*base, *(z.bars for z in reinforcement.zones)) if bars)
     if count > MOST_BARS:
         found = f"about {count:.3g} bars beside each other"
         yield RelativeIssue(("reinforcement",), found, f"at most {MOST_BARS:,}", "a larger spacing")
-    covered = PlateRegion(plate)
     axes = dict(zip(get_args(Layer), (*reinforcement.bottom_axes, *reinforcement.top_axes), strict=True))
     for position, zone in enumerate(reinforcement.zones):
         if covered.area.intersection(zone.shape.ring().polygon(CHORD * covered.size)).area == 0:

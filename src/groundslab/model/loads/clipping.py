@@ -1,7 +1,7 @@
 """Loads clipped at the edge of the plate.
 
 Areas and lines may extend beyond the plate's edge or over openings; only what lies on the plate acts, and the rest is
-reported.
+reported. Of a load on the ground only what lies beside the plate acts.
 """
 
 from __future__ import annotations
@@ -18,8 +18,18 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.geometry.intersections import find_crossings
 from groundslab.geometry.plan import Segment, bounding_box
-from groundslab.model.loads.load_types import AnyLoad, AreaLoad, LineLoad, PatchLoad, Spread, pressure_function
-from groundslab.model.plate import Plate, PlateRegion
+from groundslab.model.loads.load_types import (
+    AnyLoad,
+    AreaLoad,
+    LineLoad,
+    PatchLoad,
+    Spread,
+    presses_ground,
+    pressure_function,
+)
+from groundslab.model.plate import Plate
+from groundslab.model.plates.further import FurtherPlate
+from groundslab.model.plates.region import PlateRegion
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import quote
 from groundslab.units import show
@@ -41,7 +51,7 @@ Pressure = Callable[[Array], Array]
 
 @dataclass(frozen=True, slots=True)
 class Clipped:
-    """The part of a load off the plate, which does not act."""
+    """The part of a load off the plate, or of a load on the ground that lies under the plate: it does not act."""
 
     number: int  # of the load, from 1
     name: str
@@ -49,12 +59,13 @@ class Clipped:
     share: float  # of its area or length
     force: float  # [N]
     drawn: float  # force of all that is drawn [N]
+    where: str  # "off the plate", or "under the plate"
 
     def words(self) -> str:
         """Return a remark for the report."""
         name = f" {quote(self.name)}" if self.name else ""
         return (
-            f"loads[{self.number}]{name}: {100 * self.share:.3g} % of it lies off the plate; "
+            f"loads[{self.number}]{name}: {100 * self.share:.3g} % of it lies {self.where}; "
             f"{show(self.force, 'force')} of {show(self.drawn, 'force')} do not act"
         )
 
@@ -72,36 +83,48 @@ class LinePiece:
         return self.edge.length * (self.q[0] + self.q[1]) / 2
 
 
-#: That of a plate, kept for its loads.
+#: That of plates, kept for its loads.
 get_plate_region = lru_cache(maxsize=4)(PlateRegion)
 
 
-def find_clipped_loads(plate: Plate, loads: Sequence[AnyLoad]) -> tuple[Clipped, ...]:
-    """Return the parts of loads that lie off the plate."""
-    return tuple(_find_clipped(plate, _distributed_shapes(loads)))
+def find_clipped_loads(
+    plate: Plate, loads: Sequence[AnyLoad], plates: tuple[FurtherPlate, ...] = ()
+) -> tuple[Clipped, ...]:
+    """Return the parts of loads that lie off all plates, of loads on the ground those under one."""
+    drawn, region = _distributed_shapes(loads), get_plate_region(plate, plates)
+    found = [*_find_clipped(region, drawn), *_find_covered(region, drawn)]
+    return tuple(sorted(found, key=lambda each: each.number))
 
 
-def check_distributed_loads(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[RelativeIssue]:
+def check_distributed_loads(
+    plate: Plate, plates: tuple[FurtherPlate, ...], loads: tuple[AnyLoad, ...]
+) -> Iterator[RelativeIssue]:
     """Find areas and lines that lie off the plate entirely, or reach too far off it."""
     import shapely
 
     expected = "a load of which some lies on the plate, not in an opening nor beside the outline"
-    drawn = _distributed_shapes(loads)
+    drawn = [each for each in _distributed_shapes(loads) if not presses_ground(each[1])]
     if not drawn:
         return
-    (x0, x1, y0, y1), far = plate.bounds, FAR * max(plate.sides)
+    region = get_plate_region(plate, plates)
+    (x0, x1, y0, y1), far = region.bounds, FAR * region.size
     reach = shapely.bounds([shape for _, _, shape in drawn])
     near = (reach[:, :2] >= (x0 - far, y0 - far)).all(axis=1) & (reach[:, 2:] <= (x1 + far, y1 + far)).all(axis=1)
     for k in np.flatnonzero(~near):
         yield RelativeIssue(("loads", drawn[int(k)][0]), "a load that reaches far off the plate", expected)
-    for found in _find_clipped(plate, [drawn[int(k)] for k in np.flatnonzero(near)]):
+    for found in _find_clipped(region, [drawn[int(k)] for k in np.flatnonzero(near)]):
         if found.share >= 1 - NO_PART:
             yield RelativeIssue(("loads", found.number - 1), "a load off the plate", expected)
 
 
-def clip_line_load(plate: Plate, load: LineLoad) -> list[LinePiece]:
-    """Return the parts of a line load that lie on the plate."""
-    region, edges = get_plate_region(plate), load.segments()
+def clip_line_load(plate: Plate, load: LineLoad, plates: tuple[FurtherPlate, ...] = ()) -> list[LinePiece]:
+    """Return the parts of a line load that lie on a plate."""
+    return _clip_line(get_plate_region(plate, plates), load)
+
+
+def _clip_line(region: PlateRegion, load: LineLoad) -> list[LinePiece]:
+    """Return the parts of a line load that lie in a region."""
+    edges = load.segments()
     ways = np.concatenate([[0.0], np.cumsum([edge.length for edge in edges])])
     end = load.q if load.q_end is None else load.q_end
 
@@ -130,19 +153,30 @@ def _distributed_shapes(loads: Sequence[AnyLoad]) -> list[tuple[int, Spread, Bas
     ]
 
 
-def _find_clipped(plate: Plate, drawn: Sequence[tuple[int, Spread, BaseGeometry]]) -> Iterator[Clipped]:
-    """Yield what lies off the plate."""
+def _find_clipped(region: PlateRegion, drawn: Sequence[tuple[int, Spread, BaseGeometry]]) -> Iterator[Clipped]:
+    """Yield what lies off the plate of loads on it."""
     import shapely
 
+    drawn = [each for each in drawn if not presses_ground(each[1])]
     if not drawn:
         return
-    region = get_plate_region(plate)
     for k in np.flatnonzero(~shapely.covers(region.grown, [shape for _, _, shape in drawn])):
         position, load, shape = drawn[int(k)]
-        found = _off_line(plate, load) if isinstance(load, LineLoad) else _off_area(region, load, shape)
+        found = _off_line(region, load) if isinstance(load, LineLoad) else _off_area(region, load, shape)
         if found is not None:
             share, force, total = found
-            yield Clipped(position + 1, load.name, load.case, share, force, total)
+            yield Clipped(position + 1, load.name, load.case, share, force, total, "off the plate")
+
+
+def _find_covered(region: PlateRegion, drawn: Sequence[tuple[int, Spread, BaseGeometry]]) -> Iterator[Clipped]:
+    """Yield what lies under the plate of loads on the ground."""
+    for position, load, shape in drawn:
+        if presses_ground(load):
+            pressure, under = pressure_function(load), shape.intersection(region.area)
+            share = under.area / shape.area
+            if share > NO_PART:
+                force, total = integral(under, pressure), integral(shape, pressure)
+                yield Clipped(position + 1, load.name, load.case, share, force, total, "under the plate")
 
 
 def _off_area(region: PlateRegion, load: PatchLoad | AreaLoad, drawn: BaseGeometry) -> tuple[float, float, float]:
@@ -151,9 +185,9 @@ def _off_area(region: PlateRegion, load: PatchLoad | AreaLoad, drawn: BaseGeomet
     return off.area / drawn.area, integral(off, pressure), integral(drawn, pressure)
 
 
-def _off_line(plate: Plate, load: LineLoad) -> tuple[float, float, float] | None:
+def _off_line(region: PlateRegion, load: LineLoad) -> tuple[float, float, float] | None:
     """Return the share of a line that lies off the plate, the force there and in all [N]; None if all is on it."""
-    pieces = clip_line_load(plate, load)
+    pieces = _clip_line(region, load)
     length = sum(edge.length for edge in load.segments())
     share = 1 - sum(piece.edge.length for piece in pieces) / length
     if share <= NO_PART:

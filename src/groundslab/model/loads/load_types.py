@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, TypeGuard
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from groundslab.model.columns import Column, check_footprint, footprint
 from groundslab.model.ground import POSITIVE
 from groundslab.model.shapes import BULGE, AcrossX, AcrossY, AnyShape, Place, Shape
 from groundslab.schema.base import ByKind, Check, Section, Table
-from groundslab.schema.fields import ListOf, Number, Quantity, Text, list_quantities
+from groundslab.schema.fields import Choice, ListOf, Number, Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 
@@ -26,6 +26,9 @@ if TYPE_CHECKING:
 NO_LENGTH = 1e-9  # m: lines shorter than this go nowhere
 
 STRAIN = Range(at_least=-0.01, at_most=0.01)
+
+Surface = Literal["plate", "ground"]
+PlateKey = Annotated[str, Text("the one of several plates that it acts on, by its name; by default on all of them")]
 
 NO_SLOPE, NO_BEND, ORIGIN = (0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0)
 
@@ -60,9 +63,19 @@ class UniformLoad(_Pressure):
     """A pressure on the whole plate."""
 
     kind: Annotated[Literal["uniform"], Table("pressure on the whole plate")] = "uniform"
+    plate: PlateKey = ""
 
 
-class PatchLoad(_Pressure):
+class _PressureOnPart(_Pressure):
+    """A pressure on a part of the plan: on the plate, or on the ground beside it."""
+
+    on: Annotated[
+        Surface,
+        Choice(Surface, "what it presses on: the plate, or the ground's surface beside the plate and in its openings"),
+    ] = "plate"
+
+
+class PatchLoad(_PressureOnPart):
     """A pressure on a rectangle."""
 
     kind: Annotated[Literal["patch"], Table("pressure on a rectangle")] = "patch"
@@ -96,13 +109,13 @@ def _loaded_parts(shape: AnyShape, holes: tuple[AnyShape, ...]) -> list[BaseGeom
     return [part for part in get_parts(left) if part.geom_type == "Polygon" and part.area > 0]
 
 
-class AreaLoad(_Pressure):
-    """A pressure on a part of the plate of any shape."""
+class AreaLoad(_PressureOnPart):
+    """A pressure on a part of any shape."""
 
     checks: ClassVar[tuple[Check, ...]] = (_check_holes,)
 
     kind: Annotated[Literal["area"], Table("pressure on a part of any shape")] = "area"
-    shape: Annotated[Shape, Table("where; what lies off the plate does not act, and is reported")]
+    shape: Annotated[Shape, Table("where; what lies off the surface that it presses on does not act, and is reported")]
     holes: Annotated[tuple[Shape, ...], Table("parts of the shape that are not loaded, as in a ring")] = ()
 
     def to_shapely(self, chord: float) -> BaseGeometry:  # noqa: ARG002
@@ -205,6 +218,7 @@ class SelfWeight(_Load):
         "self weight"
     )
     unit_weight: Annotated[float, Quantity("weight per volume", "gamma_c", "weight of the material", POSITIVE)]
+    plate: PlateKey = ""
 
 
 def _check_position(
@@ -289,6 +303,7 @@ class TemperatureLoad(_Load):
     difference: Annotated[
         float, Quantity("temperature difference", "dT", "bottom less top: positive if the bottom is warmer")
     ]
+    plate: PlateKey = ""
 
 
 class ShrinkageLoad(_Load):
@@ -297,6 +312,7 @@ class ShrinkageLoad(_Load):
     kind: Annotated[Literal["shrinkage"], Table("shrinkage that differs over the thickness")] = "shrinkage"
     top: Annotated[float, Number("eps_top", "strain by which the top face shortens, such as 5e-4", STRAIN)]
     bottom: Annotated[float, Number("eps_bottom", "strain by which the bottom face shortens", STRAIN)] = 0.0
+    plate: PlateKey = ""
 
 
 class SettlementLoad(_Load):
@@ -334,6 +350,15 @@ AnyLoad = (
     | ShrinkageLoad
     | SettlementLoad
 )
+#: Loads that act on all of a plate.
+OnEveryPlate = UniformLoad | SelfWeight | TemperatureLoad | ShrinkageLoad
+#: Loads that may press on the ground beside the plate.
+OnGround = PatchLoad | AreaLoad
 #: Loads that may reach over the plate's edge, where they are cut off; others with a place must lie on the plate.
 Spread = PatchLoad | AreaLoad | LineLoad
 Load = Annotated[AnyLoad, ByKind()]
+
+
+def presses_ground(load: AnyLoad) -> TypeGuard[OnGround]:
+    """Return whether a load presses on the ground beside the plate, not on the plate."""
+    return isinstance(load, OnGround) and load.on == "ground"

@@ -21,7 +21,9 @@ from groundslab.model.loads.en1990 import MOST_COMBINATIONS, make_combinations
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_case_names
 from groundslab.model.loads.load_types import NO_LENGTH, PointLoad
 from groundslab.model.loads.placement import on_plate
-from groundslab.model.plate import Plate, PlateRegion
+from groundslab.model.plate import Plate
+from groundslab.model.plates.further import FurtherPlate
+from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import Place
 from groundslab.model.supports import check_names
 from groundslab.schema.base import ByKind, Check, Section, Table
@@ -215,9 +217,11 @@ def loads_on_plate(covered: PlateRegion, loads: tuple[PointLoad, ...]) -> tuple[
     return tuple(load for load in loads if not any(on_plate(covered, load, ())))
 
 
-def absent_forces(plate: Plate, patterns: tuple[AnyPattern, ...], moves: tuple[Move, ...]) -> Iterator[str]:
+def absent_forces(
+    plate: Plate, patterns: tuple[AnyPattern, ...], moves: tuple[Move, ...], plates: tuple[FurtherPlate, ...] = ()
+) -> Iterator[str]:
     """Yield a remark for each path on which forces stand beside the plate, where they do not act."""
-    known, covered = {pattern.name: pattern for pattern in patterns}, PlateRegion(plate)
+    known, covered = {pattern.name: pattern for pattern in patterns}, PlateRegion(plate, plates)
     for number, move in enumerate(moves, start=1):
         pattern, places = known[move.pattern], stations(move)
         beside = [
@@ -257,12 +261,16 @@ def _at_positions(
 
 
 def check_patterns(
-    plate: Plate, patterns: tuple[AnyPattern, ...], moves: tuple[Move, ...], cases: tuple[LoadCase, ...]
+    plate: Plate,
+    plates: tuple[FurtherPlate, ...],
+    patterns: tuple[AnyPattern, ...],
+    moves: tuple[Move, ...],
+    cases: tuple[LoadCase, ...],
 ) -> Iterator[RelativeIssue]:
     """Find patterns without a unique name, moves of unknown patterns and cases, places off the plate."""
     yield from check_names("patterns", [pattern.name for pattern in patterns], needed=True)
     yield from check_case_names("moves", "case", [move.case for move in moves], cases)
-    known, covered = {pattern.name: pattern for pattern in patterns}, PlateRegion(plate)
+    known, covered = {pattern.name: pattern for pattern in patterns}, PlateRegion(plate, plates)
     for number, move in enumerate(moves):
         if move.pattern not in known:
             expected = one_of(list(known)) if known else "a pattern, and [[patterns]] that says what it is"

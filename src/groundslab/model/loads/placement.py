@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Protocol
 
 from groundslab.model.columns import Column
 from groundslab.model.loads.load_types import AnyLoad, PointLoad, Spread
-from groundslab.model.plate import ROUNDING, Plate, PlateRegion
+from groundslab.model.plate import Plate
+from groundslab.model.plates.further import FurtherPlate
+from groundslab.model.plates.region import ROUNDING, PlateRegion
 from groundslab.model.shapes import CHORD
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import describe, one_of, suggestion
@@ -28,7 +30,8 @@ class Placed(Protocol):
 def on_plate(covered: PlateRegion, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
     """Find a part that does not lie on the plate."""
     (x0, x1, y0, y1), near, plate = covered.bounds, ROUNDING * covered.size, covered.plate
-    hint = "the center of the plate is the origin" if plate.outline is None else "places are those of the outline"
+    about_origin = plate.outline is None and not covered.plates
+    hint = "the center of the plate is the origin" if about_origin else "places are those of the outline"
     outside = False
     for axis, low, high in (("x", x0, x1), ("y", y0, y1)):
         value = getattr(part, axis, None)
@@ -38,7 +41,7 @@ def on_plate(covered: PlateRegion, part: Placed, place: tuple[str | int, ...]) -
             yield RelativeIssue((*place, axis), found, f"a position on the plate, from {low!r} m to {high!r} m", hint)
             outside = True
     # for points and what runs along the sides of a rectangle that is all
-    plain = plate.outline is None and not plate.openings
+    plain = plate.outline is None and not plate.openings and not covered.plates
     if not outside and not (plain and getattr(part, "x", None) is not None and not _has_footprint(part)):
         yield from _on_shape(covered, part, place)
 
@@ -67,13 +70,15 @@ def _on_shape(covered: PlateRegion, part: Placed, place: tuple[str | int, ...]) 
         yield RelativeIssue(place, found, expected, hint)
 
 
-def check_point_loads(plate: Plate, loads: tuple[AnyLoad, ...]) -> Iterator[RelativeIssue]:
+def check_point_loads(
+    plate: Plate, plates: tuple[FurtherPlate, ...], loads: tuple[AnyLoad, ...]
+) -> Iterator[RelativeIssue]:
     """Find point loads that do not lie on the plate; those on columns lie where these do.
 
     A footprint must lie on the plate entirely. What is spread over an area or along a line is cut off at the plate's
     edge instead, see `clipping`: there the pressure is given, here the force, of which nothing may be lost.
     """
-    covered = PlateRegion(plate)
+    covered = PlateRegion(plate, plates)
     for position, load in enumerate(loads):
         on_column = isinstance(load, PointLoad) and load.column
         if hasattr(load, "to_shapely") and not isinstance(load, Spread) and not on_column:

@@ -10,7 +10,7 @@ import numpy as np
 
 from groundslab.accuracy.values import error_of_largest, estimate_error
 from groundslab.design.design_moments import derive_field, fields_of, wood_armer
-from groundslab.design.tilt import tilt
+from groundslab.design.tilt import largest_tilt, results_by_plate
 from groundslab.errors import InputError, Issue
 from groundslab.results.fields import LAYERS, PLATE_FIELDS, RANGED_FIELDS
 from groundslab.results.results import CombinationResult, Results
@@ -222,7 +222,7 @@ def _scalar_quantity(output: RequestedOutput, results: CombinationResult) -> flo
             value: float | None = getattr(certificate, output.of.replace(" ", "_"))
             return value
         case "settlement difference":
-            return float(np.ptp(results.plate.settlement))
+            return max(float(np.ptp(plate.settlement)) for plate in results_by_plate(results).values())
         case "in contact":
             return results.plate.contact_share
         case "support force":
@@ -231,7 +231,7 @@ def _scalar_quantity(output: RequestedOutput, results: CombinationResult) -> flo
             return constants.gamma
         case "k0" | "k1":
             return dict(enumerate(map(float, getattr(constants, output.of)), 1)).get(output.layer or 1)
-    return float(getattr(tilt(results.plate), output.of.replace(" ", "_")))
+    return float(getattr(largest_tilt(results), output.of.replace(" ", "_")))
 
 
 def field_of(results: CombinationResult, name: str) -> Array:

@@ -16,7 +16,7 @@ from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.placement import on_plate
 from groundslab.model.model import Model
 from groundslab.model.outputs import OutputPoint
-from groundslab.model.plate import PlateRegion
+from groundslab.model.plates.region import PlateRegion
 from groundslab.schema.fields import FieldType, ListOf, Number, Quantity
 from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.wording import describe, one_of, suggestion
@@ -270,7 +270,7 @@ def _output_issues(keep: RequestedOutput, of: str, model: Model) -> Iterator[Rel
     if keep.take != "at" and (keep.x is not None or keep.y is not None):
         yield RelativeIssue(("x" if keep.x is not None else "y",), "a place", 'none, as take is not "at"')
     if keep.x is not None and keep.y is not None:
-        yield from on_plate(PlateRegion(model.plate), OutputPoint(name="", x=keep.x, y=keep.y), ())
+        yield from on_plate(PlateRegion(model.plate, model.plates), OutputPoint(name="", x=keep.x, y=keep.y), ())
     supports = [support.name for support in model.supports if support.name]
     if of == "support force" and keep.support not in supports:
         expected = one_of(supports) if supports else "a case with a support that has a name"

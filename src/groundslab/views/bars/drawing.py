@@ -84,8 +84,8 @@ Shape = Line | Circle | Text
 
 def draw(model: Model) -> list[Shape]:
     """Return the drawing of the bars that a model lays."""
-    x0, x1, y0, y1 = model.plate.bounds
-    h = LETTERS * max(model.plate.sides)
+    x0, x1, y0, y1 = model.bounds
+    h = LETTERS * max(model.sides)
     flat = x1 - x0 > y1 - y0
     step = (0.0, -(y1 - y0) - 2 * GAP * h) if flat else (x1 - x0 + 2 * GAP * h, 0.0)
     shapes: list[Shape] = []
@@ -97,12 +97,13 @@ def draw(model: Model) -> list[Shape]:
 
 def _face(model: Model, face: str, h: float) -> Iterator[Shape]:
     """Yield the plan of one face, where the case has it, with letters of a height [m]."""
-    x0, _, _, y1 = model.plate.bounds
-    chord = DRAWN_CHORD * max(model.plate.sides)
+    x0, _, _, y1 = model.bounds
+    chord = DRAWN_CHORD * max(model.sides)
     yield Text("LABELS", (x0, y1 + 1.5 * h), 1.4 * h, f"{face.capitalize()} bars")
-    yield _closed("OUTLINE", model.plate.ring(), chord)
-    for opening in model.plate.openings:
-        yield _closed("OPENINGS", opening.ring(), chord)
+    for plate in model.every_plate:
+        yield _closed("OUTLINE", plate.ring(), chord)
+        for opening in plate.openings:
+            yield _closed("OPENINGS", opening.ring(), chord)
     for column in model.columns:
         yield _closed("COLUMNS", column.ring(), chord)
         yield Text("LABELS", (column.x + 0.6 * h, column.y + 0.6 * h), h, column.name)

@@ -124,7 +124,7 @@ def _of_arrays(
 
 def _within_plate(results: CombinationResult) -> Iterator[str]:
     """Yield if the mesh is not that of the described plate, or the ground is not below all of it."""
-    x0, x1, y0, y1 = results.model.plate.bounds
+    x0, x1, y0, y1 = results.model.bounds
     sides = np.array([x1 - x0, y1 - y0])
     near = 1e-6 * sides.max()
     low, high = results.plate.nodes.min(axis=0), results.plate.nodes.max(axis=0)
@@ -143,7 +143,7 @@ def _of_constants(results: CombinationResult) -> Iterator[str]:
         yield "constants.k0 and constants.k1 of different lengths"
     if not all(k0 > 0 for k0 in constants.k0) or not all(k1 >= 0 for k1 in constants.k1):
         yield "constants of the ground that are not positive"
-    numbers = [*constants.k0, *constants.k1, constants.gamma, constants.decay]
+    numbers = [*constants.k0, *constants.k1, constants.gamma, constants.decay, constants.limit_depth]
     numbers += [getattr(certificate, item.name) for item in fields(certificate)]
     numbers += [step.gamma for step in results.steps] + [factor for _, factor in results.factors]
     if not all(number is None or abs(number) <= LARGEST for number in numbers):

@@ -142,7 +142,7 @@ def draw_labels(axes: Axes, model: Model, panel: Panel, per_meter: float) -> Non
 
     The words cover neither each other nor the columns, as far as there is space.
     """
-    x0, x1, y0, y1 = (per_meter * bound for bound in model.plate.bounds)
+    x0, x1, y0, y1 = (per_meter * bound for bound in model.bounds)
     placement = LabelPlacement((x0, x1, y0, y1))
     extremes = find_extremes(panel)
     for each in extremes:
@@ -163,7 +163,7 @@ def draw_labels(axes: Axes, model: Model, panel: Panel, per_meter: float) -> Non
         own = text_width(words, FOOT) / 2 + 0.2, 0.55 * FOOT * PT
         corners = [(x + i * (half[0] + own[0]), y + j * (half[1] + own[1])) for i, j in BESIDE]
         _write_label(axes, words, placement.place_best(corners, own), per_meter, FOOT, boxed=False)
-    for zone in model.plate.zones:
+    for zone in (each for plate in model.every_plate for each in plate.zones):
         if zone.thickness is not None:
             words = f"t = {zone.thickness:g} m"
             own = text_width(words, FOOT + 0.5) / 2 + 0.4, 0.6 * (FOOT + 0.5) * PT

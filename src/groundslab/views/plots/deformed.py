@@ -90,7 +90,7 @@ def _figure(model: Model, surfaces: Sequence[Surface], among: Sequence[Surface],
     page, scales = Page(width), shared_scales([each.panel for each in among])
     panels = [each.panel for each in surfaces]
     alike = len({panel.source for panel in panels}) == 1
-    factor = find_exaggeration([each.settlement for each in surfaces], max(model.plate.sides))
+    factor = find_exaggeration([each.settlement for each in surfaces], max(model.sides))
     caption = f"deformed plate, settlements exaggerated {number(factor)} times; dashed: level before loading"
     lines = [f"{panels[0].source}: {caption}" if alike and panels[0].source else caption[0].upper() + caption[1:]]
     top = page.write_heading(model.title, lines, "" if all(panel.certified for panel in panels) else NOT_CERTIFIED)
@@ -158,8 +158,8 @@ def _draw_surface(
         lines.set_rasterized(not few)
         axes.add_collection3d(lines)
     entries = _draw_contact_border(axes, surface, factor)
-    chord = DRAWN_CHORD * max(model.plate.sides)
-    for ring_ in (model.plate.ring(), *(opening.ring() for opening in model.plate.openings)):
+    chord = DRAWN_CHORD * max(model.sides)
+    for ring_ in (curve for plate in model.every_plate for curve in plate.rings()):
         flat = ring_.flat(chord)
         x, y = np.vstack([flat, flat[:1]]).T
         (line,) = axes.plot(x, y, np.zeros(len(x)), color=GREY, linewidth=0.7, linestyle=(0, (5, 3)), zorder=4)
@@ -218,7 +218,7 @@ def _zoom(sides: tuple[float, float, float], width: float, height: float) -> flo
 
 def _sides(model: Model, settlements: Sequence[Array], factor: float) -> tuple[tuple[float, float, float], float]:
     """Return the sides of the brick around deformed plates, and how far down it begins [m]."""
-    x, y = model.plate.sides
+    x, y = model.sides
     low = min(0.0, *(-factor * float(each.max()) for each in settlements))
     high = max(0.0, *(-factor * float(each.min()) for each in settlements))
     if high - low <= 0.02 * max(x, y):
@@ -230,7 +230,7 @@ def _set_axes(axes: Any, model: Model, settlement: Array, factor: float, box: tu
     """Give axes in space their limits, equal in all directions, and their words."""
     from matplotlib.ticker import FuncFormatter, MaxNLocator
 
-    x0, x1, y0, y1 = model.plate.bounds
+    x0, x1, y0, y1 = model.bounds
     sides, low = _sides(model, [settlement], factor)
     high = low + sides[2]
     axes.set(xlim=(x0, x1), ylim=(y0, y1), zlim=(low, high))

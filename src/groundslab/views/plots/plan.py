@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from groundslab.accuracy.mesh_statistics import mesh_statistics
 from groundslab.model.combinations import place_patterns
+from groundslab.model.loads.load_types import presses_ground
 from groundslab.results.fields import BAR_FIELDS
 from groundslab.views.plots import symbols
 from groundslab.views.plots.annotations import draw_labels, draw_title, panel_title, title_height
@@ -150,7 +151,7 @@ def panels_per_page(ratio: float) -> tuple[int, int]:
 
 def _limits(model: Model) -> tuple[float, float, float, float]:
     """Return what a plan shows, x0, x1, y0, y1 [m]."""
-    x0, x1, y0, y1 = model.plate.bounds
+    x0, x1, y0, y1 = model.bounds
     around = PADDING * max(x1 - x0, y1 - y0)
     return x0 - around, x1 + around, y0 - around, y1 + around
 
@@ -189,7 +190,7 @@ def _draw_case(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool], 
     legend |= symbols.draw_voids(axes, model)
     legend |= symbols.draw_columns(axes, model, takes_part)
     legend |= symbols.draw_supports(axes, model)
-    legend |= symbols.draw_loads(axes, model, takes_part)
+    legend |= symbols.draw_loads(axes, model, lambda load: takes_part(load) and not presses_ground(load))
     axes.set(xlim=(x0, x1), ylim=(y0, y1), aspect="equal", xlabel="x [m]", ylabel="y [m]")
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(MaxNLocator(nbins=8 if width > 80 else 5, steps=[1, 2, 2.5, 5, 10]))

@@ -118,16 +118,16 @@ def _draw_key_plan(page: style.Page, request: PlotRequest, line: SectionLine, to
     page.write(style.MARGIN, top + 8.2, ends, fontsize=style.SMALL, color=style.GREY)
     axes = page.add_axes(style.PAGE_WIDTH - style.MARGIN - 3 - KEY_WIDTH, top, KEY_WIDTH, KEY_HEIGHT)
     axes.set_axis_off()
-    chord = DRAWN_CHORD * max(model.plate.sides)
-    for ring in (model.plate.ring(), *(opening.ring() for opening in model.plate.openings)):
+    chord = DRAWN_CHORD * max(model.sides)
+    for ring in (curve for plate in model.every_plate for curve in plate.rings()):
         symbols.draw_ring(axes, np.array(ring.flat(chord)), edgecolor=style.FAINT, linewidth=0.8)
     axes.annotate(
         "", line.end, line.start, arrowprops={"arrowstyle": "-|>,head_width=0.15,head_length=0.3", "color": style.INK,
                                               "linewidth": 0.9, "shrinkA": 0, "shrinkB": 0},
         annotation_clip=False,
     )  # fmt: skip
-    a, b, c, d = model.plate.bounds
-    around = 0.04 * max(model.plate.sides)
+    a, b, c, d = model.bounds
+    around = 0.04 * max(model.sides)
     axes.set(xlim=(a - around, b + around), ylim=(c - around, d + around), aspect="equal", anchor="NE")
     return top + KEY_HEIGHT - 7.5
 

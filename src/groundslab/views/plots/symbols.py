@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers
     from groundslab.model.loads.load_types import AnyLoad
     from groundslab.model.model import Model
+    from groundslab.model.plates.further import AnyPlate
 
     Entries = dict[str, Any]
 
@@ -41,22 +42,30 @@ def white_outline(width: float) -> list[Any]:
 
 
 def draw_plate(axes: Axes, model: Model, fill: str = "none") -> Entries:
-    """Draw the outline, filled if a color is given, the openings crossed out, and the zones."""
+    """Draw the outlines, filled if a color is given, the openings crossed out, and the zones."""
+    chord = DRAWN_CHORD * max(model.sides)
+    entries: Entries = {}
+    for plate in model.every_plate:
+        entries |= _draw_one_plate(axes, plate, chord, fill)
+    return entries
+
+
+def _draw_one_plate(axes: Axes, plate: AnyPlate, chord: float, fill: str) -> Entries:
+    """Draw the outline of a plate, its openings crossed out and its zones; return the entries in the legend."""
     import shapely
 
-    chord = DRAWN_CHORD * max(model.plate.sides)
-    outline = model.plate.ring().polygon(chord)
+    outline = plate.ring().polygon(chord)
     around = np.asarray(outline.exterior.coords)
     draw_ring(axes, around, edgecolor=INK, linewidth=1.2, zorder=4)
     if fill != "none":
         draw_ring(axes, around, facecolor=fill, edgecolor="none", zorder=1)
     entries: Entries = {}
-    for opening in model.plate.openings:
+    for opening in plate.openings:
         hole = opening.ring().polygon(chord)
         draw_ring(axes, np.asarray(hole.exterior.coords), edgecolor=INK, facecolor="white", linewidth=0.8, zorder=4)
         for a, b in _diagonals(np.asarray(hole.exterior.coords)):
             axes.plot(*zip(a, b, strict=True), color=INK, linewidth=0.4, zorder=4.1)
-    for zone in model.plate.zones:
+    for zone in plate.zones:
         part = zone.shape.ring().polygon(chord).intersection(outline)
         for piece in (each for each in shapely.get_parts(part) if each.geom_type == "Polygon"):
             look = {"edgecolor": GREY, "linewidth": 0.8, "linestyle": (0, (6, 2, 1, 2)), "zorder": 3.5}
@@ -116,7 +125,7 @@ def draw_voids(axes: Axes, model: Model) -> Entries:
     """Outline the parts where the ground lies deeper or is missing."""
     entries: Entries = {}
     for void in model.contact.voids:
-        around = np.asarray(void.to_shapely(DRAWN_CHORD * max(model.plate.sides)).exterior.coords)
+        around = np.asarray(void.to_shapely(DRAWN_CHORD * max(model.sides)).exterior.coords)
         look = {"edgecolor": GROUND, "linewidth": 0.9, "linestyle": (0, (1.5, 1.5)), "zorder": 3.2}
         entries["void in the ground"] = draw_ring(axes, around, **look)
     return entries
@@ -125,7 +134,7 @@ def draw_voids(axes: Axes, model: Model) -> Entries:
 def draw_loads(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) -> Entries:
     """Outline the loaded areas, draw line loads and mark point loads beside columns, those that take part."""
     entries: Entries = {}
-    chord = DRAWN_CHORD * max(model.plate.sides)
+    chord = DRAWN_CHORD * max(model.sides)
     for load in filter(takes_part, model.loads):
         if load.kind == "point" and load.x is not None and load.y is not None:
             (mark,) = axes.plot(load.x, load.y, "v", color=LOAD, markeredgecolor="white", markersize=6.5, zorder=5.5)
@@ -137,11 +146,15 @@ def draw_loads(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) 
             entries["line load"] = line
         elif load.kind == "uniform":
             look = {"edgecolor": LOAD, "linewidth": 0.9, "linestyle": (0, (3, 5)), "zorder": 4.5}
-            entries["load on the entire plate"] = draw_ring(axes, np.array(model.plate.ring().flat(chord)), **look)
+            for plate in (each for each in model.every_plate if load.plate in ("", each.name)):
+                entries["load on the entire plate"] = draw_ring(axes, np.array(plate.ring().flat(chord)), **look)
         elif load.kind == "patch" or load.kind == "area":
+            # on the ground, which may reach far, as much as there is room for
             look = {"edgecolor": LOAD, "linewidth": 1.2, "linestyle": (0, (4, 2)), "zorder": 4.5}
+            look |= {"edgecolor": GROUND, "clip_on": True} if load.on == "ground" else {}
             for ring in _borders(load.to_shapely(chord)):
-                entries["loaded area"] = draw_ring(axes, ring, **look)
+                words = "load on the ground" if load.on == "ground" else "loaded area"
+                entries[words] = draw_ring(axes, ring, **look)
     return entries
 
 
@@ -163,7 +176,7 @@ def draw_columns(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]
     entries: Entries = {}
     loaded = {load.column for load in model.loads if load.kind == "point" and load.column and takes_part(load)}
     for column in model.columns:
-        around = np.array(column.ring().flat(DRAWN_CHORD * max(model.plate.sides)))
+        around = np.array(column.ring().flat(DRAWN_CHORD * max(model.sides)))
         brings = column.name in loaded
         drawn = draw_ring(axes, around, edgecolor=INK, facecolor=LOAD if brings else "white", linewidth=0.6, zorder=5)
         entries["column with load" if brings else "column"] = drawn
@@ -194,12 +207,12 @@ def _draw_supported_line(axes: Axes, places: Array) -> Any:
 
 def _supported_edges(model: Model) -> list[Array]:
     """Return the parts (k, 2) of the outline that are held: all of it, or what lies on a side that is held."""
-    flat = model.plate.ring().flat(DRAWN_CHORD * max(model.plate.sides))
+    flat = model.plate.ring().flat(DRAWN_CHORD * max(model.sides))
     closed = np.vstack([flat, flat[:1]])
     if model.plate.support != "free":
         return [closed]
     x0, x1, y0, y1 = model.plate.bounds
-    near = 1e-9 * max(model.plate.sides)
+    near = 1e-9 * max(model.sides)
     sides = {"left": (0, x0), "right": (0, x1), "bottom": (1, y0), "top": (1, y1)}
     supported = [line for side, line in sides.items() if getattr(model.plate.edges, side) != "free"]
     return [

@@ -87,8 +87,10 @@ def nearby(plan: Data) -> Any:
     places += [end for name in ("lines", "strips") for each in plan[name] for end in (each["start"], each["end"])]
     places += [place for each in plan["supports"] for place in each["points"]]
     places += [place for each in plan["loads"] for place in each.get("ring") or each.get("points", ())]
-    found = np.array([(x0, y0), (x1, y1), *places], dtype=float)
     far = REACH * max(x1 - x0, y1 - y0)
+    on_ground = np.array([place for each in plan["loads"] if "on" in each for place in each["ring"]]).reshape(-1, 2)
+    places += np.clip(on_ground, (x0 - far, y0 - far), (x1 + far, y1 + far)).tolist()
+    found = np.array([(x0, y0), (x1, y1), *places], dtype=float)
     inside = (found >= (x0 - far, y0 - far)) & (found <= (x1 + far, y1 + far))
     return found[inside.all(axis=1)]
 
@@ -186,9 +188,9 @@ def _label_loads(axes: Axes, plan: Data, labels: Labels) -> None:
 
 def _draw_dimensions(axes: Axes, model: Model, corner: Point, per_meter: float) -> None:
     """Draw dimension lines below and at the left: from corner to corner where there is space, and of the plate."""
-    x0, x1, y0, y1 = model.plate.bounds
-    ring = model.plate.ring()
-    corners = ring.points if ring.straight else ()
+    x0, x1, y0, y1 = model.bounds
+    rings = [each.ring() for each in model.every_plate]
+    corners = [place for ring in rings if ring.straight for place in ring.points]
     for axis, ends in enumerate(((x0, x1), (y0, y1))):
         stops = sorted({round(place[axis], 6) for place in corners} | {round(end, 6) for end in ends})
         chains = [[ends[0], ends[1]]]

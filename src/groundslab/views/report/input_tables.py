@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 #: Titles of the sections of a case, in the order of the report.
 SECTIONS = {
     "plate": "Plate",
+    "plates": "Further plates",
     "ground": "Ground",
     "soil_zones": "Zones of soil",
     "boreholes": "Boreholes",
@@ -85,9 +86,9 @@ def input_tables(model: Model) -> list[InputTable]:
             grids = list(_part(value, ""))
         else:
             grids = list(_list(value or (), name, ""))
-        if name == "loads" and (clipped := find_clipped_loads(model.plate, model.loads)):
+        if name == "loads" and (clipped := find_clipped_loads(model.plate, model.loads, model.plates)):
             grids[-1] = replace(grids[-1], notes=(*grids[-1].notes, *(each.words() for each in clipped)))
-        if name == "moves" and (absent := tuple(absent_forces(model.plate, model.patterns, model.moves))):
+        if name == "moves" and (absent := tuple(absent_forces(model.plate, model.patterns, model.moves, model.plates))):
             grids[-1] = replace(grids[-1], notes=(*grids[-1].notes, *absent))
         if grids:
             found.append(InputTable(name, title, tuple(grids)))

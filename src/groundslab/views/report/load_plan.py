@@ -62,13 +62,19 @@ def draw_load_plan(model: Model, case: LoadCase | None) -> Figure:
 def describe_loads(model: Model, case: LoadCase | None) -> str:
     """Return the name of a case, its action, what of it acts everywhere, and whether values are missing."""
     belongs, loads = takes_part(model, case), place_patterns(model).loads
-    everywhere = [f"{load.kind} {load_text(load)}" for load in loads if belongs(load) and load.kind not in PLACED]
+    everywhere = [_on_plate(load) for load in loads if belongs(load) and load.kind not in PLACED]
     forces = [] if case is None else [("H_x", case.H_x), ("H_y", case.H_y)]
     everywhere += [f"{symbol.replace('_', '')} {value / 1e3:.5g} kN" for symbol, value in forces if value]
     name = "All loads" if case is None else f"{case.name}, {case.action}"
     hidden = " Values are listed under loads." if len(_values(model, case)) > MOST_LABELS else ""
     moves = " It moves along the dashed path; drawn at the first position." if _paths(model, case) else ""
     return f"{name}{': ' if everywhere else ''}{'; '.join(everywhere)}.{hidden}{moves}"
+
+
+def _on_plate(load: AnyLoad) -> str:
+    """Return what acts everywhere, such as "uniform 5 kPa", with the plate that it names."""
+    name = getattr(load, "plate", "")
+    return f"{load.kind} {load_text(load)}" + (f" on {name}" if name else "")
 
 
 def _paths(model: Model, case: LoadCase | None) -> list[Move]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.geometry.plan import DRAWN_CHORD
-from groundslab.model.loads.load_types import SettlementLoad
+from groundslab.model.loads.load_types import SettlementLoad, presses_ground
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from groundslab.model.model import Model
     from groundslab.model.outputs import OutputLine, OutputPoint, OutputStrip
     from groundslab.model.plate import Zone
+    from groundslab.model.plates.further import AnyPlate, FurtherPlate
     from groundslab.model.supports import AnySupport
     from groundslab.model.varying_ground import Borehole, Void
 
@@ -30,8 +31,8 @@ Data = dict[str, Any]
 def plan_of(model: Model) -> Data:
     """Return what stands in plan [m]: each item with its path in the case file, which counts from 1."""
     plate = model.plate
-    x0, x1, y0, y1 = plate.bounds
-    chord = DRAWN_CHORD * max(plate.sides)
+    x0, x1, y0, y1 = model.bounds
+    chord = DRAWN_CHORD * max(model.sides)
 
     def ring(curve: Ring) -> list[list[float]]:
         return _rounded(curve.flat(chord))
@@ -39,8 +40,18 @@ def plan_of(model: Model) -> Data:
     def listed(path: str, parts: Iterable[Any], describe: Callable[[Any], Data]) -> list[Data]:
         return [{"path": f"{path}[{number}]", **describe(part)} for number, part in enumerate(parts, 1)]
 
-    def thickness(zone: Zone) -> float:
-        return plate.thickness if zone.thickness is None else zone.thickness
+    def zones(path: str, of: AnyPlate) -> list[Data]:
+        def describe(zone: Zone) -> Data:
+            thickness = of.thickness if zone.thickness is None else zone.thickness
+            return {"ring": ring(zone.shape.ring()), "thickness": thickness}
+
+        return listed(path, of.zones, describe)
+
+    def further(number: int, plate: FurtherPlate) -> Data:
+        path = f"plates[{number}]"
+        openings = listed(f"{path}.openings", plate.openings, lambda hole: {"ring": ring(hole.ring())})
+        return {"path": path, "name": plate.name, "thickness": plate.thickness, "ring": ring(plate.ring()),
+                "openings": openings, "zones": zones(f"{path}.zones", plate)}  # fmt: skip
 
     output = model.output
     return {
@@ -48,9 +59,8 @@ def plan_of(model: Model) -> Data:
         "thickness": plate.thickness,
         "outline": ring(plate.ring()),
         "openings": listed("plate.openings", plate.openings, lambda hole: {"ring": ring(hole.ring())}),
-        "zones": listed(
-            "plate.zones", plate.zones, lambda zone: {"ring": ring(zone.shape.ring()), "thickness": thickness(zone)}
-        ),
+        "zones": zones("plate.zones", plate),
+        "plates": [further(number, each) for number, each in enumerate(model.plates, 1)],
         "columns": listed("columns", model.columns, lambda each: _place(each) | {"ring": ring(each.ring())}),
         "supports": listed("supports", model.supports, _support),
         "loads": listed("loads", model.loads, lambda load: _load(load, model, chord)),
@@ -130,6 +140,8 @@ def _load(load: AnyLoad, model: Model, chord: float) -> Data:
         about["ring"] = _rounded(load.shape.ring().flat(chord))
         if load.holes:
             about["holes"] = [_rounded(hole.ring().flat(chord)) for hole in load.holes]
+    if presses_ground(load):
+        about["on"] = "ground"
     if any(getattr(load, "slope", ())) or any(getattr(load, "bend", ())):
         about["varies"] = True
     return about | {"parts": load_parts(load)}

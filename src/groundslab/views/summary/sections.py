@@ -161,6 +161,8 @@ def description_of_ground(results: CombinationResult) -> SummarySection:
     if constants.gamma is not None:
         rows.append(Row("gamma", "decay of the mode", constants.gamma, None, "gamma"))
         rows.append(Row("gamma_iterations", "iterations for gamma", constants.gamma_iterations))
+    if constants.limit_depth is not None:
+        rows.append(Row("limit_depth", "limit depth", constants.limit_depth, UNITS["m"]))
     if results.coarser is not None:
         coarser = {row.key: row for row in description_of_ground(results.coarser).rows}
         rows = [with_error(row, coarser.get(row.key), results) for row in rows]
@@ -180,21 +182,24 @@ def _borders(results: CombinationResult) -> tuple[Row, ...]:
 
 
 def cut_loads(model: Model) -> list[SummarySection]:
-    """Return what of the loads lies off the plate and does not act, nothing where all of them act."""
+    """Return what of the loads lies where it does not act, nothing where all of them act."""
     from groundslab.model.loads.clipping import find_clipped_loads
 
-    clipped = find_clipped_loads(model.plate, model.loads)
+    clipped = find_clipped_loads(model.plate, model.loads, model.plates)
     if not clipped:
         return []
     rows = []
     for each in clipped[:MOST_CUT]:
         name = f"loads[{each.number}]" + (f" {each.name}" if each.name else "")
-        rows.append(Row(f"share_{each.number}", f"{name}, off the plate", each.share, UNITS["%"]))
+        rows.append(Row(f"share_{each.number}", f"{name}, {each.where}", each.share, UNITS["%"]))
         rows.append(Row(f"force_{each.number}", f"{name}, does not act", each.force, UNITS["kN"]))
     if len(clipped) > MOST_CUT:
         rows.append(Row("more", "further loads that are cut off", len(clipped) - MOST_CUT))
     rows.append(Row("sum_of_forces", "all that does not act", sum(each.force for each in clipped), UNITS["kN"]))
-    note = "Areas and lines act where they lie on the plate. Forces without the factors of combinations."
+    note = (
+        "Areas and lines act where they lie on the plate, those on the ground where they lie beside it. Forces without "
+        "the factors of combinations."
+    )
     return [SummarySection("cut_loads", "Loads cut off at the edge of the plate", tuple(rows), (note,))]
 
 
@@ -298,6 +303,8 @@ def certificate_section(results: CombinationResult) -> SummarySection:
         Row("load", "sum of the loads", certificate.load, UNITS["kN"]),
         Row("reaction", "sum of the reactions", certificate.reaction, UNITS["kN"]),
     ]
+    if certificate.ground_load:
+        rows.append(Row("ground_load", "sum of the loads beside the plate", certificate.ground_load, UNITS["kN"]))
     limits = certificate.limits()
     for name, value in certificate.limited().items():
         limit = limits[name]

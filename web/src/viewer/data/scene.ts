@@ -49,6 +49,7 @@ export interface Load extends Named {
   holes?: Ring[]; // of a loaded area
   footprint?: Ring; // of a point load that has one
   parts: [string, number, string][]; // symbol, value without factor, unit
+  on?: string; // "ground" if it presses on the ground beside the slab
   varies?: boolean; // whether the pressure varies over the area
 }
 export interface Line extends Named {
@@ -59,12 +60,20 @@ export interface Strip extends Line {
   width: number;
 }
 
+export interface FurtherPlate extends Area {
+  name: string;
+  thickness: number; // [m] outside its zones
+  openings: Area[];
+  zones: Zone[];
+}
+
 export interface Plan {
   bounds: [number, number, number, number]; // x0, y0, x1, y1 of the plate [m]
   outline: Ring;
   thickness?: number; // [m] outside all zones
   openings: Area[];
   zones: Zone[];
+  plates?: FurtherPlate[]; // beside the first one
   columns: Column[];
   supports: Support[];
   loads: Load[];

@@ -96,9 +96,13 @@ function makeNotes(scene: Scene, locator: Locator, choice: Choice, spot: LocalPo
 function sectionText({ head: { plan }, mesh }: Scene, element: number): string {
   const position = mesh.section?.[element];
   if (position === undefined) return "";
-  const zone = plan.zones[position - 1];
-  const thickness = zone ? zone.thickness : plan.thickness;
-  const name = zone ? (zone.name ?? `zone ${position}`) : "plate";
+  // sections count from slab to slab: each one's own, then those of its zones
+  const first = { name: "plate", thickness: plan.thickness, zones: plan.zones };
+  const all = [first, ...(plan.plates ?? [])].flatMap((plate) => [
+    { name: plate.name, thickness: plate.thickness },
+    ...plate.zones.map((zone, n) => ({ name: zone.name ?? `zone ${n + 1}`, thickness: zone.thickness })),
+  ]);
+  const { name, thickness } = all[position] ?? { name: "plate", thickness: plan.thickness };
   return `section: ${name}${thickness === undefined ? "" : `, ${thicknessText(thickness)}`}`;
 }
 

@@ -44,11 +44,15 @@ export function symbolsOf(plan: Plan, layers: Layers, factors: ReadonlyMap<strin
   const supports = plan.supports.map(
     ({ kind, points, name, elastic }): PlanSymbol => ({ kind: "support", shape: kind, points, texts: [name], elastic }),
   );
+  const further = plan.plates ?? [];
+  const zones = [...plan.zones, ...further.flatMap((each) => each.zones)];
+  const openings = [...plan.openings, ...further.flatMap((each) => each.openings)];
   const symbols = [
     ...(layers.ground ? ground : []),
-    ...(layers.zones ? plan.zones.map((each) => area("zone", each, thicknessText(each.thickness))) : []),
+    ...(layers.zones ? zones.map((each) => area("zone", each, thicknessText(each.thickness))) : []),
     area("slab", { ring: plan.outline }),
-    ...plan.openings.map((each) => area("opening", each)),
+    ...further.map(({ ring }) => area("slab", { ring })),
+    ...openings.map((each) => area("opening", each)),
     ...(layers.output ? output : []),
     ...(layers.loads ? labelLoads(plan.loads, factors).flatMap(({ load, text }) => loadSymbol(load, text)) : []),
     ...(layers.supports ? supports : []),

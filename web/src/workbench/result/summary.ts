@@ -62,7 +62,7 @@ function makeSummaryRow({ label, symbol, value, unit, note }: SummaryRow): HTMLE
 }
 
 /** What a certificate holds beside the ratios that measure how well the equations are satisfied. */
-const NO_RATIOS: ReadonlySet<string> = new Set(["holds", "too_large", "load", "reaction"]);
+const NO_RATIOS: ReadonlySet<string> = new Set(["holds", "too_large", "load", "reaction", "ground_load"]);
 
 /** Whether a ratio is above its limit. */
 function isTooLarge(one: CombinationSummary, key: string): boolean {

@@ -1,0 +1,115 @@
+"""Further plates beside the first one, on the same ground."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import accumulate, combinations
+from typing import Annotated, ClassVar
+
+from groundslab.geometry.plan import Ring, format_place, get_bounds
+from groundslab.geometry.validity import TOO_CLOSE
+from groundslab.model.ground import POISSON, POSITIVE
+from groundslab.model.plate import SHEAR_FACTOR, Plate, Zone, check_geometry
+from groundslab.model.shapes import CHORD, AnyShape, Shape
+from groundslab.schema.base import Check, Section, Table
+from groundslab.schema.fields import Number, Quantity, Text
+from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.wording import describe
+
+
+def _check_geometry(
+    outline: AnyShape, openings: tuple[AnyShape, ...], zones: tuple[Zone, ...]
+) -> Iterator[RelativeIssue]:
+    return check_geometry(outline, openings, zones)
+
+
+class FurtherPlate(Section):
+    """A further plate on the same ground, apart from the first one: its elements are of the same type."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_check_geometry,)
+
+    name: Annotated[str, Text("name of the plate, by which loads call it")]
+    outline: Annotated[Shape, Table("its outline, of any shape")]
+    openings: Annotated[tuple[Shape, ...], Table("what is cut out of it")] = ()
+    zones: Annotated[tuple[Zone, ...], Table("parts with another thickness or material")] = ()
+    thickness: Annotated[float, Quantity("length", "t", "thickness", POSITIVE)]
+    E: Annotated[float, Quantity("pressure", "E", "Young's modulus", POSITIVE)]
+    nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]
+    shear_factor: Annotated[float, SHEAR_FACTOR] = 5 / 6
+    thermal_expansion: Annotated[
+        float, Quantity("strain per temperature", "alpha_T", "strain per temperature; of concrete by default", POSITIVE)
+    ] = 1e-5
+
+    def ring(self) -> Ring:
+        """Return the outline as a curve."""
+        return self.outline.ring()
+
+    def rings(self) -> tuple[Ring, ...]:
+        """Return the outline and the openings as curves."""
+        return self.ring(), *(opening.ring() for opening in self.openings)
+
+    @property
+    def sides(self) -> tuple[float, float]:
+        """Return the sides of the rectangle around the plate [m]."""
+        x0, x1, y0, y1 = self.ring().bounds
+        return x1 - x0, y1 - y0
+
+
+AnyPlate = Plate | FurtherPlate
+
+
+def list_plates(plate: Plate, plates: Sequence[FurtherPlate]) -> tuple[AnyPlate, ...]:
+    """Return the first plate and the further ones."""
+    return plate, *plates
+
+
+def bounds_of(plate: Plate, plates: Sequence[FurtherPlate]) -> tuple[float, float, float, float]:
+    """Return the rectangle x0, x1, y0, y1 around plates [m]."""
+    return (
+        plate.bounds
+        if not plates
+        else get_bounds(edge for each in list_plates(plate, plates) for edge in each.ring().segments())
+    )
+
+
+def first_sections(plates: Sequence[AnyPlate]) -> list[int]:
+    """Return the number of each plate's own section, 0 of the first; those of its zones follow."""
+    return list(accumulate((1 + len(each.zones) for each in plates[:-1]), initial=0))
+
+
+def check_plates(plate: Plate, plates: tuple[FurtherPlate, ...]) -> Iterator[RelativeIssue]:
+    """Find plates without a name of their own, and plates that overlap, touch or leave too narrow a strip."""
+    seen = {plate.name} - {""}
+    for position, each in enumerate(plates):
+        if not each.name or each.name in seen:
+            found = f"{describe(each.name)} again" if each.name else "no name"
+            yield RelativeIssue(("plates", position, "name"), found, "a name of its own")
+        seen.add(each.name)
+    if not plates:
+        return
+    x0, x1, y0, y1 = bounds_of(plate, plates)
+    size = max(x1 - x0, y1 - y0)
+    for first, second in combinations(range(1 + len(plates)), 2):
+        meeting = _find_meeting(list_plates(plate, plates)[first], plates[second - 1], size)
+        if meeting is not None:
+            name = "the first plate" if first == 0 else f"plates[{first}]"
+            expected = f"plates beside each other, at least {TOO_CLOSE * size:.3g} m apart"
+            hint = "plates that are joined are one plate, what lies on a plate is a zone of greater thickness"
+            yield RelativeIssue(("plates", second - 1, "outline"), meeting.format(name), expected, hint)
+
+
+def _find_meeting(one: AnyPlate, other: FurtherPlate, size: float) -> str | None:
+    """Return how a plate meets another one, whose name is {}, None if they lie apart; size is that of all [m]."""
+    from shapely import union_all
+
+    outline, beside = (each.ring().polygon(CHORD * size) for each in (one, other))
+    openings = union_all([opening.ring().polygon(CHORD * size) for opening in one.openings])
+    shared = outline.intersection(beside)
+    if shared.area > (CHORD * size) ** 2:
+        if openings.contains(beside):
+            return "a plate in an opening of {}"
+        at = shared.representative_point()
+        return f"a plate that overlaps {{}} at {format_place((at.x, at.y))} m"
+    if outline.distance(beside) < TOO_CLOSE * size:
+        return "a plate that touches {}" if outline.intersects(beside) else "a strip too narrow to mesh beside {}"
+    return None
