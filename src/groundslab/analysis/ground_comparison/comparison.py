@@ -18,7 +18,7 @@ from groundslab.analysis.ground_comparison.figures import (
     sample,
 )
 from groundslab.analysis.ground_comparison.fit import FITTED, fit
-from groundslab.analysis.ground_comparison.soil_column import BEYOND, FROM_SOIL, find_soil, on_continuum
+from groundslab.analysis.ground_comparison.soil_column import FROM_SOIL, find_soil, on_continuum, on_ground
 from groundslab.errors import InputError, Issue
 from groundslab.model.combinations import list_combinations, place_patterns
 from groundslab.model.ground import Ground, Pasternak, Winkler
@@ -30,7 +30,7 @@ from groundslab.results.results import CombinationResult, Results
 from groundslab.schema.wording import one_of, quote, suggestion
 
 #: A figure below this share of the largest of its unit on the continuum has no difference in percent.
-NOTHING = 0.01
+NOTHING = 0.05
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +39,7 @@ class ComparedGround:
 
     Attributes
     ----------
-    ground : Winkler, Pasternak, Vlasov or Continuum
+    ground : Continuum, ConstrainedModulus, Vlasov, Pasternak or Winkler
         The ground, as `Model.ground` takes it.
     fitted : bool
         Whether its constants are those with which the slab settles most like on the continuum.
@@ -115,7 +115,7 @@ class GroundComparison:
         Returns
         -------
         float or None
-            The difference; None where the figure is next to nothing on the continuum, less than a hundredth of the
+            The difference; None where the figure is next to nothing on the continuum, less than a twentieth of the
             largest of its unit.
         """
         known, unit = self.grounds[0].figures, FIGURES[figure].unit
@@ -126,23 +126,24 @@ class GroundComparison:
 
 
 def compare_grounds(
-    model: Model, combination: str | None = None, on_ground: Callable[[str], None] | None = None
+    model: Model, combination: str | None = None, on_begin: Callable[[str], None] | None = None
 ) -> GroundComparison:
     """Solve a slab on the elastic continuum and on simpler models of its ground, and compare them.
 
-    From the layers of soil follow the continuum, with the layers bonded, and Vlasov's ground, with the decay iterated
-    and the ground going on beyond the plate. The constants of Pasternak's ground and of Winkler's springs are those
+    From the layers of soil follow the continuum, with the layers bonded, the layers compressed by the stresses of a
+    homogeneous half-space over their constrained moduli, and Vlasov's ground, with the decay iterated and the ground
+    going on beyond the plate. The constants of Pasternak's ground and of Winkler's springs are those
     with which the slab settles most like on the continuum: the integral of the squared difference is least. Loads,
     contact and the size of elements are the same for all.
 
     Parameters
     ----------
     model : Model
-        The model. Its ground has layers given by E, nu and thickness: "continuum", "vlasov" or "layered". Of boreholes
-        the one nearest to the plate's middle counts.
+        The model. Its ground has layers given by E, nu and thickness: "continuum", "constrained modulus",
+        "vlasov" or "layered". Of boreholes the one nearest to the plate's middle counts.
     combination : str, optional
         Name of the combination to compare; by default the one with the largest settlement on the continuum.
-    on_ground : callable, optional
+    on_begin : callable, optional
         Called with the kind of each ground before it is solved or fitted.
 
     Returns
@@ -163,7 +164,7 @@ def compare_grounds(
     >>> comparison = groundslab.compare_grounds(groundslab.load("case.toml"))
     >>> springs = comparison["winkler"].ground
     """
-    report = on_ground or (lambda _: None)
+    report = on_begin or (lambda _: None)
     soil = find_soil(model)
     base = on_continuum(model, soil)
     if combination is not None:
@@ -175,13 +176,13 @@ def compare_grounds(
     solved = {"continuum": continuum}
     for kind, make in FROM_SOIL.items():
         report(kind)
-        solved[kind] = variants.solve_combinations(_on_ground(only, make(soil))).only
+        solved[kind] = variants.solve_combinations(on_ground(only, make(soil))).only
     start, samples = solved["vlasov"].constants, gauss_points(continuum.plate)
     settlement = sample(continuum.plate, "settlement", samples.places)
     for kind in FITTED:
         report(kind)
         ground = fit(kind, only, (*start.k0, *start.k1), samples, settlement)
-        solved[kind] = variants.solve_combinations(_on_ground(only, ground)).only
+        solved[kind] = variants.solve_combinations(on_ground(only, ground)).only
     return _compare(model, solved, (*_notes(base), *soil.notes))
 
 
@@ -189,11 +190,6 @@ def _with_only(model: Model, combination: Combination) -> Model:
     """Return a model with one combination alone."""
     changes = {"combinations": (combination,) if model.cases else (), "combine": None}
     return place_patterns(model).model_copy(update=changes)
-
-
-def _on_ground(model: Model, ground: Ground) -> Model:
-    """Return a model on another ground."""
-    return model.model_copy(update={"ground": ground, "beyond": BEYOND})
 
 
 def _find_combination(model: Model, name: str) -> Combination:

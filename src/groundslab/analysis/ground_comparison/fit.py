@@ -8,6 +8,7 @@ import numpy as np
 
 from groundslab.analysis.driver import Variants
 from groundslab.analysis.ground_comparison.figures import Samples, sample
+from groundslab.analysis.ground_comparison.soil_column import on_ground
 from groundslab.arrays import Array
 from groundslab.discretize.ground import Factors
 from groundslab.errors import NotCertified
@@ -78,8 +79,8 @@ def _prepare(model: Model, ground: Springs) -> Model:
     """Return a model on springs, whose mesh is not adaptive: settlements need no finer one than the first."""
     changes: dict[str, object] = {"symmetry": "off"}
     if model.mesh.adaptive:
-        changes["size"] = min(model.plate.sides) / SHORT_SIDE_ELEMENTS
-    return model.model_copy(update={"ground": ground, "mesh": model.mesh.model_copy(update=changes)})
+        changes["size"] = max(min(each.sides) for each in model.every_plate) / SHORT_SIDE_ELEMENTS
+    return on_ground(model, ground).model_copy(update={"mesh": model.mesh.model_copy(update=changes)})
 
 
 def _constant(ratio: float) -> Callable[[Array, Array], Array]:

@@ -8,7 +8,16 @@ from dataclasses import dataclass
 from typing import Any
 
 from groundslab.errors import InputError, Issue
-from groundslab.model.ground import AnyGround, Continuum, HalfSpace, SoilLayer, Vlasov
+from groundslab.model.ground import (
+    AnyGround,
+    ConstrainedModulus,
+    Continuum,
+    HalfSpace,
+    SoilLayer,
+    Vlasov,
+    carry_shear,
+)
+from groundslab.model.loads.load_types import presses_ground
 from groundslab.model.model import Model
 from groundslab.model.settings import Beyond
 from groundslab.model.varying_ground import Borehole
@@ -22,8 +31,9 @@ BEYOND = Beyond(kind="infinite")
 
 @dataclass(frozen=True, slots=True)
 class SoilColumn:
-    """Layers of soil from the top downwards, what lies below them, and what a reader must know about the choice."""
+    """The ground as described, its layers of soil, what lies below them, and what a reader must know about the choice."""
 
+    given: AnyGround
     layers: tuple[SoilLayer, ...]
     half_space: HalfSpace | None
     base: float  # how deep below the layers a half-space is cut off where it must end [m]
@@ -37,8 +47,16 @@ class SoilColumn:
         return (*self.layers, SoilLayer(E=self.half_space.E, nu=self.half_space.nu, thickness=self.base))
 
 
+def _make_constrained(soil: SoilColumn) -> ConstrainedModulus:
+    """Return the layers compressed by Boussinesq's stresses, with relief and limit depth where they are described."""
+    if isinstance(soil.given, ConstrainedModulus):
+        return soil.given.replace(layers=soil.finite_layers)
+    return ConstrainedModulus(layers=soil.finite_layers)
+
+
 #: Grounds beside the continuum that follow from the soil by their kinds, in the order in which they are shown.
 FROM_SOIL: dict[str, Callable[[SoilColumn], AnyGround]] = {
+    "constrained modulus": _make_constrained,
     "vlasov": lambda soil: Vlasov(layers=soil.finite_layers),
 }
 
@@ -51,7 +69,7 @@ def find_soil(model: Model) -> SoilColumn:
     ground, notes = model.ground, list[str]()
     layers: Sequence[Any] = getattr(ground, "layers", ())
     half_space = ground.half_space if isinstance(ground, Continuum) else None
-    base = BASE_DEPTH * min(model.plate.sides)
+    base = BASE_DEPTH * max(min(each.sides) for each in model.every_plate)
     if model.boreholes:
         hole, name = _middle_borehole(model)
         layers = hole.layers
@@ -62,13 +80,14 @@ def find_soil(model: Model) -> SoilColumn:
         raise InputError([Issue("ground", found, "layers given by E, nu and thickness", hint)])
     if half_space is not None:
         notes.append(
-            f"The continuum has a half-space below its layers. Vlasov's ground needs a base: it ends {base:g} m below "
-            f"them, {BASE_DEPTH:g} times the plate's shorter side."
+            f"The continuum has a half-space below its layers. Other layered grounds need a base: they end {base:g} m "
+            f"below these, {BASE_DEPTH:g} times the plate's shorter side."
         )
+    if any(map(presses_ground, model.loads)):
+        notes.append("Loads beside the plate have no effect on springs, and act on the other grounds only.")
     # sublayers belong to the consistent coupling alone
-    return SoilColumn(
-        tuple(layer.model_copy(update={"sublayers": 1}) for layer in layers), half_space, base, tuple(notes)
-    )
+    plain = tuple(layer.model_copy(update={"sublayers": 1}) for layer in layers)
+    return SoilColumn(ground, plain, half_space, base, tuple(notes))
 
 
 def _middle_borehole(model: Model) -> tuple[Borehole, str]:
@@ -81,8 +100,13 @@ def _middle_borehole(model: Model) -> tuple[Borehole, str]:
 
 def on_continuum(model: Model, soil: SoilColumn) -> Model:
     """Return a model on the continuum of a column of soil; raises InputError if it cannot be one."""
-    cell = model.ground.cell if isinstance(model.ground, Continuum) else None
-    given = {"layers": soil.layers, "half_space": soil.half_space, "cell": cell}
+    given = {"layers": soil.layers, "half_space": soil.half_space, "cell": getattr(soil.given, "cell", None)}
     # described by keys, so that issues name them as the case does
     ground = {"kind": "continuum"} | {name: value for name, value in given.items() if value is not None}
     return model.replace(ground=ground, beyond=BEYOND, boreholes=())
+
+
+def on_ground(model: Model, ground: AnyGround) -> Model:
+    """Return a model on another ground, without the loads beside the plate where these have no effect."""
+    loads = model.loads if any(carry_shear(ground)) else tuple(each for each in model.loads if not presses_ground(each))
+    return model.model_copy(update={"ground": ground, "beyond": BEYOND, "loads": loads})

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 #: Units of display of the grounds' constants.
 CONSTANTS = {"k": "MPa/m", "k0": "MPa/m", "k1": "MPa m", "gamma": ""}
+#: Values below this share of the largest in their row are rounding.
+ROUNDING = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,10 +35,12 @@ class ComparisonRow:
 
     def texts(self) -> Iterator[tuple[str, str]]:
         """Yield value and difference of each ground as texts."""
+        nothing = ROUNDING * max(abs(value) for value in self.values if value is not None)
         for value, difference in zip(self.values, self.differences, strict=True):
+            shown = 0.0 if value is not None and abs(value) < nothing else value
             yield (
-                "" if value is None else format_number(value, 4, trim=True),
-                "" if difference is None else f"{difference:+.3g} %",
+                "" if shown is None else format_number(shown, 4, trim=True),
+                "" if difference is None else f"{difference:+.1f} %",
             )
 
 

@@ -24,7 +24,7 @@ def print_comparison(comparison: GroundComparison, console: Console) -> None:
     table = Table(box=None, padding=(0, 1, 0, 0), pad_edge=False, header_style="bold cyan")
     table.add_column("")
     for heading in headings(comparison):
-        table.add_column(heading.replace(", ", "\n"), justify="right")
+        table.add_column(heading.replace(" ", "\n"), justify="right")
     table.add_column("", style="dim")
     for row in (*figure_rows(comparison), *constant_rows(comparison)):
         cells = [
