@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 def describe(compare: argparse.ArgumentParser) -> None:
     """Add what the command compare-ground understands."""
     compare.epilog = (
-        "The ground of the case has layers given by E, nu and thickness. Bonded, they are an elastic continuum, with "
-        "which other grounds of the same layers are compared (constrained moduli, Vlasov), and the Pasternak ground and "
-        "the springs whose constants fit the continuum best under this slab."
+        "The ground of the case has layers given by E, nu and thickness. Bonded, they are a continuum. With it "
+        "are compared: constrained moduli and Vlasov's ground of the same layers, and the Pasternak ground and the "
+        "springs whose constants fit the continuum best under this slab."
     )
     compare.add_argument("case", help="case file (TOML)")
     compare.add_argument(

@@ -31,7 +31,7 @@ BEYOND = Beyond(kind="infinite")
 
 @dataclass(frozen=True, slots=True)
 class SoilColumn:
-    """The ground as described, its layers of soil, what lies below them, and what a reader must know about the choice."""
+    """The ground as described, its layers, what lies below them, and what a reader must know about the choice."""
 
     given: AnyGround
     layers: tuple[SoilLayer, ...]

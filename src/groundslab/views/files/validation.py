@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from groundslab.model.ground import ContinuousGround
-
 if TYPE_CHECKING:
     from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
     from groundslab.results.results import CombinationResult, Comparison, Increment, SupportResult
@@ -74,8 +72,7 @@ def _of_state(name: str, state: State, layers: int) -> Iterator[str]:
     yield from _of_mesh(f"{name}ground", ground)
     n, m = len(ground.nodes), len(ground.elements)
     surfaces = np.shape(ground.settlement)[:1]
-    # ground without constants of layers has its surface alone
-    if surfaces != (layers or 1,):
+    if surfaces != (layers,):
         yield f"{name}ground.settlement of {surfaces} surfaces on {layers} layers"
     shapes = {"nodes": (n, 2), "elements": (m, 9), "settlement": (*surfaces, n)}
     yield from _of_arrays(f"{name}ground", ground, (n,), shapes)
@@ -142,8 +139,7 @@ def _within_plate(results: CombinationResult) -> Iterator[str]:
 def _of_constants(results: CombinationResult) -> Iterator[str]:
     """Yield what is wrong with single numbers; their types are known to be right."""
     constants, certificate = results.constants, results.certificate
-    columns = not isinstance(results.model.ground, ContinuousGround)
-    if bool(constants.k0) != columns or len(constants.k0) != len(constants.k1):
+    if not constants.k0 or len(constants.k0) != len(constants.k1):
         yield "constants.k0 and constants.k1 of different lengths"
     if not all(k0 > 0 for k0 in constants.k0) or not all(k1 >= 0 for k1 in constants.k1):
         yield "constants of the ground that are not positive"

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 #: Fields that are drawn along each axis: the moment is that of strips along the line.
 ROWS = {"x": ("settlement", "moment_x", "pressure"), "y": ("settlement", "moment_y", "pressure")}
 #: Boxes of the curves [mm].
-LEFT, WIDTH, BETWEEN, HIGH, GAP, AXIS = 15.0, 70.0, 20.0, 36.0, 5.0, 9.0
+LEFT, WIDTH, BETWEEN, HIGH, GAP, AXIS = 15.0, 70.0, 20.0, 36.0, 5.0, 11.0
 #: Pressures are drawn up to so many times the one that is exceeded on 5 % of the area on the continuum: at edges its
 #: curve grows without a limit.
 MOST_PRESSURE = 2.0

@@ -95,7 +95,7 @@ def json_text(comparison: GroundComparison) -> str:
         "model": casefile.to_toml(comparison.model),
         "comparison": _adapter().dump_python(comparison, mode="json", exclude={"model"}),
     }
-    return json.dumps(document, indent=2, allow_nan=False)
+    return json.dumps(document, allow_nan=False)
 
 
 @cache

@@ -40,7 +40,7 @@ class ComparisonRow:
             shown = 0.0 if value is not None and abs(value) < nothing else value
             yield (
                 "" if shown is None else format_number(shown, 4, trim=True),
-                "" if difference is None else f"{difference:+.1f} %",
+                "" if difference is None else f"{round(difference, 1) + 0.0:+.1f} %",
             )
 
 
