@@ -25,9 +25,9 @@ FITTED: dict[str, tuple[type[Springs], tuple[str, ...]]] = {
     "winkler": (Winkler, ("k",)),
 }
 #: The meshed ground beyond the plate is as wide as the first constants need: from those found all are sought again.
-ROUNDS = 2
-#: Slopes are differences between constants that differ by about this share.
-DIFFERENCE = 0.01
+ROUNDS = {"pasternak": 2, "winkler": 1}
+#: Slopes are differences between constants that differ by this share.
+DIFFERENCE = 1e-4
 #: The constants are found to this share, or until a step lessens the sum of squares by less than the other one.
 TOLERANCE, LEAST_GAIN = 1e-6, 1e-5
 #: Constants are sought up to this factor above and below the first ones, in so many steps at most.
@@ -41,7 +41,7 @@ def fit(kind: str, model: Model, start: Sequence[float], samples: Samples, settl
     """
     springs, names = FITTED[kind]
     found = springs(**dict(zip(names, start, strict=False)))
-    for _ in range(ROUNDS):
+    for _ in range(ROUNDS[kind]):
         ratios = _best_ratios(model, found, names, samples, settlement)
         found = found.replace(**{name: getattr(found, name) * ratio for name, ratio in zip(names, ratios, strict=True)})
     return found
@@ -56,23 +56,20 @@ def _best_ratios(
     variants = Variants(_prepare(model, first))
     weights = samples.weights / np.abs(settlement).max()
 
-    def residuals(logs: Array) -> Array:
-        factors = {f"ground.{name}": _constant(ratio) for name, ratio in zip(names, np.exp(logs), strict=True)}
+    def residuals(x: Array) -> Array:
+        factors = {f"ground.{name}": _constant(ratio) for name, ratio in zip(names, np.exp(x - 1), strict=True)}
         found = sample(_solve(variants, factors), "settlement", samples.places)
         # a place that a mesh with other chords of a curved edge does not reach counts nothing
         difference: Array = np.nan_to_num((found - settlement) * weights)
         return difference
 
-    def slopes(logs: Array) -> Array:
-        steps = DIFFERENCE * np.eye(len(logs))
-        return np.stack([residuals(logs + step) - residuals(logs - step) for step in steps], axis=1) / (2 * DIFFERENCE)
-
-    reach = np.log(REACH)
+    # unknowns are 1 + log(ratio), whose differences are relative to them
+    start, reach = np.ones(len(names)), np.log(REACH)
     found = least_squares(
-        residuals, np.zeros(len(names)), slopes, bounds=(-reach, reach),
+        residuals, start, bounds=(start - reach, start + reach), diff_step=DIFFERENCE,
         xtol=TOLERANCE, ftol=LEAST_GAIN, gtol=None, max_nfev=MOST_STEPS,
     )  # fmt: skip
-    return list(np.exp(found.x).tolist())
+    return list(np.exp(found.x - 1).tolist())
 
 
 def _prepare(model: Model, ground: Springs) -> Model:
