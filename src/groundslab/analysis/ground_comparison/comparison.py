@@ -31,6 +31,7 @@ from groundslab.schema.wording import one_of, quote, suggestion
 
 #: A figure below this share of the largest of its unit on the continuum has no difference in percent.
 NOTHING = 0.05
+UNDETERMINED = "The slab is so stiff that its settlement hardly tells two constants apart."
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,11 +180,13 @@ def compare_grounds(
         solved[kind] = variants.solve_combinations(on_ground(only, make(soil))).only
     start, samples = solved["vlasov"].constants, gauss_points(continuum.plate)
     settlement = sample(continuum.plate, "settlement", samples.places)
+    notes = _notes(base)
     for kind in FITTED:
         report(kind)
-        ground = fit(kind, only, (*start.k0, *start.k1), samples, settlement)
+        ground, determined = fit(kind, only, (*start.k0, *start.k1), samples, settlement)
+        notes += () if determined else (f"{UNDETERMINED} {kind.capitalize()}: others fit nearly as well.",)
         solved[kind] = variants.solve_combinations(on_ground(only, ground)).only
-    return _compare(model, solved, (*_notes(base), *soil.notes))
+    return _compare(model, solved, (*notes, *soil.notes))
 
 
 def _with_only(model: Model, combination: Combination) -> Model:

@@ -30,27 +30,30 @@ ROUNDS = {"pasternak": 2, "winkler": 1}
 DIFFERENCE = 1e-4
 #: The constants are found to this share, or until a step lessens the sum of squares by less than the other one.
 TOLERANCE, LEAST_GAIN = 1e-6, 1e-5
+#: Constants are told apart if settlements change by this share of the largest one where they change by a factor of e.
+LEAST_EFFECT = 5e-3
 #: Constants are sought up to this factor above and below the first ones, in so many steps at most.
 REACH, MOST_STEPS = 1e4, 30
 
 
-def fit(kind: str, model: Model, start: Sequence[float], samples: Samples, settlement: Array) -> Springs:
+def fit(kind: str, model: Model, start: Sequence[float], samples: Samples, settlement: Array) -> tuple[Springs, bool]:
     """Return the springs on which a model with one combination settles most like given values (p,) at samples [m].
 
-    The integral over the plate of the square of the difference is least. `start` are k0 and k1 to begin with.
+    The integral over the plate of the square of the difference is least. `start` are k0 and k1 to begin with. Also
+    returns whether the constants can be told apart.
     """
     springs, names = FITTED[kind]
-    found = springs(**dict(zip(names, start, strict=False)))
+    found, determined = springs(**dict(zip(names, start, strict=False))), True
     for _ in range(ROUNDS[kind]):
-        ratios = _best_ratios(model, found, names, samples, settlement)
+        ratios, determined = _best_ratios(model, found, names, samples, settlement)
         found = found.replace(**{name: getattr(found, name) * ratio for name, ratio in zip(names, ratios, strict=True)})
-    return found
+    return found, determined
 
 
 def _best_ratios(
     model: Model, first: Springs, names: Sequence[str], samples: Samples, settlement: Array
-) -> list[float]:
-    """Return the ratios of the best constants to the first ones, all on the mesh of the latter."""
+) -> tuple[list[float], bool]:
+    """Return the ratios of the best constants to the first ones, whose mesh all have, and if they can be told apart."""
     from scipy.optimize import least_squares
 
     variants = Variants(_prepare(model, first))
@@ -69,7 +72,8 @@ def _best_ratios(
         residuals, start, bounds=(start - reach, start + reach), diff_step=DIFFERENCE,
         xtol=TOLERANCE, ftol=LEAST_GAIN, gtol=None, max_nfev=MOST_STEPS,
     )  # fmt: skip
-    return list(np.exp(found.x - 1).tolist())
+    least = np.linalg.svd(found.jac, compute_uv=False).min()
+    return np.exp(found.x - 1).tolist(), bool(least > LEAST_EFFECT)
 
 
 def _prepare(model: Model, ground: Springs) -> Model:

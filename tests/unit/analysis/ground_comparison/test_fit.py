@@ -35,8 +35,11 @@ def test_pasternak() -> None:
     solved = solve(model({"kind": "pasternak", "k0": 1e7, "k1": 8e6})).only
     assert solved.plate.contact_share < 0.95
     points = gauss_points(solved.plate)
-    found = fit("pasternak", solved.model, (2e7, 2.4e7), points, sample(solved.plate, "settlement", points.places))
+    found, determined = fit(
+        "pasternak", solved.model, (2e7, 2.4e7), points, sample(solved.plate, "settlement", points.places)
+    )
     assert isinstance(found, Pasternak)
+    assert determined
     # the search ends when a step changes the constants by 1e-6; its mesh differs from that of the settlements
     assert found.k0 == pytest.approx(1e7, rel=1e-3)
     assert found.k1 == pytest.approx(8e6, rel=1e-3)
@@ -47,6 +50,9 @@ def test_winkler(mesh: dict[str, Any]) -> None:
     """The modulus of subgrade reaction comes out, where the mesh is adaptive on a coarser one."""
     solved = solve(model({"kind": "winkler", "k": 3e7}, mesh=mesh)).only
     points = gauss_points(solved.plate)
-    found = fit("winkler", solved.model, (1e7, 1e7), points, sample(solved.plate, "settlement", points.places))
+    found, determined = fit(
+        "winkler", solved.model, (1e7, 1e7), points, sample(solved.plate, "settlement", points.places)
+    )
     assert isinstance(found, Winkler)
+    assert determined
     assert found.k == pytest.approx(3e7, rel=1e-6 if "size" in mesh else 2e-3)

@@ -50,7 +50,7 @@ def test_ground_of_constrained_moduli_keeps_its_rules() -> None:
 
 
 def test_a_half_space_is_cut_off_where_a_base_is_needed() -> None:
-    """Vlasov's ground ends twice the shorter side, 16 m, below the layers, and a note says so; the continuum does not."""
+    """Vlasov's ground ends twice the shorter side, 16 m, below the layers; a note says so."""
     given = model(ground={"kind": "continuum", "layers": [SOFT], "half_space": {"E": 80e6, "nu": 0.2}})
     soil = find_soil(given)
     assert FROM_SOIL["vlasov"](soil) == Vlasov(layers=[SOFT, {"E": 80e6, "nu": 0.2, "thickness": 16.0}])
