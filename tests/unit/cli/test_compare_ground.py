@@ -48,6 +48,7 @@ def test_json_is_alone_on_standard_output(case: Path, capsys: pytest.CaptureFixt
     assert err == ""
 
 
+@pytest.mark.slow
 def test_the_report_of_results_has_a_chapter(case: Path, tmp_path: Path) -> None:
     """Beside results the comparison is a chapter of their report; without it there is none."""
     folder = results_folder.save_results(synthetic.results(), tmp_path / "raft")

@@ -26,7 +26,7 @@ def test_differences_are_those_to_the_continuum() -> None:
 
 
 def test_constants_stand_where_a_ground_has_them() -> None:
-    """k of springs, k0 and k1 of the two others, in units of display."""
+    """Springs have k, the two others k0 and k1, in units of display."""
     rows = {row.name: row.values for row in constant_rows(grounds.comparison())}
     assert rows["k"] == (None, None, None, 8)
     assert rows["k0"] == (None, 7, 5, None)
