@@ -76,6 +76,7 @@ from .model.shapes import Circle as Circle
 from .model.shapes import Polygon as Polygon
 from .model.shapes import Rectangle as Rectangle
 from .model.supports import LineSupport as LineSupport
+from .model.supports import Pile as Pile
 from .model.supports import PointSupport as PointSupport
 from .model.varying_ground import Borehole as Borehole
 from .model.varying_ground import GapPoint as GapPoint

@@ -34,7 +34,7 @@ def find_unresolved(results: CombinationResult) -> Unresolved | None:
     for load in (each.on(model.columns) for each in model.loads if isinstance(each, PointLoad)):
         sides = [side for side in (load.width_x, load.width_y, load.diameter) if side]
         found.append((load.x, load.y, min(sides, default=least)))
-    found += [(each.x, each.y, least) for each in model.supports if each.kind == "point"]
+    found += [(each.x, each.y, least) for each in model.supports if each.kind != "line"]
     if not found:
         return None
     x, y, side = np.array(found, dtype=float).T

@@ -10,7 +10,7 @@ from groundslab.analysis.extrapolation import Extrapolation
 from groundslab.analysis.load_step import LoadStep
 from groundslab.analysis.mesh_hierarchy import Level
 from groundslab.arrays import Array, Integers
-from groundslab.errors import NotConverged
+from groundslab.errors import IllConditioned, NotConverged
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings, Contact, plastic_slip
 from groundslab.fem.continuum.cells import prolong
 from groundslab.fem.foundation import single
@@ -27,8 +27,10 @@ from groundslab.solvers.solution import Pressed, Solution
 TOLERANCE = 1e-7
 #: On the coarser meshes they need only be good enough to start the next one, and to compare with.
 TOLERANCE_COARSE = 1e-6
-#: Products with the operator for each contact step that an analysis may take.
-PRODUCTS = 10
+#: Products with the operator for each contact step that an analysis may take, and on coarser meshes at all.
+PRODUCTS, PRODUCTS_COARSE = 10, 300
+#: A plate that may lift off has an elastic length of at least this share of a cell.
+SHORTEST = 0.3
 
 
 def solve_pressures(step: LoadStep, start: Solution | None) -> Solution:
@@ -36,6 +38,8 @@ def solve_pressures(step: LoadStep, start: Solution | None) -> Solution:
     s, problem = step.system, step.system.problem
     law, f = current_bearings(problem, step.factor, step.slip), right_hand_side(s, step.factor)
     operator = _operator(step.level, s)
+    if step.finest and problem.tensionless:
+        _require_resolution(operator)
 
     def report(iteration: int, bearing: int, changed: int) -> None:
         step.report(Step(s.pattern.size, 1, None, iteration, bearing, changed, step.finest))
@@ -45,7 +49,7 @@ def solve_pressures(step: LoadStep, start: Solution | None) -> Solution:
     c = len(problem.elastic.gap) if problem.elastic else 0
     contact = Contact(u, _states(law, found.x[c:]), found.x[c:])
     pressed = Pressed(found.x[:c], found.y[:c])
-    U, slip = _table(s, u, pressed, step.factor), step.slip + plastic_slip(law, contact)
+    U, slip = _table(step, contact, pressed), step.slip + plastic_slip(law, contact)
     solution = Solution(s, U, contact, single(0.0, 0.0), None, law, slip, pressed=pressed)
     if step.finest:
         require_hold(problem, contact, pressed.force)
@@ -62,6 +66,7 @@ def _iterate(
     """
     ground, c = p.ground, len(p.ground.gap)
     tolerance = TOLERANCE if step.finest else TOLERANCE_COARSE
+    limit = PRODUCTS * step.max_iterations if step.finest else PRODUCTS_COARSE
     beside = step.factor * settlement_by_loads_beside(step.system.problem, ground.cells.center)
     history = list[dict[str, float]]()
     further = np.zeros(c)
@@ -70,7 +75,7 @@ def _iterate(
     extrapolation = Extrapolation()
     while True:
         problem = bound_forces(p, step.system.problem, law, f, further + beside)
-        found = bounded_forces.solve(problem, x, tolerance, PRODUCTS * step.max_iterations, report)
+        found = bounded_forces.solve(problem, x, tolerance, limit, report)
         if ground.linear:
             return found
         x, settled = found.x, ground.settle(found.x[:c])
@@ -82,6 +87,17 @@ def _iterate(
         if len(history) >= step.max_iterations:
             raise NotConverged("the settlement of the ground", history, {"x": x})
         further = extrapolation.next(further, after)
+
+
+def _require_resolution(p: PlateOnContinuum) -> None:
+    """Raise IllConditioned if the plate is so thin that it bends within a cell."""
+    cell = max(p.ground.cells.grid.dx, p.ground.cells.grid.dy)
+    if p.elastic_length < SHORTEST * cell:
+        raise IllConditioned(
+            f"the plate's elastic length on this ground, {p.elastic_length:.3g} m, is too short for cells of pressure "
+            f"of {cell:.3g} m where it may lift off; make them smaller (mesh.size, ground.cell), or glue the plate to "
+            "the ground with contact.tensionless = false"
+        )
 
 
 def _operator(level: Level, s: System) -> PlateOnContinuum:
@@ -117,15 +133,18 @@ def _start(problem: Problem, start: Solution | None) -> Array:
     return np.concatenate([prolong(known.elastic.cells, start.pressed.force, cells), on_supports])
 
 
-def _table(s: System, u: Array, pressed: Pressed, factor: float) -> Array:
-    """Return unknowns (size,) as a table (n, F), and with them the settlement of the ground's surface at every node."""
-    problem, elastic = s.problem, s.problem.elastic
+def _table(step: LoadStep, contact: Contact, pressed: Pressed) -> Array:
+    """Return unknowns as a table (n, F), and with them the settlement of the ground's surface at every node."""
+    problem, elastic = step.system.problem, step.system.problem.elastic
     assert elastic is not None
-    U = nodal_table(problem, u)
+    U = nodal_table(problem, contact.u)
     under = problem.plate_nodes
     U[under, TOP] = (elastic.cells.around @ pressed.gap - problem.initial_gap)[under]
     beyond = np.setdiff1d(np.arange(len(U)), under)
     if len(beyond):
-        U[beyond, TOP] = elastic.settle_at(pressed.force, problem.mesh.nodes[beyond])
-        U[beyond, TOP] += factor * settlement_by_loads_beside(problem, problem.mesh.nodes[beyond])
+        places = problem.mesh.nodes[beyond]
+        U[beyond, TOP] = elastic.settle_at(pressed.force, places)
+        U[beyond, TOP] += step.factor * settlement_by_loads_beside(problem, places)
+        if elastic.piles is not None:
+            U[beyond, TOP] += elastic.piles.settle_at(contact.force[elastic.piles.bearing], places)
     return U

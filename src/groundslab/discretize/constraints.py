@@ -19,9 +19,10 @@ from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Bearing, Depths, W
 from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import SAME_PLACE
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_types import SettlementLoad
 from groundslab.model.model import Model
-from groundslab.model.supports import LineSupport, PointSupport
+from groundslab.model.supports import LineSupport, Pile, PointSupport
 
 #: Simpson's rule for the ends and the middle of a side: the share of its length that each node carries.
 SIMPSON = np.array([1.0, 1.0, 4.0]) / 6
@@ -32,14 +33,17 @@ LOCATION = ("node", "field", "support", "length", "depth")
 def ground_bearing(
     model: Model, plan: Layout, unknown: Integers, found: Depths, ground: Soil | Column, gap: Array
 ) -> Bearing:
-    """Return the ground under each plate node as a bearing on its gap, yielding at the limit pressure; none if glued.
+    """Return the ground under each plate node as a bearing on its gap, yielding at the limit pressure.
+
+    There is none if the plate is glued to it, or bears on cells.
 
     The limit force is the limit pressure times the area that bears, zero over a cavity. Along edges of ground that
     carries shear it limits the overall balance only: see system.current_bearings. Where ground without shear lies
     deeper beside a node than under it, the deeper part is a spring on the plate's settlement, at its depth below the
     gap (n,) [m].
     """
-    under = plan.plate_nodes if model.contact.tensionless else np.zeros(0, np.int64)
+    by_nodes = model.contact.tensionless and not isinstance(model.ground, ContinuousGround)
+    under = plan.plate_nodes if by_nodes else np.zeros(0, np.int64)
     limit = np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure
     depth, area = found.shallowest[under], found.at_shallowest(found.area, under)
     bottom = np.where(np.isinf(found.depth), 0.0, found.depth)[depth]
@@ -64,6 +68,12 @@ def support_bearing(model: Model, plan: Layout, unknown: Integers) -> Bearing:
     """
     parts: list[Bearing] = []
     for number, support in enumerate(model.supports):
+        if isinstance(support, Pile):
+            node = np.array([node_at(plan, support.x, support.y)])
+            # its limits, and what it settles, are those of the ground with its piles
+            law = make_bearings(unknown[node, W], -1.0, 0.0, bilateral=True)
+            parts.append(_place(law, node, W, number))
+            continue
         if isinstance(support, PointSupport):
             nodes, share = np.array([node_at(plan, support.x, support.y)]), np.ones(1)
             if support.rotational_stiffness is not None:
@@ -140,7 +150,7 @@ def fixed_nodes(model: Model, plan: Layout) -> Integers:
     found = [np.zeros(0, dtype=np.int64)]
     for support in model.supports:
         if support.rotation == "fixed":
-            if isinstance(support, PointSupport):
+            if not isinstance(support, LineSupport):
                 found.append(np.array([node_at(plan, support.x, support.y)]))
             else:
                 found.append(nodes_along(plan, support)[0])

@@ -11,7 +11,7 @@ from groundslab.discretize.ground import Factors, carries_shear, ground_under, g
 from groundslab.discretize.nodal_loads import loadings, materials
 from groundslab.discretize.plan_layout import AXIS, OUTWARD, Layout, Meshes, layout
 from groundslab.discretize.serviceability.cracking import cracked_sections
-from groundslab.discretize.voids import find_depths, initial_gap, level_ground
+from groundslab.discretize.voids import find_depths, initial_gap
 from groundslab.fem import plate
 from groundslab.fem.assembly import number_unknowns
 from groundslab.fem.mesh import sides_on_boundary
@@ -44,14 +44,13 @@ def discretize(
     element, sections = plate.ELEMENTS[model.plate.element], materials(model)
     present = _present(model, plan, element, surfaces_of(ground))
     fields = present.shape[1]
-    cases = _known_cases(model, plan, element, fields, like)
-    if not cases:
-        acting = model if loaded else model.model_copy(update={"cases": (), "loads": ()})
-        cases = loadings(acting, plan, element, fields)
+    acting = model if loaded else model.model_copy(update={"cases": (), "loads": ()})
+    cases = _known_cases(model, plan, element, fields, like) or loadings(acting, plan, element, fields)
     unknown = number_unknowns(plan.rank, present)
-    elastic = elastic_ground(model, plan, element, coarsening, sum(float(each.load[:, W].sum()) for each in cases))
-    below = find_depths(model, plan, ground, coarsening == 0) if elastic is None else level_ground(plan)
-    gap = initial_gap(model, plan)
+    below, gap = find_depths(model, plan, ground, coarsening == 0), initial_gap(model, plan)
+    bearing = concatenate(
+        ground_bearing(model, plan, unknown, below, ground, gap), support_bearing(model, plan, unknown)
+    )
     edges, corners = _infinite_edges(model, plan)
     return Problem(
         mesh=plan.mesh,
@@ -73,10 +72,7 @@ def discretize(
         loading=sum(cases[1:], cases[0]),
         initial_gap=gap + np.where(np.isfinite(below.depth), below.depth, 0.0)[below.shallowest],
         depths=below,
-        bearing=concatenate(
-            *([ground_bearing(model, plan, unknown, below, ground, gap)] if elastic is None else []),
-            support_bearing(model, plan, unknown),
-        ),
+        bearing=bearing,
         tensionless=model.contact.tensionless,
         limit_pressure=np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure,
         plate_edges=plan.plate_edges,
@@ -84,7 +80,7 @@ def discretize(
         edges=edges,
         corners=corners,
         symmetry=plan.symmetry,
-        elastic=elastic,
+        elastic=elastic_ground(model, plan, element, coarsening, bearing, cases),
         cracking=cracked_sections(model, plan.section, plan.mesh.nodes[plan.mesh.elements[plan.plate_elements, -1]]),
     )
 

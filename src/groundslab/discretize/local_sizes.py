@@ -112,4 +112,4 @@ def _footprints(model: Model) -> Iterator[Ring]:
         if isinstance(load, PointLoad | PatchLoad):
             yield from load_rings(load, model)
     yield from (circle(place, t / 2) for place in forces_without_footprint(model))
-    yield from (circle((each.x, each.y), t / 2) for each in model.supports if each.kind == "point")
+    yield from (circle((each.x, each.y), t / 2) for each in model.supports if each.kind != "line")

@@ -14,8 +14,11 @@ from groundslab.fem.problem import BETA_X, TOP, Loading, W
 from groundslab.geometry.plan import FLAT, SAME_PLACE
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads import load_types as loads
-from groundslab.model.loads.clipping import clip_line_load
+from groundslab.model.loads.clipping import clip_line_load, get_plate_region
 from groundslab.model.model import Model
+
+#: Points each way by which a load beside the plate acts on an elastic continuum.
+POINTS = 100
 
 
 def loadings(model: Model, plan: Layout, element: plate.PlateElement, fields: int) -> tuple[Loading, ...]:
@@ -43,7 +46,7 @@ def _loading(
     mesh, elements = plan.mesh, plan.plate_elements
     n = len(mesh.nodes)
     forces, couples, size = np.zeros((len(elements), 9)), np.zeros((2, len(elements), 9)), 0.0
-    beside = np.zeros(n)
+    beside, pressing = np.zeros(n), [np.zeros((0, 3))]
     length = np.ptp(mesh.nodes[plan.plate_nodes], axis=0).max()
     warp, settlement = np.zeros(len(elements)), np.zeros(len(model.supports))
     thickness = np.array([t for _, _, t in materials(model)])[plan.section]
@@ -63,6 +66,7 @@ def _loading(
             size += float(np.abs(force).sum() + np.abs(couple).sum() / length)
         elif loads.presses_ground(load):
             beside += _on_ground(load, plan)
+            pressing.append(_points_on_ground(load, model))
         else:
             force = _spread(load, model, plan, thickness)
             forces += force
@@ -80,7 +84,7 @@ def _loading(
     for axis in (0, 1):
         if couples[axis].any():
             table[:, BETA_X + axis] = scatter(mesh.elements[elements], couples[axis], n)
-    return Loading(table, np.column_stack([warp, warp]), settlement, size)
+    return Loading(table, np.column_stack([warp, warp]), settlement, size, np.vstack(pressing))
 
 
 def _on_ground(load: loads.OnGround, plan: Layout) -> Array:
@@ -90,6 +94,21 @@ def _on_ground(load: loads.OnGround, plan: Layout) -> Array:
     pressure, area = loads.pressure_function(load), load.to_shapely(math.inf)
     forces = load_vectors.integrate_over_polygon(mesh, elements, area, pressure)
     return scatter(mesh.elements[elements], forces, len(mesh.nodes))
+
+
+def _points_on_ground(load: loads.OnGround, model: Model) -> Array:
+    """Return places x, y [m] and forces [N] (f, 3) that together make a load on an elastic continuum."""
+    if not isinstance(model.ground, ContinuousGround):
+        return np.zeros((0, 3))
+    from shapely import contains_xy
+
+    shape = load.to_shapely(math.inf).difference(get_plate_region(model.plate, model.plates).grown)
+    x0, y0, x1, y1 = shape.bounds
+    steps = np.arange(0.5, POINTS) / POINTS
+    x, y = np.meshgrid(x0 + (x1 - x0) * steps, y0 + (y1 - y0) * steps)
+    within = contains_xy(shape, x, y)
+    places = np.column_stack([x[within], y[within]])
+    return np.column_stack([places, loads.pressure_function(load)(places) * shape.area / len(places)])
 
 
 def _spread(

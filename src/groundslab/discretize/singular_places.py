@@ -62,7 +62,7 @@ def singular_places(model: Model) -> dict[str, list[Place]]:
         corners += [place for zone in plate.zones for place in corners_of(zone.shape.ring(), None)]
     found = {
         "forces without a footprint": [*forces_without_footprint(model)],
-        "point supports": [(support.x, support.y) for support in model.supports if support.kind == "point"],
+        "point supports": [(support.x, support.y) for support in model.supports if support.kind != "line"],
         "ends and bends of lines": ends,
         "corners": corners,
     }

@@ -18,6 +18,7 @@ from groundslab.fem.load_vectors import integrate_over_elements
 from groundslab.fem.problem import MIDSIDES, Depths, largest_share
 from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import Ring
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.model import Model
 
 #: A void that takes less than this share of an element takes none of it, and one that leaves less takes it all.
@@ -60,8 +61,10 @@ def share_voids(model: Model, xy: Array, followed_borders: Sequence[Ring], steps
 def find_depths(model: Model, plan: Layout, ground: Soil | Column, finest: bool) -> Depths:
     """Return how deep the ground lies under each plate element and node.
 
-    Raises InputError for a void that is lost on the finest mesh.
+    Of ground that bears by cells it is level. Raises InputError for a void that is lost on the finest mesh.
     """
+    if isinstance(model.ground, ContinuousGround):
+        return _at_nodes(plan, np.zeros(1), np.ones((len(plan.plate_elements), 1)), False)
     steps = isinstance(ground, Column) and ground.surfaces == 1 and not ground.A1.any()
     found = share_voids(model, plan.mesh.xy[plan.plate_elements], plan.followed_borders, steps)
     there = found.drawn > 0
@@ -75,11 +78,6 @@ def find_depths(model: Model, plan: Layout, ground: Soil | Column, finest: bool)
             ]
         )
     return _at_nodes(plan, found.depth, found.share, steps)
-
-
-def level_ground(plan: Layout) -> Depths:
-    """Return the depths of ground without voids."""
-    return _at_nodes(plan, np.zeros(1), np.ones((len(plan.plate_elements), 1)), False)
 
 
 def _at_nodes(plan: Layout, depth: Array, share: Array, steps: bool) -> Depths:

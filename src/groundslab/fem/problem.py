@@ -36,16 +36,22 @@ class Loading:
     free_curvature: Array  # (mp, 2) [1/m]: beta_x,x and beta_y,y that each plate element would take freely
     settlement: Array  # (s,) [m]: of each support
     size: float  # [N]: sizes of all forces on the plate, and of moments over its length, whatever they cancel
+    beside: Array  # (f, 3): places x, y [m] and forces [N] of what presses an elastic continuum beside the plate
 
     def __add__(self, other: Loading) -> Loading:
         """Return the sum of two loadings."""
-        return Loading(*(getattr(self, each.name) + getattr(other, each.name) for each in fields(self)))
+        return Loading(
+            self.load + other.load,
+            self.free_curvature + other.free_curvature,
+            self.settlement + other.settlement,
+            self.size + other.size,
+            np.vstack([self.beside, other.beside]),
+        )
 
     def scale(self, factor: float) -> Loading:
         """Return the loading multiplied by a factor."""
-        return Loading(
-            factor * self.load, factor * self.free_curvature, factor * self.settlement, abs(factor) * self.size
-        )
+        many = factor * self.load, factor * self.free_curvature, factor * self.settlement
+        return Loading(*many, abs(factor) * self.size, self.beside * [1.0, 1.0, factor])
 
 
 @dataclass(frozen=True, slots=True)
@@ -211,8 +217,7 @@ def single_plates(problem: Problem) -> list[tuple[Problem, Flags]]:
 
 def settlement_by_loads_beside(problem: Problem, places: Array) -> Array:
     """Return what loads beside the plate settle an elastic continuum at places (p, 2), (p,) [m]."""
-    force = problem.load[:, TOP]
-    loaded = np.flatnonzero(force)
-    if problem.elastic is None or not len(loaded):
+    beside = problem.loading.beside
+    if problem.elastic is None or not len(beside):
         return np.zeros(len(places))
-    return problem.elastic.settle_by(force[loaded], problem.mesh.nodes[loaded], places)
+    return problem.elastic.settle_by(beside[:, 2], beside[:, :2], places)

@@ -22,7 +22,6 @@ from groundslab.model.settings import SIDES, Beyond, Contact, Mesh
 from groundslab.model.supports import (
     AnySupport,
     LineSupport,
-    PointSupport,
     check_line_supports,
     check_names,
     check_support_distances,
@@ -156,7 +155,7 @@ def check_supports(
     yield from far
     if not supports or far or any(check_line_supports(supports)):
         return
-    points = [n for n, support in enumerate(supports) if isinstance(support, PointSupport)]
+    points = [n for n, support in enumerate(supports) if not isinstance(support, LineSupport)]
     lines = [n for n, support in enumerate(supports) if isinstance(support, LineSupport)]
     called = {f"plate.points[{n}]": number for n, number in enumerate(points, start=1)}
     called |= {f"plate.lines[{n}]": number for n, number in enumerate(lines, start=1)}

@@ -30,7 +30,7 @@ from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, c
 from groundslab.model.serviceability.cracking import Cracking, check_cracking
 from groundslab.model.serviceability.long_term import LongTerm
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
-from groundslab.model.supports import Support
+from groundslab.model.supports import Support, check_piles
 from groundslab.schema import reference
 from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Text
@@ -61,6 +61,7 @@ class Model(Section):
         check_patterns,
         check_positions,
         consistency.check_supports,
+        check_piles,
         consistency.check_settlement_loads,
         varying_ground.check_soil_zone_types,
         varying_ground.check_soil_zone_extent,

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
 from groundslab.geometry.plan import Plan, Ring
-from groundslab.model.ground import POSITIVE
+from groundslab.model.ground import POSITIVE, AnyGround, ContinuousGround
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, first_sections, list_plates
 from groundslab.model.shapes import Place
@@ -14,7 +14,10 @@ from groundslab.schema.base import ByKind, Check, Section, Table
 from groundslab.schema.fields import Choice, ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
-from groundslab.schema.wording import describe
+from groundslab.schema.wording import describe, quote
+
+#: A pile is at least so many diameters long: formulas are those of slender ones.
+LEAST_SLENDERNESS = 5.0
 
 Acts = Literal["both ways", "in compression", "in tension"]
 Turning = Literal["free", "fixed"]
@@ -62,6 +65,11 @@ class PointSupport(Section):
         Quantity("moment per angle", "K_r", "moment per rotation, about both axes; none by default", POSITIVE),
     ] = None
 
+    @property
+    def elastic(self) -> bool:
+        """Whether it gives way."""
+        return self.stiffness is not None
+
 
 def _check_line_rotation(rotation: str, stiffness: float | None, acts: str) -> Iterator[RelativeIssue]:
     if rotation == "fixed" and (stiffness is not None or acts != "both ways"):
@@ -90,8 +98,56 @@ class LineSupport(Section):
     ] = None
     rotation: Annotated[Turning, Choice(Turning, "whether the plate may turn across the line")] = "free"
 
+    @property
+    def elastic(self) -> bool:
+        """Whether it gives way."""
+        return self.stiffness is not None
 
-AnySupport = PointSupport | LineSupport
+
+def _check_slenderness(length: float, diameter: float) -> Iterator[RelativeIssue]:
+    if length < LEAST_SLENDERNESS * diameter:
+        expected = f"at least {LEAST_SLENDERNESS:g} diameters, {LEAST_SLENDERNESS * diameter:g} m"
+        yield RelativeIssue(("length",), f"{length:g} m", expected, "what is shorter is no pile but a footing")
+
+
+class Pile(Section):
+    """A pile below the plate, whose stiffness follows from the ground; ground and other piles settle it, too."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_check_slenderness,)
+
+    kind: Annotated[Literal["pile"], Table("a pile in ground of elastic layers, which give its stiffness")] = "pile"
+    name: SupportName = ""
+    x: Annotated[float, Quantity("length", "x", "position")]
+    y: Annotated[float, Quantity("length", "y", "position")]
+    length: Annotated[float, Quantity("length", "l", "length below the plate", POSITIVE)]
+    diameter: Annotated[float, Quantity("length", "d", "diameter", POSITIVE)]
+    E: Annotated[float, Quantity("pressure", "E_p", "Young's modulus; of concrete by default", POSITIVE)] = 30e9
+    limit: Annotated[
+        float | None, Quantity("force", "R_c", "largest force in compression; none by default", POSITIVE)
+    ] = None
+    limit_tension: Annotated[
+        float | None,
+        Quantity("force", "R_t", "largest force in tension; none by default, 0 for one that only pushes",
+                 Range(at_least=0)),
+    ] = None  # fmt: skip
+
+    @property
+    def acts(self) -> Acts:
+        """How the pile acts."""
+        return "in compression" if self.limit_tension == 0 else "both ways"
+
+    @property
+    def elastic(self) -> bool:
+        """Whether it gives way."""
+        return True
+
+    @property
+    def rotation(self) -> Turning:
+        """Whether the plate may turn there."""
+        return "free"
+
+
+AnySupport = PointSupport | LineSupport | Pile
 Support = Annotated[AnySupport, ByKind()]
 
 
@@ -147,7 +203,25 @@ def plan_of_plate(
             for number, zone in enumerate(each.zones, start=start + 1)
         ),
         beyond,
-        tuple((support.x, support.y) for support in supports if isinstance(support, PointSupport)),
+        tuple((support.x, support.y) for support in supports if not isinstance(support, LineSupport)),
         tuple(support.points for support in supports if isinstance(support, LineSupport)),
         others=tuple((each.ring(), start) for each, start in zip(plates, starts[1:], strict=True)),
     )
+
+
+def check_piles(ground: AnyGround, supports: tuple[AnySupport, ...]) -> Iterator[RelativeIssue]:
+    """Find piles in ground that does not give their stiffness, and those that end below its layers."""
+    for position, pile in enumerate(supports):
+        if not isinstance(pile, Pile):
+            continue
+        place = ("supports", position)
+        if not isinstance(ground, ContinuousGround):
+            expected = 'ground.kind = "continuum" or "constrained modulus"'
+            hint = 'kind = "point" has a stiffness of its own'
+            yield RelativeIssue((*place, "kind"), f'"pile" in {quote(ground.kind)} ground', expected, hint)
+            continue
+        depth = sum(layer.thickness for layer in ground.layers)
+        if getattr(ground, "half_space", None) is None and pile.length >= depth:
+            hint = 'one that stands on the rigid base is a support of kind "point", with E A / l as its stiffness'
+            found = f"{pile.length:g} m, with layers of {depth:g} m"
+            yield RelativeIssue((*place, "length"), found, "a pile that ends in the layers", hint)

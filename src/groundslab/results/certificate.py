@@ -10,6 +10,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.fem.assembly import scatter
 from groundslab.fem.bearings import CLOSED, YIELDING
+from groundslab.fem.continuum.pile_group import PileGroup
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
 from groundslab.fem.problem import (
     BETA_X,
@@ -289,12 +290,31 @@ def _bearing_errors(solution: Solution, nothing: float) -> tuple[float, float, f
     way[elastic] -= c.force[elastic] / law.stiffness[elastic]
     one_sided = ~law.bilateral
     yielding = c.state == YIELDING
-    broken = np.where(law.bilateral, np.abs(way), np.where(yielding, -way, way))[law.limit_force > 0]
+    broken = np.where(law.bilateral, np.abs(way), np.where(yielding, -way, way))
+    if problem.elastic is not None and problem.elastic.piles is not None:
+        piles = problem.elastic.piles.bearing
+        broken[piles] = _pile_errors(solution, problem.elastic.piles)
+    broken = broken[law.limit_force > 0]
     force = np.where(one_sided, np.maximum(-c.force, c.force - law.limit_force), 0.0) / scale
     product = np.where(one_sided & ~yielding, np.abs(c.force * way), 0.0) / scale
     of_bearings = float(broken.max(initial=0.0)), float(force.max()), float(product.max())
     way_off, force_off, product_off = (max(0.0, *each) for each in zip(of_bearings, of_cells, strict=True))
     return way_off, force_off, product_off
+
+
+def _pile_errors(solution: Solution, piles: PileGroup) -> Array:
+    """Return how far the heads of piles are from where their loads and the ground put them (p,) [m].
+
+    At the limit in compression the plate may lie deeper than the pile by itself, at that in tension higher.
+    """
+    assert solution.pressed is not None
+    load = solution.contact.force[piles.bearing]
+    deeper = solution.law.penetration(solution.contact.u)[piles.bearing] - piles.settle(load, solution.pressed.force)
+    below, above = np.where(load >= piles.upper, 0.0, deeper), np.where(load <= piles.lower, 0.0, -deeper)
+    found: Array = np.maximum(
+        np.maximum(below, above), np.maximum(load - piles.upper, piles.lower - load) * np.diag(piles.own)
+    )
+    return found
 
 
 def _cell_errors(solution: Solution, nothing: float) -> tuple[float, float, float]:
@@ -305,6 +325,8 @@ def _cell_errors(solution: Solution, nothing: float) -> tuple[float, float, floa
     force, area, limit = pressed.force, elastic.cells.area, elastic.limit_force
     gap = elastic.settle(force) + elastic.gap - elastic.cells.spread.T @ solution.U[:, W]
     gap += settlement_by_loads_beside(problem, elastic.cells.center)
+    if elastic.piles is not None:
+        gap += solution.contact.force[elastic.piles.bearing] @ elastic.piles.on_cells
     scale = np.maximum(area * np.abs(force / area).max(), nothing)
     yielding = (force >= limit) & (limit > 0)
     bears = limit > 0

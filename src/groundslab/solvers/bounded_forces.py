@@ -1,33 +1,48 @@
 """Forces between bounds that act against gaps: minimize 1/2 x.A x + c.x with lower <= x <= upper and G x = e.
 
 Where a force lies between its bounds its gap y = A x + c + G^T alpha is zero, at the lower bound it is open, y >= 0, at
-the upper one it is driven in, y <= 0. Conjugate gradients on the forces between their bounds, projected on G q = 0 and
-preconditioned (Gould, Hribar and Nocedal 2001), alternate with an active set that follows the signs of forces and gaps
-(Polonsky and Keer 1999; Hintermueller, Ito and Kunisch 2002). The energy falls with every step: if forces that are cut
-off at their bounds make it rise, the step is shorter. Products with A are what costs.
+the upper one it is driven in, y <= 0. An active set follows the signs of forces and gaps (Hintermueller, Ito and
+Kunisch 2002). On each set conjugate gradients, projected on G q = 0 and preconditioned (Gould, Hribar and Nocedal
+2001), go on until what is left of the gaps of free forces is small beside what is wrong at the bounds: proportioning
+(Dostal 1997). Such a sequence of sets can go round in circles. Whenever the energy has not fallen for long, the
+iteration returns to the forces of least energy, and from there goes downhill along a projected gradient (More and
+Toraldo 1991): it converges. Products with A are what costs.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
 from groundslab.arrays import Array, Flags
-from groundslab.errors import NotConverged
+from groundslab.errors import NoEquilibrium, NotConverged
 
-#: Conjugate gradients on one set of free forces end when the residual's energy has fallen to the square of this share.
-REDUCTION = 0.1
-#: They need not leave less than this share of the gaps that are allowed in the end.
-ENOUGH = 0.1
-#: A step of which the energy allows less than this share is tried again, so much shorter, but at least by
-SHORT, SHORTEST = 0.5, 0.1
-#: and no more often than this.
+#: Conjugate gradients on one set end when the gaps of free forces are below this share of what is wrong at the bounds.
+PROPORTION = 0.5
+#: So many sets may follow each other without forces of less energy than any before, until first they had to be led.
+PATIENCE = 10
+#: A step downhill of which the energy allows less than this share is tried again,
+SHORT = 0.6
+#: but no more often than this.
 MAX_SHORTER = 4
+#: With an approximate matrix a solution's error is taken down to this share of what it was,
+CORRECTED = 0.01
+#: by no more than so many times the products allowed with A;
+CHEAP = 10
+#: and again, as long as an error falls below this share.
+PAYS = 0.2
 #: Given combinations of forces are exact to this share of their parts.
-BALANCED = 1e-13
-MAX_BALANCING = 100
+BALANCED = 1e-12
+MAX_BALANCING = 200
+#: Where hardly a force lies between its bounds steps are those of forces that all do, divided by this.
+STIFFER = 1e-3
+#: A step is halved beyond which what is missing has more than this share of what was, with the other sign.
+TOO_FAR = 0.5
+#: Combinations of free forces are dependent if one has less than this share of the largest.
+DEPENDENT = 1e-12
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +57,8 @@ class BoundedForces:
     lower: Array  # (n,)
     upper: Array  # (n,)
     weight: Array  # (n,): how forces share a resultant as long as nothing is known
+    flexibility: Array  # (n,): about the gap that a unit force of its own opens
+    approximate: Callable[[Array], Array] | None = None  # about A q for less, by a symmetric positive definite matrix
 
     @property
     def can_change(self) -> Flags:
@@ -51,6 +68,10 @@ class BoundedForces:
     def clip(self, x: Array) -> Array:
         """Return forces (n,) cut off at their bounds."""
         return np.clip(x, self.lower, self.upper)
+
+    def within(self, x: Array) -> Flags:
+        """Return which forces (n,) lie between their bounds."""
+        return (x > self.lower) & (x < self.upper)
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,94 +89,214 @@ def solve(
 ) -> BoundedSolution:
     """Return the solution from a start (n,), to gaps that are wrong by a share of the displacements at most.
 
-    report takes iteration, forces that are not zero and changes. Raises NotConverged after `limit` products with A.
+    report takes iteration, forces that are not zero and changes. Raises NotConverged after `limit` products with A,
+    and NoEquilibrium if forces between their bounds cannot have the given combinations.
     """
-    x, history = balance(p, start), list[dict[str, int]]()
+    x, products = balance(p, start, p.can_change), 0
+    if p.approximate is not None:
+        x, products = _correct(p, p.approximate, x, tolerance, limit)
     g, size = p.gaps(x)
-    products = 1
+    free, best, history = p.within(x), (x, g), list[dict[str, int]]()
+    products, patience, waited = products + 1, PATIENCE, 0
     while True:
-        free = (x > p.lower) & (x < p.upper)
-        alpha = multipliers(p, g, free)
-        y, small = g + p.G.T @ alpha, tolerance * size
-        wrong = ((x <= p.lower) & (y < -small) | (x >= p.upper) & (y > small)) & p.can_change
-        changed, bearing = int(wrong.sum()), int((x != 0).sum())
+        small = tolerance * (size or float(np.abs(g).max()))
+        face, used = relax(p, make_face(p, x, g, free), small, limit - products)
+        products += used
+        x, wrong = face.x, face.wrong(small)
+        changed, bearing = int(wrong.sum()), int((p.clip(x) != 0).sum())
         history.append({"iteration": len(history) + 1, "closed": bearing, "changed": changed, "products": products})
         report(len(history), bearing, changed)
-        if not changed and np.abs(y[free]).max(initial=0.0) <= small:
-            return BoundedSolution(x, y, alpha, products)
+        if not changed and not used and face.residual <= small:
+            return BoundedSolution(x, face.y, face.alpha, products)
         if products >= limit:
-            raise NotConverged("the contact pressure", history, {"x": x})
-        d, used = descend(p, -y, free | wrong, ENOUGH * small, limit - products)
-        x, g, size, tried = advance(p, x, g, d)
-        products += used + tried
+            raise NotConverged("the contact pressure", history, {"x": p.clip(x)})
+        free = face.free ^ wrong
+        if (x != p.clip(x)).any():
+            x = balance(p, x, free)
+            free |= p.within(x)
+        # sums of steps are not as exact as what follows from the forces themselves
+        g, size = p.gaps(x)
+        products += 1
+        waited = waited + 1 if changed and energy_between(*best, x, g) >= 0 else 0
+        if waited > patience:
+            x, g, used = descend(p, *best, x, g)
+            # at a corner of all that is balanced between bounds only the set can change
+            free = p.within(x) if (x != best[0]).any() else free | p.within(x)
+            products, patience, waited = products + used, 0, 0
+        if not waited:
+            best = x, g
 
 
-def multipliers(p: BoundedForces, g: Array, free: Flags) -> Array:
-    """Return alpha (r,) that leaves the least of the gaps g (n,) where forces are free."""
-    if not len(p.G):
-        return np.zeros(0)
-    alpha: Array = -np.linalg.lstsq(p.G[:, free].T, g[free], rcond=None)[0]
-    return alpha
+def _correct(
+    p: BoundedForces, approximate: Callable[[Array], Array], x: Array, tolerance: float, limit: int
+) -> tuple[Array, int]:
+    """Return forces (n,) close to the solution, and how many products with A they took.
 
-
-def descend(p: BoundedForces, r: Array, free: Flags, small: float, limit: int) -> tuple[Array, int]:
-    """Return the change (n,) of free forces that takes away their residual r (n,), and the products that it took.
-
-    It ends when the residual has fallen by REDUCTION or is small.
+    The energy is that of A at x and its gradient, with a cheaper matrix for what is beyond. Where that is least the
+    step from x ends, unless the energy of A says that it should be shorter; and so on, as long as it pays.
     """
-    Q = np.linalg.qr(np.where(free, p.G, 0.0).T)[0]
+    (g, size), products, last = p.gaps(x), 1, np.inf
+    while products < limit:
+        face, small = make_face(p, x, g, p.within(x)), tolerance * size
+        error = max(face.residual, face.violation(small))
+        if error <= small or error > PAYS * last:
+            break
+        inner = replace(p, gaps=partial(_continue, approximate, x, g, size), multiply=approximate, approximate=None)
+        found = solve(inner, x, max(tolerance / 2, CORRECTED * error / size), CHEAP * limit, lambda *_: None)
+        s = found.x - x
+        As = p.multiply(s)
+        share = _best_share(g, s, As)
+        share = 1.0 if share >= SHORT else share
+        x, g, products, last = x + share * s, g + share * As, products + 1, error
+    return x, products
 
-    def project(v: Array) -> Array:
-        v = np.where(free, v, 0.0)
-        # what is fixed stays so, whatever the rounding of Q
-        return np.where(free, v - Q @ (Q.T @ v), 0.0)
 
-    r = project(r)
-    d, q, rz, first = np.zeros_like(r), np.zeros_like(r), np.inf, 0.0
+def _continue(multiply: Callable[[Array], Array], x: Array, g: Array, size: float, to: Array) -> tuple[Array, float]:
+    """Return the gaps (n,) of forces to (n,) from those g (n,) of forces x (n,), and the size of displacements."""
+    return g + multiply(to - x), size
+
+
+@dataclass(frozen=True, slots=True)
+class Face:
+    """Forces x (n,), of which some are free, with their gaps: g without the multipliers alpha (r,), y with them."""
+
+    p: BoundedForces
+    free: Flags  # (n,)
+    planes: Array  # (n, r): orthonormal combinations of the rows of G, where forces are free
+    to_alpha: Array  # (r, r): makes multipliers of the products of gaps with these
+    x: Array
+    g: Array
+    alpha: Array
+    y: Array
+
+    def move(self, x: Array, g: Array) -> Face:
+        """Return the face with other forces and gaps (n,); alpha leaves the least of the gaps of free forces."""
+        alpha = self.to_alpha @ (self.planes.T @ g)
+        return replace(self, x=x, g=g, alpha=alpha, y=g + self.p.G.T @ alpha)
+
+    def project(self, v: Array) -> Array:
+        """Return what is left of values (n,) where forces are free, without resultants."""
+        v = np.where(self.free, v, 0.0)
+        # what is fixed stays so, whatever the rounding of the planes
+        return np.where(self.free, v - self.planes @ (self.planes.T @ v), 0.0)
+
+    @property
+    def residual(self) -> float:
+        """Return the largest gap of a free force."""
+        return float(np.abs(self.y[self.free]).max(initial=0.0))
+
+    def wrong(self, small: float) -> Flags:
+        """Return the free forces beyond their bounds, and those at bounds that gaps above a small one contradict."""
+        p, x, y = self.p, self.x, self.y
+        beyond = (x < p.lower) | (x > p.upper)
+        contradicted = ((x <= p.lower) & (y < -small) | (x >= p.upper) & (y > small)) & p.can_change
+        return np.where(self.free, beyond, contradicted)
+
+    def violation(self, small: float) -> float:
+        """Return the largest gap that contradicts a force at its bound, or that cutting off a free force opens."""
+        beyond = self.p.flexibility * np.abs(self.x - self.p.clip(self.x))
+        return float(np.where(self.free, beyond, np.abs(self.y))[self.wrong(small)].max(initial=0.0))
+
+
+def make_face(p: BoundedForces, x: Array, g: Array, free: Flags) -> Face:
+    """Return the face of some free forces (n,) among forces x (n,) with gaps g (n,)."""
+    planes, size, rows = np.linalg.svd(np.where(free, p.G, 0.0).T, full_matrices=False)
+    known = size > DEPENDENT * size.max(initial=0.0)
+    to_alpha = -(rows[known].T / size[known])
+    return Face(p, free, planes[:, known], to_alpha, x, g, np.zeros(len(p.G)), g).move(x, g)
+
+
+def relax(p: BoundedForces, face: Face, small: float, limit: int) -> tuple[Face, int]:
+    """Return a face after steps of conjugate gradients, and how many.
+
+    They end when the gaps of free forces are small, or no more than PROPORTION of what is wrong at the bounds.
+    """
+    q, rz = np.zeros_like(face.x), np.inf
     for step in range(limit):
-        z = project(p.precondition(r))
+        if face.residual <= max(PROPORTION * face.violation(small), small):
+            return face, step
+        r = face.project(-face.y)
+        z = face.project(p.precondition(r))
         last, rz = rz, float(r @ z)
-        first = first or rz
-        if step and (rz <= REDUCTION**2 * first or np.abs(r).max() <= small):
-            return d, step
         q = z + rz / last * q
         Aq = p.multiply(q)
         curvature = float(q @ Aq)
         if not curvature > 0:
-            return d, step + 1
-        d += rz / curvature * q
-        r = project(r - rz / curvature * Aq)
-    return d, limit
+            return face, step + 1
+        face = face.move(face.x + rz / curvature * q, face.g + rz / curvature * Aq)
+    return face, limit
 
 
-def advance(p: BoundedForces, x: Array, g: Array, d: Array) -> tuple[Array, Array, float, int]:
-    """Return forces (n,) after a step d (n,) from x with gaps g, their gaps, the size of displacements, and products.
+def energy_between(x: Array, g: Array, x_after: Array, g_after: Array) -> float:
+    """Return by how much the energy differs between two sets of forces with gaps, (n,) each, of equal resultants."""
+    return float((g + g_after) @ (x_after - x)) / 2
 
-    Between two forces within bounds all are; the energy between them is a parabola, known by the gaps at both ends.
+
+def descend(p: BoundedForces, x: Array, g: Array, other: Array, g_other: Array) -> tuple[Array, Array, int]:
+    """Return forces (n,) of less energy than x with gaps g, their gaps, and the products with A that they took.
+
+    They lie towards the others, and from there down the gradient, projected on what is balanced between bounds. A step
+    of which the energy allows less than half is tried again, so much shorter.
     """
+    share = _best_share(g, other - x, g_other - g)
+    x, g = x + share * (other - x), g + share * (g_other - g)
+    down = -make_face(p, x, g, p.within(x)).y / p.flexibility
+    length = 1.0
     for tried in range(1, MAX_SHORTER + 1):
-        after = balance(p, p.clip(x + d))
-        g_after, size = p.gaps(after)
-        s, change = after - x, g_after - g
-        curvature = float(s @ change)
-        share = -float(g @ s) / curvature if curvature > 0 else 1.0
+        s = balance(p, x + length * np.where(p.can_change, down, 0.0), p.can_change, 1 / p.flexibility) - x
+        As = p.multiply(s)
+        share = _best_share(g, s, As)
         if share >= SHORT:
-            break
-        d = max(share, SHORTEST) * d
-    if 0 < share < 1:
-        return x + share * s, g + share * change, size, tried
-    return after, g_after, size, tried
+            return x + s, g + As, tried
+        length *= share
+    return x + share * s, g + share * As, tried
 
 
-def balance(p: BoundedForces, x: Array) -> Array:
-    """Return forces between their bounds near x (n,) that have the given combinations."""
-    x = p.clip(x)
-    for _ in range(MAX_BALANCING if len(p.G) else 0):
-        missing = p.e - p.G @ x
-        if np.abs(missing).max() <= BALANCED * np.abs(p.G * x).sum(axis=1).max():
-            break
-        W = np.where((x > p.lower) & (x < p.upper), p.weight, 0.0)
-        if np.linalg.matrix_rank(p.G * np.sqrt(W)) < len(p.G):
-            W = p.weight
-        x = p.clip(x + W * (p.G.T @ np.linalg.solve((p.G * W) @ p.G.T, missing)))
-    return x
+def _best_share(g: Array, s: Array, As: Array) -> float:
+    """Return the share of a step s (n,), one at most, at which the energy is least that has the gradient g (n,)."""
+    curvature = float(s @ As)
+    return min(1.0, max(0.0, -float(g @ s) / curvature)) if curvature > 0 else 0.0
+
+
+def balance(p: BoundedForces, x: Array, among: Flags, weight: Array | None = None) -> Array:
+    """Return the forces nearest to x (n,) that lie between their bounds and have the given combinations.
+
+    Only those among some (n,) change, if that is enough. They minimize sum (z - x)^2 / weight; p.weight by default.
+    """
+    weight = p.weight if weight is None else weight
+    for W in (np.where(among, weight, 0.0), np.where(p.can_change, weight, 0.0)):
+        found = _project(p, x, W)
+        if found is not None:
+            return found
+    raise NoEquilibrium("forces between their bounds cannot balance the loads")
+
+
+def _project(p: BoundedForces, x: Array, W: Array) -> Array | None:
+    """Return z = clip(x + W G^T beta) (n,) with G z = e, if Newton's method finds beta.
+
+    What is missing is the gradient of a concave function of beta, the dual one. Steps that go too far are shorter.
+    """
+    beta: Array
+    beta, step, before = (np.zeros(len(p.G)) for _ in range(3))
+    whole = (p.G * W) @ p.G.T
+    scale = np.sqrt(np.maximum(np.diag(whole), np.finfo(float).tiny))
+    for _ in range(MAX_BALANCING):
+        moved = x + W * (p.G.T @ beta)
+        z = p.clip(moved)
+        missing = p.e - p.G @ z
+        if np.abs(missing).max(initial=0.0) <= BALANCED * np.abs(p.G * z).sum(axis=1).max(initial=0.0):
+            return z
+        if missing @ step < -TOO_FAR * (before @ step):
+            beta, step = beta - step / 2, step / 2
+            continue
+        J = (p.G * np.where(p.within(moved), W, 0.0)) @ p.G.T
+        if _rank(J, scale) < _rank(whole, scale):
+            J = J + STIFFER * whole
+        step, before = np.linalg.lstsq(J, missing, rcond=None)[0], missing
+        beta = beta + step
+    return None
+
+
+def _rank(matrix: Array, scale: Array) -> int:
+    """Return the rank of a symmetric matrix (r, r) whose rows and columns have a scale (r,)."""
+    return int(np.linalg.matrix_rank(matrix / np.outer(scale, scale), DEPENDENT, hermitian=True)) if len(scale) else 0

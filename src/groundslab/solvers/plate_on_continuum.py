@@ -7,6 +7,7 @@ added to the gaps and R^T (f + C x) = 0 is required (docs/theory.md, elastic con
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -79,19 +80,23 @@ def make_plate_on_continuum(s: System, A: Symmetric, factorization: CachedFactor
     )  # fmt: skip
 
 
-def bound_forces(p: PlateOnContinuum, problem: Problem, law: Bearings, f: Array, further: Array) -> BoundedForces:
+def bound_forces(
+    p: PlateOnContinuum,
+    problem: Problem,
+    law: Bearings,
+    f: Array,
+    further: Array,
+    bend: Callable[[Array], Array] | None = None,
+) -> BoundedForces:
     """Return the problem of the forces on a plate under loads f (size,), whose supports follow a law.
 
-    further (c,) [m] is what cells settle beside what the forces do to them mutually.
+    further (c,) [m] is what cells settle beside what the forces do to them mutually; bend takes forces (c + b,) to
+    about the settlements of the plate that they cause, for less than a substitution.
     """
-    c, ground = len(p.ground.gap), p.ground
-    flexible = np.where(np.isinf(law.stiffness), 0.0, 1 / law.stiffness)
+    c, ground, settle = len(p.ground.gap), p.ground, _settling(p.ground, law)
     own = np.concatenate([ground.gap + further, -law.sign * law.offset])
     C, Ct, G = p.C, p.C.T.tocsr(), (p.C.T @ p.R).T
     planes_of_gaps = np.linalg.qr(G.T)[0]
-
-    def settle(x: Array) -> Array:
-        return np.concatenate([ground.settle_mutually(x[:c]), flexible * x[c:]])
 
     def gaps(x: Array) -> tuple[Array, float]:
         settled, bent = settle(x), Ct @ p.solve(f + C @ x)
@@ -102,17 +107,55 @@ def bound_forces(p: PlateOnContinuum, problem: Problem, law: Bearings, f: Array,
         bent: Array = Ct @ p.solve(C @ x)
         return settle(x) + bent
 
+    def approximate(x: Array) -> Array:
+        assert bend is not None
+        return settle(x) + bend(x)
+
     # a support's own give, and that of a plate on springs under a force (Westergaard 1926)
-    of_support = 1 / (flexible + p.elastic_length**2 / (8 * p.D))
+    of_support = _give(law) + p.elastic_length**2 / (8 * p.D)
+    if ground.piles is not None:
+        of_support[ground.piles.bearing] += np.diag(ground.piles.own)
 
     def precondition(y: Array) -> Array:
-        return np.concatenate([p.preconditioner.apply(y[:c]), of_support * y[c:]])
+        return np.concatenate([p.preconditioner.apply(y[:c]), y[c:] / of_support])
 
-    free = np.full(c, not problem.tensionless)
-    lower = np.where(np.concatenate([free, law.bilateral]), -np.inf, 0.0)
-    upper = np.concatenate([ground.limit_force, np.where(law.bilateral, np.inf, law.limit_force)])
     weight = np.concatenate([ground.cells.area, np.full(len(law), ground.cells.area.mean())])
-    return BoundedForces(gaps, multiply, precondition, G, -p.R.T @ f, lower, upper, weight)
+    flexibility = np.concatenate([np.full(c, ground.flexibility.own), of_support])
+    return BoundedForces(
+        gaps, multiply, precondition, G, -p.R.T @ f, *_bounds(ground, problem, law), weight, flexibility,
+        None if bend is None else approximate,
+    )  # fmt: skip
+
+
+def _give(law: Bearings) -> Array:
+    """Return how far supports give way under a unit force (b,)."""
+    return np.where(np.isinf(law.stiffness), 0.0, 1 / law.stiffness)
+
+
+def _settling(ground: ElasticGround, law: Bearings) -> Callable[[Array], Array]:
+    """Return what takes forces (c + b,) to the settlements of cells and supports (c + b,) [m]."""
+    c, give, piles = len(ground.gap), _give(law), ground.piles
+
+    def settle(x: Array) -> Array:
+        settled = np.concatenate([ground.settle_mutually(x[:c]), give * x[c:]])
+        if piles is not None:
+            load = x[c + piles.bearing]
+            settled[:c] += load @ piles.on_cells
+            settled[c + piles.bearing] = piles.settle(load, x[:c])
+        return settled
+
+    return settle
+
+
+def _bounds(ground: ElasticGround, problem: Problem, law: Bearings) -> tuple[Array, Array]:
+    """Return between which bounds the forces of cells and supports lie, (c + b,) each [N]."""
+    c, piles = len(ground.gap), ground.piles
+    glued = np.full(c, not problem.tensionless)
+    lower = np.where(np.concatenate([glued, law.bilateral]), -np.inf, 0.0)
+    upper = np.concatenate([ground.limit_force, np.where(law.bilateral, np.inf, law.limit_force)])
+    if piles is not None:
+        lower[c + piles.bearing], upper[c + piles.bearing] = piles.lower, piles.upper
+    return lower, upper
 
 
 def move(p: PlateOnContinuum, f: Array, found: BoundedSolution) -> Array:

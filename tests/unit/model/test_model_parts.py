@@ -100,7 +100,7 @@ ONE_FAULT = [
      '"free", or a rigid support that acts both ways: along the line w = 0 then says how it turns'),
     (case(supports=[{**POINT, "acts": "up"}]),
      "supports[1].acts", '"up"', '"both ways", "in compression" or "in tension"'),
-    (case(supports=[{**POINT, "kind": "area"}]), "supports[1].kind", '"area"', '"point" or "line"'),
+    (case(supports=[{**POINT, "kind": "area"}]), "supports[1].kind", '"area"', '"point", "line" or "pile"'),
     (case(supports=[{**POINT, "stiffness": "1 MN/m^2"}]),
      "supports[1].stiffness", '"1 MN/m^2"', 'a force per settlement such as "200 MN/m"'),
     (case(supports=[{**WALL, "stiffness": "1 MN/m"}]),

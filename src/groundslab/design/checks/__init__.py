@@ -80,7 +80,8 @@ def check_design(combined: Results) -> Design:
     """
     made = [check for find in CHECKS for check in find(combined)]
     found = tuple(sorted((each for each in made if each.status != "not checked"), key=_order))
-    left = "; ".join(each.words for each in made if each.status == "not checked")
+    unchecked = {each.name: each.words for each in made if each.status == "not checked"}
+    left = "; ".join((unchecked if "strength" in unchecked else {"anchorage": NOT_CHECKED, **unchecked}).values())
     failing, doubtful = (sum(each.status == status for each in found) for status in ("fails", "attention"))
     total = f"{len(found)} check{'s' if len(found) > 1 else ''}"
     if failing:
@@ -91,7 +92,7 @@ def check_design(combined: Results) -> Design:
         words = f"DESIGN NEEDS ATTENTION: {doubtful} of {total} {_verb('need', doubtful)} it."
         return Design("attention", words, found)
     if found:
-        return Design("no failure found", f"No failure found in {total}; {left or NOT_CHECKED}.", found)
+        return Design("no failure found", f"No failure found in {total}; {left}.", found)
     return Design("not checked", f"{left[:1].upper()}{left[1:]}.")
 
 

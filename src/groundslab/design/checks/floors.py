@@ -113,7 +113,8 @@ def _by_tr34(floor: TR34Floor, results: list[CombinationResult]) -> Iterator[Des
         return alone if len(loads) == 1 else min(alone, yield_lines.group(lines, a, distances, location))
 
     standing = _standing(floor, slab, results)
-    yield from _point_loads(slab, standing, fails, dict.fromkeys(NAMES, "TR34, Meyerhof 1962"))
+    yield from _point_loads(slab, standing, fails, dict.fromkeys(NAMES, "TR34 yield lines, Meyerhof 1962"))
+    yield from _joints(standing)
     yield from _punching(floor, concrete, slab, standing)
     yield from _line_loads(slab, M_n, results, "TR34, Hetenyi 1946")
     yield from _pressures(slab, M_n, results, "TR34, Hetenyi 1946")
@@ -182,9 +183,9 @@ def _by_aci(floor: ACI360Floor, results: list[CombinationResult]) -> Iterator[De
             (load,) = loads
             return yield_lines.meyerhof(M_0, load.a, slab.l, location) / floor.safety_factor
 
-        yield from _point_loads(
-            slab, _standing(floor, slab, results), fails, {1: "ACI 360R-10 11.3.3.3, Meyerhof 1962"}
-        )
+        standing = _standing(floor, slab, results)
+        yield from _point_loads(slab, standing, fails, {1: "ACI 360R-10 11.3.3.3, Meyerhof 1962"})
+        yield from _joints(standing)
     yield from _restraint(floor, allowed, "mu gamma L / 2 against the allowed stress, ACI 360R-10 10.3.2")
 
 
@@ -233,6 +234,14 @@ def _point_loads(slab: Slab, standing: Standing, fails: Fails, clauses: dict[int
                 worst[key] = use
     for (count, location), use in sorted(worst.items()):
         yield _check(NAMES[count], location, use, "kN", 1e-3, clauses[count])
+
+
+def _joints(standing: Standing) -> Iterator[DesignCheck]:
+    """Yield what joints are relied on for: the largest share of a force that they carry over, which nothing checks."""
+    most = max(((1 - load.share) * load.P for _, loads in standing for load in loads), default=0.0)
+    if most > 0:
+        words = f"that joints carry over up to {most / 1e3:.4g} kN of a force is not checked"
+        yield DesignCheck("load transfer at joints", "not checked", words)
 
 
 def _middle(members: tuple[Force, ...]) -> tuple[float, float]:

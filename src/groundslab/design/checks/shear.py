@@ -3,9 +3,9 @@
 The shear force is the largest of any direction at a node, the bars that count are those of the face that is in tension
 in that direction: those that are laid, or those that bending needs. Left out are places where it is not this that is
 checked: near columns as far as punching is, which is 2 d unless that perimeter cuts the slab from edge to edge, and
-within 2 d of supports; within a thickness of free edges (a quarter of the width of a narrow slab), where the shear
-force along the edge is what the twisting moment has become; and near singular places. Nearer to columns ACI 318 asks
-for means across the slab (`wide_beam`).
+within 2 d of supports and of the forces on a floor whose punching is checked by TR34; within a thickness of free edges
+(a quarter of the width of a narrow slab), where the shear force along the edge is what the twisting moment has become;
+and near singular places. Nearer to columns ACI 318 asks for means across the slab (`wide_beam`).
 """
 
 from __future__ import annotations
@@ -22,12 +22,15 @@ from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.checks.check import DesignCheck, Status
 from groundslab.design.checks.wide_beam import cuts
 from groundslab.design.en1992 import shear
+from groundslab.design.floors.acting_loads import factors_of
 from groundslab.design.punching import outline
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.punching import demands
 from groundslab.discretize.singular_places import near_singular
+from groundslab.model.design.floors import TR34Floor
 from groundslab.model.design.laid_bars import laid_bars
 from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.model.loads.load_types import PointLoad
 from groundslab.model.supports import LineSupport
 from groundslab.results.fields import LAYERS, place_of
 from groundslab.results.results import CombinationResult, Results
@@ -93,7 +96,8 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
 def _at_nodes(results: CombinationResult, section: _Section, steel: Reinforcement) -> _Worst:
     """Return the node that counts with the largest share of what needs no links."""
     v, without_links = _demand(results, section, steel)
-    node = int(np.argmax(np.where(section.counts, v / without_links, -1.0)))
+    counts = section.counts & ~_near_forces(results, section.d)
+    node = int(np.argmax(np.where(counts, v / without_links, -1.0)))
     place = place_of(results.plate.nodes, node)
     sizes = float(section.d[node]), float(section.thickness[node])
     return _Worst(results, place, float(v[node]), float(without_links[node]), *sizes)
@@ -179,6 +183,23 @@ def _counts(results: CombinationResult, d: Array, thickness: Array, reach: Mappi
     # of a narrow slab the middle half counts in any case
     inner = from_edges > np.minimum(thickness, from_edges.max() / 2)
     return np.asarray(far & inner & ~near_singular(model, results.plate.nodes, thickness))
+
+
+def _near_forces(results: CombinationResult, d: Array) -> Flags:
+    """Return which nodes are within 2 d of a force of a combination whose punching is checked as a floor's."""
+    from shapely import distance, points, union_all
+
+    model, factors = results.model, factors_of(results)
+    if not isinstance(model.floor, TR34Floor):
+        return np.zeros(len(d), dtype=bool)
+    chord = 1e-3 * max(model.plate.sides)
+    shapes = [
+        load.on(model.columns).to_shapely(chord)
+        for load in model.loads
+        if isinstance(load, PointLoad) and factors.get(load.case, 0.0) * load.P > 0
+    ]
+    footprints = union_all([shape for shape in shapes if shape.area > 0])
+    return np.asarray(distance(points(results.plate.nodes), footprints) <= 2 * d)
 
 
 def _demand(results: CombinationResult, section: _Section, steel: Reinforcement) -> tuple[Array, Array]:

@@ -9,6 +9,7 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.discretize.borders import void_rings
 from groundslab.discretize.continuum.limit_depth import find_limit_depth
+from groundslab.discretize.continuum.piles import pile_group
 from groundslab.discretize.ground import medium_of
 from groundslab.discretize.interpolation import interpolate_linearly, interpolate_smoothly
 from groundslab.discretize.plan_layout import Layout
@@ -17,6 +18,7 @@ from groundslab.fem.continuum.cells import Cells, Grid, cover, make_grid
 from groundslab.fem.continuum.elastic_ground import Columns, ElasticGround, Relief, make_operator
 from groundslab.fem.continuum.media import Medium
 from groundslab.fem.plate import PlateElement
+from groundslab.fem.problem import Bearing, Loading, W
 from groundslab.fem.shape_functions import areas
 from groundslab.model.ground import ConstrainedModulus, ContinuousGround
 from groundslab.model.model import Model
@@ -30,12 +32,12 @@ MOST_CELLS = 1_000_000
 
 
 def elastic_ground(
-    model: Model, plan: Layout, element: PlateElement, coarsening: int, load: float
+    model: Model, plan: Layout, element: PlateElement, coarsening: int, bearing: Bearing, cases: tuple[Loading, ...]
 ) -> ElasticGround | None:
     """Return the elastic continuum under a plate with its cells, None if the ground is none.
 
-    `coarsening` doubles the side of given cells so many times; load [N] is the sum of all loads. Raises InputError for
-    a void without a cell on the finest mesh, and for more than MOST_CELLS cells.
+    `coarsening` doubles the side of given cells so many times; all load cases together give the limit depth. Raises
+    InputError for a void without a cell on the finest mesh, and for more than MOST_CELLS cells.
     """
     ground = model.ground
     if not isinstance(ground, ContinuousGround):
@@ -49,6 +51,7 @@ def elastic_ground(
     cells = cover(grid, xy, elements, len(plan.mesh.nodes), element.w_functions(xy), plan.plate)
     void = _depths(model, cells.center, coarsening == 0)
     limit = math.inf if model.contact.limit_pressure is None else model.contact.limit_pressure
+    load = sum(float(each.load[:, W].sum()) for each in cases)
     depth = find_limit_depth(ground, cells, load) if isinstance(ground, ConstrainedModulus) else None
     medium = medium_of(ground, ground.layers, depth or math.inf)
     columns = None
@@ -57,6 +60,7 @@ def elastic_ground(
     return ElasticGround(
         medium, cells, make_operator(medium, grid), _gaps(model, cells, np.where(np.isinf(void), 0.0, void)),
         np.where(np.isinf(void), 0.0, limit * cells.area), columns, _relief(ground, cells), depth,
+        pile_group(model, bearing, cells),
     )  # fmt: skip
 
 

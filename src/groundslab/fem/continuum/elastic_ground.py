@@ -11,6 +11,7 @@ from groundslab.arrays import Array, Memo
 from groundslab.fem.continuum.cells import Cells, Grid
 from groundslab.fem.continuum.flexibility import Flexibility, make_flexibility
 from groundslab.fem.continuum.media import Medium
+from groundslab.fem.continuum.pile_group import PileGroup
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +52,7 @@ class ElasticGround:
     columns: Columns | None = None
     relief: Relief | None = None
     limit_depth: float | None = None  # [m]: below it nothing settles
+    piles: PileGroup | None = None
 
     @property
     def linear(self) -> bool:
@@ -135,8 +137,7 @@ _WIDE: Memo[Flexibility] = Memo()
 
 def make_operator(medium: Medium, grid: Grid) -> Flexibility:
     """Return the operator that settles the cells of a grid on some ground."""
-    smallest, largest = min(grid.dx, grid.dy), float(np.hypot(grid.nx * grid.dx, grid.ny * grid.dy))
-    return make_flexibility(medium.kernel(smallest / 100, 2 * largest), grid)
+    return make_flexibility(medium.kernel(), grid)
 
 
 def _reach_over(grid: Grid, places: Array) -> Grid:

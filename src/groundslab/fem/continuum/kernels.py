@@ -7,7 +7,8 @@ rest that vanishes for small and for large k and is transformed by FFTLog (Hamil
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import functools
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,6 +20,8 @@ from groundslab.fem.continuum.transfer import ElasticLayer, surface_compliance
 Radial = Callable[[Array], Array]
 #: Steps of the table of the transform for each factor of e in k and r, and how far it reaches beyond what is used.
 STEPS, REACH = 50, 1e6
+#: Distances of the table reach from this share of the first border's depth to so many times the last one's.
+SMALLEST, LARGEST = 1e-3, 1e5
 #: Cells so many cells apart have the mean of 1 / r by its Taylor series, nearer ones in closed form.
 FAR = 30
 #: Within so many cells the smooth part of the kernel is integrated by more than two points each way:
@@ -38,15 +41,14 @@ class SurfaceKernel:
     scale: float  # [m]: over which the rest varies near r = 0; infinite if there is none
 
 
-def layered_kernel(layers: Sequence[ElasticLayer], smallest: float, largest: float) -> SurfaceKernel:
-    """Return the settlement of layered ground by a unit force, for distances between two lengths [m].
+@functools.lru_cache(maxsize=64)
+def layered_kernel(layers: tuple[ElasticLayer, ...]) -> SurfaceKernel:
+    """Return the settlement of layered ground by a unit force; kept for all grids.
 
     Parameters
     ----------
-    layers : sequence of ElasticLayer
+    layers : tuple of ElasticLayer
         From the top downwards, on a rigid base or with a half-space as the last one.
-    smallest, largest : float
-        The smallest distance above zero and the largest one that will be asked for [m].
 
     Returns
     -------
@@ -68,7 +70,7 @@ def layered_kernel(layers: Sequence[ElasticLayer], smallest: float, largest: flo
             found = found - step * np.exp(-2 * k * z)
         return found
 
-    of_rest = hankel(rest, min(smallest, float(depths[0])), max(largest, float(depths[-1])))
+    of_rest = hankel(rest, SMALLEST * float(depths[0]), LARGEST * float(depths[-1]))
 
     def smooth(r: Array) -> Array:
         found = of_rest(r)

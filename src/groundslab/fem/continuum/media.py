@@ -19,8 +19,8 @@ class Medium(Protocol):
         """Return T(k) (n,) [m/Pa], the settlement by a pressure of amplitude one and wave numbers k (n,) [1/m]."""
         ...
 
-    def kernel(self, smallest: float, largest: float) -> SurfaceKernel:
-        """Return the settlement by a unit force at distances between two lengths [m]."""
+    def kernel(self) -> SurfaceKernel:
+        """Return the settlement by a unit force."""
         ...
 
 
@@ -34,9 +34,9 @@ class BondedLayers:
         """Return T(k) (n,) [m/Pa]."""
         return surface_compliance(self.layers, k)
 
-    def kernel(self, smallest: float, largest: float) -> SurfaceKernel:
+    def kernel(self) -> SurfaceKernel:
         """Return the settlement by a unit force."""
-        return layered_kernel(self.layers, smallest, largest)
+        return layered_kernel(self.layers)
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +60,7 @@ class StressedLayers:
         compliance: Array = (-np.diff(below, axis=0) / np.array(self.modulus)[:, None]).sum(axis=0)
         return compliance
 
-    def kernel(self, smallest: float, largest: float) -> SurfaceKernel:  # noqa: ARG002
+    def kernel(self) -> SurfaceKernel:
         """Return the settlement by a unit force."""
         flexible = np.append(1 / np.array(self.modulus), 0.0)
         steps, depths = np.diff(flexible), np.cumsum(self.thickness)

@@ -160,17 +160,24 @@ def _extremes(combined: Results, found: Sequence[Entry]) -> Iterator[TableLayout
     for key in dict.fromkeys(key for group in groups.values() for key in group):
         sides = [group[key][1] if key in group else {} for group in groups.values()]
         there = [group[key][0] for group in groups.values() if key in group]
-        rows = {each.row.key: each.row for side in sides for each in side.values()}
+        keys = dict.fromkeys(key for side in sides for key in side)
+        rows = [_shared_label([side[key].row for side in sides if key in side]) for key in keys]
         heads = headers("", "symbol", "unit")
         for name in groups:
             heads += (*headers(f"#{name if names else 'value'}"), TableHeader("at (x, y)", "m", number=True))
             heads += headers("combination")
         cells = tuple(
-            (*_words_of(row), *(cell for side in sides for cell in _extreme(side.get(row.key), names)))
-            for row in rows.values()
+            (*_words_of(row), *(cell for side in sides for cell in _extreme(side.get(row.key), names, row.label)))
+            for row in rows
         )
         notes = tuple(dict.fromkeys(note for section in there for note in section.notes))
         yield drop_empty_columns(TableLayout(there[0].title, heads, cells, notes))
+
+
+def _shared_label(rows: Sequence[Row]) -> Row:
+    """Return a row for those of one key: by its label, without the quantity after the comma where they differ in it."""
+    same = len({row.label for row in rows}) == 1
+    return rows[0] if same else replace(rows[0], label=rows[0].label.partition(", ")[0])
 
 
 def _words_of(row: Row) -> tuple[Cell, ...]:
@@ -178,13 +185,14 @@ def _words_of(row: Row) -> tuple[Cell, ...]:
     return Cell(row.label, "words"), Cell(row.symbol, "symbol"), Cell(shown_row(row).unit)
 
 
-def _extreme(extreme: Extreme | None, names: Mapping[int, str]) -> tuple[Cell, ...]:
-    """Return an extreme with its error under it, its place, and its combination if there are several."""
+def _extreme(extreme: Extreme | None, names: Mapping[int, str], label: str) -> tuple[Cell, ...]:
+    """Return an extreme, under it its error or what the label leaves out, its place, its combination of several."""
     if extreme is None:
         return (Cell(""),) * 3
     shown = shown_row(extreme.row)
+    under = shown.error or extreme.row.label.removeprefix(label).removeprefix(", ")
     return (
-        Cell(shown.figure, "number", shown.error),
+        Cell(shown.figure, "number", under),
         Cell(shown.place, "number"),
         Cell(names.get(extreme.number, "")),
     )

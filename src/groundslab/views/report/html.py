@@ -135,8 +135,7 @@ def write_report(
     wanted = results.model.report.chapters if chapters is None else chapters
     on_paper = [chapter for chapter in wanted if chapter != "viewer"]
     page = render_report(results, text=text, file=file, chapters=on_paper, comparison=comparison)
-    content = print_page(page)
-    atomic.write(target, content + f"{TAIL}{__version__}\n".encode())
+    atomic.write(target, print_page(page) + f"{TAIL}{__version__}\n".encode())
     return Path(path)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import TYPE_CHECKING
 
 from groundslab.model.combinations import place_patterns
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 
 #: Width of a plan of loads, the largest height of what is drawn, and what stays free around it [mm].
 WIDTH, HEIGHT, FREE = 88.0, 88.0, 6.0
+#: A value that stands at more places than this is written once, below the plan.
+MOST_EQUAL = 12
 
 
 def takes_part(model: Model, case: LoadCase | None) -> Callable[[AnyLoad], bool]:
@@ -49,7 +52,7 @@ def draw_load_plan(model: Model, case: LoadCase | None) -> Figure:
     for path in _paths(model, case):
         axes.plot(*zip(*path.points, strict=True), color=style.LOAD, linewidth=0.6, linestyle=(0, (6, 3)))
     symbols.draw_loads(axes, placed, lambda load: belongs(load) and load.kind != "uniform")
-    texts = _values(model, case)
+    texts, _ = _split_repeated(_values(model, case))
     if len(texts) <= MOST_LABELS:
         labels = Labels(axes, per_meter, (x0, x1, y0, y1))
         for place in texts:
@@ -60,13 +63,15 @@ def draw_load_plan(model: Model, case: LoadCase | None) -> Figure:
 
 
 def describe_loads(model: Model, case: LoadCase | None) -> str:
-    """Return the name of a case, its action, what of it acts everywhere, and whether values are missing."""
+    """Return the name of a case, its action, what of it acts everywhere or often, and whether values are missing."""
     belongs, loads = takes_part(model, case), place_patterns(model).loads
     everywhere = [_on_plate(load) for load in loads if belongs(load) and load.kind not in PLACED]
     forces = [] if case is None else [("H_x", case.H_x), ("H_y", case.H_y)]
     everywhere += [f"{symbol.replace('_', '')} {value / 1e3:.5g} kN" for symbol, value in forces if value]
+    texts, repeated = _split_repeated(_values(model, case))
+    everywhere += [f"{count} \N{MULTIPLICATION SIGN} {text}" for text, count in repeated.items()]
     name = "All loads" if case is None else f"{case.name}, {case.action}"
-    hidden = " Values are listed under loads." if len(_values(model, case)) > MOST_LABELS else ""
+    hidden = " Values are listed under loads." if len(texts) > MOST_LABELS else ""
     moves = " It moves along the dashed path; drawn at the first position." if _paths(model, case) else ""
     return f"{name}{': ' if everywhere else ''}{'; '.join(everywhere)}.{hidden}{moves}"
 
@@ -94,6 +99,16 @@ def load_text(load: AnyLoad) -> str:
         if value
     ]
     return ", ".join(map("".join, named)) or "0"
+
+
+def _split_repeated(
+    values: dict[tuple[float, float], list[str]],
+) -> tuple[dict[tuple[float, float], list[str]], dict[str, int]]:
+    """Return the values at their places without those that more than MOST_EQUAL of them have, and these with counts."""
+    counts = Counter(text for texts in values.values() for text in texts)
+    repeated = {text: count for text, count in counts.items() if count > MOST_EQUAL}
+    kept = {place: [text for text in texts if text not in repeated] for place, texts in values.items()}
+    return {place: texts for place, texts in kept.items() if texts}, repeated
 
 
 def _values(model: Model, case: LoadCase | None) -> dict[tuple[float, float], list[str]]:

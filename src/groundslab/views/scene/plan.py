@@ -107,13 +107,13 @@ def _support(support: AnySupport) -> Data:
         "kind": support.kind,
         "points": _rounded(_places(support)),
         "acts": support.acts,
-        "elastic": support.stiffness is not None,
+        "elastic": support.elastic,
     }
 
 
 def _places(support: AnySupport) -> Sequence[Place]:
     """Return the points of a support."""
-    return ((support.x, support.y),) if support.kind == "point" else support.points
+    return ((support.x, support.y),) if support.kind != "line" else support.points
 
 
 def _load(load: AnyLoad, model: Model, chord: float) -> Data:

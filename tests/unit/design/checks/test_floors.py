@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.design.checks import DesignCheck, check_design
+from groundslab.design.checks import DesignCheck, check_design, shear
 from groundslab.design.floors import yield_lines
 from groundslab.design.floors.acting_loads import Borders, forces, groups
 from groundslab.errors import InputError
@@ -189,6 +189,30 @@ def test_punching_by_hand() -> None:
     assert mesh.resistance == pytest.approx(0.12 * k * (100 * rho * 30) ** (1 / 3))
 
 
+def test_one_way_shear_is_that_beyond_2_d_of_forces_whose_punching_is_checked() -> None:
+    """At a leg the shear force of a floor by ACI 360 is one-way shear; by TR34 it is punching, but only where it acts.
+
+    d = 0.2 m - 0.045 m, so that 2 d = 0.31 m.
+    """
+    bars = {"concrete": "C30/37", "steel": "B500B", "bottom": (0.04, 0.05), "top": (0.04, 0.05)}
+    cases = [{"name": "Q", "action": "variable"}, {"name": "R", "action": "variable"}]
+    at = (1.6, 0.0)
+
+    def place(floor: dict[str, Any], case: str) -> tuple[float, float]:
+        loads = [leg(*at, case=case), leg(-3.2, 2.4)]
+        model = model_with(floor, loads, cases=cases, reinforcement=bars)
+        results = solved(model)["ULS"]
+        peak = 1e3 / (0.1 + np.hypot(*(results.plate.nodes - at).T))
+        peaked = replace(results, plate=replace(results.plate, shear_x=peak, shear_y=0 * peak))
+        [found] = shear.checks(Results(model, model.combinations, {"ULS": peaked}, {}))
+        assert found.place is not None
+        return found.place
+
+    assert place(ACI, "Q") == pytest.approx(at)
+    assert place(TR34, "R") == pytest.approx(at)
+    assert math.dist(place(TR34, "Q"), at) > 0.31
+
+
 def test_line_loads_and_aisles_by_hand() -> None:
     """4 lambda M_n inside, 3 lambda M_n near an edge, 5.95 lambda^2 M_n beside an aisle; permanent goods stay."""
     line = {"kind": "line", "case": "Q", "q": 20e3, "points": [(-1, 0), (1, 0)]}
@@ -233,6 +257,29 @@ def test_fiber_concrete_by_aci_360_has_yield_lines() -> None:
     a = math.sqrt(0.01 / math.pi)
     assert check.demand == pytest.approx(50.0)
     assert check.resistance == pytest.approx(6 * (1 + 2 * a / L) * 4e6 * 1.4 * H**2 / 6 / 2 / 1e3)
+
+
+def test_what_joints_are_relied_on_for_is_told_as_not_checked() -> None:
+    """Of 75 kN at an edge joints carry over 15 %, 11.25 kN; inside and without a share, nothing."""
+    inside, edge = leg(0, 0), leg(0, LENGTH_Y / 2 - 0.1)
+    relied = "anchorage is not checked; that joints carry over up to 11.25 kN of a force is not checked."
+    bars = {"concrete": "C30/37", "steel": "B500B", "bottom": (0.04, 0.05), "top": (0.04, 0.05)}
+
+    def headline(loads: list[dict[str, Any]], floor: dict[str, Any], **changes: Any) -> str:
+        results = solved(model_with(floor, loads, **changes))
+        calm = {}
+        for name, each in results.results.items():
+            zero = np.zeros(len(each.plate.nodes))
+            calm[name] = replace(each, plate=replace(each.plate, shear_x=zero, shear_y=zero))
+        return check_design(replace(results, results=calm)).headline
+
+    assert headline([inside, edge], {**FIBERS, "joint_transfer": 0.15}, reinforcement=bars).endswith(relied)
+    for floor in ({**FIBERS, "joint_transfer": 0.15}, {**ACI, "R_e3": 0.5, "joint_transfer": 0.15}):
+        words = headline([inside, edge], floor)
+        assert "[reinforcement]; that joints carry over up to " in words
+        assert "anchorage" not in words
+        assert "joints" not in headline([inside], floor)
+    assert "joints" not in headline([inside, edge], FIBERS)
 
 
 def test_a_floor_that_fails_says_so_first() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,11 +14,14 @@ import groundslab
 from groundslab.cli import main as cli
 from groundslab.errors import InputError
 from groundslab.model.model import Model
-from groundslab.results.results import results_of
+from groundslab.results.results import Results, results_of
+from groundslab.units import UNITS
 from groundslab.views.files import results_folder
-from groundslab.views.report import drawings, pdf
+from groundslab.views.report import content, drawings, pdf
 from groundslab.views.report.html import render_report
 from groundslab.views.report.load_plan import draw_load_plan, load_text
+from groundslab.views.summary.combinations import Extreme
+from groundslab.views.summary.rows import Row, SummarySection
 from helpers import grounds, synthetic
 from helpers.browsing import chromium
 from helpers.pages import Element, page
@@ -145,6 +149,16 @@ class TestLoads:
         assert (written.count("45 kN"), written.count("46 kN")) == (1, 1)
         assert second.caption == "Q, variable. It moves along the dashed path; drawn at the first position."
 
+    def test_a_value_at_many_places_is_written_once(self) -> None:
+        """Twenty legs of one force stand in the caption, with their number; the force beside them at its place."""
+        rack = {"kind": "rack", "name": "rack", "P": 60e3, "frames": 10, "bay": 0.5, "rows": [0, 1]}
+        beside = {"kind": "point", "P": 7e3, "x": 2, "y": -1.5, "case": "Q"}
+        moves = [{"pattern": "rack", "case": "Q", "points": [(-2.5, 0)]}]
+        (drawn,) = drawings.draw_loads(model(loads=[beside], patterns=[rack], moves=moves))
+        assert drawn.caption == "Q, variable: 20 \N{MULTIPLICATION SIGN} 60 kN."
+        written = [each.text for each in page(drawn.svg).all("text")]
+        assert (written.count("60 kN"), written.count("7 kN")) == (0, 1)
+
     def test_many_places_have_no_values(self) -> None:
         """Of very many loads the values are left to the list."""
         loads = [{"kind": "point", "P": 1e3 + n, "x": -2.9 + 0.02 * n, "y": 0} for n in range(250)]
@@ -169,6 +183,25 @@ def test_extremes_stand_by_kind_of_limit_state() -> None:
     found = page(render_report(combined, chapters=["extremes"])).one("section", id="extremes")
     heads = {head.text for table in found.all("table") for head in table.all("th")}
     assert {"ultimate", "serviceability"} <= heads
+
+
+def test_an_extreme_that_is_of_another_quantity_says_of_which(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where ultimate and serviceability differ in the quantity, it stands under each value, not before both."""
+    of = {"ultimate": "shear q_x", "characteristic": "moment m_x"}
+
+    def extremes(_: Results, states: Sequence[str]) -> list[tuple[SummarySection, tuple[Extreme, ...]]]:
+        rows = (Row("largest_error", f"largest error, {of[states[0]]}", 0.1, UNITS["%"]), Row("w", "settlement", 0.1))
+        section = SummarySection("discretization", "Discretization error", rows)
+        return [(section, tuple(Extreme(row, 1) for row in rows))]
+
+    monkeypatch.setattr(content.combinations, "extremes", extremes)
+    monkeypatch.setattr(content, "GROUPS", {name: (name,) for name in of})
+    combined = synthetic.combined()
+    (table,) = content._extremes(combined, content.combinations.entries(combined))
+    first, second = table.rows
+    assert first[0].text == "largest error"
+    assert [cell.under for cell in first if cell.under] == ["shear q_x", "moment m_x"]
+    assert (second[0].text, {cell.under for cell in second}) == ("settlement", {""})
 
 
 @pytest.mark.skipif(chromium() is None, reason="no browser")

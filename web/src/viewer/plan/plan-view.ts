@@ -139,9 +139,10 @@ export class PlanView extends FieldView {
     }
     this.renderer.setPicture(this.picture);
     this.onShow?.(this.shown);
-    this.redraw();
+    this.resize(); // keys and clicks may come before the observer has seen an element that has just appeared
   }
 
+  /** Let the camera have the element's size, and show the entire plate still if it is what was seen. */
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.element;
     if (!width || !height) return;
