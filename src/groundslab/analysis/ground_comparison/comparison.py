@@ -18,7 +18,7 @@ from groundslab.analysis.ground_comparison.figures import (
     sample,
 )
 from groundslab.analysis.ground_comparison.fit import FITTED, fit
-from groundslab.analysis.ground_comparison.soil_column import FROM_SOIL, find_soil, on_continuum, on_ground
+from groundslab.analysis.ground_comparison.soil_column import FROM_SOIL, SoilColumn, find_soil, on_continuum, on_ground
 from groundslab.errors import InputError, Issue
 from groundslab.model.combinations import list_combinations, place_patterns
 from groundslab.model.ground import Ground, Pasternak, Winkler
@@ -174,19 +174,37 @@ def compare_grounds(
     variants = Variants(base)
     continuum = _deepest(variants.base)
     only = _with_only(base, next(each for each in variants.base.combinations if each.name == continuum.combination))
-    solved = {"continuum": continuum}
+    from_soil = _solve_from_soil(variants, only, soil, report)
+    fitted, notes = _solve_fitted(variants, only, continuum, from_soil["vlasov"].constants, report)
+    solved = {"continuum": continuum} | from_soil | fitted
+    return _compare(model, solved, (*_notes(base), *notes, *soil.notes))
+
+
+def _solve_from_soil(
+    variants: Variants, model: Model, soil: SoilColumn, report: Callable[[str], None]
+) -> dict[str, CombinationResult]:
+    """Return the results on the grounds that follow from the soil, by their kinds."""
+    solved = {}
     for kind, make in FROM_SOIL.items():
         report(kind)
-        solved[kind] = variants.solve_combinations(on_ground(only, make(soil))).only
-    start, samples = solved["vlasov"].constants, gauss_points(continuum.plate)
+        solved[kind] = variants.solve_combinations(on_ground(model, make(soil))).only
+    return solved
+
+
+def _solve_fitted(
+    variants: Variants, model: Model, continuum: CombinationResult, start: Constants, report: Callable[[str], None]
+) -> tuple[dict[str, CombinationResult], list[str]]:
+    """Return the results on the grounds that are fitted, by their kinds, and notes on the fit."""
+    samples = gauss_points(continuum.plate)
     settlement = sample(continuum.plate, "settlement", samples.places)
-    notes = _notes(base)
+    solved, notes = {}, []
     for kind in FITTED:
         report(kind)
-        ground, determined = fit(kind, only, (*start.k0, *start.k1), samples, settlement)
-        notes += () if determined else (f"{UNDETERMINED} {kind.capitalize()}: others fit nearly as well.",)
-        solved[kind] = variants.solve_combinations(on_ground(only, ground)).only
-    return _compare(model, solved, (*notes, *soil.notes))
+        ground, determined = fit(kind, model, (*start.k0, *start.k1), samples, settlement)
+        if not determined:
+            notes.append(f"{UNDETERMINED} {kind.capitalize()}: others fit nearly as well.")
+        solved[kind] = variants.solve_combinations(on_ground(model, ground)).only
+    return solved, notes
 
 
 def _with_only(model: Model, combination: Combination) -> Model:
