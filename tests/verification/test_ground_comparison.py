@@ -138,3 +138,29 @@ def test_the_combination_with_the_largest_settlement_is_compared() -> None:
     for each, other in zip(largest.grounds, named.grounds, strict=True):
         # all of this is linear, as nothing lifts
         np.testing.assert_allclose(each.figures["mean_settlement"], 3 * other.figures["mean_settlement"], rtol=1e-5)
+
+
+def test_constants_under_loads_that_last_are_those_of_the_description() -> None:
+    """Where all ground is 0.4 times as stiff, springs and Vlasov's constants are told as the case describes soil.
+
+    The combination is one of a design, whose other combinations and checks do not take part.
+    """
+    states = {"ultimate": 1.35, "quasi-permanent": 1.0}
+    combinations = [{"name": s[0], "limit_state": s, "factors": {"G": factor}} for s, factor in states.items()]
+    lasting = slab(
+        cases=[{"name": "G"}],
+        loads=[{"kind": "uniform", "q": 1e5, "case": "G"}],
+        combinations=combinations,
+        long_term={"stiffness": 0.4},
+        mesh={"counts": (4, 4)},
+        reinforcement={"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.04, 0.05)},
+    )
+    found = compare_grounds(lasting)
+    assert found.combination == "q"
+    k = springs("winkler", found)
+    assert isinstance(k, Winkler)
+    assert 0.4 * k.k == pytest.approx(1e5 / found["continuum"].figures["mean_settlement"], rel=1e-5)
+    vlasov = found["vlasov"]
+    alone = solve(lasting.replace(ground=vlasov.ground, beyond={"kind": "infinite"}))["q"].constants
+    assert 0.4 * vlasov.constants["k0"] == pytest.approx(alone.k0[0], rel=1e-8)
+    assert any("0.4 times as stiff" in note for note in found.notes)

@@ -19,6 +19,7 @@ from groundslab.analysis.ground_comparison.figures import (
 )
 from groundslab.analysis.ground_comparison.fit import FITTED, fit
 from groundslab.analysis.ground_comparison.soil_column import FROM_SOIL, SoilColumn, find_soil, on_continuum, on_ground
+from groundslab.discretize.serviceability.lasting_ground import lasts
 from groundslab.errors import InputError, Issue
 from groundslab.model.combinations import list_combinations, place_patterns
 from groundslab.model.ground import Ground, Pasternak, Winkler
@@ -177,7 +178,7 @@ def compare_grounds(
     from_soil = _solve_from_soil(variants, only, soil, report)
     fitted, notes = _solve_fitted(variants, only, continuum, from_soil["vlasov"].constants, report)
     solved = {"continuum": continuum} | from_soil | fitted
-    return _compare(model, solved, (*_notes(base), *notes, *soil.notes))
+    return _compare(model, solved, (*_notes(base, continuum.limit_state), *notes, *soil.notes))
 
 
 def _solve_from_soil(
@@ -256,24 +257,27 @@ def _compare(model: Model, solved: dict[str, CombinationResult], notes: tuple[st
 
 
 def _constants(results: CombinationResult) -> dict[str, float]:
-    """Return the constants of a ground: those that are given, else those that the analysis ended with."""
-    ground, found = results.model.ground, results.constants
+    """Return the constants of a ground before it softens: those given, else those that the analysis ended with."""
+    ground = results.model.ground
     if isinstance(ground, Winkler):
         return {"k": ground.k} if ground.k is not None else {}
     if isinstance(ground, Pasternak):
         return {"k0": ground.k0, "k1": ground.k1}
-    return _iterated(found)
-
-
-def _iterated(found: Constants) -> dict[str, float]:
-    """Return k0, k1 and gamma of a ground that settles in one mode, else nothing."""
+    found, softening = results.constants, _softening(results.model, results.limit_state)
     if len(found.k0) != 1 or found.gamma is None:
         return {}
-    return {"k0": found.k0[0], "k1": found.k1[0], "gamma": found.gamma}
+    return {"k0": found.k0[0] / softening, "k1": found.k1[0] / softening, "gamma": found.gamma}
 
 
-def _notes(model: Model) -> tuple[str, ...]:
-    """Return what holds for every comparison."""
+def _softening(model: Model, limit_state: str) -> float:
+    """Return the factor on the ground's stiffness under loads that last, 1 in other limit states."""
+    return model.long_term.stiffness if model.long_term is not None and lasts(model, limit_state) else 1.0
+
+
+def _notes(model: Model, limit_state: str) -> tuple[str, ...]:
+    """Return what holds for every comparison, and how the ground is under loads that last."""
+    softening = _softening(model, limit_state)
+    softer = (f"All grounds are those under loads that last, {softening:g} times as stiff as their constants say.",)
     mesh = (
         "The mesh was refined for the continuum; elements of the same sizes were taken for all grounds. Constants were "
         "fitted on the first mesh."
@@ -287,4 +291,5 @@ def _notes(model: Model) -> tuple[str, ...]:
         "The continuum's pressure grows without a limit towards the plate's edges: its largest value depends on the "
         "mesh, that which is exceeded on 5 % of the area hardly does. Grounds that carry shear also push by line "
         "forces along the edges, which are not in the pressure.",
+        *(softer if softening != 1 else ()),
     )
