@@ -30,10 +30,12 @@ SHORT = 0.6
 MAX_SHORTER = 4
 #: With an approximate matrix a solution's error is taken down to this share of what it was,
 CORRECTED = 0.01
-#: by no more than so many times the products allowed with A;
-CHEAP = 10
-#: and again, as long as an error falls below this share.
-PAYS = 0.2
+#: as long as that takes no more products with it than this,
+MOST_CHEAP = 100
+#: and the error with A itself falls below this share each time.
+PAYS = 0.5
+#: Displacements of less than this share of those at the start are none.
+NEGLIGIBLE = 1e-10
 #: Given combinations of forces are exact to this share of their parts.
 BALANCED = 1e-12
 MAX_BALANCING = 200
@@ -92,14 +94,23 @@ def solve(
     report takes iteration, forces that are not zero and changes. Raises NotConverged after `limit` products with A,
     and NoEquilibrium if forces between their bounds cannot have the given combinations.
     """
-    x, products = balance(p, start, p.can_change), 0
-    if p.approximate is not None:
-        x, products = _correct(p, p.approximate, x, tolerance, limit)
+    x = balance(p, start, p.can_change)
+    if p.approximate is None:
+        return iterate(p, x, tolerance, limit, report)
+    x, used = correct(p, p.approximate, x, tolerance, limit)
+    found = iterate(p, x, tolerance, limit - used, report)
+    return replace(found, products=found.products + used)
+
+
+def iterate(
+    p: BoundedForces, x: Array, tolerance: float, limit: int, report: Callable[[int, int, int], None]
+) -> BoundedSolution:
+    """Return the solution, as `solve` does, from balanced forces x (n,) by products with A alone."""
     g, size = p.gaps(x)
     free, best, history = p.within(x), (x, g), list[dict[str, int]]()
-    products, patience, waited = products + 1, PATIENCE, 0
+    products, patience, waited, least = 1, PATIENCE, 0, NEGLIGIBLE * max(size, float(np.abs(g).max()))
     while True:
-        small = tolerance * (size or float(np.abs(g).max()))
+        small = tolerance * max(size, least)
         face, used = relax(p, make_face(p, x, g, free), small, limit - products)
         products += used
         x, wrong = face.x, face.wrong(small)
@@ -127,7 +138,7 @@ def solve(
             best = x, g
 
 
-def _correct(
+def correct(
     p: BoundedForces, approximate: Callable[[Array], Array], x: Array, tolerance: float, limit: int
 ) -> tuple[Array, int]:
     """Return forces (n,) close to the solution, and how many products with A they took.
@@ -136,13 +147,16 @@ def _correct(
     step from x ends, unless the energy of A says that it should be shorter; and so on, as long as it pays.
     """
     (g, size), products, last = p.gaps(x), 1, np.inf
-    while products < limit:
-        face, small = make_face(p, x, g, p.within(x)), tolerance * size
-        error = max(face.residual, face.violation(small))
-        if error <= small or error > PAYS * last:
+    while products < limit - 1:
+        face, scale = make_face(p, x, g, p.within(x)), max(size, NEGLIGIBLE * float(np.abs(g).max()))
+        error = max(face.residual, face.violation(tolerance * scale))
+        if error <= tolerance * scale or error > PAYS * last:
             break
-        inner = replace(p, gaps=partial(_continue, approximate, x, g, size), multiply=approximate, approximate=None)
-        found = solve(inner, x, max(tolerance / 2, CORRECTED * error / size), CHEAP * limit, lambda *_: None)
+        inner = replace(p, gaps=partial(_continue, approximate, x, g, scale), multiply=approximate, approximate=None)
+        try:
+            found = iterate(inner, x, max(tolerance / 2, CORRECTED * error / scale), MOST_CHEAP, lambda *_: None)
+        except NotConverged:
+            break
         s = found.x - x
         As = p.multiply(s)
         share = _best_share(g, s, As)
@@ -218,6 +232,8 @@ def relax(p: BoundedForces, face: Face, small: float, limit: int) -> tuple[Face,
         r = face.project(-face.y)
         z = face.project(p.precondition(r))
         last, rz = rz, float(r @ z)
+        if not rz > 0:
+            return face, step
         q = z + rz / last * q
         Aq = p.multiply(q)
         curvature = float(q @ Aq)
@@ -267,7 +283,9 @@ def balance(p: BoundedForces, x: Array, among: Flags, weight: Array | None = Non
     for W in (np.where(among, weight, 0.0), np.where(p.can_change, weight, 0.0)):
         found = _project(p, x, W)
         if found is not None:
-            return found
+            # digits that were lost to a start far off are found nearby
+            exact = _project(p, found, W)
+            return found if exact is None else exact
     raise NoEquilibrium("forces between their bounds cannot balance the loads")
 
 
@@ -276,15 +294,15 @@ def _project(p: BoundedForces, x: Array, W: Array) -> Array | None:
 
     What is missing is the gradient of a concave function of beta, the dual one. Steps that go too far are shorter.
     """
-    beta: Array
-    beta, step, before = (np.zeros(len(p.G)) for _ in range(3))
+    beta, step, before = np.zeros(len(p.G)), np.zeros(len(p.G)), np.zeros(len(p.G))
     whole = (p.G * W) @ p.G.T
     scale = np.sqrt(np.maximum(np.diag(whole), np.finfo(float).tiny))
     for _ in range(MAX_BALANCING):
         moved = x + W * (p.G.T @ beta)
         z = p.clip(moved)
+        size = np.maximum(np.abs(z), np.where(W > 0, np.abs(p.clip(x)), 0.0))
         missing = p.e - p.G @ z
-        if np.abs(missing).max(initial=0.0) <= BALANCED * np.abs(p.G * z).sum(axis=1).max(initial=0.0):
+        if np.abs(missing).max(initial=0.0) <= BALANCED * (np.abs(p.G) @ size).max(initial=0.0):
             return z
         if missing @ step < -TOO_FAR * (before @ step):
             beta, step = beta - step / 2, step / 2
@@ -292,7 +310,7 @@ def _project(p: BoundedForces, x: Array, W: Array) -> Array | None:
         J = (p.G * np.where(p.within(moved), W, 0.0)) @ p.G.T
         if _rank(J, scale) < _rank(whole, scale):
             J = J + STIFFER * whole
-        step, before = np.linalg.lstsq(J, missing, rcond=None)[0], missing
+        step, before = np.asarray(np.linalg.lstsq(J, missing, rcond=None)[0]), missing
         beta = beta + step
     return None
 

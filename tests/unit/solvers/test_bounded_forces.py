@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import product
 from typing import Any
 
@@ -92,6 +93,30 @@ def test_forces_that_are_led_downhill_reach_the_same(patience: int, monkeypatch:
         expected = _try_all(**data)
         found = _solve(_pose(**data), np.zeros(N))
         np.testing.assert_allclose(found.x, expected, atol=1e-7 * max(1.0, float(np.abs(expected).max())))
+
+
+@pytest.mark.parametrize("factor", [0.3, 1.0, 3.0, 1e3])
+def test_an_approximate_matrix_changes_the_way_alone(factor: float) -> None:
+    """Whether it is good, poor or useless: the same forces."""
+    for seed in range(8):
+        data = _random(seed, 3)
+        rough = factor * data["A"] + 0.1 * np.diag(np.diag(data["A"]))
+        p = replace(_pose(**data), approximate=lambda q, rough=rough: rough @ q)
+        expected = _try_all(**data)
+        np.testing.assert_allclose(
+            _solve(p, np.zeros(N)).x, expected, atol=1e-7 * max(1.0, float(np.abs(expected).max()))
+        )
+
+
+def test_a_good_approximate_matrix_saves_products() -> None:
+    """With a matrix that is right to a thousandth some products of the other are enough."""
+    data = _beam(60, 1e-4)
+    p = _pose(**data)
+    near = data["A"] + 1e-3 * np.diag(np.diag(data["A"]))
+    few = _solve(replace(p, approximate=lambda q: near @ q), np.ones(60), 1e-8)
+    many = _solve(p, np.ones(60), 1e-8)
+    assert few.products < 10 < many.products
+    np.testing.assert_allclose(few.x, many.x, atol=1e-6)
 
 
 def test_downhill_the_energy_falls() -> None:

@@ -8,7 +8,6 @@ from itertools import product
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.fem.continuum.cells import Grid
 from groundslab.fem.continuum.elastic_ground import ElasticGround
 
 #: T(k) is interpolated between so many wave numbers.
@@ -41,27 +40,21 @@ class Preconditioner:
 def make_preconditioner(ground: ElasticGround, D: float) -> Preconditioner:
     """Return the preconditioner for a plate of a bending rigidity D [N m] on a ground."""
     grid = ground.cells.grid
-    k_x: Array = np.pi / (grid.nx * grid.dx) * np.arange(grid.nx)
-    k_y: Array = np.pi / (grid.ny * grid.dy) * np.arange(grid.ny)
+    k_x = np.arange(grid.nx, dtype=np.float64) * (np.pi / (grid.nx * grid.dx))
+    k_y = np.arange(grid.ny, dtype=np.float64) * (np.pi / (grid.ny * grid.dy))
     settled = np.zeros((grid.nx, grid.ny))
     for i, j in product(range(-ALIASES, ALIASES + 1), repeat=2):
-        settled += _settle(ground, k_x + 2 * np.pi * i / grid.dx, k_y + 2 * np.pi * j / grid.dy)
-    bent = 1 / (D * _wave_number(grid, k_x, k_y) ** 4)
-    return Preconditioner(ground, grid.dx * grid.dy / (settled + bent))
+        settled += _settle(ground, D, k_x + 2 * np.pi * i / grid.dx, k_y + 2 * np.pi * j / grid.dy)
+    return Preconditioner(ground, grid.dx * grid.dy / settled)
 
 
-def _wave_number(grid: Grid, k_x: Array, k_y: Array) -> Array:
-    """Return k (nx, ny), above zero: the mean is left to equilibrium."""
-    k: Array = np.maximum(np.hypot(k_x[:, None], k_y), np.pi / (2 * max(grid.nx * grid.dx, grid.ny * grid.dy)))
-    return k
-
-
-def _settle(ground: ElasticGround, k_x: Array, k_y: Array) -> Array:
+def _settle(ground: ElasticGround, D: float, k_x: Array, k_y: Array) -> Array:
     """Return the mean settlement of cells by waves of pressures that are means over cells, (nx, ny) [m/Pa]."""
     grid = ground.cells.grid
-    k = _wave_number(grid, k_x, k_y)
+    # the mean is left to equilibrium
+    k = np.maximum(np.hypot(k_x[:, None], k_y), np.pi / (2 * max(grid.nx * grid.dx, grid.ny * grid.dy)))
     table = np.geomspace(k.min(), k.max(), TABLE)
     T = np.exp(np.interp(np.log(k), np.log(table), np.log(ground.medium.compliance(table))))
     means = np.sinc(k_x * grid.dx / (2 * np.pi))[:, None] * np.sinc(k_y * grid.dy / (2 * np.pi))
-    found: Array = means**2 * T
+    found: Array = means**2 * (T + 1 / (D * k**4))
     return found
