@@ -164,3 +164,12 @@ def test_constants_under_loads_that_last_are_those_of_the_description() -> None:
     alone = solve(lasting.replace(ground=vlasov.ground, beyond={"kind": "infinite"}))["q"].constants
     assert 0.4 * vlasov.constants["k0"] == pytest.approx(alone.k0[0], rel=1e-8)
     assert any("0.4 times as stiff" in note for note in found.notes)
+
+
+def test_combinations_without_a_result_are_named() -> None:
+    """One that the ground cannot balance is left aside, and a note says so."""
+    cases = [{"name": "down"}, {"name": "up"}]
+    loads = [{"kind": "uniform", "q": 2e4, "case": "down"}, {"kind": "uniform", "q": -2e4, "case": "up"}]
+    found = compare_grounds(slab(cases=cases, loads=loads, mesh={"counts": (4, 4)}))
+    assert found.combination == "down"
+    assert any('continuum: "up"' in note for note in found.notes)

@@ -134,15 +134,15 @@ def compare_grounds(
 
     From the layers of soil follow the continuum, with the layers bonded, the layers compressed by the stresses of a
     homogeneous half-space over their constrained moduli, and Vlasov's ground, with the decay iterated and the ground
-    going on beyond the plate. The constants of Pasternak's ground and of Winkler's springs are those
-    with which the slab settles most like on the continuum: the integral of the squared difference is least. Loads,
-    contact and the size of elements are the same for all.
+    going on beyond the plate. The constants of Pasternak's ground and of Winkler's springs are those with which the
+    slab settles most like on the continuum: the integral of the squared difference is least. Loads, contact and the
+    size of elements are the same for all.
 
     Parameters
     ----------
     model : Model
-        The model. Its ground has layers given by E, nu and thickness: "continuum", "constrained modulus",
-        "vlasov" or "layered". Of boreholes the one nearest to the plate's middle counts.
+        The model. Its ground has layers given by E, nu and thickness: "continuum", "constrained modulus", "vlasov" or
+        "layered". Of boreholes the one nearest to the plate's middle counts.
     combination : str, optional
         Name of the combination to compare; by default the one with the largest settlement on the continuum.
     on_begin : callable, optional
@@ -178,6 +178,9 @@ def compare_grounds(
     from_soil = _solve_from_soil(variants, only, soil, report)
     fitted, notes = _solve_fitted(variants, only, continuum, from_soil["vlasov"].constants, report)
     solved = {"continuum": continuum} | from_soil | fitted
+    if variants.base.refused:
+        names = ", ".join(map(quote, variants.base.refused))
+        notes.append(f"Left aside, without a certified result on the continuum: {names}.")
     return _compare(model, solved, (*_notes(base, continuum.limit_state), *notes, *soil.notes))
 
 
