@@ -65,6 +65,8 @@ from .model.plate import Edges as Edges
 from .model.plate import Plate as Plate
 from .model.plate import Zone as Zone
 from .model.plates.further import FurtherPlate as FurtherPlate
+from .model.plates.joints import ElasticJoint as ElasticJoint
+from .model.plates.joints import HingeJoint as HingeJoint
 from .model.serviceability.cracking import Cracking as Cracking
 from .model.serviceability.long_term import LongTerm as LongTerm
 from .model.settings import Analysis as Analysis

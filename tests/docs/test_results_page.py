@@ -65,3 +65,18 @@ def test_every_column_is_explained() -> None:
     }
     own = explained("columns, by ACI 318")
     assert [(column.name, column.unit) for column in found["columns"].columns][-len(own) :] == own
+
+
+def test_columns_of_joints_are_explained() -> None:
+    """The table of joints of a model that has some has a section, too."""
+    strip = {"thickness": 0.3, "E": 30e9, "nu": 0.2}
+    model = Model(
+        plate={"name": "A", "outline": {"kind": "rectangle", "x": (0, 4), "y": (0, 4)}, **strip},
+        plates=[{"name": "B", "outline": {"kind": "rectangle", "x": (4, 8), "y": (0, 4)}, **strip}],
+        joints=[{"kind": "hinge", "between": ("A", "B")}],
+        ground={"kind": "winkler", "k": 20e6},
+        loads=[{"kind": "uniform", "q": 1e3}],
+    )
+    tables = tables_of(Results(model, list_combinations(model), {}, {"all loads": Exception("not solved")}))
+    (table,) = (each for each in tables if each.name == "joints")
+    assert explained("joints") == [(column.name, column.unit) for column in table.columns]

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from groundslab import Model, NeutralEquilibrium, NoEquilibrium, solve
-from groundslab.design.tilt import results_by_plate, tilt
+from groundslab.design.by_plate import results_by_plate
+from groundslab.design.tilt import tilt
 from groundslab.results.results import CombinationResult
 
 K0, K1 = 20e6, 45e6

@@ -12,6 +12,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.errors import NotConverged
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Contact, plastic_slip
 from groundslab.fem.foundation import Column
+from groundslab.fem.problem import TOP
 from groundslab.fem.sparse import Symmetric
 from groundslab.fem.system import current_bearings, nodal_table, right_hand_side
 from groundslab.fem.vlasov import GAMMA_START, Soil
@@ -41,7 +42,7 @@ class _ContactIteration:
         self.law = current_bearings(problem, step.factor, step.slip)
         self.expected: Array | None = None  # U (n, F) interpolated from a coarser mesh
         self.near: Array | None = None  # u (size,) of another solution on this mesh
-        state: Integers = np.full(len(problem.bearing.law), CLOSED)
+        state: Integers = np.where(problem.bearing.field > TOP, OPEN, CLOSED)  # joints with play do not bear at first
         if start is not None and start.system.problem.mesh is problem.mesh:
             alike = start.system is step.system or problem.stiffness is not None
             state, self.near = start.contact.state, start.contact.u if alike else None

@@ -18,6 +18,7 @@ from groundslab.fem.problem import W
 from groundslab.fem.system import System
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
+from groundslab.model.plates.joints import play_of
 from groundslab.results.record import Step
 from groundslab.solvers.conditioning import require_digits
 from groundslab.solvers.equilibrium import require_equilibrium
@@ -75,12 +76,11 @@ def margin_effect(
 ) -> float:
     """Return the change of any settlement by a wider margin of infinite ground, over the largest settlement.
 
-    Both meshes are the same on the plate, where their nodes have the same numbers. They are coarser than that of the
+    Both meshes are the same on the plate, where their nodes stand in the same order. They are coarser than that of the
     solutions found, one for each load increment, from which they start and whose gamma they have.
     """
     narrow, wide = (_solve_from(hierarchy, combination, factors, found) for hierarchy in margins)
-    under = narrow.system.problem.plate_nodes
-    before, after = narrow.U[under, W], wide.U[under, W]
+    before, after = (each.U[each.system.problem.plate_nodes, W] for each in (narrow, wide))
     largest = max(np.abs(before).max(), np.abs(after).max())
     return float(np.abs(after - before).max() / largest) if largest else 0.0
 
@@ -128,6 +128,7 @@ def _coarsenings(hierarchy: MeshHierarchy) -> list[int]:
 def _first(model: Model) -> int:
     """Return how coarse the first mesh is: the finest one where a coarser one would not help."""
     one_sided = model.contact.tensionless or any(support.acts != "both ways" for support in model.supports)
+    one_sided = one_sided or any(map(play_of, model.joints))
     iterated = getattr(model.ground, "gamma", None) == "iterate"
     return coarsest(model) if one_sided or iterated else 0
 

@@ -12,7 +12,7 @@ from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
 from groundslab.design.tables.locations import lines, points, strips
 from groundslab.design.tables.reinforcement import reinforcement
 from groundslab.design.tables.summary import combinations, extremes, tilts
-from groundslab.design.tables.supports import support_table
+from groundslab.design.tables.supports import joint_table, support_table
 from groundslab.design.tables.table import Column, Table
 from groundslab.results.results import Results
 
@@ -22,7 +22,7 @@ __all__ = ["Column", "Table", "fields_of_envelope", "tables_of"]
 def tables_of(combined: Results) -> tuple[Table, ...]:
     """Return the tables of results: combinations, extremes, envelopes and tilt, and those that the model asks for.
 
-    Points, section lines, design strips, supports, columns, reinforcement and bars that are laid have a table each if
+    Points, section lines, design strips, supports, joints, columns, reinforcement and laid bars have a table each if
     the model names any. Discretization errors stand in columns at the right. docs/results.md explains every column.
 
     Parameters
@@ -65,6 +65,7 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
         (model.output.lines, lines),
         (model.output.strips, strips),
         (model.supports, support_table),
+        (model.joints, joint_table),
         (model.columns, column_table),
     )
     tables += [errors.with_errors(make, combined) for requested, make in wanted if requested]

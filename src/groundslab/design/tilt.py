@@ -9,10 +9,10 @@ from itertools import combinations
 import numpy as np
 
 from groundslab.arrays import Array, Integers
+from groundslab.design.by_plate import results_by_plate
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import Mesh, locate
 from groundslab.fem.shape_functions import q9
-from groundslab.model.plates.further import first_sections
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult
 
@@ -69,15 +69,6 @@ class Differences:
         """Return the names of the pair with the largest distortion."""
         pair = int(np.argmax(self.distortion))
         return self.names[self.first[pair]], self.names[self.second[pair]]
-
-
-def results_by_plate(results: CombinationResult) -> dict[str, PlateResult]:
-    """Return the results of each plate by its name, or its number from 1; of a single plate with an empty name."""
-    plates = results.model.every_plate
-    if len(plates) == 1:
-        return {"": results.plate}
-    number = np.searchsorted(first_sections(plates), results.elements.section, side="right") - 1
-    return {each.name or f"plate {n + 1}": results.plate.part(number == n) for n, each in enumerate(plates)}
 
 
 def largest_tilt(results: CombinationResult) -> Tilt:

@@ -1,20 +1,22 @@
-"""Bearings of a problem from the described contact and supports: initial gaps, limits, points, lines."""
+"""Bearings and links of a problem from the described contact, supports and joints: gaps, limits, points, lines."""
 
 from __future__ import annotations
 
 import itertools
 import math
+from dataclasses import dataclass
+from itertools import count
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers
+from groundslab.arrays import Array, Flags, Integers
 from groundslab.discretize.plan_layout import Layout
 from groundslab.discretize.voids import bottoms
 from groundslab.errors import InputError, Issue
 from groundslab.fem import bearings
-from groundslab.fem.bearings import Bearings, make_bearings
+from groundslab.fem.bearings import Bearings, Links, make_bearings
 from groundslab.fem.foundation import Column
-from groundslab.fem.mesh import sides_along
+from groundslab.fem.mesh import sides_along, sides_on_boundary
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Bearing, Depths, W
 from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
@@ -22,10 +24,14 @@ from groundslab.geometry.plan import SAME_PLACE
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_types import SettlementLoad
 from groundslab.model.model import Model
+from groundslab.model.plates.further import shared_line
+from groundslab.model.plates.joints import play_of, stiffness_of
 from groundslab.model.supports import LineSupport, Pile, PointSupport
 
 #: Simpson's rule for the ends and the middle of a side: the share of its length that each node carries.
 SIMPSON = np.array([1.0, 1.0, 4.0]) / 6
+#: A mesh meets a joint if it follows its line but for this share, which arcs as chords may take.
+MET = 0.01
 #: What a bearing has besides its law.
 LOCATION = ("node", "field", "support", "length", "depth")
 
@@ -94,6 +100,87 @@ def support_bearing(model: Model, plan: Layout, unknown: Integers) -> Bearing:
         )
         parts.append(_place(law, nodes, W, number, 0.0 if isinstance(support, PointSupport) else share))
     return _without_doubles(model, concatenate(*parts)) if parts else concatenate()
+
+
+@dataclass(frozen=True, slots=True)
+class JointLine:
+    """A joint on a mesh: k pairs of nodes of both plates, the length of each [m], and the field of its slip.
+
+    A joint with play has a slip of its own at each pair, as a field of the second node that no other joint there has.
+    """
+
+    pairs: Integers  # (k, 2)
+    length: Array  # (k,)
+    slip: int  # 0 without play
+
+
+def joint_lines(model: Model, plan: Layout, surfaces: int) -> list[JointLine]:
+    """Return the joints of a model on its mesh; fields of slips follow those of the ground's surfaces."""
+    names, found = [plate.name for plate in model.every_plate], list[JointLine]()
+    for joint in model.joints:
+        sides = [names.index(name) for name in joint.between]
+        pairs, length = _along_joint(plan, *sides)
+        wanted = shared_line(*(model.every_plate[side] for side in sides)).length
+        if abs(length.sum() - wanted) > MET * wanted:
+            said = f"sides of elements along {length.sum():g} m of a line of {wanted:g} m"
+            raise InputError([Issue("joints", said, "a mesh that meets every joint")])
+        taken = {each.slip for each in found if np.isin(each.pairs, pairs).any()}
+        slip = next(field for field in count(TOP + surfaces) if field not in taken) if play_of(joint) else 0
+        found.append(JointLine(pairs, length, slip))
+    return found
+
+
+def make_links(model: Model, plan: Layout, lines: list[JointLine], surfaces: int, fields: int, shear: bool) -> Links:
+    """Return the links across joints: shear by the difference of settlement, and the ground's surfaces, which go on.
+
+    Where the ground carries no shear its surface may step, and does. fields is F.
+    """
+    own = np.eye(fields, dtype=bool)
+    none = np.zeros((0, 2), dtype=np.int64), np.zeros((0, fields), dtype=bool), np.zeros(0)
+    parts = [(*none, np.zeros(0, dtype=np.int64), np.zeros(0, dtype=bool))]
+
+    def add(pairs: Integers, added: Flags, k: Array, joint: int, stiff: bool) -> None:
+        n = len(pairs)
+        parts.append((pairs, np.tile(added, (n, 1)), k, np.full(n, joint), np.full(n, stiff)))
+
+    for number, (joint, line) in enumerate(zip(model.joints, lines, strict=True)):
+        k = stiffness_of(joint, model.plate, model.plates) * line.length
+        add(line.pairs, own[W] | own[line.slip] if line.slip else own[W], k, number, joint.kind == "hinge")
+    again = np.flatnonzero(plan.source != np.arange(len(plan.source)))
+    if shear and len(again):
+        pairs = np.column_stack([plan.source[again], again])
+        for added in (own[W] | own[TOP], *own[TOP + 1 : TOP + surfaces]):
+            add(pairs, added, np.full(len(pairs), np.inf), -1, True)
+    nodes, what, stiffness, number_of, rigid = (np.concatenate(each) for each in zip(*parts, strict=True))
+    return Links(nodes, what, stiffness, number_of, rigid)
+
+
+def slip_bearing(model: Model, lines: list[JointLine], unknown: Integers) -> Bearing:
+    """Return the play of joints as two rigid bearings on each slip, one for either way."""
+    parts: list[Bearing] = []
+    for joint, line in zip(model.joints, lines, strict=True):
+        if line.slip:
+            nodes, gap = line.pairs[:, 1], play_of(joint)
+            for sign in (1.0, -1.0):
+                law = make_bearings(unknown[nodes, line.slip], sign, -sign * gap)
+                parts.append(_place(law, nodes, line.slip, len(model.supports)))
+    return concatenate(*parts)
+
+
+def _along_joint(plan: Layout, one: int, other: int) -> tuple[Integers, Array]:
+    """Return the pairs of nodes (k, 2) of two plates along the line that they share, and the length of each [m]."""
+    elements, n = plan.mesh.elements[plan.plate_elements], len(plan.mesh.nodes)
+    across = np.full(n, -1)
+    beside = np.unique(elements[plan.plate == other])
+    across[plan.source[beside]] = beside
+    sides = sides_on_boundary(elements[plan.plate == one])
+    sides = sides[(across[plan.source[sides]] >= 0).all(axis=1)]
+    a, b, middle = (plan.mesh.nodes[sides[:, k]] for k in range(3))
+    length = np.linalg.norm(middle - a, axis=1) + np.linalg.norm(b - middle, axis=1)
+    lengths = np.zeros(n)
+    np.add.at(lengths, sides, length[:, None] * SIMPSON)
+    nodes = np.flatnonzero(lengths)
+    return np.column_stack([nodes, across[plan.source[nodes]]]), lengths[nodes]
 
 
 def concatenate(*parts: Bearing) -> Bearing:

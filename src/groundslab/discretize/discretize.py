@@ -5,7 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.arrays import Flags, Integers
-from groundslab.discretize.constraints import concatenate, fixed_nodes, ground_bearing, support_bearing
+from groundslab.discretize.constraints import (
+    JointLine,
+    concatenate,
+    fixed_nodes,
+    ground_bearing,
+    joint_lines,
+    make_links,
+    slip_bearing,
+    support_bearing,
+)
 from groundslab.discretize.continuum.pressure_cells import elastic_ground
 from groundslab.discretize.ground import Factors, carries_shear, ground_under, grounds_of, surfaces_of
 from groundslab.discretize.nodal_loads import loadings, materials
@@ -41,15 +50,19 @@ def discretize(
     """
     plan = layout(model, grounds_of(model), coarsening, margin, meshes or Meshes())
     ground, constants = ground_under(model, plan.mesh, plan.plate_elements, factors or {}, plan.followed_borders)
-    element, sections = plate.ELEMENTS[model.plate.element], materials(model)
-    present = _present(model, plan, element, surfaces_of(ground))
+    element, sections = plate.ELEMENTS[model.plate.element], _with_shear_factors(model)
+    surfaces = surfaces_of(ground)
+    lines = joint_lines(model, plan, surfaces)
+    present = _with_slips(_present(model, plan, element, surfaces), lines)
     fields = present.shape[1]
     acting = model if loaded else model.model_copy(update={"cases": (), "loads": ()})
     cases = _known_cases(model, plan, element, fields, like) or loadings(acting, plan, element, fields)
     unknown = number_unknowns(plan.rank, present)
     below, gap = find_depths(model, plan, ground, coarsening == 0), initial_gap(model, plan)
     bearing = concatenate(
-        ground_bearing(model, plan, unknown, below, ground, gap), support_bearing(model, plan, unknown)
+        ground_bearing(model, plan, unknown, below, ground, gap),
+        support_bearing(model, plan, unknown),
+        slip_bearing(model, lines, unknown),
     )
     edges, corners = _infinite_edges(model, plan)
     return Problem(
@@ -57,17 +70,18 @@ def discretize(
         plate_elements=plan.plate_elements,
         plate_nodes=plan.plate_nodes,
         element=element,
-        bending=np.array([plate.bending_rigidity(E, nu, t) for E, nu, t in sections]),
-        shear=np.array([plate.shear_rigidity(*each) for each in _with_shear_factors(model)]),
+        bending=np.array([plate.bending_rigidity(*each[:3]) for each in sections]),
+        shear=np.array([plate.shear_rigidity(*each) for each in sections]),
         rigidity=plan.section,
         section=plan.section,
         plate_number=plan.plate,
         plate_names=tuple(each.name or f"plate {n}" for n, each in enumerate(model.every_plate, start=1)),
-        thickness=np.array([t for _, _, t in sections])[plan.section],
+        thickness=np.array([t for _, _, t, _ in sections])[plan.section],
         ground=ground,
         constants=constants,
         rank=plan.rank,
         unknown=unknown,
+        surfaces=surfaces,
         cases=cases,
         loading=sum(cases[1:], cases[0]),
         initial_gap=gap + np.where(np.isfinite(below.depth), below.depth, 0.0)[below.shallowest],
@@ -77,6 +91,7 @@ def discretize(
         limit_pressure=np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure,
         plate_edges=plan.plate_edges,
         shear_at_edges=carries_shear(ground),
+        links=make_links(model, plan, lines, surfaces, fields, carries_shear(ground)),
         edges=edges,
         corners=corners,
         symmetry=plan.symmetry,
@@ -148,6 +163,16 @@ def _present(model: Model, plan: Layout, element: plate.PlateElement, surfaces: 
     if model.beyond.kind == "margin" and model.beyond.edge == "fixed":
         present[plan.outer, TOP:] = False
     return present
+
+
+def _with_slips(present: Flags, lines: list[JointLine]) -> Flags:
+    """Return which unknowns exist (n, F), with the slips of joints that have play."""
+    fields = max([present.shape[1], *(line.slip + 1 for line in lines)])
+    found = np.pad(present, ((0, 0), (0, fields - present.shape[1])))
+    for line in lines:
+        if line.slip:
+            found[line.pairs[:, 1], line.slip] = True
+    return found
 
 
 def _fix(present: Flags, nodes: Flags | Integers, kind: str, along: int) -> None:

@@ -19,8 +19,10 @@ from groundslab.fem.mesh import (
     divide_graded,
     elimination_order,
     extrude,
+    first_at_place,
     graded_size,
     grid,
+    separate,
     sides_on_boundary,
 )
 from groundslab.fem.shape_functions import unique_integers
@@ -80,6 +82,7 @@ class Layout:
     plate_elements: Integers  # (mp,)
     section: Integers  # (mp,): which section each plate element has
     plate: Integers  # (mp,): which plate it belongs to
+    source: Integers  # (n,): which node each one is, of those along joints that every plate has for itself
     symmetry: tuple[bool, bool]
     outer: Integers  # (s, 3: end, end, middle): sides on the outer edge of the meshed ground
     outer_axis: Integers  # (s,): the axis across each of them
@@ -118,13 +121,24 @@ def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: 
     if wider:
         narrow = found
         found = meshes.of((source, wider), lambda: _widen(model, symmetry, narrow, wider))
+    if model.joints:
+        joined = found
+        found = meshes.of((source, wider, "separate"), lambda: _separate(model, joined))
     mesh, section, rank = found
     plate_elements = np.flatnonzero(section >= 0)
     outer, axis = _outer_sides(model, symmetry, mesh)
     borders = find_followed_borders(model, width)
     section = section[plate_elements]
     plate = np.searchsorted(first_sections(model.every_plate), section, side="right") - 1
-    return Layout(mesh, rank, plate_elements, section, plate, symmetry, outer, axis, borders)
+    first_at = first_at_place(mesh) if model.joints else np.arange(len(mesh.nodes))
+    return Layout(mesh, rank, plate_elements, section, plate, first_at, symmetry, outer, axis, borders)
+
+
+def _separate(model: Model, joined: Meshed) -> tuple[Mesh, Integers]:
+    """Return a mesh whose plates share no nodes, and the sections."""
+    mesh, section, _ = joined
+    plate = np.searchsorted(first_sections(model.every_plate), section, side="right") - 1
+    return separate(mesh, np.where(section >= 0, plate, -1)), section
 
 
 def _divide(coarser: Meshed, arcs: list[Segment]) -> tuple[Mesh, Integers]:

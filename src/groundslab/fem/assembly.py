@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 _A, _B = np.triu_indices(9)
+NONE_LINKED = np.zeros((0, 2), dtype=np.int64)
 #: Entries whose places are found at a time: few enough to stay near the processor.
 _CHUNK = 2**18
 
@@ -66,8 +67,11 @@ def number_unknowns(rank: Integers, present: Flags) -> Integers:
     return numbers[rank]
 
 
-def build_pattern(elements: Integers, rank: Integers, unknown: Integers) -> Pattern:
-    """Return the pattern of a mesh (m, 9) whose nodes, of the given rank (n,), carry the unknowns (n, F)."""
+def build_pattern(elements: Integers, rank: Integers, unknown: Integers, linked: Integers = NONE_LINKED) -> Pattern:
+    """Return the pattern of a mesh (m, 9) whose nodes, of the given rank (n,), carry the unknowns (n, F).
+
+    Further pairs of nodes are linked (l, 2), to which no element adds.
+    """
     n = len(rank)
     r = rank[elements].astype(np.int32)
     a, b = r[:, _A].ravel(), r[:, _B].ravel()
@@ -84,12 +88,21 @@ def build_pattern(elements: Integers, rank: Integers, unknown: Integers) -> Patt
     at_rank = np.empty(n, dtype=np.int64)
     at_rank[rank] = np.arange(n)
     low, high = low[new].astype(np.int64), high[new].astype(np.int64)
-    first, second, keys = at_rank[low], at_rank[high], low * n + high
+    keys, starts = _add_pairs(low * n + high, starts, np.sort(rank[linked], axis=1), n)
+    low, high = np.divmod(keys, n)
+    first, second = at_rank[low], at_rank[high]
     rows = np.concatenate([[0], np.flatnonzero(np.diff(low)) + 1, [len(low)]])
     indptr, base = _index_rows(rows, first, second, unknown >= 0)
     cuts, entries = _cut_rows(rows, first, unknown >= 0, indptr)
     indices, taken = _place_entries(first, second, unknown, indptr, base, cuts)
     return Pattern(unknown, rank, first, second, keys, starts, element, place, indptr, indices, cuts, entries, taken)
+
+
+def _add_pairs(keys: Integers, starts: Indices, linked: Integers, n: int) -> tuple[Integers, Indices]:
+    """Return ascending keys of pairs and where their contributions begin, with linked pairs (l, 2) that have none."""
+    more = np.setdiff1d(linked[:, 0] * n + linked[:, 1], keys)
+    where = np.searchsorted(keys, more)
+    return np.insert(keys, where, more), np.insert(starts, where, starts[where])
 
 
 def _counting_sort(key: Indices, size: int) -> Indices:

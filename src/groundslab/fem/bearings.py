@@ -1,4 +1,4 @@
-"""One-sided bearings on single unknowns: the ground under a plate that may lift off, and supports.
+"""One-sided bearings on single unknowns: the ground under a plate that may lift off, and supports. Links of two nodes.
 
 A bearing on the unknown u_i, with sign s, offset l, stiffness k (infinite if rigid) and limit force F, has the
 penetration d = s (l - u_i) and pushes u_i in the direction s with the force clip(k d, 0, F). The ground under a gap g0
@@ -86,3 +86,38 @@ def make_bearings(
 def concatenate(*parts: Bearings) -> Bearings:
     """Return the bearings of several parts as one list."""
     return Bearings(*(np.concatenate([getattr(part, each.name) for part in parts]) for each in fields(Bearings)))
+
+
+@dataclass(frozen=True, slots=True)
+class Links:
+    """Elastic links of l pairs of nodes at one place, by the difference of what their fields add up to."""
+
+    nodes: Integers  # (l, 2)
+    fields: Flags  # (l, F): which fields of each node add up
+    stiffness: Array  # (l,) [N/m]; infinite where the difference must vanish
+    joint: Integers  # (l,): number of the joint, -1 for the ground's surface, which goes on across joints
+    rigid: Flags  # (l,): whether the difference vanishes but for what the stiffness lets pass
+
+    @property
+    def holds(self) -> Flags:
+        """Return which links (l,) hold two plates to each other: those of joints that carry something."""
+        found: Flags = (self.joint >= 0) & (self.stiffness > 0)
+        return found
+
+    def select(self, which: Flags) -> Links:
+        """Return some of the links by a mask (l,)."""
+        return Links(*(getattr(self, each.name)[which] for each in fields(self)))
+
+    def difference(self, U: Array) -> Array:
+        """Return the difference (l,) [m] of the first node less the second, from the table U (n, F)."""
+        first, second = self.nodes.T
+        found: Array = ((U[first] - U[second]) * self.fields).sum(axis=1)
+        return found
+
+    def forces(self, U: Array, stiffness: Array) -> Array:
+        """Return the forces (n, F) with which links of stiffnesses (l,) resist."""
+        force = (stiffness * self.difference(U))[:, None] * self.fields
+        found = np.zeros_like(U)
+        np.add.at(found, self.nodes[:, 0], force)
+        np.add.at(found, self.nodes[:, 1], -force)
+        return found

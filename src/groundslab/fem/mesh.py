@@ -271,6 +271,29 @@ def sides_along(mesh: Mesh, elements: Integers, lines: Sequence[tuple[Place, Pla
     return found
 
 
+def separate(mesh: Mesh, part: Integers) -> Mesh:
+    """Return a mesh in which parts of it share no nodes.
+
+    part (m,) is the number of each element's part, -1 for what keeps the nodes of the first part that it meets. Each
+    further part that meets there has nodes of its own, which come last.
+    """
+    own = part >= 0
+    keys, number = unique_integers(mesh.elements[own] * (part.max(initial=0) + 1) + part[own][:, None])
+    node = keys // (part.max(initial=0) + 1)
+    again = np.concatenate([[False], node[1:] == node[:-1]])
+    renumbered = np.where(again, len(mesh.nodes) + np.cumsum(again) - 1, node)
+    elements = mesh.elements.copy()
+    elements[own] = renumbered[number].reshape(-1, 9)
+    return Mesh(np.vstack([mesh.nodes, mesh.nodes[node[again]]]), elements)
+
+
+def first_at_place(mesh: Mesh) -> Integers:
+    """Return the first node at the place of each node (n,), exactly there: itself unless parts were made separate."""
+    _, first, same = np.unique(mesh.nodes + 0.0, axis=0, return_index=True, return_inverse=True)
+    found: Integers = first[same.reshape(-1)]
+    return found
+
+
 def elimination_order(mesh: Mesh) -> Integers:
     """Return the rank of each node in a nested dissection of the mesh by its coordinates, (n,).
 

@@ -2,7 +2,8 @@
 
 Fields of a node: W, BETA_X, BETA_Y of the plate; TOP, which is the settlement of the ground's surface, under the plate
 relative to the plate's; then the settlements of the lower surfaces. Under the plate w_0 = w + h, and the gap is h + g0.
-What bears on single unknowns (the ground where the plate may lift off, supports) stands beside the matrix.
+Where joints have play, their slip at nodes of the second plate comes last. What bears on single unknowns (the ground
+where the plate may lift off, supports, the ends of the play) stands beside the matrix.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem import plate
-from groundslab.fem.bearings import Bearings
+from groundslab.fem.bearings import Bearings, Links
 from groundslab.fem.concrete.cracked_section import CrackedSections
 from groundslab.fem.continuum.elastic_ground import ElasticGround
 from groundslab.fem.foundation import Column
@@ -122,6 +123,7 @@ class Problem:
     constants: tuple[Array, Array]  # (L,) each: k0 [Pa/m] and k1 [Pa m], means under the plate; of soil, nothing
     rank: Integers  # (n,): order of elimination of the nodes
     unknown: Integers  # (n, F): number of each unknown, -1 where there is none or it is held at zero
+    surfaces: int  # S; their fields may be followed by slips of joints that have play
     cases: tuple[Loading, ...]  # the load cases by themselves
     loading: Loading  # what is to be solved for
     initial_gap: Array  # (n,) [m]
@@ -131,6 +133,7 @@ class Problem:
     limit_pressure: float  # [Pa]; infinite if there is none
     plate_edges: Integers  # (b, 3): sides of the plate's edge, openings' too; the plate lies to the left
     shear_at_edges: bool  # whether the ground carries shear, so that a line force acts along them, too
+    links: Links  # across joints between plates
     edges: Integers  # (e, 3): end, end and middle node of each outer side on which infinite ground follows
     corners: Integers  # (c,): nodes at which two such edges meet
     symmetry: tuple[bool, bool]
@@ -194,25 +197,43 @@ def planes(problem: Problem) -> Array:
 
 def single_plates(problem: Problem) -> list[tuple[Problem, Flags]]:
     """Return each plate by itself, with the loads and bearings on it, and which of all bearings (c,) these are."""
-    if len(problem.plate_names) == 1:
-        return [(problem, np.ones(len(problem.bearing.law), dtype=bool))]
-    found = []
-    for number, name in enumerate(problem.plate_names):
-        nodes, elements = problem.nodes_of(number), problem.plate_number == number
-        held = np.isin(problem.bearing.node, nodes)
-        load = np.zeros_like(problem.load)
-        load[nodes] = problem.load[nodes]
-        own = replace(
-            problem,
-            plate_elements=problem.plate_elements[elements],
-            plate_nodes=nodes,
-            plate_number=problem.plate_number[elements],
-            plate_names=(name,),
-            bearing=problem.bearing.select(held),
-            loading=replace(problem.loading, load=load),
-        )
-        found.append((own, held))
-    return found
+    return [_restrict(problem, (number,)) for number in range(len(problem.plate_names))]
+
+
+def joined_plates(problem: Problem) -> list[tuple[Problem, Flags]]:
+    """Return the plates that joints hold to each other together, each other one by itself, as `single_plates`."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    count, links = len(problem.plate_names), problem.links
+    plate = np.full(len(problem.mesh.nodes), -1)
+    plate[problem.mesh.elements[problem.plate_elements]] = problem.plate_number[:, None]
+    one, other = plate[links.nodes[links.holds]].T
+    groups = connected_components(coo_array((np.ones(len(one)), (one, other)), shape=(count, count)), directed=False)[1]
+    return [_restrict(problem, tuple(np.flatnonzero(groups == n).tolist())) for n in range(groups.max() + 1)]
+
+
+def _restrict(problem: Problem, numbers: tuple[int, ...]) -> tuple[Problem, Flags]:
+    """Return the problem of some of the plates, and which of all bearings (c,) are on them."""
+    if len(numbers) == len(problem.plate_names):
+        return problem, np.ones(len(problem.bearing.law), dtype=bool)
+    elements = np.isin(problem.plate_number, numbers)
+    nodes = unique_integers(problem.mesh.elements[problem.plate_elements[elements]])[0]
+    held = np.isin(problem.bearing.node, nodes)
+    load = np.zeros_like(problem.load)
+    load[nodes] = problem.load[nodes]
+    own = replace(
+        problem,
+        plate_elements=problem.plate_elements[elements],
+        plate_nodes=nodes,
+        plate_number=np.searchsorted(numbers, problem.plate_number[elements]),
+        plate_names=tuple(problem.plate_names[number] for number in numbers),
+        bearing=problem.bearing.select(held),
+        links=problem.links.select(np.asarray(np.isin(problem.links.nodes, nodes).all(axis=1))),
+        loading=replace(problem.loading, load=load),
+        elastic=None if problem.elastic is None else problem.elastic.under(numbers),
+    )
+    return own, held
 
 
 def settlement_by_loads_beside(problem: Problem, places: Array) -> Array:

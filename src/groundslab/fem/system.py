@@ -20,6 +20,9 @@ from groundslab.fem.sparse import Symmetric
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
+#: The ground's surface goes on across joints by links so many times as stiff as an element of it.
+RIGID_LINK = 1e6
+
 
 def current_bearings(problem: Problem, factor: float, slip: Array) -> Bearings:
     """Return the bearings under a share of the loading, with their plastic slip (c,) [m] of earlier increments.
@@ -109,10 +112,11 @@ class System:
 def build_system(problem: Problem, like: System | None = None) -> System:
     """Return the system of a problem; what is the same in a similar system on the same mesh is reused."""
     mesh, rank, unknown = problem.mesh, problem.rank, problem.unknown
+    linked = problem.links.nodes
     if like is None or like.problem.mesh is not mesh:
-        return System(problem, assembly.build_pattern(mesh.elements, rank, unknown), blocks(problem))
+        return System(problem, assembly.build_pattern(mesh.elements, rank, unknown, linked), blocks(problem))
     known = like.problem
-    same_unknowns = np.array_equal(known.unknown, unknown)
+    same_unknowns = np.array_equal(known.unknown, unknown) and np.array_equal(known.links.nodes, linked)
     same_plate = known.element is problem.element and all(
         np.array_equal(a, b)
         for a, b in (
@@ -120,7 +124,7 @@ def build_system(problem: Problem, like: System | None = None) -> System:
             (known.depths.mass_kind, problem.depths.mass_kind), (known.depths.mass_kinds, problem.depths.mass_kinds),
         )
     )  # fmt: skip
-    pattern = like.pattern if same_unknowns else assembly.build_pattern(mesh.elements, rank, unknown)
+    pattern = like.pattern if same_unknowns else assembly.build_pattern(mesh.elements, rank, unknown, linked)
     return System(problem, pattern, like.blocks if same_plate else blocks(problem))
 
 
@@ -143,7 +147,7 @@ def stiffness(s: System, column: Column) -> Symmetric:
             K[..., i, j] += column.A0[a, c] * mass + column.A1[a, c] * slope
         return K
 
-    return assembly.assemble(s.pattern, b.kind, matrices, *_tail_blocks(s, column))
+    return assembly.assemble(s.pattern, b.kind, matrices, *_further_blocks(s, column))
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,7 +177,7 @@ def _with_varying_ground(s: System, column: Column) -> Symmetric:
         of_plate = _of_plate(s.problem, i, j)
         values = known.mass[of_plate] @ column.A0[:, a, c] + known.slope[of_plate] @ column.A1[:, a, c]
         add(values, known.entry[:, i, j])
-    pairs, blocks = _tail_blocks(s, column)
+    pairs, blocks = _further_blocks(s, column)
     add(blocks, known.entry[pairs])
     return replace(known.plate, data=data)
 
@@ -220,6 +224,36 @@ def edge_decays(problem: Problem, column: Column) -> tuple[EdgeDecay, EdgeDecay]
     inside = np.empty(len(problem.mesh.nodes), dtype=np.int64)
     inside[elements] = np.arange(len(elements))[:, None]
     return edge_decay(column.at(inside[problem.edges[:, 2]])), edge_decay(column.at(inside[problem.corners]))
+
+
+def _further_blocks(s: System, column: Column) -> tuple[Integers, Array]:
+    """Return what no element adds, tails and links: which node pairs (t,), ascending, and their blocks (t, F, F)."""
+    links = s.problem.links
+    pairs, blocks = _tail_blocks(s, column)
+    if not len(links.joint):
+        return pairs, blocks
+    first, second = links.nodes.T
+    both = links.fields[:, :, None] & links.fields[:, None, :]
+    own = link_stiffness(s, column)[:, None, None] * both
+    of_links = (s.pattern.pairs(a, b) for a, b in ((first, first), (second, second), (first, second)))
+    numbers, which = np.unique(np.concatenate([pairs, *of_links]), return_inverse=True)
+    total = np.zeros((len(numbers), *blocks.shape[1:]))
+    np.add.at(total, which, np.concatenate([blocks, own, own, -own]))
+    return numbers, total
+
+
+def link_stiffness(s: System, column: Column) -> Array:
+    """Return the stiffness of each link (l,) [N/m]; of the ground's surface it is much stiffer than the ground."""
+    b, k = s.blocks, s.problem.links.stiffness
+    ground = np.abs(column.A0).max() * np.abs(b.mass).max() + np.abs(column.A1).max() * np.abs(b.slope).max()
+    return np.where(np.isinf(k), RIGID_LINK * ground, k)
+
+
+def link_forces(s: System, U: Array, column: Column, joints: bool) -> Array:
+    """Return the forces (n, F) with which joints resist, or links of the ground's surface."""
+    links = s.problem.links
+    counts = (links.joint >= 0) == joints
+    return links.forces(U, np.where(counts, link_stiffness(s, column), 0.0))
 
 
 def _tail_blocks(s: System, column: Column) -> tuple[Integers, Array]:
@@ -279,7 +313,7 @@ def surface_settlement(s: System, U: Array) -> Array:
     top = U[:, TOP].copy()
     under = s.problem.plate_nodes
     top[under] += plate_settlement(s, U)[under]
-    return np.vstack([top, U[:, TOP + 1 :].T])
+    return np.vstack([top, U[:, TOP + 1 : TOP + s.problem.surfaces].T])
 
 
 def plate_settlement(s: System, U: Array) -> Array:

@@ -169,7 +169,7 @@ class PlanGeometry:
         tools = [part for part in [*outlines, *openings, *zones, *borders, *lines, *points] if part not in domain]
         self.faces = {tag for _, tag in domain}
         self.inside = set(self.faces)
-        if tools:
+        if tools or len(domain) > 1:  # several plates may share a line
             _, origin = occ.fragment(domain, tools)
             parts = domain + tools
             self.faces = {tag for part in origin[: len(domain)] for _, tag in part}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from groundslab.geometry.plan import MOST_ELEMENTS
-from groundslab.geometry.validity import find_issues
+from groundslab.geometry.validity import TOO_CLOSE, find_issues
 from groundslab.model.columns import Column
 from groundslab.model.design.floors import AnyFloor
 from groundslab.model.design.limits import SoilStrength
@@ -15,7 +15,8 @@ from groundslab.model.loads.load_types import AnyLoad, SettlementLoad
 from groundslab.model.loads.patterns import Move
 from groundslab.model.loads.placement import on_plate
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import FurtherPlate, bounds_of, list_plates
+from groundslab.model.plates.further import FurtherPlate, bounds_of, list_plates, shared_line
+from groundslab.model.plates.joints import AnyJoint
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.serviceability.cracking import Cracking
 from groundslab.model.settings import SIDES, Beyond, Contact, Mesh
@@ -222,3 +223,39 @@ def check_sections_with_plates(
     for name, section in {"floor": floor, "soil_strength": soil_strength, "cracking": cracking}.items():
         if section is not None:
             yield RelativeIssue((name,), f"{name} beside several plates", f"no {name}", "it is for a single plate")
+
+
+def check_supports_on_joints(
+    plate: Plate, plates: tuple[FurtherPlate, ...], joints: tuple[AnyJoint, ...], supports: tuple[AnySupport, ...]
+) -> Iterator[RelativeIssue]:
+    """Find supports on the line of a joint, of which nobody knows which plate they hold."""
+    from shapely import LineString, Point
+
+    known, (x0, x1, y0, y1) = {each.name: each for each in list_plates(plate, plates)}, bounds_of(plate, plates)
+    near = TOO_CLOSE * max(x1 - x0, y1 - y0)
+    for joint in joints:
+        if not all(name in known for name in joint.between):
+            continue
+        line = shared_line(*(known[name] for name in joint.between)).buffer(near)
+        for position, support in enumerate(supports):
+            if not isinstance(support, LineSupport):
+                held = line.intersects(Point(support.x, support.y))
+            else:
+                held = len(support.points) > 1 and line.intersection(LineString(support.points)).length > 4 * near
+            if held:
+                hint = "two supports, one on either side, hold both plates"
+                found = f"a support on the joint {quote(joint.title)}"
+                yield RelativeIssue(("supports", position), found, "a support on one of the plates", hint)
+
+
+def check_glued_joints(
+    contact: Contact, ground: AnyGround, soil_zones: tuple[SoilZone, ...], joints: tuple[AnyJoint, ...]
+) -> Iterator[RelativeIssue]:
+    """Find elastic joints of plates glued to ground that goes on under them, which settle alike in any case."""
+    if contact.tensionless or not any(any(carry_shear(each)) for each in (ground, *(z.ground for z in soil_zones))):
+        return
+    for position, joint in enumerate(joints):
+        if joint.kind == "elastic":
+            hint = "glued to the surface of ground that carries shear both sides settle as it does"
+            expected = "a hinge, or contact.tensionless = true"
+            yield RelativeIssue(("joints", position, "kind"), "an elastic joint without effect", expected, hint)

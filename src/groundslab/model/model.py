@@ -27,6 +27,7 @@ from groundslab.model.loads.placement import check_load_columns, check_point_loa
 from groundslab.model.outputs import Output, Project, Report, check_output
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, check_plates, list_plates
+from groundslab.model.plates.joints import Joint, check_joints
 from groundslab.model.serviceability.cracking import Cracking, check_cracking
 from groundslab.model.serviceability.long_term import LongTerm
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
@@ -41,8 +42,11 @@ class Model(Section):
 
     checks: ClassVar[tuple[Check, ...]] = (
         check_plates,
+        check_joints,
         consistency.check_plate_of_loads,
         consistency.check_sections_with_plates,
+        consistency.check_supports_on_joints,
+        consistency.check_glued_joints,
         consistency.check_shear_of_layers,
         consistency.check_continuum,
         consistency.check_some_load_acts,
@@ -80,6 +84,7 @@ class Model(Section):
     report: Annotated[Report, Table("what the report holds")] = Report()
     plate: Annotated[Plate, Table("the plate")]
     plates: Annotated[tuple[FurtherPlate, ...], Table("further plates on the same ground", 100)] = ()
+    joints: Annotated[tuple[Joint, ...], Table("joints between plates that share a line of their outlines", 1000)] = ()
     ground: Annotated[Ground, Table("the ground under the plate")]
     beyond: Annotated[Beyond, Table("ground beyond the plate, without effect where it carries no shear")] = Beyond()
     contact: Annotated[Contact, Table("contact between plate and ground")] = Contact()

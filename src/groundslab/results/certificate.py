@@ -23,7 +23,15 @@ from groundslab.fem.problem import (
     settlement_by_loads_beside,
     single_plates,
 )
-from groundslab.fem.system import System, edge_decays, edge_lengths, surface_fields, surface_settlement
+from groundslab.fem.system import (
+    System,
+    edge_decays,
+    edge_lengths,
+    link_forces,
+    link_stiffness,
+    surface_fields,
+    surface_settlement,
+)
 from groundslab.results.record import Certificate
 from groundslab.solvers.cracking import error_of_law
 from groundslab.solvers.equilibrium import free_motions
@@ -109,6 +117,9 @@ def ground_forces(s: System, U: Array, column: Column) -> Array:
             forces[under, 0] = scatter(elements, on_w, n)[under]
     if len(problem.edges):
         forces[:, 1:] += _tail_forces(problem, w, column)
+    if len(problem.links.joint):
+        surface = link_forces(s, U, column, joints=False)
+        forces += surface[:, [W, *range(TOP, TOP + column.surfaces)]]
     return forces
 
 
@@ -126,7 +137,7 @@ def exact_rigid_products(s: System, column: Column) -> tuple[Array, Array]:
         U = np.zeros(problem.unknown.shape)
         U[nodes, :TOP] = motion[nodes]
         ground = ground_forces(s, U, column)
-        resisting = np.zeros_like(U)
+        resisting = link_forces(s, U, column, joints=True)
         for surface in range(column.surfaces):
             for field in surface_fields(surface):
                 resisting[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]
@@ -161,8 +172,8 @@ def resistance(solution: Solution) -> tuple[Array, Array]:
     """Return the forces (n, F) with which plate and ground resist, and the ground's share of them (n, 1 + S)."""
     s, U, column = solution.system, solution.U, solution.column
     ground = ground_forces(s, U, column) if solution.pressed is None else pressing_forces(solution)
-    inner = np.zeros_like(U)
-    inner[:, :TOP] = plate_forces(s, U)
+    inner = link_forces(s, U, column, joints=True)
+    inner[:, :TOP] += plate_forces(s, U)
     for surface in range(column.surfaces):
         for field in surface_fields(surface):
             inner[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]
@@ -171,7 +182,7 @@ def resistance(solution: Solution) -> tuple[Array, Array]:
 
 def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     """Return the certificate of a solution under the full load."""
-    s, U, c = solution.system, solution.U, solution.contact
+    s, U, column, c = solution.system, solution.U, solution.column, solution.contact
     problem = s.problem
     nodes, under, bearing = problem.mesh.nodes, problem.plate_nodes, problem.bearing
     (inner, ground), load = resistance(solution), problem.load
@@ -185,6 +196,9 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     springs = np.abs(c.force[elastic])
     way = np.abs(solution.law.offset[c.state == CLOSED]).max(initial=0.0)
     rounding = max(ROUNDING * np.abs(s.blocks.plate).max() * way, NOTHING * np.abs(load).max())
+    if len(problem.links.joint):
+        stiffest = link_stiffness(s, column)[problem.links.joint >= 0].max(initial=0.0)
+        rounding = max(rounding, ROUNDING * stiffest * np.abs(U[:, W]).max())
     residual = float(
         np.abs((rest - borne)[~fixed]).max() / (max(np.abs(inner).max(), springs.max(initial=0.0), rounding) or 1.0)
     )
@@ -192,8 +206,9 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     # what the supports push on the plate, moments about the origin
     support = np.where(fixed[:, :TOP], rest[:, :TOP], 0.0)
     support[:, W] *= _own_w(problem)
-    own = bearing.field != TOP
+    own = bearing.field < TOP
     np.add.at(support, (bearing.node[own], bearing.field[own]), (bearing.law.sign * c.force)[own])
+    support[:, W] -= link_forces(s, U, column, joints=True)[:, W]
     # what presses on the ground beside the plate's edge does not reach the plate
     contact = ground[:, 0].copy()
     if solution.pressed is None:
@@ -222,6 +237,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
         margin_effect=margin_effect,
         section_law=None if problem.stiffness is None else error_of_law(problem, U),
         ground_load=float(beside * share),
+        joint_mismatch=_mismatch(problem, U) / settlement if len(problem.links.joint) else None,
     )
 
 
@@ -260,6 +276,12 @@ def _sum_down(solution: Solution, rest: Array) -> float:
     if solution.pressed is not None:
         return float(solution.pressed.force.sum() + solution.system.problem.load[:, TOP].sum())
     return _sum_lost_forces(solution.system, solution.U, solution.column, rest)
+
+
+def _mismatch(problem: Problem, U: Array) -> float:
+    """Return the largest difference [m] across links that should have none: of the ground's surface, and of hinges."""
+    links = problem.links
+    return float(np.abs(links.difference(U)[links.rigid]).max(initial=0.0))
 
 
 def worst(proofs: Sequence[Certificate]) -> Certificate:
@@ -358,8 +380,9 @@ def _sum_lost_forces(s: System, U: Array, column: Column, rest: Array) -> float:
     w = surface_settlement(s, U)
     volume = s.blocks.mass.sum(axis=1)[s.blocks.kind]  # int N over each element
     base = np.einsum("...ij,j...a,...a->...", column.A0, w[:, problem.mesh.elements], volume).sum()
-    fixed = (problem.unknown[:, TOP:] < 0) & (rest[:, TOP:] != 0)
+    of_ground = slice(TOP, TOP + problem.surfaces)
+    fixed = (problem.unknown[:, of_ground] < 0) & (rest[:, of_ground] != 0)
     fixed[problem.plate_nodes] = False
-    edge = -rest[:, TOP:][fixed].sum()
+    edge = -rest[:, of_ground][fixed].sum()
     lost = _tail_forces(problem, w, column).sum() if len(problem.edges) else 0.0
     return float(base + edge + lost)

@@ -98,6 +98,9 @@ class Certificate:
         curvature, over the largest moment.
     ground_load : float
         Sum of the loads on the ground beside the plate [N].
+    joint_mismatch : float or None
+        Joined plates only: largest difference of settlement across hinges, and of the ground's surface across joints,
+        where there should be none, over the largest settlement.
     """
 
     residual: float
@@ -113,10 +116,12 @@ class Certificate:
     margin_effect: float | None
     section_law: float | None = None
     ground_load: float = 0.0
+    joint_mismatch: float | None = None
 
     TOLERANCE = 1e-6
     MARGIN_TOLERANCE = 0.01
     LAW_TOLERANCE = 1e-3
+    JOINT_TOLERANCE = 1e-4
 
     @property
     def holds(self) -> bool:
@@ -142,7 +147,7 @@ class Certificate:
         dict of str to float
             The figures by name.
         """
-        others = {name: getattr(self, name) for name in ("margin_effect", "section_law")}
+        others = {name: getattr(self, name) for name in ("margin_effect", "section_law", "joint_mismatch")}
         return self.must_vanish() | {name: value for name, value in others.items() if value is not None}
 
     def limits(self) -> dict[str, float]:
@@ -153,7 +158,11 @@ class Certificate:
         dict of str to float
             The limits by name.
         """
-        others = {"margin_effect": self.MARGIN_TOLERANCE, "section_law": self.LAW_TOLERANCE}
+        others = {
+            "margin_effect": self.MARGIN_TOLERANCE,
+            "section_law": self.LAW_TOLERANCE,
+            "joint_mismatch": self.JOINT_TOLERANCE,
+        }
         return dict.fromkeys(self.must_vanish(), self.TOLERANCE) | others
 
     def must_vanish(self) -> dict[str, float]:
@@ -164,5 +173,5 @@ class Certificate:
         dict of str to float
             The figures by name.
         """
-        others = ("load", "reaction", "ground_load", "margin_effect", "section_law")
+        others = ("load", "reaction", "ground_load", "margin_effect", "section_law", "joint_mismatch")
         return {each.name: getattr(self, each.name) for each in fields(self) if each.name not in others}

@@ -13,7 +13,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import NeutralEquilibrium, NoEquilibrium
 from groundslab.fem.bearings import CLOSED, Contact
-from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, planes, single_plates
+from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, joined_plates, planes, single_plates
 from groundslab.units import coordinate
 
 #: How far, relative to the plate's size, the resultant must stay inside the hull of the plate.
@@ -33,19 +33,22 @@ def require_equilibrium(problem: Problem) -> None:
     """
     if not problem.tensionless:
         return
-    for plate, _ in single_plates(problem):
-        _require_balance(plate, _prefix(problem, plate))
+    for plates, _ in joined_plates(problem):
+        _require_balance(plates, _prefix(problem, plates))
 
 
-def _prefix(problem: Problem, plate: Problem) -> str:
+def _prefix(problem: Problem, plates: Problem) -> str:
     """Return which of several plates a sentence is about."""
-    return f"{plate.plate_names[0]}: " if len(problem.plate_names) > 1 else ""
+    return f"{' and '.join(plates.plate_names)}: " if len(problem.plate_names) > 1 else ""
 
 
 def _require_balance(problem: Problem, prefix: str) -> None:
-    """Raise NoEquilibrium unless pressure and supports can balance the load of a single plate."""
+    """Raise NoEquilibrium unless pressure and supports can balance the load of a plate, or of joined ones."""
     free = free_motions(problem)
     if free.shape[1] == 0:
+        return
+    if len(problem.plate_names) > 1:
+        _require_joint_balance(problem, free, prefix)
         return
     corners = _extreme_points(problem)
     scale = _scale(corners)
@@ -59,6 +62,20 @@ def _require_balance(problem: Problem, prefix: str) -> None:
         possible = _share_balanced(problem, motions, scale, work, LIMIT_MARGIN)[0] >= 1
     if not possible:
         raise NoEquilibrium(prefix + _reason(problem, corners, motions, scale, work))
+
+
+def _require_joint_balance(problem: Problem, free: Array, prefix: str) -> None:
+    """Raise NoEquilibrium unless pressure and supports can balance the load on the free motions of joined plates."""
+    corners = _extreme_points(problem)
+    scale = np.tile(_scale(corners), len(problem.plate_names))
+    motions = np.linalg.qr(scale[:, None] ** -1 * free)[0]
+    work = (np.einsum("nfk,nf->k", planes(problem), problem.plate_load) * scale) @ motions
+    if _share_balanced(problem, motions, scale, work, LIMIT_MARGIN)[0] < 1:
+        raise NoEquilibrium(
+            f"{prefix}the loads on these joined plates cannot be balanced: ground that cannot pull, supports and what "
+            "joints carry from one plate to another do not hold them; add the missing load (self weight?), move the "
+            "loads inwards, or support the plates"
+        )
 
 
 def rigid_motions(problem: Problem) -> Array:
@@ -83,49 +100,50 @@ def require_hold(problem: Problem, contact: Contact, pressing: Array | None = No
     if not problem.tensionless:
         return
     elastic = problem.elastic
-    for number, (plate, own) in enumerate(single_plates(problem)):
-        pressed = None if elastic is None or pressing is None else pressing[elastic.cells.plate == number]
-        _require_plate_held(plate, contact.state[own], contact.force[own], pressed, _prefix(problem, plate))
+    for plates, own in joined_plates(problem):
+        pressed = None
+        if elastic is not None and pressing is not None:
+            numbers = [problem.plate_names.index(name) for name in plates.plate_names]
+            pressed = pressing[np.isin(elastic.cells.plate, numbers)]
+        _require_plates_held(plates, contact.state[own], contact.force[own], pressed, _prefix(problem, plates))
 
 
-def _require_plate_held(problem: Problem, state: Integers, force: Array, pressing: Array | None, prefix: str) -> None:
-    """Raise NeutralEquilibrium if a single plate can move against bearings in states (c,) with forces (c,).
+def _require_plates_held(problem: Problem, state: Integers, force: Array, pressing: Array | None, prefix: str) -> None:
+    """Raise NeutralEquilibrium if plates can move against bearings in states (c,) with forces (c,).
 
-    pressing (k,) are the forces of the cells under it.
+    pressing (k,) are the forces of the cells under them.
     """
     free = free_motions(problem, mirrored=True)
     if free.shape[1] == 0:
         return
     b = problem.bearing
-    touching = np.flatnonzero((state == CLOSED) & ~b.law.bilateral)
-    places, force = problem.mesh.nodes[b.node[touching]], np.maximum(force[touching], 0.0)
-    rows = np.column_stack([np.ones(len(touching)), places])
-    for field in (BETA_X, BETA_Y):
-        turned = b.field[touching] == field
-        rows[turned] = np.arange(3) == field
+    touching = np.flatnonzero((state == CLOSED) & ~b.law.bilateral & (b.field <= TOP))
+    force = np.maximum(force[touching], 0.0)
+    rows = planes(problem)[b.node[touching], np.where(b.field[touching] == TOP, W, b.field[touching])]
     for axis in (0, 1):
         if problem.symmetry[axis]:
             rows, force = np.vstack([rows, rows * _mirror(axis)]), np.tile(force, 2)
     if pressing is not None and problem.elastic is not None:
-        center, limit_force = problem.elastic.of_plate(_number(problem))
-        holding = np.where(pressing < limit_force, pressing, 0.0)
-        cells = np.column_stack([np.ones(len(holding)), center])
-        rows, force = np.vstack([rows, cells]), np.append(force, holding)
+        holding = np.where(pressing < problem.elastic.limit_force, pressing, 0.0)
+        rows, force = np.vstack([rows, _rows_of_cells(problem)]), np.append(force, holding)
     corners = _extreme_points(problem)
     scale = _scale(corners)
     centre = corners.mean(axis=0)
     # motions about the plate's middle, as large at its ends as it is when it settles
     about = np.array([[1.0, -centre[0] * scale[1], -centre[1] * scale[2]], [0, scale[1], 0], [0, 0, scale[2]]])
+    about = np.kron(np.eye(len(problem.plate_names)), about)
     motions = np.linalg.qr(np.linalg.solve(about, free))[0]
     size = max(force.sum(), problem.loading.size, np.finfo(float).tiny)
     resisted = rows @ about @ motions
     shares, directions = np.linalg.eigh(resisted.T @ (force[:, None] / size * resisted))
     loose = about @ motions @ directions[:, shares < NEUTRAL]
     if loose.shape[1]:
+        single = len(problem.plate_names) == 1
+        moves = f"the plate {_movement(loose, 1 / scale[1])}" if single else "the joined plates can move"
         raise NeutralEquilibrium(
-            f"{prefix}the equilibrium is neutral: the plate {_movement(loose, 1 / scale[1])} without any resistance, "
-            "so that its settlement is one of many; support it there, add the load that decides where it comes to "
-            "rest, or glue it to the ground with contact.tensionless = false"
+            f"{prefix}the equilibrium is neutral: {moves} without any resistance, so that the settlement is one of "
+            "many; support it there, add the load that decides where it comes to rest, or glue it to the ground with "
+            "contact.tensionless = false"
         )
 
 
@@ -162,30 +180,34 @@ def _mirror(axis: int) -> Array:
 
 @dataclass(frozen=True, slots=True)
 class _OneWay:
-    """What acts on the plate one way: the ground, at nodes or in cells, and supports."""
+    """What acts on plates one way: the ground, at nodes or in cells, and supports."""
 
     up: Array  # (c,): 1.0 if it pushes up, -1.0 if it holds down
-    place: Array  # (c, 2) [m]
+    row: Array  # (c, 3 plates): what rigid motions settle there
     limit_force: Array  # (c,) [N]
     support: Integers  # (c,): number of the support, -1 for the ground
 
 
 def _one_way(problem: Problem) -> _OneWay:
-    """Return all that acts on the plate one way."""
+    """Return all that acts on plates one way."""
     b, law, elastic = problem.bearing, problem.bearing.law, problem.elastic
-    own = ~law.bilateral
+    own = ~law.bilateral & (b.field <= TOP)
     up = np.where(b.support[own] < 0, 1.0, -law.sign[own])
-    place, limit_force, support = problem.mesh.nodes[b.node[own]], law.limit_force[own], b.support[own]
+    row, limit_force, support = planes(problem)[b.node[own], W], law.limit_force[own], b.support[own]
     if elastic is not None:
-        center, of_cells = elastic.of_plate(_number(problem))
-        up, support = np.append(up, np.ones(len(center))), np.append(support, np.full(len(center), -1))
-        place, limit_force = np.vstack([place, center]), np.append(limit_force, of_cells)
-    return _OneWay(up, place, limit_force, support)
+        cells = len(elastic.gap)
+        up, support = np.append(up, np.ones(cells)), np.append(support, np.full(cells, -1))
+        row, limit_force = np.vstack([row, _rows_of_cells(problem)]), np.append(limit_force, elastic.limit_force)
+    return _OneWay(up, row, limit_force, support)
 
 
-def _number(problem: Problem) -> int:
-    """Return the number of a single plate among all."""
-    return int(problem.plate_number[0])
+def _rows_of_cells(problem: Problem) -> Array:
+    """Return what rigid motions settle at the cells of an elastic continuum, (c, 3 plates)."""
+    assert problem.elastic is not None
+    cells = problem.elastic.cells
+    rows = np.zeros((len(cells.area), len(problem.plate_names), 3))
+    rows[np.arange(len(rows)), cells.plate] = np.column_stack([np.ones(len(rows)), cells.center])
+    return rows.reshape(len(rows), -1)
 
 
 def _only_pushed(problem: Problem) -> bool:
@@ -212,7 +234,7 @@ def _share_balanced(problem: Problem, motions: Array, scale: Array, work: Array,
     size = problem.loading.size or float(np.abs(problem.load[:, BETA_X : BETA_Y + 1]).sum() * scale[1])
     if not len(use) or size == 0:
         return 0.0, full
-    generators = b.up[use, None] * (np.column_stack([np.ones(len(use)), b.place[use] * scale[1:]]) @ motions)
+    generators = b.up[use, None] * ((b.row[use] * scale) @ motions)
     capacity = b.limit_force[use] / size
     little = margin * np.minimum(capacity, 1 / len(use))
     bounds = [(low, None if np.isinf(high) else high - low) for low, high in zip(little, capacity, strict=True)]
@@ -235,7 +257,8 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
     Of a plate of which a part is meshed those that its mirrors allow, or, mirrored, those of the full plate.
     """
     if len(problem.plate_names) > 1:
-        return _block_diagonal([free_motions(plate, mirrored) for plate, _ in single_plates(problem)])
+        every = _block_diagonal([free_motions(plate, mirrored) for plate, _ in single_plates(problem)])
+        return _without_steps(problem, every)
     nodes, b = problem.plate_nodes, problem.bearing
     fixed = problem.unknown[:, : BETA_Y + 1] < 0
     both = b.law.bilateral
@@ -262,6 +285,24 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
     _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([constraints, np.zeros((3, 3))]), mode="r"))
     rank = int((sizes > 1e-10 * max(sizes.max(), 1e-300)).sum())
     return V[rank:].T
+
+
+def _without_steps(problem: Problem, motions: Array) -> Array:
+    """Return those combinations of motions (3 plates, d) that make no step across joints that hold plates together."""
+    links = problem.links
+    first, second = links.nodes[links.holds].T
+    if not len(first):
+        return motions
+    W_of = planes(problem)[:, W]
+    size = np.ptp(problem.mesh.nodes[problem.plate_nodes], axis=0).max()
+    scale = np.tile([1.0, 1 / size, 1 / size], len(problem.plate_names))
+    # about the plates' middle, in which settlements and slopes are alike
+    unit = np.linalg.qr(scale[:, None] ** -1 * motions)[0]
+    steps = ((W_of[first] - W_of[second]) * scale) @ unit
+    _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([steps, np.zeros((unit.shape[1],) * 2)]), mode="r"))
+    rank = int((sizes > 1e-9 * max(sizes.max(initial=0.0), 1e-300)).sum())
+    found: Array = scale[:, None] * (unit @ V[rank:].T)
+    return found
 
 
 def _block_diagonal(blocks: list[Array]) -> Array:

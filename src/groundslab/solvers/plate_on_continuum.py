@@ -165,12 +165,19 @@ def move(p: PlateOnContinuum, f: Array, found: BoundedSolution) -> Array:
 
 
 def _rigid_motions(problem: Problem, size: int) -> Array:
-    """Return the rigid motions (size, r) of a plate without its supports, which are forces."""
-    alone = replace(problem, bearing=replace(problem.bearing, law=problem.bearing.law.select(np.zeros(0, int)),
-                    node=problem.bearing.node[:0], field=problem.bearing.field[:0]))  # fmt: skip
+    """Return the rigid motions (size, r) of plates without their supports and the play of joints, which are forces.
+
+    What a joint with play slips is an unknown without stiffness, and follows the plates.
+    """
+    links, none = problem.links, np.zeros(len(problem.bearing.law), dtype=bool)
+    slips = np.asarray(links.fields[:, TOP + 1 :].any(axis=1))
+    alone = replace(problem, bearing=problem.bearing.select(none), links=links.select(~slips), elastic=None)
     moved, unknown = planes(problem) @ free_motions(alone), problem.unknown[:, :TOP]
     R = np.zeros((size, moved.shape[2]))
     R[unknown[unknown >= 0]] = moved[unknown >= 0]
+    for (first, second), own in zip(links.nodes[slips], links.fields[slips], strict=True):
+        field = TOP + 1 + int(np.flatnonzero(own[TOP + 1 :])[0])
+        R[problem.unknown[second, field]] = moved[first, W] - moved[second, W]
     return R
 
 

@@ -60,7 +60,7 @@ def from_coarser(start: Solution, problem: Problem, at: NodeLocations) -> tuple[
     coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate_nodes
     state = np.full(len(b.law), CLOSED)
     ground = np.flatnonzero(b.field == TOP)  # none, or one at each node of the plate
-    state[(b.support < 0) & (b.field != TOP)] = OPEN
+    state[((b.support < 0) & (b.field != TOP)) | (b.field > TOP)] = OPEN  # bottoms of voids, and play
     if len(ground):
         touching = interpolate_bilinear(coarse, start.nodes_in(CLOSED, YIELDING), at.on_plate) <= CLOSED_AT
         state[ground] = np.where(touching, CLOSED, OPEN)
@@ -78,7 +78,7 @@ def from_coarser(start: Solution, problem: Problem, at: NodeLocations) -> tuple[
     plate = (plate_settlement(start.system, start.U), start.U[:, BETA_X], start.U[:, BETA_Y])
     surfaces = surface_settlement(start.system, start.U)
     U[under, :TOP] = interpolate(coarse, np.column_stack(plate), at.on_plate)
-    U[:, TOP:] = interpolate(coarse, surfaces.T, at.everywhere)
+    U[:, TOP : TOP + problem.surfaces] = interpolate(coarse, surfaces.T, at.everywhere)
     U[under, TOP] -= U[under, W]
     U[problem.unknown < 0] = 0.0
     return state, U

@@ -156,3 +156,29 @@ def test_a_regular_mesh_has_hardly_any_kinds(length: float, n: int) -> None:
     lines = np.linspace(-length / 2, length / 2, n + 1)
     xy = grid(lines, np.array([0.0, length / n])).xy
     assert len(find_congruent(xy)[0]) == 1
+
+
+@pytest.mark.parametrize("chunk", [1, 2**18])
+def test_linked_nodes_have_a_pair_to_which_no_element_adds(chunk: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Blocks of nodes far from each other go to their pairs; pairs that elements have, too, stay one."""
+    monkeypatch.setattr(assembly, "_CHUNK", chunk)
+    mesh = grid(np.arange(5.0), np.arange(4.0))
+    n, F = len(mesh.nodes), 2
+    rank = elimination_order(mesh)
+    unknown = number_unknowns(rank, np.random.default_rng(1).random((n, F)) < 0.8)
+    linked = np.array([[n - 1, 0], [3, n - 5], [0, 1]])
+    p = build_pattern(mesh.elements, rank, unknown, linked)
+    kind = np.zeros(len(mesh.elements), dtype=int)
+    blocks = np.array([[[1.0, 2.0], [2.0, 5.0]], [[3.0, 4.0], [4.0, 6.0]], [[7.0, 8.0], [8.0, 9.0]]])
+    pairs = p.pairs(*linked.T)
+    order = np.argsort(pairs)
+    A = assemble(p, kind, lambda kinds: np.zeros((len(kinds), 9, 9, F, F)), pairs[order], blocks[order])
+    expected = np.zeros((p.size, p.size))
+    for (a, b), block in zip(linked, blocks, strict=True):
+        for i in range(F):
+            for j in range(F):
+                row, column = unknown[a, i], unknown[b, j]
+                if row >= 0 and column >= 0:
+                    expected[row, column] = expected[column, row] = block[i, j]
+    dense = csr_array((A.data, A.indices, A.indptr), shape=expected.shape).toarray()
+    np.testing.assert_array_equal(np.triu(dense) + np.triu(dense, 1).T, expected)

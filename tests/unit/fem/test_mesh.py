@@ -14,6 +14,7 @@ from groundslab.fem.mesh import (
     divide_graded,
     elimination_order,
     extrude,
+    first_at_place,
     graded_size,
     grid,
     interpolate,
@@ -23,6 +24,7 @@ from groundslab.fem.mesh import (
     locate_nearest,
     mirror,
     renumber_by_rows,
+    separate,
     sides_on_boundary,
     with_midpoints,
 )
@@ -291,3 +293,19 @@ def test_mirrored_twice_is_the_full_mesh() -> None:
     turns = np.roll(xy, -1, axis=1) - xy
     assert (turns[:, 0, 0] * turns[:, 1, 1] - turns[:, 0, 1] * turns[:, 1, 0] > 0).all()
     np.testing.assert_allclose((xy + np.roll(xy, -1, axis=1)) / 2, whole.xy[:, 4:8], atol=1e-15)
+
+
+def test_parts_made_separate_share_no_nodes() -> None:
+    """Each part but the first has nodes of its own where it meets others; what is no part keeps those of the first."""
+    mesh = grid(np.arange(4.0), np.arange(3.0))
+    part = np.array([0, 1, -1, 0, 2, -1])
+    apart = separate(mesh, part)
+    nodes = [set(apart.elements[part == number].ravel().tolist()) for number in range(3)]
+    assert not (nodes[0] & nodes[1] | nodes[0] & nodes[2] | nodes[1] & nodes[2])
+    np.testing.assert_array_equal(apart.xy, mesh.xy)
+    np.testing.assert_array_equal(apart.elements[part == -1][:, :4] < len(mesh.nodes), True)
+    np.testing.assert_array_equal(apart.elements[part == 0], mesh.elements[part == 0])
+    first = first_at_place(apart)
+    assert (first[: len(mesh.nodes)] == np.arange(len(mesh.nodes))).all()
+    np.testing.assert_array_equal(apart.nodes[first], apart.nodes)
+    assert (first[len(mesh.nodes) :] < len(mesh.nodes)).all()

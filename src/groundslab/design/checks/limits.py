@@ -11,9 +11,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from groundslab.design.by_plate import results_by_plate
 from groundslab.design.checks.check import DesignCheck
 from groundslab.design.tables.quantities import solved_results
-from groundslab.design.tilt import deflections_between, results_by_plate, settlement_differences, tilt
+from groundslab.design.tilt import deflections_between, settlement_differences, tilt
 from groundslab.model.loads.load_cases import SERVICEABILITY
 from groundslab.model.plates.region import PlateRegion
 from groundslab.results.fields import extreme

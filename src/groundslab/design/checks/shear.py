@@ -19,11 +19,11 @@ from groundslab.arrays import Array, Flags
 from groundslab.design.aci318 import shear as aci318
 from groundslab.design.aci318.bending import LEAST
 from groundslab.design.aci318.materials import PHI_SHEAR
+from groundslab.design.by_plate import edges_of
 from groundslab.design.checks.check import DesignCheck, Status
 from groundslab.design.checks.wide_beam import cuts
 from groundslab.design.en1992 import shear
 from groundslab.design.floors.acting_loads import factors_of
-from groundslab.design.punching import outline
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.punching import demands
 from groundslab.discretize.singular_places import near_singular
@@ -179,7 +179,7 @@ def _counts(results: CombinationResult, d: Array, thickness: Array, reach: Mappi
                for each in model.supports]  # fmt: skip
     far = distance(nodes, union_all(stands)) > 2 * d if stands else np.ones(len(nodes), dtype=bool)
     far = far & ~np.any(nearer, axis=0) if nearer else far
-    from_edges = distance(nodes, outline(results.plate).boundary)
+    from_edges = distance(nodes, edges_of(results))
     # of a narrow slab the middle half counts in any case
     inner = from_edges > np.minimum(thickness, from_edges.max() / 2)
     return np.asarray(far & inner & ~near_singular(model, results.plate.nodes, thickness))

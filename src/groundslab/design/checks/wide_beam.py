@@ -13,12 +13,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Integers
+from groundslab.design.by_plate import results_by_plate
 from groundslab.design.punching import outline
 from groundslab.design.tables.punching import depth_under, shape_of_column
 from groundslab.fem.line_traversal import interpolation, pieces
 from groundslab.fem.mesh import Mesh
 from groundslab.model.columns import Column
 from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.model.plates.region import PlateRegion
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult
 
@@ -48,9 +50,12 @@ class Cut:
 
 def cuts(results: CombinationResult, steel: Reinforcement) -> Iterator[Cut]:
     """Yield the cuts on both sides of every column along x and along y, where they lie on the plate."""
-    plan, columns = outline(results.plate), results.model.columns
+    model, columns = results.model, results.model.columns
+    region = PlateRegion(model.plate, model.plates)
+    plans = [outline(plate) for plate in results_by_plate(results).values()]
     mesh = Mesh(results.plate.nodes, results.plate.elements)
     for column in columns:
+        plan = plans[region.plate_at((column.x, column.y))]
         d = depth_under(results, shape_of_column(column), steel)
         for axis in (0, 1):
             half = (column.diameter or (column.width_x, column.width_y)[axis] or 0.0) / 2

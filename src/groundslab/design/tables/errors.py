@@ -30,6 +30,7 @@ VALUES: dict[str, tuple[str, ...]] = {
         "force", "least force per length", "greatest force per length", "least settlement", "greatest settlement",
         "moment M_x", "moment M_y",
     ),
+    "joints": ("force", "greatest force per length", "greatest step"),
     "columns": (
         "settlement", "settlement difference", "angular distortion", "angular distortion without tilt", "V_Ed", "v_Ed",
         "pressure inside", "v_Ed at the face",

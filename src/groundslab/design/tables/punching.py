@@ -12,6 +12,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Memo
 from groundslab.design import punching
+from groundslab.design.by_plate import plate_under
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.punching import OPENING_REACH, Perimeter, RectangularColumn, RoundColumn, Shape
 from groundslab.design.tables import column_loads, reinforcement
@@ -135,7 +136,7 @@ _PLACES: Memo[dict[str, _Place]] = Memo()
 
 def _place(results: CombinationResult, column: Column, steel: Reinforcement) -> _Place:
     """Return the perimeters around a column, or why there are none."""
-    plate, shape, around = results.plate, shape_of_column(column), list[Around]()
+    plate, shape, around = plate_under(results, column.x, column.y), shape_of_column(column), list[Around]()
     d, face, why = depth_under(results, shape, steel), None, ""
     try:
         u = punching.face_length(plate, shape, d)

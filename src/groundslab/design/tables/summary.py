@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from groundslab.design.by_plate import results_by_plate
 from groundslab.design.tables.quantities import nodal_values, ranged_fields, solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
-from groundslab.design.tilt import results_by_plate, tilt
+from groundslab.design.tilt import tilt
 from groundslab.discretize.singular_places import notes_on_singular_places
 from groundslab.model.loads.load_cases import Combination
 from groundslab.results.contact_zone import EDGE_NOTE, has_line_force

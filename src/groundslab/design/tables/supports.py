@@ -1,10 +1,14 @@
-"""The table of supports: what each carries."""
+"""The tables of supports and of joints: what each carries."""
 
 from __future__ import annotations
 
+import numpy as np
+
+from groundslab.design.by_plate import steps_across
 from groundslab.design.tables.quantities import solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
-from groundslab.results.results import Results, SupportResult
+from groundslab.model.plates.joints import AnyJoint, play_of, stiffness_of
+from groundslab.results.results import CombinationResult, Results, SupportResult
 
 
 def support_table(combined: Results) -> Table:
@@ -42,3 +46,34 @@ def _figures(support: SupportResult, kind: str) -> list[Cell]:
         along = [support.length.sum(), per_length.min(), per_length.max()]
     moments = support.moment_x.sum() / 1e3, support.moment_y.sum() / 1e3
     return [support.total / 1e3, *along, w.min(), w.max(), *moments]
+
+
+def joint_table(combined: Results) -> Table:
+    """Return the shear that each joint carries in each combination, and the difference of settlement across it."""
+    heads = [
+        ("combination", ""), ("joint", ""), ("force", "kN"), ("length", "m"),
+        ("greatest force per length", "kN/m"), ("x of it", "m"), ("y of it", "m"), ("greatest step", "mm"),
+    ]  # fmt: skip
+    model = combined.model
+    rows = [
+        [results.combination, joint.title, *_joint_figures(results, joint)]
+        for results in solved_results(combined)
+        for joint in model.joints
+    ]
+    notes = (
+        "The force from the first plate of a joint to its second one, positive if it presses the second one down. The "
+        "force per length is that of the largest size; a step is the first plate's settlement less the second one's.",
+    )
+    return table_of("joints", "Joints", heads, rows, notes)
+
+
+def _joint_figures(results: CombinationResult, joint: AnyJoint) -> list[Cell]:
+    """Return the figures of a joint, in the order of the table."""
+    model = results.model
+    places, length, step = steps_across(results, joint.between)
+    beyond = np.sign(step) * np.maximum(np.abs(step) - play_of(joint), 0.0)
+    q = stiffness_of(joint, model.plate, model.plates) * beyond
+    most = int(np.argmax(np.abs(q)))
+    x, y = places[most]
+    largest = float(step[np.argmax(np.abs(step))])
+    return [float(q @ length) / 1e3, float(length.sum()), float(q[most]) / 1e3, float(x), float(y), largest * 1e3]

@@ -9,6 +9,7 @@ from groundslab.arrays import Array, Memo
 from groundslab.design import punching
 from groundslab.design.aci318 import punching as aci318
 from groundslab.design.aci318.materials import PHI_SHEAR
+from groundslab.design.by_plate import plate_under
 from groundslab.design.punching import OPENING_REACH
 from groundslab.design.tables import column_loads, reinforcement
 from groundslab.design.tables.punching import Around, around_column, depth_under, forces_inside, shape_of_column
@@ -86,7 +87,8 @@ def _made(results: CombinationResult, column: Column, steel: Reinforcement) -> _
     shape = shape_of_column(column)
     d = depth_under(results, shape, steel)
     try:
-        line = punching.perimeter(results.plate, shape, d / 2, OPENING_REACH * d, square=True)
+        plate = plate_under(results, column.x, column.y)
+        line = punching.perimeter(plate, shape, d / 2, OPENING_REACH * d, square=True)
         if punching.shape_of(line.legs)[0] == "cut":
             return "its critical section cuts the slab from edge to edge, which is one-way shear"
         around = around_column(results, column, line, d / 2, line.u, d)

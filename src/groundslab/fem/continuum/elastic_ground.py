@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -125,10 +125,21 @@ class ElasticGround:
         mean: Array = (self.columns.weights_at(places) * np.stack(of_each, axis=1)).sum(axis=1)
         return mean
 
-    def of_plate(self, number: int) -> tuple[Array, Array]:
-        """Return centers (k, 2) [m] and limit forces (k,) [N] of the cells under one of several plates."""
-        own = self.cells.plate == number
-        return self.cells.center[own], self.limit_force[own]
+    def under(self, plates: Sequence[int]) -> ElasticGround:
+        """Return the ground with the cells under some of several plates only, renumbered as these are."""
+        own = np.isin(self.cells.plate, plates)
+        cells = replace(
+            self.cells,
+            number=self.cells.number[own],
+            area=self.cells.area[own],
+            center=self.cells.center[own],
+            spread=self.cells.spread[:, own],
+            around=self.cells.around[:, own],
+            under=self.cells.under[:, own],
+            plate=np.searchsorted(plates, self.cells.plate[own]),
+        )
+        return replace(self, cells=cells, gap=self.gap[own], limit_force=self.limit_force[own], columns=None,
+                       relief=None, piles=None)  # fmt: skip
 
 
 #: Operators of wider grids, by those of the cells.

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import accumulate, combinations
-from typing import Annotated, ClassVar
+from typing import TYPE_CHECKING, Annotated, ClassVar, Protocol
 
-from groundslab.geometry.plan import Ring, format_place, get_bounds
+from groundslab.geometry.plan import SAME_PLACE, Ring, format_place, get_bounds
 from groundslab.geometry.validity import TOO_CLOSE
 from groundslab.model.ground import POISSON, POSITIVE
 from groundslab.model.plate import SHEAR_FACTOR, Plate, Zone, check_geometry
@@ -16,11 +16,23 @@ from groundslab.schema.fields import Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import describe
 
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
 
 def _check_geometry(
     outline: AnyShape, openings: tuple[AnyShape, ...], zones: tuple[Zone, ...]
 ) -> Iterator[RelativeIssue]:
     return check_geometry(outline, openings, zones)
+
+
+class _Joined(Protocol):
+    """A joint, by the names of its plates."""
+
+    @property
+    def between(self) -> tuple[str, str]:
+        """The names."""
+        ...
 
 
 class FurtherPlate(Section):
@@ -77,8 +89,16 @@ def first_sections(plates: Sequence[AnyPlate]) -> list[int]:
     return list(accumulate((1 + len(each.zones) for each in plates[:-1]), initial=0))
 
 
-def check_plates(plate: Plate, plates: tuple[FurtherPlate, ...]) -> Iterator[RelativeIssue]:
-    """Find plates without a name of their own, and plates that overlap, touch or leave too narrow a strip."""
+def shared_line(one: AnyPlate, other: AnyPlate) -> BaseGeometry:
+    """Return the line that the outlines of two plates share, arcs as chords; points where they only touch."""
+    x0, x1, y0, y1 = get_bounds(edge for each in (one, other) for edge in each.ring().segments())
+    size = max(x1 - x0, y1 - y0)
+    edge, beside = (each.ring().polygon(CHORD * size).exterior for each in (one, other))
+    return edge.intersection(beside.buffer(SAME_PLACE * size))
+
+
+def check_plates(plate: Plate, plates: tuple[FurtherPlate, ...], joints: Sequence[_Joined]) -> Iterator[RelativeIssue]:
+    """Find plates without a name of their own, and plates that overlap, leave too narrow a strip, or touch unjoined."""
     seen = {plate.name} - {""}
     for position, each in enumerate(plates):
         if not each.name or each.name in seen:
@@ -88,18 +108,22 @@ def check_plates(plate: Plate, plates: tuple[FurtherPlate, ...]) -> Iterator[Rel
     if not plates:
         return
     x0, x1, y0, y1 = bounds_of(plate, plates)
-    size = max(x1 - x0, y1 - y0)
+    size, joined = max(x1 - x0, y1 - y0), {frozenset(joint.between) for joint in joints}
     for first, second in combinations(range(1 + len(plates)), 2):
-        meeting = _find_meeting(list_plates(plate, plates)[first], plates[second - 1], size)
+        one, other = list_plates(plate, plates)[first], plates[second - 1]
+        meeting = _find_meeting(one, other, size, frozenset((one.name, other.name)) in joined)
         if meeting is not None:
             name = "the first plate" if first == 0 else f"plates[{first}]"
-            expected = f"plates beside each other, at least {TOO_CLOSE * size:.3g} m apart"
-            hint = "plates that are joined are one plate, what lies on a plate is a zone of greater thickness"
+            expected = f"plates beside each other, at least {TOO_CLOSE * size:.3g} m apart or joined"
+            hint = "[[joints]] joins plates that share a line; what lies on a plate is a zone of greater thickness"
             yield RelativeIssue(("plates", second - 1, "outline"), meeting.format(name), expected, hint)
 
 
-def _find_meeting(one: AnyPlate, other: FurtherPlate, size: float) -> str | None:
-    """Return how a plate meets another one, whose name is {}, None if they lie apart; size is that of all [m]."""
+def _find_meeting(one: AnyPlate, other: FurtherPlate, size: float, joined: bool) -> str | None:
+    """Return how a plate meets another one, whose name is {}, though it may not; size is that of all plates [m].
+
+    At a single point they may touch without a joint.
+    """
     from shapely import union_all
 
     outline, beside = (each.ring().polygon(CHORD * size) for each in (one, other))
@@ -110,6 +134,7 @@ def _find_meeting(one: AnyPlate, other: FurtherPlate, size: float) -> str | None
             return "a plate in an opening of {}"
         at = shared.representative_point()
         return f"a plate that overlaps {{}} at {format_place((at.x, at.y))} m"
-    if outline.distance(beside) < TOO_CLOSE * size:
-        return "a plate that touches {}" if outline.intersects(beside) else "a strip too narrow to mesh beside {}"
-    return None
+    if outline.distance(beside) > SAME_PLACE * size:
+        return "a strip too narrow to mesh beside {}" if outline.distance(beside) < TOO_CLOSE * size else None
+    touches = shared_line(one, other).length > TOO_CLOSE * size
+    return "a plate that touches {} without a joint" if touches and not joined else None

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
 import numpy as np
 
 from groundslab.accuracy.values import error_of_largest, estimate_error
+from groundslab.design.by_plate import results_by_plate
 from groundslab.design.design_moments import derive_field, fields_of, wood_armer
-from groundslab.design.tilt import largest_tilt, results_by_plate
+from groundslab.design.tilt import largest_tilt
 from groundslab.errors import InputError, Issue
 from groundslab.results.fields import LAYERS, PLATE_FIELDS, RANGED_FIELDS
 from groundslab.results.results import CombinationResult, Results

@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 SECTIONS = {
     "plate": "Plate",
     "plates": "Further plates",
+    "joints": "Joints",
     "ground": "Ground",
     "soil_zones": "Zones of soil",
     "boreholes": "Boreholes",

@@ -61,6 +61,7 @@ CERTIFICATE_WORDS = {
     "gamma_change": "last change of gamma",
     "margin_effect": "effect of a wider margin of ground",
     "section_law": "moments against cracked sections",
+    "joint_mismatch": "steps across hinges and in the ground",
 }
 
 

@@ -1,0 +1,106 @@
+"""Joints between plates whose outlines share a line: hinges, and links that carry shear."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Annotated, ClassVar, Literal
+
+from groundslab.geometry.validity import TOO_CLOSE
+from groundslab.model.plate import Plate
+from groundslab.model.plates.further import FurtherPlate, bounds_of, list_plates, shared_line
+from groundslab.schema.base import ByKind, Check, Section, Table
+from groundslab.schema.fields import ListOf, Quantity, Text
+from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.ranges import Range
+from groundslab.schema.wording import describe, one_of, quote, suggestion
+
+#: A hinge is as stiff against shear as so many times Young's modulus of the softer plate [N/m per m of the joint].
+HINGE = 1e3
+
+
+def _check_two(between: tuple[str, str]) -> Iterator[RelativeIssue]:
+    if between[0] == between[1]:
+        yield RelativeIssue(("between", 1), f"{describe(between[1])} again", "another plate", "a joint has two sides")
+
+
+class _Joint(Section):
+    """What all joints have."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_check_two,)
+
+    kind: str
+    name: Annotated[str, Text("name of the joint, for people")] = ""
+    between: Annotated[
+        tuple[str, str], ListOf(Text(""), "", "names of the two plates, which share a line of their outlines", 2)
+    ]
+
+    @property
+    def title(self) -> str:
+        """Return the name of the joint, or that of its plates."""
+        return self.name or " - ".join(self.between)
+
+
+class HingeJoint(_Joint):
+    """A hinge: both sides settle alike and turn by themselves."""
+
+    kind: Annotated[Literal["hinge"], Table("both sides settle alike, without moments")] = "hinge"
+
+
+class ElasticJoint(_Joint):
+    """A link that carries shear by the difference of settlement: dowels, keys, aggregate interlock."""
+
+    kind: Annotated[Literal["elastic"], Table("shear by the difference of settlement, without moments")] = "elastic"
+    stiffness: Annotated[
+        float,
+        Quantity(
+            "pressure",
+            "k_j",
+            "shear per length of the joint over the difference of settlement; 0 carries nothing",
+            Range(at_least=0),
+        ),
+    ]
+    gap: Annotated[
+        float,
+        Quantity("length", "g_j", "play: difference of settlement before the joint carries", Range(at_least=0)),
+    ] = 0.0
+
+
+AnyJoint = HingeJoint | ElasticJoint
+Joint = Annotated[AnyJoint, ByKind()]
+
+
+def stiffness_of(joint: AnyJoint, plate: Plate, plates: tuple[FurtherPlate, ...]) -> float:
+    """Return the stiffness of a joint against shear [N/m2]; that of a hinge is so large that nothing depends on it."""
+    if isinstance(joint, ElasticJoint):
+        return joint.stiffness
+    return HINGE * min(each.E for each in list_plates(plate, plates) if each.name in joint.between)
+
+
+def play_of(joint: AnyJoint) -> float:
+    """Return the difference of settlement before a joint carries [m]."""
+    return joint.gap if isinstance(joint, ElasticJoint) else 0.0
+
+
+def check_joints(
+    plate: Plate, plates: tuple[FurtherPlate, ...], joints: tuple[AnyJoint, ...]
+) -> Iterator[RelativeIssue]:
+    """Find joints of unknown plates, or of plates that share no line, and second joints of two plates."""
+    known = {each.name: each for each in list_plates(plate, plates) if each.name}
+    x0, x1, y0, y1 = bounds_of(plate, plates)
+    size, seen = max(x1 - x0, y1 - y0), set[frozenset[str]]()
+    for position, joint in enumerate(joints):
+        unknown = [(side, name) for side, name in enumerate(joint.between) if name not in known]
+        for side, name in unknown:
+            expected = one_of(list(known)) if known else "a plate, and names of [plate] and [[plates]]"
+            hint = suggestion(name, list(known))
+            yield RelativeIssue(("joints", position, "between", side), describe(name), expected, hint)
+        pair = frozenset(joint.between)
+        if unknown or len(pair) < 2:
+            continue
+        place = ("joints", position, "between")
+        words = " and ".join(map(quote, joint.between))
+        if pair in seen:
+            yield RelativeIssue(place, f"{words} again", "one joint between two plates")
+        elif not shared_line(*(known[name] for name in joint.between)).length > TOO_CLOSE * size:
+            yield RelativeIssue(place, f"{words}, which share no line", "plates whose outlines share a line")
+        seen.add(pair)
