@@ -28,10 +28,8 @@ def comparison(model: Model | None = None) -> GroundComparison:
         figures = {name: factor * (1e-3 if "_y" in name else 0.5) for name in FIGURES}
         figures["largest_moment_y"] = factor * 20.0
         rms = dict.fromkeys(COMPARED_FIELDS, number / 10)
-        curves = {
-            axis: {field: (factor, None if axis == "x" else factor, 2 * factor) for field in CURVE_FIELDS}
-            for axis in "xy"
-        }
+        middle = {"x": None, "y": factor}
+        curves = {axis: dict.fromkeys(CURVE_FIELDS, (factor, middle[axis], 2 * factor)) for axis in "xy"}
         found.append(ComparedGround(ground, number > 1, constants, figures, rms, curves))
     lines = {"x": (-4.8, 0.0, 4.8), "y": (-3.6, 0.0, 3.6)}
     model = synthetic.model() if model is None else model

@@ -19,8 +19,9 @@ from helpers import grounds, synthetic
 def case(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Return a case file, whose comparison is made up."""
 
-    def compare(model: Any, combination: str | None = None, on_begin: Any = None) -> Any:
+    def compare(model: Any, combination: str | None, on_begin: Any) -> Any:
         assert combination in (None, "all loads")
+        assert on_begin is None  # without a terminal nothing is told
         return grounds.comparison(model)
 
     monkeypatch.setattr(analysis, "compare_grounds", compare)
