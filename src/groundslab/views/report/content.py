@@ -17,6 +17,7 @@ from groundslab.results.record import Certificate
 from groundslab.results.soil_profile import list_columns
 from groundslab.schema.wording import listed
 from groundslab.views.report import drawings, table_layout
+from groundslab.views.report.ground_models import build_chapter
 from groundslab.views.report.input_tables import input_tables
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout, drop_empty_columns, headers
 from groundslab.views.summary import combinations, sections
@@ -27,6 +28,7 @@ from groundslab.views.summary.terminal import limit_text, shown_row, step_texts,
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
 
+    from groundslab.analysis.ground_comparison.comparison import GroundComparison
     from groundslab.design.tables.table import Table
     from groundslab.model.outputs import Chapter, Project
     from groundslab.results.results import CombinationResult, Results
@@ -46,7 +48,8 @@ CERTIFICATE_NOTES = (
 
 #: Titles of the chapters, in their order.
 TITLES: dict[Chapter, str] = {
-    "extremes": "Extreme values", "pictures": "Pictures", "case": "Case", "drawings": "Drawings", "loads": "Loads",
+    "extremes": "Extreme values", "pictures": "Pictures", "case": "Case", "drawings": "Drawings",
+    "grounds": "Ground models compared", "loads": "Loads",
     "assumptions": "Assumptions and signs", "tables": "Tables", "viewer": "Viewer", "certificate": "Certificate",
     "convergence": "Convergence",
 }  # fmt: skip
@@ -57,11 +60,15 @@ GROUPS: dict[str, Sequence[str]] = {
 
 
 def build_page(
-    combined: Results, text: str | None = None, file: str = "case.toml", chapters: Sequence[str] | None = None
+    combined: Results,
+    text: str | None = None,
+    file: str = "case.toml",
+    chapters: Sequence[str] | None = None,
+    comparison: GroundComparison | None = None,
 ) -> dict[str, Any]:
     """Return what the report of a solved model says, for the template; text and file are those of its input.
 
-    The chapters are those that the case asks for, unless given.
+    The chapters are those that the case asks for, unless given; that of ground models is there with a comparison only.
     """
     combinations.require_finite(combined)
     found = combinations.entries(combined)
@@ -74,8 +81,11 @@ def build_page(
     if unknown := [name for name in wanted if name not in TITLES]:
         expected = f"chapters among {listed(TITLES)}"
         raise InputError([Issue("chapters", f'"{name}"', expected) for name in unknown])
+    if comparison is not None and comparison.model != combined.model:
+        raise InputError([Issue("comparison", "one of another model", "one of the model of the results")])
+    missing = {"grounds"} if comparison is None else set()
     return {
-        "chapters": {name: title for name, title in TITLES.items() if name in wanted},
+        "chapters": {name: title for name, title in TITLES.items() if name in wanted and name not in missing},
         "title": combined.model.title,
         "project": _title_block(combined.model.project),
         "version": __version__,
@@ -87,6 +97,7 @@ def build_page(
         "design": check_design(combined),
         "case": input_tables(combined.model),
         "drawings": list(_drawings(combined, leading)),
+        "grounds": None if comparison is None else build_chapter(comparison),
         "loads": list(drawings.draw_loads(combined.model)),
         "constants": _constants(found) if any(each.constants.k0 for each in there) else None,
         "analysed": list(map(_section, _analysed(combined))) if there else [],
