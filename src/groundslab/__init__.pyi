@@ -3,6 +3,9 @@ from . import study as study
 from ._version import __version__ as __version__
 from .analysis.check import check as check
 from .analysis.driver import solve as solve
+from .analysis.ground_comparison.comparison import ComparedGround as ComparedGround
+from .analysis.ground_comparison.comparison import GroundComparison as GroundComparison
+from .analysis.ground_comparison.comparison import compare_grounds as compare_grounds
 from .case.casefile import load as load
 from .design.checks import Design as Design
 from .design.checks import DesignCheck as DesignCheck
@@ -88,5 +91,7 @@ from .views.bars import write_bars as write_bars
 from .views.files.results_folder import load_results as load_results
 from .views.files.results_folder import save_results as save_results
 from .views.files.xlsx import write_workbook as write_workbook
+from .views.ground_comparison.figure import plot_comparison as plot_comparison
+from .views.ground_comparison.files import save_comparison as save_comparison
 from .views.plots import plot as plot
 from .views.report.html import write_report as write_report

@@ -290,6 +290,35 @@ def test_the_mesh_is_drawn_over_the_field(server: Server, bench: Bench, case: Pa
         bench.until(lambda picture=picture, without=without: picture.screenshot() == without)
 
 
+def test_the_ground_becomes_a_continuum(server: Server, bench: Bench, case: Path) -> None:
+    """Another kind is chosen, filled in and solved, a value of it changed; springs with their zone come back."""
+    zone = '[[soil_zones]]\nshape = {kind = "rectangle", x = ["0 m", "3 m"], y = ["-2 m", "2 m"]}\n'
+    case.write_text(case.read_text() + zone + 'ground = {kind = "winkler", k = "30 MPa/m"}\n')
+    bench.open(server.start(case))
+    bench.wait_solved()
+    springs = bench.largest("largest settlement")
+    bench.tab("Form")
+    choice = bench.field("ground", "kind").locator("select")
+    choice.select_option(label="continuum")
+    bench.wait_text('kind = "continuum"', 'half_space = {E = "60 MPa", nu = 0.3}')
+    assert "soil_zones" not in bench.text()
+    bench.until(lambda: bench.page.locator(".layers rect").count() == 2)
+    bench.wait_solved()
+    bench.until(lambda: bench.largest("largest settlement") != springs)
+    summary = bench.page.locator(".result")
+    for words in ("bonded elastic layers", "half-space", "cells of pressure under the plate"):
+        summary.get_by_text(words).first.wait_for()
+    settlement = bench.largest("largest settlement")
+    bench.fill("600 MPa", "ground", "half_space", "E")
+    bench.wait_text('E = "600 MPa"')
+    bench.wait_solved()
+    bench.until(lambda: bench.largest("largest settlement") < settlement)
+    choice.select_option(label="winkler")
+    bench.wait_text('k = "20 MPa/m"', "[[soil_zones]]", 'k = "30 MPa/m"')
+    bench.wait_solved()
+    bench.until(lambda: bench.largest("largest settlement") == springs)
+
+
 def test_a_refused_combination_tells_why(server: Server, bench: Bench, case: Path) -> None:
     """A plate that is pulled off the ground has no solution: its reason stands in place of a picture."""
     case.write_text(case.read_text().replace('P = "200 kN"', 'P = "-200 kN"'))

@@ -211,12 +211,12 @@ def test_commands_of_the_readme_name_files_and_targets() -> None:
 def test_commands_of_the_readme_exist() -> None:
     """`groundslab --help` names each command that the README or a page of docs shows, and one page has them all."""
     asked = subprocess.run([sys.executable, "-m", "groundslab", "--help"], capture_output=True, text=True, check=True)
-    known = set(re.findall(r"^    (\w+) ", asked.stdout, re.MULTILINE))
+    known = set(re.findall(r"^    ([\w-]+)(?: |$)", asked.stdout, re.MULTILINE))
     page = (ROOT / "docs" / "commands.md").read_text(encoding="utf-8")
-    assert set(re.findall(r"^## (\w+)$", page, re.MULTILINE)) == known - {"COMMAND"}
+    assert set(re.findall(r"^## ([\w-]+)$", page, re.MULTILINE)) == known - {"COMMAND"}
     for page in PAGES:
-        inline = re.findall(r"`groundslab (\w+)", FENCE.sub("", page.read_text(encoding="utf-8")))
-        typed = re.findall(r"^groundslab (\w+)", "\n".join(blocks(page, "sh", "bat")), re.MULTILINE)
+        inline = re.findall(r"`groundslab ([a-z][\w-]*)", FENCE.sub("", page.read_text(encoding="utf-8")))
+        typed = re.findall(r"^groundslab ([a-z][\w-]*)", "\n".join(blocks(page, "sh", "bat")), re.MULTILINE)
         assert {*inline, *typed} <= known, page.name
 
 

@@ -13,7 +13,7 @@ from helpers.paths import EXAMPLES
 
 #: The raft with eight combinations has a test of its own below.
 CASES = sorted(path for path in EXAMPLES.glob("*.toml") if path.stem != "l_raft")
-SLOW = ("house_raft", "pad", "tank", "warehouse")
+SLOW = ("house_raft", "pad", "raft_on_continuum", "tank", "warehouse")
 
 
 @pytest.mark.parametrize(

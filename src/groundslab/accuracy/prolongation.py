@@ -47,6 +47,7 @@ class Prolongation:
             nodal=found | {"area": self.finer.area, "edge_length": self.finer.edge_length},
             elements={name: field[self.element] for name, field in fields.elements.items()},
             surfaces=(self.ground @ fields.surfaces.T).T,
+            cells=fields.cells,
         )
 
 

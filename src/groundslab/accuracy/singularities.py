@@ -13,6 +13,7 @@ from groundslab.arrays import Array, Flags, Memo
 from groundslab.discretize.load_borders import load_borders
 from groundslab.discretize.singular_places import corners_of, near_places, near_singular
 from groundslab.geometry.plan import Segment
+from groundslab.model.ground import ContinuousGround
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
@@ -42,6 +43,7 @@ def find_limits(model: Model, nodes: Array, in_contact: Flags) -> Limits:
     beyond them, have no meaning in design, where punching is checked instead. Pressures on ground without shear follow
     the settlement; with shear they have no limit where section forces have none, and jump where loads, lines, zones and
     voids begin, and around where the plate has lifted off. There they are zero, but may not be so on a coarser mesh.
+    On an elastic continuum they have no limit along the edges of the plate.
     """
     limits = _WITHOUT_CONTACT.get(nodes, model, lambda: _without_contact(model, nodes))
     if not model.ground_carries_shear or in_contact.all():
@@ -92,7 +94,10 @@ def _creases(model: Model) -> Iterator[Segment]:
             yield from (Segment(start, end) for start, end in pairwise(support.points))
     zones = [zone for plate in model.every_plate for zone in plate.zones]
     soil, voids = model.soil_zones, model.contact.voids
+    # under the edges of a plate the pressure of an elastic continuum has no limit
+    edges = [ring for plate in model.every_plate for ring in plate.rings()]
     for ring in (
+        *(edges if isinstance(model.ground, ContinuousGround) else ()),
         *(zone.shape.ring() for zone in zones),
         *(zone.shape.ring() for zone in soil),
         *(v.ring() for v in voids),

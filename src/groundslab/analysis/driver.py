@@ -137,7 +137,7 @@ class Variants:
         the ground has no such constant.
         """
         if factors:
-            model = model.replace(mesh=model.mesh.replace(symmetry="off"))
+            model = model.model_copy(update={"mesh": model.mesh.replace(symmetry="off")})
         combinations, placed = list_combinations(model), place_patterns(model)
         reference = self._reference
         return _combine(

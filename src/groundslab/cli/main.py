@@ -1,4 +1,4 @@
-"""The command line: groundslab solve, study, evaluate, plot, report, tables, bars, app, check, new, dxf, verify, ...
+"""The command line: groundslab solve, compare-ground, study, plot, report, tables, bars, app, check, new, dxf, ...
 
 Exit codes: 0 fine; 1 no certified result (of one combination of loads at least), or a verification case that fails;
 2 wrong input or usage; 3 certified results of a design that fails a check; 130 interrupted.
@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from groundslab._version import __version__
-from groundslab.cli import case, console, plot, solve, study
+from groundslab.cli import case, compare_ground, console, plot, solve, study
 from groundslab.errors import GroundslabError, InputError, Issue, NotConverged
 
 if TYPE_CHECKING:
@@ -81,6 +81,8 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
 
     solve.describe(_command(commands, "solve", solve.run, "analyze a case and keep the results"))
+    meaning = "compare the ground of a case with an elastic continuum, and fit springs to it"
+    compare_ground.describe(_command(commands, "compare-ground", compare_ground.run, meaning))
     plot.describe(_command(commands, "plot", plot.run, "draw figures of results: PDF, SVG or PNG"))
     app = _command(commands, "app", _app, "edit a case in the browser and see its results at once")
     app.epilog = "The page is served on this machine alone, until Ctrl-C. Unsaved work is kept and offered again."
@@ -166,6 +168,7 @@ def _report(options: argparse.Namespace) -> int:
     """Make a report of a folder of results."""
     from groundslab.views import report
     from groundslab.views.files import results_folder
+    from groundslab.views.ground_comparison.files import load_comparison
 
     folder, suffix = Path(options.results), ".pdf" if options.pdf else ".html"
     target = Path(options.out) if options.out is not None else report.default_path(folder, suffix)
@@ -176,7 +179,8 @@ def _report(options: argparse.Namespace) -> int:
         raise InputError([Issue("--out", found, "another folder", hint)])
     report.check(target)
     combined = results_folder.load_results(folder)
-    report.write_report(combined, target, text=report.text_of(folder, combined.model), chapters=options.chapters)
+    text, comparison = report.text_of(folder, combined.model), load_comparison(folder)
+    report.write_report(combined, target, text=text, chapters=options.chapters, comparison=comparison)
     console.print_stderr(f"wrote {target}")
     if combined.refused:
         count = len(combined.combinations)

@@ -33,7 +33,8 @@ def describe(plot: argparse.ArgumentParser) -> None:
         "--kind",
         metavar="KIND",
         help="plan, deformed (the plate in space), lines (values along section lines), mesh (the elements), soil "
-        "(layers, moduli, mode) or convergence (default: plan; lines if --line is given)",
+        "(layers, moduli, mode), stress (in the depth of a continuum, along section lines) or convergence (default: "
+        "plan; lines if --line is given)",
     )
     plot.add_argument("--mesh", action="store_true", help="draw the elements over the fields, in plan and deformed")
     plot.add_argument(

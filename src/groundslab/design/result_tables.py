@@ -9,11 +9,12 @@ from groundslab.design.checks.table import checks_table
 from groundslab.design.tables import errors
 from groundslab.design.tables.columns import column_envelope, column_table
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
-from groundslab.design.tables.locations import lines, points, strips
+from groundslab.design.tables.locations import lines, points, soil, strips
 from groundslab.design.tables.reinforcement import reinforcement
 from groundslab.design.tables.summary import combinations, extremes, tilts
 from groundslab.design.tables.supports import joint_table, support_table
 from groundslab.design.tables.table import Column, Table
+from groundslab.model.ground import ContinuousGround
 from groundslab.results.results import Results
 
 __all__ = ["Column", "Table", "fields_of_envelope", "tables_of"]
@@ -23,7 +24,8 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
     """Return the tables of results: combinations, extremes, envelopes and tilt, and those that the model asks for.
 
     Points, section lines, design strips, supports, joints, columns, reinforcement and laid bars have a table each if
-    the model names any. Discretization errors stand in columns at the right. docs/results.md explains every column.
+    the model names any; on a continuum, the soil below the points too. Discretization errors stand in columns at the
+    right. docs/results.md explains every column.
 
     Parameters
     ----------
@@ -62,6 +64,7 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
         tables.append(checks_table(combined))
     wanted = (
         (model.output.points, points),
+        (isinstance(model.ground, ContinuousGround) and model.output.points, soil),
         (model.output.lines, lines),
         (model.output.strips, strips),
         (model.supports, support_table),

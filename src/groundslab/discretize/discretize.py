@@ -55,15 +55,11 @@ def discretize(
     lines = joint_lines(model, plan, surfaces)
     present = _with_slips(_present(model, plan, element, surfaces), lines)
     fields = present.shape[1]
-    acting = model if loaded else model.model_copy(update={"cases": (), "loads": ()})
-    cases = _known_cases(model, plan, element, fields, like) or loadings(acting, plan, element, fields)
+    cases = _cases(model, plan, element, fields, like, loaded)
     unknown = number_unknowns(plan.rank, present)
     below, gap = find_depths(model, plan, ground, coarsening == 0), initial_gap(model, plan)
-    bearing = concatenate(
-        ground_bearing(model, plan, unknown, below, ground, gap),
-        support_bearing(model, plan, unknown),
-        slip_bearing(model, lines, unknown),
-    )
+    others = support_bearing(model, plan, unknown), slip_bearing(model, lines, unknown)
+    bearing = concatenate(ground_bearing(model, plan, unknown, below, ground, gap), *others)
     edges, corners = _infinite_edges(model, plan)
     return Problem(
         mesh=plan.mesh,
@@ -106,20 +102,25 @@ def _with_shear_factors(model: Model) -> list[tuple[float, float, float, float]]
     return [(*own, factor) for own, factor in zip(materials(model), factors, strict=True)]
 
 
-def _known_cases(
-    model: Model, plan: Layout, element: plate.PlateElement, fields: int, like: tuple[Model, Problem] | None
+def _cases(
+    model: Model,
+    plan: Layout,
+    element: plate.PlateElement,
+    fields: int,
+    like: tuple[Model, Problem] | None,
+    loaded: bool,
 ) -> tuple[Loading, ...]:
-    """Return the loading of each case if a similar model has the same loads, else none; fields is F."""
-    if like is None:
-        return ()
-    known, problem = like
-    same = (
-        problem.mesh is plan.mesh
-        and problem.element is element
-        and problem.load.shape[1] == fields
-        and all(getattr(known, name) == getattr(model, name) for name in ACTING)
-    )
-    return problem.cases if same else ()
+    """Return the loading of each case, that of a similar model if its loads are the same; fields is F."""
+    if like is not None:
+        known, problem = like
+        if (
+            problem.mesh is plan.mesh
+            and problem.element is element
+            and problem.load.shape[1] == fields
+            and all(getattr(known, name) == getattr(model, name) for name in ACTING)
+        ):
+            return problem.cases
+    return loadings(model if loaded else model.model_copy(update={"cases": (), "loads": ()}), plan, element, fields)
 
 
 def _infinite_edges(model: Model, plan: Layout) -> tuple[Integers, Integers]:

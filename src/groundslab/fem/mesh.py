@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers
+from groundslab.arrays import Array, Integers, Memo
+from groundslab.errors import InputError, Issue
 from groundslab.fem.shape_functions import COLUMN, ROW, parallelograms, q9, unique_integers
 from groundslab.geometry.plan import SAME_PLACE
 
@@ -26,6 +27,8 @@ GRID = np.array([[0, 4, 1], [7, 8, 5], [3, 6, 2]])
 MONOMIALS = np.array([[0.0, 1.0, 0.0], [-0.5, 0.0, 0.5], [0.5, -1.0, 0.5]])
 #: A point this far outside an element, relative to its size, still counts as in it.
 NEAR = 1e-9
+#: An error names at most so many points outside, and counts the others.
+MOST_NAMED = 100
 
 #: Elements may grow by this share of the distance from where smaller ones are required.
 GRADING = 0.35
@@ -210,6 +213,28 @@ def _polynomial(C: Array, xi: Array, eta: Array) -> tuple[Array, Array, Array]:
 MeshLocations = tuple[Integers, Array]
 
 
+def in_space(nodes: Array) -> Array:
+    """Return nodes (n, 2) as points (n, 3) at z = 0."""
+    return np.column_stack([nodes, np.zeros(len(nodes))])
+
+
+def locate_within(mesh: Mesh, points: Array, region: str) -> MeshLocations:
+    """Return the elements that hold points (..., 2) and where in them; InputError names points outside."""
+    boxes = _BOXES.get(mesh.elements, mesh.nodes, lambda: bounding_boxes(mesh))
+    where = locate(mesh, points.reshape(-1, 2), boxes=boxes)
+    outside = np.argwhere(where[0].reshape(points.shape[:-1]) < 0)
+    issues = []
+    for index in outside[:MOST_NAMED]:
+        x, y = points[tuple(index)]
+        issues.append(Issue(f"point{index.tolist() or ''}", f"({x:g}, {y:g}) m", f"a point on {region}"))
+    if len(outside) > MOST_NAMED:
+        found = f"{len(outside) - MOST_NAMED} more points outside"
+        issues.append(Issue("points", found, f"points on {region}"))
+    if issues:
+        raise InputError(issues)
+    return where
+
+
 def locate_nearest(mesh: Mesh, points: Array, elements: Integers | None = None) -> MeshLocations:
     """Return the element that holds each point (p, 2) or, for points outside, the nearest; and the places in them.
 
@@ -357,3 +382,7 @@ def mirror(mesh: Mesh, axis: int) -> tuple[Mesh, Integers, Array]:
     doubled = Mesh(np.vstack([mesh.nodes, images]), np.vstack([mesh.elements, image_of[mesh.elements[:, MIRRORED]]]))
     source = np.concatenate([np.arange(n), np.flatnonzero(apart)])
     return doubled, source, np.repeat([1.0, -1.0], [n, len(images)])
+
+
+#: Search trees of the meshes in which points have been located.
+_BOXES: Memo[STRtree] = Memo()

@@ -8,6 +8,7 @@ where the plate may lift off, supports, the ends of the play) stands beside the 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, fields, replace
 
 import numpy as np
@@ -157,6 +158,13 @@ class Problem:
         """Return the nodes of one of the plates, ascending."""
         return unique_integers(self.mesh.elements[self.plate_elements[self.plate_number == plate]])[0]
 
+    @property
+    def plate_at_nodes(self) -> Integers:
+        """Return the number of the plate that each node belongs to, -1 beside all plates, (n,)."""
+        number = np.full(len(self.mesh.nodes), -1)
+        number[self.mesh.elements[self.plate_elements]] = self.plate_number[:, None]
+        return number
+
     def combine(self, factors: Array) -> Problem:
         """Return the problem under the sum of its load cases times factors (cases,)."""
         first, *others = (case.scale(factor) for case, factor in zip(self.cases, factors, strict=True) if factor != 0)
@@ -169,6 +177,17 @@ def plate_unknowns(problem: Problem, U: Array) -> Array:
     Strains are the same; stiffness times what a nearly rigid plate moves as a whole would be rounding alone.
     """
     motions, elements = planes(problem), problem.mesh.elements[problem.plate_elements]
+    if len(problem.plate_names) == 1:
+        return _less_plane(motions, U, elements)
+    u = np.empty((len(elements), 27))
+    for number in range(len(problem.plate_names)):
+        own = problem.plate_number == number
+        u[own] = _less_plane(motions, U, elements[own])
+    return u
+
+
+def _less_plane(motions: Array, U: Array, elements: Integers) -> Array:
+    """Return w, beta_x and beta_y of elements (m, 27) less the plane that fits best, motions being (n, 3, 3)."""
     corners = elements[:, :4].ravel()
     plane = np.linalg.lstsq(motions[corners, W], U[corners, W], rcond=None)[0]
     moved = U[:, :TOP] - motions @ plane
@@ -177,40 +196,127 @@ def plate_unknowns(problem: Problem, U: Array) -> Array:
 
 
 def planes(problem: Problem) -> Array:
-    """Return the rigid motions w = 1, x, y of each plate as W, BETA_X and BETA_Y at every node, (n, 3, 3 plates).
-
-    Of a single plate they are continued beyond it; of several each has its own.
-    """
+    """Return the rigid motions w = 1, x, y of a plate as W, BETA_X and BETA_Y at every node, (n, 3, 3)."""
     nodes = problem.mesh.nodes
     x, y = nodes.T
     motions = np.zeros((len(nodes), TOP, 3))
     motions[:, W] = np.column_stack([np.ones_like(x), x, y])
     motions[:, BETA_X, 1] = motions[:, BETA_Y, 2] = 1.0
+    return motions
+
+
+def move_plates(problem: Problem, motions: Array) -> Array:
+    """Return W, BETA_X and BETA_Y at every node (n, 3, d) by motions of all plates (3 plates, d), zero beside them.
+
+    A single plate's are continued beyond it.
+    """
+    alone = planes(problem)
     if len(problem.plate_names) == 1:
-        return motions
-    every = np.zeros((len(nodes), TOP, 3 * len(problem.plate_names)))
+        found: Array = alone @ motions
+        return found
+    moved = np.zeros((len(alone), TOP, motions.shape[1]))
     for number in range(len(problem.plate_names)):
         own = problem.nodes_of(number)
-        every[own, :, 3 * number : 3 * number + 3] = motions[own]
-    return every
+        moved[own] = alone[own] @ motions[3 * number : 3 * number + 3]
+    return moved
 
 
-def single_plates(problem: Problem) -> list[tuple[Problem, Flags]]:
-    """Return each plate by itself, with the loads and bearings on it, and which of all bearings (c,) these are."""
-    return [_restrict(problem, (number,)) for number in range(len(problem.plate_names))]
+def motion_rows(problem: Problem, nodes: Integers, field: Integers) -> Array:
+    """Return what the rigid motions of all plates do to W, BETA_X or BETA_Y of some nodes of plates, (k, 3 plates)."""
+    rows = np.column_stack([np.ones(len(nodes)), problem.mesh.nodes[nodes]])
+    for turned in (BETA_X, BETA_Y):
+        rows[field == turned] = np.arange(3) == turned
+    count = len(problem.plate_names)
+    if count == 1:
+        return rows
+    found = np.zeros((len(nodes), 3 * count))
+    columns = 3 * problem.plate_at_nodes[nodes][:, None] + np.arange(3)
+    np.put_along_axis(found, columns, rows, axis=1)
+    return found
 
 
-def joined_plates(problem: Problem) -> list[tuple[Problem, Flags]]:
-    """Return the plates that joints hold to each other together, each other one by itself, as `single_plates`."""
+def free_motions(problem: Problem, mirrored: bool = False) -> Array:
+    """Return the rigid motions w = a + b x + c y that the supports which act both ways allow, as columns (3 plates, d).
+
+    Of a plate of which a part is meshed those that its mirrors allow, or, mirrored, those of the full plate.
+    """
+    if len(problem.plate_names) > 1:
+        every = _block_diagonal([free_motions(plate, mirrored) for plate, _ in single_plates(problem)])
+        return _without_steps(problem, every)
+    nodes, b = problem.plate_nodes, problem.bearing
+    fixed = problem.unknown[:, : BETA_Y + 1] < 0
+    both = b.law.bilateral
+    fixed[b.node[both], b.field[both]] = True
+    for axis in (0, 1):
+        if mirrored and problem.symmetry[axis]:
+            fixed[problem.mesh.nodes[:, axis] == 0.0, BETA_X + axis] = False
+    fixed = fixed[nodes]
+    x, y = problem.mesh.nodes[nodes].T
+    one, zero = np.ones_like(x), np.zeros_like(x)
+    own_w = np.ones(len(nodes), dtype=bool)
+    if not problem.element.center_w:
+        own_w[np.isin(nodes, problem.mesh.elements[problem.plate_elements, 8])] = False
+    constraints = np.vstack(
+        [
+            np.column_stack([one, x, y])[fixed[:, W] & own_w],
+            np.column_stack([zero, one, zero])[fixed[:, BETA_X]],
+            np.column_stack([zero, zero, one])[fixed[:, BETA_Y]],
+        ]
+    )
+    for axis in (0, 1):
+        if mirrored and problem.symmetry[axis]:
+            constraints = np.vstack([constraints, constraints * mirror_motion(axis)])
+    _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([constraints, np.zeros((3, 3))]), mode="r"))
+    rank = int((sizes > 1e-10 * max(sizes.max(), 1e-300)).sum())
+    return V[rank:].T
+
+
+def _without_steps(problem: Problem, motions: Array) -> Array:
+    """Return those combinations of motions (3 plates, d) that make no step across joints that hold plates together."""
+    links = problem.links
+    first, second = links.nodes[links.holds].T
+    if not len(first):
+        return motions
+    size = np.ptp(problem.mesh.nodes[problem.plate_nodes], axis=0).max()
+    scale = np.tile([1.0, 1 / size, 1 / size], len(problem.plate_names))
+    # about the plates' middle, in which settlements and slopes are alike
+    unit = np.linalg.qr(scale[:, None] ** -1 * motions)[0]
+    settling = np.full(len(first), W)
+    one, other = (motion_rows(problem, nodes, settling) for nodes in (first, second))
+    steps = ((one - other) * scale) @ unit
+    _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([steps, np.zeros((unit.shape[1],) * 2)]), mode="r"))
+    rank = int((sizes > 1e-9 * max(sizes.max(initial=0.0), 1e-300)).sum())
+    found: Array = scale[:, None] * (unit @ V[rank:].T)
+    return found
+
+
+def _block_diagonal(blocks: list[Array]) -> Array:
+    """Return the matrix with blocks along its diagonal; those without columns have rows alone."""
+    from scipy.linalg import block_diag
+
+    found: Array = block_diag(*blocks)
+    return found
+
+
+def mirror_motion(axis: int) -> Array:
+    """Return what a motion (a, b, c) is multiplied with in the mirror across an axis."""
+    return np.where(np.arange(3) == axis + 1, -1.0, 1.0)
+
+
+def single_plates(problem: Problem) -> Iterator[tuple[Problem, Flags]]:
+    """Yield each plate by itself, with the loads and bearings on it, and which of all bearings (c,) these are."""
+    return (_restrict(problem, (number,)) for number in range(len(problem.plate_names)))
+
+
+def joined_plates(problem: Problem) -> Iterator[tuple[Problem, Flags]]:
+    """Yield the plates that joints hold to each other together, each other one by itself, as `single_plates`."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
     count, links = len(problem.plate_names), problem.links
-    plate = np.full(len(problem.mesh.nodes), -1)
-    plate[problem.mesh.elements[problem.plate_elements]] = problem.plate_number[:, None]
-    one, other = plate[links.nodes[links.holds]].T
+    one, other = problem.plate_at_nodes[links.nodes[links.holds]].T
     groups = connected_components(coo_array((np.ones(len(one)), (one, other)), shape=(count, count)), directed=False)[1]
-    return [_restrict(problem, tuple(np.flatnonzero(groups == n).tolist())) for n in range(groups.max() + 1)]
+    return (_restrict(problem, tuple(np.flatnonzero(groups == n).tolist())) for n in range(groups.max() + 1))
 
 
 def _restrict(problem: Problem, numbers: tuple[int, ...]) -> tuple[Problem, Flags]:

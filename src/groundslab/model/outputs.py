@@ -35,7 +35,7 @@ class Project(Section):
 
 #: Chapters of the report, in their order.
 Chapter = Literal[
-    "extremes", "pictures", "case", "drawings", "loads", "assumptions", "tables", "viewer", "certificate",
+    "extremes", "pictures", "case", "drawings", "grounds", "loads", "assumptions", "tables", "viewer", "certificate",
     "convergence",
 ]  # fmt: skip
 

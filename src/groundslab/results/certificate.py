@@ -18,7 +18,8 @@ from groundslab.fem.problem import (
     TOP,
     Problem,
     W,
-    planes,
+    free_motions,
+    move_plates,
     plate_unknowns,
     settlement_by_loads_beside,
     single_plates,
@@ -34,7 +35,6 @@ from groundslab.fem.system import (
 )
 from groundslab.results.record import Certificate
 from groundslab.solvers.cracking import error_of_law
-from groundslab.solvers.equilibrium import free_motions
 from groundslab.solvers.solution import Solution
 
 _CHUNK = 4096
@@ -133,7 +133,7 @@ def exact_rigid_products(s: System, column: Column) -> tuple[Array, Array]:
     nodes, free = problem.plate_nodes, free_motions(problem)
     motions, forces = np.zeros((size, free.shape[1])), np.zeros((size, free.shape[1]))
     has = problem.unknown >= 0
-    for number, motion in enumerate(np.moveaxis(planes(problem) @ free, 2, 0)):
+    for number, motion in enumerate(np.moveaxis(move_plates(problem, free), 2, 0)):
         U = np.zeros(problem.unknown.shape)
         U[nodes, :TOP] = motion[nodes]
         ground = ground_forces(s, U, column)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.errors import GroundslabError
+from groundslab.fem.continuum.pressed_cells import PressedCells
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
@@ -20,6 +21,14 @@ EDGE_NOTE = (
     "grows slowly as the mesh is refined."
 )
 
+#: What a reader must know of the pressures of an elastic continuum.
+CELLS_NOTE = (
+    "Pressures are constant on cells; those at nodes are means of the cells around them. Along the plate's edge, where "
+    "it is pressed into such ground, the pressure has no limit: its largest value grows as the mesh is refined."
+)
+#: The contact function on cells is at least that far from zero.
+CLOSE = 1e-6
+
 
 def require_finite(results: CombinationResult) -> None:
     """Raise GroundslabError if any number of the results is infinite or not a number."""
@@ -27,6 +36,8 @@ def require_finite(results: CombinationResult) -> None:
         values = getattr(results, part)
         for item in fields(values):
             value = getattr(values, item.name)
+            if isinstance(value, PressedCells):
+                value = value.force
             if value is not None and not np.all(np.isfinite(value)):
                 raise GroundslabError(
                     f"{part}.{item.name} of the results holds a number that is not finite; nothing is shown or written"
@@ -48,11 +59,14 @@ def contact_function(results: CombinationResult) -> Array:
 
     On springs without shear it is k0 g - p, with k0 of all layers in series: on Winkler ground it crosses
     zero linearly. With shear the pressure jumps to zero at the boundary and the gap grows as the square of the
-    distance (on an elastic continuum, as its power 3/2), so its root stands for the distance on the open side, and half
-    a usual first step on the other.
+    distance, so its root stands for the distance on the open side, and half a usual first step on the other. On cells
+    of pressure it is what of the cells around a node is open, less a half.
     """
     plate = results.plate
     closed = plate.in_contact
+    if results.ground.cells is not None:
+        share = plate.contact_area / plate.area
+        return np.where(closed, np.minimum(0.5 - share, -CLOSE), np.maximum(0.5 - share, CLOSE))
     if not results.constants.k0 or any(k1 > 0 for k1 in results.constants.k1):
         outside = np.sqrt(np.maximum(plate.gap, 0.0))
         mixed = closed[plate.elements].any(axis=1) & ~closed[plate.elements].all(axis=1)

@@ -7,20 +7,16 @@ from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers, Memo
+from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import InputError, Issue
-from groundslab.fem.mesh import Mesh, MeshLocations, bounding_boxes, interpolate, locate
-from groundslab.fem.shape_functions import areas
+from groundslab.fem.continuum.pressed_cells import PressedCells
+from groundslab.fem.mesh import Mesh, in_space, interpolate, locate_within
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.schema.wording import describe, one_of, suggestion
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
     from pyvista import UnstructuredGrid
-    from shapely import STRtree
-
-#: An error names at most so many points outside, and counts the others.
-MOST_NAMED = 100
 
 
 @dataclass(frozen=True, slots=True)
@@ -222,7 +218,7 @@ class PlateResult:
         300 mm
         """
         points = _points(x, y)
-        found: Integers = _locate(Mesh(self.nodes, self.elements), points, "the plate")[0]
+        found: Integers = locate_within(Mesh(self.nodes, self.elements), points, "the plate")[0]
         return int(found[0]) if points.ndim == 1 else found.reshape(points.shape[:-1])
 
 
@@ -295,11 +291,14 @@ class GroundResult:
         Nodes of the elements: four corners, four midsides, center.
     settlement : (S, n) array of float
         Settlement of every surface [m], from the top one downwards.
+    cells : PressedCells or None
+        On an elastic continuum the cells on which the plate presses; None on other ground.
     """
 
     nodes: Array
     elements: Integers
     settlement: Array
+    cells: PressedCells | None = None
 
     @overload
     def value_at(self, x: float, y: float, surface: int = 0) -> float: ...
@@ -336,54 +335,66 @@ class GroundResult:
             raise InputError([Issue("surface", describe(surface), expected)])
         return _values_at(Mesh(self.nodes, self.elements), self.settlement[surface], x, y, "the meshed ground")
 
+    def settlement_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> Array:
+        """Return the settlement of a continuum at points anywhere in it, beside the plate too.
 
-def mean_at_nodes(plate: PlateResult, values: Array) -> Array:
-    """Return the means (n,) of a field of elements (m,) over the elements that meet at each node, by their areas."""
-    weights = np.repeat(areas(plate.nodes[plate.elements]), plate.elements.shape[1])
-    nodes, n = plate.elements.ravel(), len(plate.nodes)
-    sums = np.bincount(nodes, weights=weights * np.repeat(values, plate.elements.shape[1]), minlength=n)
-    means: Array = sums / np.bincount(nodes, weights=weights, minlength=n)
-    return means
+        Parameters
+        ----------
+        x, y, z : array_like of float
+            Coordinates and depth below the base of the plate [m], of any shapes that broadcast against each other.
 
+        Returns
+        -------
+        array of float
+            Settlement [m].
 
-def in_space(nodes: Array) -> Array:
-    """Return nodes (n, 2) as points (n, 3) at z = 0."""
-    return np.column_stack([nodes, np.zeros(len(nodes))])
+        Raises
+        ------
+        InputError
+            If the ground is no continuum, or if a point lies above its surface or below its base.
+        """
+        if self.cells is not None and not self.cells.settles_alike:
+            raise InputError([Issue("ground", "layers that differ between boreholes", "the same layers everywhere")])
+        return self._in_depth(0, x, y, z)
+
+    def stress_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> Array:
+        """Return the vertical stress by the plate in a continuum, without the soil's own weight.
+
+        Parameters
+        ----------
+        x, y, z : array_like of float
+            Points as for `settlement_at` [m].
+
+        Returns
+        -------
+        array of float
+            Stress sigma_z [Pa], compression positive; at z = 0 the pressure of the cell.
+        """
+        return self._in_depth(1, x, y, z)
+
+    def _in_depth(self, which: int, *coordinates: ArrayLike) -> Array:
+        """Return settlement (0) or vertical stress (1) at points."""
+        if self.cells is None:
+            raise InputError([Issue("ground", "ground of which only surfaces are known", "a continuum")])
+        points = _points(*coordinates)
+        return self.cells.at_points(points.reshape(-1, 3))[which].reshape(points.shape[:-1])
 
 
 def _values_at(mesh: Mesh, values: Array, x: ArrayLike, y: ArrayLike, region: str) -> float | Array:
     """Return nodal values (n,) at points: a float for two numbers, else an array of their shape."""
     points = _points(x, y)
-    found = interpolate(mesh, values, _locate(mesh, points, region))
+    found = interpolate(mesh, values, locate_within(mesh, points, region))
     return float(found[0]) if points.ndim == 1 else found.reshape(points.shape[:-1])
 
 
-def _points(x: ArrayLike, y: ArrayLike) -> Array:
-    """Return points as an array (..., 2) of floats; InputError if x and y are no numbers or do not fit together."""
+def _points(*coordinates: ArrayLike) -> Array:
+    """Return points as an array (..., 2 or 3) of floats; InputError if these are no numbers or do not fit together."""
     try:
-        points: Array = np.stack(np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(y, dtype=float)), axis=-1)
+        points: Array = np.stack(np.broadcast_arrays(*(np.asarray(x, dtype=float) for x in coordinates)), axis=-1)
     except (TypeError, ValueError):
-        found = " and ".join(describe(each) if np.ndim(each) == 0 else f"shape {np.shape(each)}" for each in (x, y))
-        raise InputError([Issue("x, y", found, "numbers in meters, in shapes that broadcast")]) from None
+        found = " and ".join(
+            describe(each) if np.ndim(each) == 0 else f"shape {np.shape(each)}" for each in coordinates
+        )
+        names = ", ".join("xyz"[: len(coordinates)])
+        raise InputError([Issue(names, found, "numbers in meters, in shapes that broadcast")]) from None
     return points
-
-
-def _locate(mesh: Mesh, points: Array, region: str) -> MeshLocations:
-    """Return the elements that hold points (..., 2) and where in them; InputError names points outside."""
-    boxes = _BOXES.get(mesh.elements, mesh.nodes, lambda: bounding_boxes(mesh))
-    where = locate(mesh, points.reshape(-1, 2), boxes=boxes)
-    outside = np.argwhere(where[0].reshape(points.shape[:-1]) < 0)
-    issues = []
-    for index in outside[:MOST_NAMED]:
-        x, y = points[tuple(index)]
-        issues.append(Issue(f"point{index.tolist() or ''}", f"({x:g}, {y:g}) m", f"a point on {region}"))
-    if len(outside) > MOST_NAMED:
-        found = f"{len(outside) - MOST_NAMED} more points outside"
-        issues.append(Issue("points", found, f"points on {region}"))
-    if issues:
-        raise InputError(issues)
-    return where
-
-
-#: Search trees of the meshes in which points have been located.
-_BOXES: Memo[STRtree] = Memo()

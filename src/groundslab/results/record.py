@@ -49,9 +49,9 @@ class Step:
     iteration : int
         Iteration of the contact, from 1.
     in_contact : int
-        Nodes in contact.
+        Nodes in contact; on an elastic continuum cells of pressure.
     changed : int
-        Nodes that open or close after this step.
+        Those that open or close after this step.
     finest : bool
         Whether this is the finest mesh, whose results are kept.
     """

@@ -8,6 +8,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.fem.assembly import scatter
+from groundslab.fem.continuum.pressed_cells import PressedCells, press
 from groundslab.fem.problem import BETA_X, BETA_Y, Problem, W, plate_unknowns
 from groundslab.fem.system import plate_settlement, surface_settlement
 from groundslab.fem.vlasov import Soil
@@ -36,6 +37,7 @@ class MeshedFields:
     nodal: dict[str, Array]  # (k,)
     elements: dict[str, Array]  # (mp,)
     surfaces: Array  # (S, n) [m]: settlements
+    cells: PressedCells | None = None
 
 
 def recover(
@@ -81,7 +83,15 @@ def recover_fields(solution: Solution, frame: ResultMesh) -> MeshedFields:
     nodal = {name: field[frame.node] for name, field in moved.items()}
     nodal |= {"area": frame.area, "edge_length": frame.edge_length} | section_forces(frame, forces) | contact
     elements = _element_fields(problem, gauss) | {"pressure": pressure}
-    return MeshedFields(forces, nodal, elements, surface_settlement(s, U))
+    return MeshedFields(forces, nodal, elements, surface_settlement(s, U), _press(solution))
+
+
+def _press(solution: Solution) -> PressedCells | None:
+    """Return the cells that bear the plate, None on ground without such."""
+    problem, pressed = solution.system.problem, solution.pressed
+    if problem.elastic is None or pressed is None:
+        return None
+    return press(problem.elastic, pressed.force, problem.loading.beside)
 
 
 def expand(fields: MeshedFields, frame: ResultMesh) -> tuple[PlateResult, ElementResult, GroundResult]:
@@ -98,7 +108,7 @@ def expand(fields: MeshedFields, frame: ResultMesh) -> tuple[PlateResult, Elemen
     return (
         PlateResult(plate.mesh.nodes, plate.mesh.elements, in_contact=in_contact, **nodal),
         ElementResult(section=section, **elements),
-        GroundResult(ground.mesh.nodes, ground.mesh.elements, fields.surfaces[:, ground.node]),
+        GroundResult(ground.mesh.nodes, ground.mesh.elements, fields.surfaces[:, ground.node], fields.cells),
     )
 
 

@@ -14,7 +14,7 @@ from groundslab.discretize.serviceability.lasting_ground import lasts, with_last
 from groundslab.discretize.voids import VoidShares, share_voids
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.vlasov import Soil
-from groundslab.model.ground import ContinuousGround, Layered, SoilLayer, Vlasov
+from groundslab.model.ground import ContinuousGround, Continuum, Layered, SoilLayer, Vlasov
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Flags
@@ -72,6 +72,24 @@ def list_columns(model: Model) -> list[tuple[str, tuple[SoilLayer, ...]]]:
     grounds: list[tuple[str, AnyGround]] = [("ground", model.ground)]
     grounds += [(f"zone of soil {n}", zone.ground) for n, zone in enumerate(model.soil_zones, 1)]
     return [(name, _layers(ground)) for name, ground in grounds]
+
+
+#: So many depths stand below a point, closer near the surface; beside these the borders of layers.
+DEPTHS = 16
+#: Without a base stresses are shown down to so many of the plate's shorter sides; no deeper than of its longer ones.
+WIDTHS, LENGTHS = 2.0, 5.0
+
+
+def profile_depths(model: Model) -> Array:
+    """Return the depths (z,) [m] at which a continuum is listed, closer at the surface, with the borders of layers."""
+    bottoms = np.cumsum([layer.thickness for layer in _layers(model.ground)])
+    deepest = bottoms[-1] if len(bottoms) else 0.0
+    if isinstance(model.ground, Continuum) and model.ground.half_space is not None:
+        deepest = max(1.25 * deepest, WIDTHS * min(model.plate.sides))
+    deepest = min(deepest, LENGTHS * max(model.plate.sides))
+    depths = deepest * np.linspace(0.0, 1.0, DEPTHS + 1) ** 2
+    found: Array = np.unique(np.concatenate([depths, bottoms[bottoms <= deepest]]))
+    return found
 
 
 def profiles_of(results: CombinationResult) -> tuple[Profile, ...]:

@@ -10,9 +10,8 @@ import numpy as np
 
 from groundslab.errors import IllConditioned
 from groundslab.fem.foundation import Column
-from groundslab.fem.problem import Problem, single_plates
+from groundslab.fem.problem import Problem, free_motions, single_plates
 from groundslab.fem.system import System
-from groundslab.solvers.equilibrium import free_motions
 
 #: Stiffness of the plate over that of the ground from which products with rigid motions are made apart.
 NEARLY_RIGID = 1e6

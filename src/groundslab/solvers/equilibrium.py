@@ -13,7 +13,19 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import NeutralEquilibrium, NoEquilibrium
 from groundslab.fem.bearings import CLOSED, Contact
-from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W, joined_plates, planes, single_plates
+from groundslab.fem.problem import (
+    BETA_X,
+    BETA_Y,
+    TOP,
+    Problem,
+    W,
+    free_motions,
+    joined_plates,
+    mirror_motion,
+    motion_rows,
+    move_plates,
+    single_plates,
+)
 from groundslab.units import coordinate
 
 #: How far, relative to the plate's size, the resultant must stay inside the hull of the plate.
@@ -69,7 +81,7 @@ def _require_joint_balance(problem: Problem, free: Array, prefix: str) -> None:
     corners = _extreme_points(problem)
     scale = np.tile(_scale(corners), len(problem.plate_names))
     motions = np.linalg.qr(scale[:, None] ** -1 * free)[0]
-    work = (np.einsum("nfk,nf->k", planes(problem), problem.plate_load) * scale) @ motions
+    work = (np.concatenate([_resultant(plate) for plate, _ in single_plates(problem)]) * scale) @ motions
     if _share_balanced(problem, motions, scale, work, LIMIT_MARGIN)[0] < 1:
         raise NoEquilibrium(
             f"{prefix}the loads on these joined plates cannot be balanced: ground that cannot pull, supports and what "
@@ -82,7 +94,7 @@ def rigid_motions(problem: Problem) -> Array:
     """Return the plate's rigid motions against which only one-sided bearings hold it, as unknowns (size, m)."""
     if not problem.tensionless:
         return np.zeros((problem.unknown.max(initial=-1) + 1, 0))
-    nodes, unknown, moved = problem.plate_nodes, problem.unknown, planes(problem) @ free_motions(problem)
+    nodes, unknown, moved = problem.plate_nodes, problem.unknown, move_plates(problem, free_motions(problem))
     # where the plate goes the ground does not go with it
     moved = np.concatenate([moved, -moved[:, [W]]], axis=1)[nodes]
     motions = np.zeros((unknown.max(initial=-1) + 1, moved.shape[2]))
@@ -119,10 +131,10 @@ def _require_plates_held(problem: Problem, state: Integers, force: Array, pressi
     b = problem.bearing
     touching = np.flatnonzero((state == CLOSED) & ~b.law.bilateral & (b.field <= TOP))
     force = np.maximum(force[touching], 0.0)
-    rows = planes(problem)[b.node[touching], np.where(b.field[touching] == TOP, W, b.field[touching])]
+    rows = motion_rows(problem, b.node[touching], b.field[touching])
     for axis in (0, 1):
         if problem.symmetry[axis]:
-            rows, force = np.vstack([rows, rows * _mirror(axis)]), np.tile(force, 2)
+            rows, force = np.vstack([rows, rows * mirror_motion(axis)]), np.tile(force, 2)
     if pressing is not None and problem.elastic is not None:
         holding = np.where(pressing < problem.elastic.limit_force, pressing, 0.0)
         rows, force = np.vstack([rows, _rows_of_cells(problem)]), np.append(force, holding)
@@ -173,11 +185,6 @@ def _scale(corners: Array) -> Array:
     return np.array([1.0, 1 / size, 1 / size])
 
 
-def _mirror(axis: int) -> Array:
-    """Return what a motion (a, b, c) is multiplied with in the mirror across an axis."""
-    return np.where(np.arange(3) == axis + 1, -1.0, 1.0)
-
-
 @dataclass(frozen=True, slots=True)
 class _OneWay:
     """What acts on plates one way: the ground, at nodes or in cells, and supports."""
@@ -193,7 +200,7 @@ def _one_way(problem: Problem) -> _OneWay:
     b, law, elastic = problem.bearing, problem.bearing.law, problem.elastic
     own = ~law.bilateral & (b.field <= TOP)
     up = np.where(b.support[own] < 0, 1.0, -law.sign[own])
-    row, limit_force, support = planes(problem)[b.node[own], W], law.limit_force[own], b.support[own]
+    row, limit_force, support = motion_rows(problem, b.node[own], b.field[own]), law.limit_force[own], b.support[own]
     if elastic is not None:
         cells = len(elastic.gap)
         up, support = np.append(up, np.ones(cells)), np.append(support, np.full(cells, -1))
@@ -249,68 +256,6 @@ def _share_balanced(problem: Problem, motions: Array, scale: Array, work: Array,
         return 0.0, full
     full[use] = found.x[:-1] >= capacity - 2 * little
     return float(found.x[-1]), full
-
-
-def free_motions(problem: Problem, mirrored: bool = False) -> Array:
-    """Return the rigid motions w = a + b x + c y that the supports which act both ways allow, as columns (3 plates, d).
-
-    Of a plate of which a part is meshed those that its mirrors allow, or, mirrored, those of the full plate.
-    """
-    if len(problem.plate_names) > 1:
-        every = _block_diagonal([free_motions(plate, mirrored) for plate, _ in single_plates(problem)])
-        return _without_steps(problem, every)
-    nodes, b = problem.plate_nodes, problem.bearing
-    fixed = problem.unknown[:, : BETA_Y + 1] < 0
-    both = b.law.bilateral
-    fixed[b.node[both], b.field[both]] = True
-    for axis in (0, 1):
-        if mirrored and problem.symmetry[axis]:
-            fixed[problem.mesh.nodes[:, axis] == 0.0, BETA_X + axis] = False
-    fixed = fixed[nodes]
-    x, y = problem.mesh.nodes[nodes].T
-    one, zero = np.ones_like(x), np.zeros_like(x)
-    own_w = np.ones(len(nodes), dtype=bool)
-    if not problem.element.center_w:
-        own_w[np.isin(nodes, problem.mesh.elements[problem.plate_elements, 8])] = False
-    constraints = np.vstack(
-        [
-            np.column_stack([one, x, y])[fixed[:, W] & own_w],
-            np.column_stack([zero, one, zero])[fixed[:, BETA_X]],
-            np.column_stack([zero, zero, one])[fixed[:, BETA_Y]],
-        ]
-    )
-    for axis in (0, 1):
-        if mirrored and problem.symmetry[axis]:
-            constraints = np.vstack([constraints, constraints * _mirror(axis)])
-    _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([constraints, np.zeros((3, 3))]), mode="r"))
-    rank = int((sizes > 1e-10 * max(sizes.max(), 1e-300)).sum())
-    return V[rank:].T
-
-
-def _without_steps(problem: Problem, motions: Array) -> Array:
-    """Return those combinations of motions (3 plates, d) that make no step across joints that hold plates together."""
-    links = problem.links
-    first, second = links.nodes[links.holds].T
-    if not len(first):
-        return motions
-    W_of = planes(problem)[:, W]
-    size = np.ptp(problem.mesh.nodes[problem.plate_nodes], axis=0).max()
-    scale = np.tile([1.0, 1 / size, 1 / size], len(problem.plate_names))
-    # about the plates' middle, in which settlements and slopes are alike
-    unit = np.linalg.qr(scale[:, None] ** -1 * motions)[0]
-    steps = ((W_of[first] - W_of[second]) * scale) @ unit
-    _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([steps, np.zeros((unit.shape[1],) * 2)]), mode="r"))
-    rank = int((sizes > 1e-9 * max(sizes.max(initial=0.0), 1e-300)).sum())
-    found: Array = scale[:, None] * (unit @ V[rank:].T)
-    return found
-
-
-def _block_diagonal(blocks: list[Array]) -> Array:
-    """Return the matrix with blocks along its diagonal; those without columns have rows alone."""
-    from scipy.linalg import block_diag
-
-    found: Array = block_diag(*blocks)
-    return found
 
 
 def _extreme_points(problem: Problem) -> Array:

@@ -18,12 +18,11 @@ from groundslab.fem.bearings import Bearings
 from groundslab.fem.continuum.elastic_ground import ElasticGround
 from groundslab.fem.continuum.media import elastic_length
 from groundslab.fem.continuum.preconditioner import Preconditioner, make_preconditioner
-from groundslab.fem.problem import TOP, Problem, W, planes
+from groundslab.fem.problem import TOP, Problem, W, free_motions, move_plates
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.sparse import Symmetric
 from groundslab.fem.system import System
 from groundslab.solvers.bounded_forces import BoundedForces, BoundedSolution
-from groundslab.solvers.equilibrium import free_motions
 from groundslab.solvers.factor_reuse import CachedFactorization, ConstrainedSystem
 
 if TYPE_CHECKING:
@@ -172,7 +171,7 @@ def _rigid_motions(problem: Problem, size: int) -> Array:
     links, none = problem.links, np.zeros(len(problem.bearing.law), dtype=bool)
     slips = np.asarray(links.fields[:, TOP + 1 :].any(axis=1))
     alone = replace(problem, bearing=problem.bearing.select(none), links=links.select(~slips), elastic=None)
-    moved, unknown = planes(problem) @ free_motions(alone), problem.unknown[:, :TOP]
+    moved, unknown = move_plates(problem, free_motions(alone)), problem.unknown[:, :TOP]
     R = np.zeros((size, moved.shape[2]))
     R[unknown[unknown >= 0]] = moved[unknown >= 0]
     for (first, second), own in zip(links.nodes[slips], links.fields[slips], strict=True):

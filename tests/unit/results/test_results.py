@@ -14,8 +14,8 @@ import pytest
 
 import groundslab as g
 from groundslab.errors import InputError, NoEquilibrium, NotCertified
+from groundslab.fem.mesh import MOST_NAMED
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.mesh_results import MOST_NAMED
 from groundslab.results.results import Results, results_of
 from helpers import synthetic
 

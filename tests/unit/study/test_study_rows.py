@@ -68,7 +68,8 @@ class TestOutputs:
             name for name in outputs.SCALARS
             if outputs.scalar_of(self.output(name), self.combined, ["design"]) is not None
         }  # fmt: skip
-        assert there == outputs.SCALARS.keys() - {"support force", "gamma", "margin effect", "k1"} | {"k1"} - (
+        absent = {"support force", "gamma", "margin effect", *outputs.SOIL}
+        assert there == outputs.SCALARS.keys() - {*absent, "k1"} | {"k1"} - (
             set() if self.combined["design"].constants.k1 else {"k1"}
         )
 

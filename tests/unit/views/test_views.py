@@ -238,7 +238,7 @@ class TestTable:
         with progress.progress(console) as on_step:
             on_step(step)
         assert "1234 unknowns" in progress.line(step)
-        assert "17 nodes, 1 changed" in progress.line(step)
+        assert "17 closed, 1 changed" in progress.line(step)
 
 
 class TestOverview:

@@ -1,8 +1,9 @@
 """Industrial floors: yield lines by TR34, flexural stresses by ACI 360R-10 and PCA, the restraint of shrinkage.
 
 The formulas are those of `design/floors`; they know the ground as springs, k being the pressure on it over its
-settlement. Stresses by ACI 360R are those of the contact analysis. Of zones the thinnest counts in the formulas, at
-stresses each node's own thickness.
+settlement; that of an elastic continuum is the equivalent one of `discretize.ground.subgrade_modulus`. Stresses by ACI
+360R are those of the contact analysis. Of zones the thinnest counts in the formulas, at stresses each node's own
+thickness.
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ from groundslab.discretize.ground import grounds_of
 from groundslab.errors import InputError
 from groundslab.fem.foundation import Column
 from groundslab.model.design.floors import ACI360Floor, AnyFloor, TR34Floor
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import SERVICEABILITY
 from groundslab.model.model import Model
 from groundslab.results.fields import extreme
@@ -41,17 +43,23 @@ NAMES = {1: "point load", 2: "dual point load", 4: "quadruple point load"}
 
 @dataclass(frozen=True, slots=True)
 class Slab:
-    """What the formulas know of a floor: E [Pa], h [m], nu, k [Pa/m]."""
+    """What the formulas know of a floor: E [Pa], h [m], nu, k [Pa/m]; whether k stands for an elastic continuum."""
 
     E: float
     h: float
     nu: float
     k: float
+    equivalent: bool = False
 
     @property
     def l(self) -> float:  # noqa: E743  the field's letter
         """Return the radius of relative stiffness [m]."""
         return yield_lines.relative_stiffness_radius(self.E, self.h, self.nu, self.k)
+
+    @property
+    def springs(self) -> str:
+        """Return what is said of k beside a clause, nothing where the ground has a k of its own."""
+        return f", with k = {self.k / 1e6:.3g} MPa/m equivalent to the continuum" if self.equivalent else ""
 
     @property
     def lam(self) -> float:
@@ -98,7 +106,8 @@ def slab_of(model: Model) -> Slab:
     plate = model.plate
     h = min([plate.thickness, *(zone.thickness for zone in plate.zones if zone.thickness is not None)])
     grounds = [each if isinstance(each, Column) else each.first_column() for each in grounds_of(model)]
-    return Slab(plate.E, h, plate.nu, min(1 / float(np.linalg.inv(column.A0)[0, 0]) for column in grounds))
+    k = min(1 / float(np.linalg.inv(column.A0)[0, 0]) for column in grounds)
+    return Slab(plate.E, h, plate.nu, k, isinstance(model.ground, ContinuousGround))
 
 
 def _by_tr34(floor: TR34Floor, results: list[CombinationResult]) -> Iterator[DesignCheck]:
@@ -113,11 +122,12 @@ def _by_tr34(floor: TR34Floor, results: list[CombinationResult]) -> Iterator[Des
         return alone if len(loads) == 1 else min(alone, yield_lines.group(lines, a, distances, location))
 
     standing = _standing(floor, slab, results)
-    yield from _point_loads(slab, standing, fails, dict.fromkeys(NAMES, "TR34 yield lines, Meyerhof 1962"))
+    clause = f"TR34 yield lines, Meyerhof 1962{slab.springs}"
+    yield from _point_loads(slab, standing, fails, dict.fromkeys(NAMES, clause))
     yield from _joints(standing)
     yield from _punching(floor, concrete, slab, standing)
-    yield from _line_loads(slab, M_n, results, "TR34, Hetenyi 1946")
-    yield from _pressures(slab, M_n, results, "TR34, Hetenyi 1946")
+    yield from _line_loads(slab, M_n, results, f"TR34, Hetenyi 1946{slab.springs}")
+    yield from _pressures(slab, M_n, results, f"TR34, Hetenyi 1946{slab.springs}")
     f_ctd = resistance.tensile_strength(concrete)
     yield from _restraint(floor, f_ctd, "mu gamma L / 2 against f_ctd, EN 1992-1-1 3.1.6(2)P")
 
@@ -175,7 +185,7 @@ def _by_aci(floor: ACI360Floor, results: list[CombinationResult]) -> Iterator[De
         uses = [_stress(each, sign, drag, allowed) for each in results]
         clause = "ACI 360R-10 7.2, 5.9, table 5.3"
         yield _check("flexural stress", face, max(uses, key=lambda use: use.share), "MPa", 1e-6, clause)
-    yield from _pressures(slab, (allowed - drag) * slab.h**2 / 6, results, "PCA, ACI 360R-10 A1")
+    yield from _pressures(slab, (allowed - drag) * slab.h**2 / 6, results, f"PCA, ACI 360R-10 A1{slab.springs}")
     if floor.R_e3 is not None:
         M_0 = floor.f_r * (1 + floor.R_e3) * slab.h**2 / 6
 
@@ -184,7 +194,8 @@ def _by_aci(floor: ACI360Floor, results: list[CombinationResult]) -> Iterator[De
             return yield_lines.meyerhof(M_0, load.a, slab.l, location) / floor.safety_factor
 
         standing = _standing(floor, slab, results)
-        yield from _point_loads(slab, standing, fails, {1: "ACI 360R-10 11.3.3.3, Meyerhof 1962"})
+        clause = f"ACI 360R-10 11.3.3.3, Meyerhof 1962{slab.springs}"
+        yield from _point_loads(slab, standing, fails, {1: clause})
         yield from _joints(standing)
     yield from _restraint(floor, allowed, "mu gamma L / 2 against the allowed stress, ACI 360R-10 10.3.2")
 

@@ -20,6 +20,7 @@ VALUES: dict[str, tuple[str, ...]] = {
     "combinations": ("area in contact",),
     "tilt": ("mean settlement", "tilt along x", "tilt along y", "tilt", "largest deflection"),
     "points": _QUANTITIES,
+    "soil": ("settlement w", "vertical stress sigma_z"),
     "lines": _QUANTITIES,
     "strips": (
         "moment", "shear", "mean moment", "mean shear", "greatest moment", "least moment",

@@ -1,4 +1,4 @@
-"""Tables of the places that a model's output names: points, section lines, design strips."""
+"""Tables of the places that a model's output names: points and the soil below them, section lines, design strips."""
 
 from __future__ import annotations
 
@@ -13,7 +13,9 @@ from groundslab.fem.mesh import Mesh, locate
 from groundslab.fem.shape_functions import q9
 from groundslab.results.fields import POINT_FIELDS
 from groundslab.results.results import Results
+from groundslab.results.soil_profile import profile_depths
 
+SETTLEMENT, STRESS = ("settlement w", "mm"), ("vertical stress sigma_z", "kPa")
 _HEADS = [about.head for about in POINT_FIELDS.values()]
 _RECOVERED = (
     "Moments and shear forces are nodal values recovered from patches within one section of the plate, in between by "
@@ -38,6 +40,32 @@ def points(combined: Results) -> Table:
     notes = [_RECOVERED, "A point on the border of two sections has the values of one of them."]
     heads = [("combination", ""), ("point", ""), ("x", "m"), ("y", "m"), *_HEADS]
     return table_of("points", "Points", heads, rows, notes)
+
+
+def soil(combined: Results) -> Table:
+    """Return settlement and vertical stress in the depth of a continuum below each output point in each combination."""
+    model = combined.model
+    wanted, depths = model.output.points, profile_depths(model)
+    rows: list[list[Cell]] = []
+    for results in solved_results(combined):
+        cells = results.ground.cells
+        if cells is None or cells.piled:
+            continue
+        w, sigma = cells.below(np.array([(point.x, point.y) for point in wanted]), depths)
+        for point, of_point, stresses in zip(wanted, w, sigma, strict=True):
+            head: list[Cell] = [results.combination, point.name, point.x, point.y]
+            for z, settlement, stress in zip(depths, of_point, stresses, strict=True):
+                rows.append([*head, z, 1e3 * settlement if np.isfinite(settlement) else None, stress / 1e3])
+    heads = [("combination", ""), ("point", ""), ("x", "m"), ("y", "m"), ("depth z", "m"), SETTLEMENT, STRESS]
+    notes = [
+        "Depths from the base of the plate. Vertical stresses are those by the pressure of the plate, compression "
+        "positive, without the soil's own weight; at z = 0 they are the pressure of the cell there.",
+    ]
+    if not rows:
+        notes.append("Piles carry loads into the depth, of which nothing is known then.")
+    if model.boreholes:
+        notes.append("Settlements in the depth are not known where layers differ between boreholes.")
+    return table_of("soil", "Soil below points", heads, rows, notes)
 
 
 def lines(combined: Results) -> Table:

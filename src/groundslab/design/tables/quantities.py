@@ -9,9 +9,10 @@ import numpy as np
 from groundslab.arrays import Array, Flags
 from groundslab.design.design_moments import derive_field, fields_of
 from groundslab.errors import GroundslabError
+from groundslab.fem.shape_functions import areas
 from groundslab.results.contact_zone import has_line_force
 from groundslab.results.fields import LINE_FORCE, POINT_FIELDS, RANGED_FIELDS, SHOWN_ELEMENT_FIELDS, ResultField
-from groundslab.results.mesh_results import mean_at_nodes
+from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult, Results
 
 
@@ -36,6 +37,15 @@ def nodal_values(results: CombinationResult, name: str) -> Array:
 def solved_results(combined: Results) -> list[CombinationResult]:
     """Return the results there are, in the order of the combinations."""
     return [combined.results[each.name] for each in combined.combinations if each.name in combined.results]
+
+
+def mean_at_nodes(plate: PlateResult, values: Array) -> Array:
+    """Return the means (n,) of a field of elements (m,) over the elements that meet at each node, by their areas."""
+    weights = np.repeat(areas(plate.nodes[plate.elements]), plate.elements.shape[1])
+    nodes, n = plate.elements.ravel(), len(plate.nodes)
+    sums = np.bincount(nodes, weights=weights * np.repeat(values, plate.elements.shape[1]), minlength=n)
+    means: Array = sums / np.bincount(nodes, weights=weights, minlength=n)
+    return means
 
 
 def ranged_fields(results: CombinationResult) -> list[tuple[ResultField, str, Flags]]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers
+from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem.shape_functions import jacobian, q9
 
 if TYPE_CHECKING:
@@ -143,16 +143,34 @@ def _nearest(grid: Grid, number: Integers, cell: Integers) -> Integers:
 
 
 def prolong(coarse: Cells, force: Array, fine: Cells) -> Array:
-    """Return forces on finer cells (c,) [N] whose pressures follow those of coarser ones linearly."""
+    """Return forces on finer cells (c,) [N] whose pressures follow those of coarser ones linearly, plate by plate.
+
+    Where a gap is open the force may be the tension that would close it, were the cell alone: then pressure ends where
+    gaps begin, between the centers of coarser cells.
+    """
     from scipy.interpolate import RegularGridInterpolator
 
-    centers = coarse.grid.centers
-    pressure = coarse.on_grid(force / coarse.area)
-    if min(pressure.shape) < 2:
-        return np.full(len(fine.area), force.sum() / fine.area.sum()) * fine.area
-    # beyond the outermost centers pressures are those there
-    places = [np.clip(x, c[0], c[-1]) for x, c in zip(fine.center.T, centers, strict=True)]
-    found: Array = RegularGridInterpolator(centers, pressure)(np.column_stack(places)) * fine.area
+    centers, found = coarse.grid.centers, np.zeros(len(fine.area))
+    for plate in np.unique(fine.plate):
+        pressure, own = _pressures(coarse, force, coarse.plate == plate), fine.plate == plate
+        if min(pressure.shape) < 2:
+            found[own] = pressure.mean()
+            continue
+        # beyond the outermost centers pressures are those there
+        places = [np.clip(x, c[0], c[-1]) for x, c in zip(fine.center[own].T, centers, strict=True)]
+        found[own] = RegularGridInterpolator(centers, pressure)(np.column_stack(places))
+    return found * fine.area
+
+
+def _pressures(cells: Cells, force: Array, own: Flags) -> Array:
+    """Return the pressures of some cells (c,) on the grid (nx, ny), elsewhere those of the nearest of them."""
+    from scipy.ndimage import distance_transform_edt
+
+    shape = cells.grid.nx, cells.grid.ny
+    pressure, known = np.zeros(shape), np.zeros(shape, dtype=bool)
+    pressure.flat[cells.number[own]], known.flat[cells.number[own]] = (force / cells.area)[own], True
+    nearest = distance_transform_edt(~known, return_distances=False, return_indices=True)
+    found: Array = pressure[tuple(nearest)]
     return found
 
 

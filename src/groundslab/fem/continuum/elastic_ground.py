@@ -61,10 +61,14 @@ class ElasticGround:
 
     def settle(self, force: Array) -> Array:
         """Return the mean settlement of each cell [m] by forces on them (c,) [N]."""
+        return self._settle_first(self.settling(force))
+
+    def settling(self, force: Array) -> Array:
+        """Return what of forces on the cells (c,) [N] settles the ground as under first loading."""
         if self.relief is None:
-            return self._settle_first(force)
+            return force
         again = np.clip(force, 0.0, self.relief.force)
-        return self._settle_first(force - again * (1 - 1 / self.relief.ratio))
+        return force - again * (1 - 1 / self.relief.ratio)
 
     def _settle_first(self, force: Array) -> Array:
         """Return the settlement of each cell (c,) [m] under first loading."""
@@ -87,8 +91,7 @@ class ElasticGround:
 
         Interpolated between the means of cells of the same size that reach over all places.
         """
-        if self.relief is not None:
-            force = force - np.clip(force, 0.0, self.relief.force) * (1 - 1 / self.relief.ratio)
+        force = self.settling(force)
         grid, wide = self.cells.grid, _reach_over(self.cells.grid, places)
         first = round((grid.x0 - wide.x0) / grid.dx), round((grid.y0 - wide.y0) / grid.dy)
         on_wide = np.zeros((wide.nx, wide.ny))

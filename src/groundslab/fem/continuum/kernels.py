@@ -87,8 +87,21 @@ def hankel(kR: Callable[[Array], Array], smallest: float, largest: float) -> Rad
     It is tabulated between two distances [m] and interpolated by a cubic spline over log r; below the smaller one it is
     constant.
     """
-    from scipy.fft import fht, fhtoffset
     from scipy.interpolate import CubicSpline
+
+    r, values = hankel_table(kR, smallest, largest)
+    spline = CubicSpline(np.log(r), values)
+
+    def at(distance: Array) -> Array:
+        found: Array = spline(np.log(np.maximum(distance, smallest)))
+        return found
+
+    return at
+
+
+def hankel_table(kR: Callable[[Array], Array], smallest: float, largest: float) -> tuple[Array, Array]:
+    """Return distances r (n,) [m] around two, and 1 / (2 pi) int R(k) J_0(k r) k dk there (..., n), from k R(k)."""
+    from scipy.fft import fht, fhtoffset
 
     step = 1 / STEPS
     n = 2 * int(np.ceil(np.log(REACH * np.sqrt(largest / smallest)) / step))
@@ -99,13 +112,7 @@ def hankel(kR: Callable[[Array], Array], smallest: float, largest: float) -> Rad
     k = np.exp(ln + offset) / middle
     values = fht(kR(k), step, mu=0, offset=offset) / (2 * np.pi * r)
     used = (r > smallest / 3) & (r < 3 * largest)
-    spline = CubicSpline(np.log(r[used]), values[used])
-
-    def at(distance: Array) -> Array:
-        found: Array = spline(np.log(np.maximum(distance, smallest)))
-        return found
-
-    return at
+    return r[used], values[..., used]
 
 
 def mean_inverse_distance(x: Array, y: Array, dx: float, dy: float) -> Array:

@@ -17,6 +17,7 @@ from groundslab.results.fields import LAYERS, PLATE_FIELDS, RANGED_FIELDS
 from groundslab.results.results import CombinationResult, Results
 from groundslab.schema.base import Section
 from groundslab.schema.fields import Choice, FieldType, Integer, Number, Quantity, Text
+from groundslab.schema.ranges import Range
 from groundslab.units import DIMENSIONS
 
 if TYPE_CHECKING:
@@ -38,6 +39,8 @@ _RESULT_FIELDS |= {"principal moment 1": "m_1", "principal moment 2": "m_2"}
 _RESULT_FIELDS |= {f"design moment {name.replace('_', ' ')}": name for name in LAYERS}
 _STEEL = "area per length"
 
+#: Depths below the plate.
+DEPTH = Range(at_least=0)
 #: Fields, by name.
 FIELDS: dict[str, OutputQuantity] = {
     **{
@@ -71,12 +74,17 @@ SCALARS: dict[str, OutputQuantity] = {
     "k0": OutputQuantity("pressure per length", "final stiffness of a layer against compression"),
     "k1": OutputQuantity("pressure times length", "stiffness of a layer against shear"),
     "gamma": OutputQuantity("", "decay of the mode over the depth; none if the ground has no such mode"),
+    "soil settlement": OutputQuantity("length", "settlement at x, y and the depth z of a continuum"),
+    "soil stress": OutputQuantity("pressure", "vertical stress there, without the soil's own weight"),
     "margin effect": OutputQuantity("", "largest change of the settlement when the margin of infinite ground is "
         "wider, over the largest settlement; none if the ground is not infinite"),
 }  # fmt: skip
 
+#: Of these, those in the depth of the ground, and those of a ground of columns.
+SOIL, CONSTANTS = ("soil settlement", "soil stress"), ("k0", "k1", "gamma")
+
 #: What is exact on any mesh, is told of the finer mesh alone, or is a measure of another error.
-_WITHOUT_ERROR = {"load", "reaction", "k0", "k1", "gamma", "margin effect"}
+_WITHOUT_ERROR = {"load", "reaction", *CONSTANTS, "margin effect"}
 
 
 class RequestedOutput(Section):
@@ -89,8 +97,11 @@ class RequestedOutput(Section):
         Choice(Statistic, "what to take of a field: its largest or smallest value, its mean over the area, the "
                "value at a place, or all nodal values"),
     ] = None  # fmt: skip
-    x: Annotated[float | None, Quantity("length", "x", "place, for at")] = None
-    y: Annotated[float | None, Quantity("length", "y", "place, for at")] = None
+    x: Annotated[float | None, Quantity("length", "x", "place, for at and in the ground")] = None
+    y: Annotated[float | None, Quantity("length", "y", "place, for at and in the ground")] = None
+    z: Annotated[
+        float | None, Quantity("length", "z", "depth below the plate, for soil settlement and soil stress", DEPTH)
+    ] = None
     combination: Annotated[
         str, Text("combination that it is of; by default all of them, and of these the worst one's")
     ] = ""
@@ -107,6 +118,8 @@ class RequestedOutput(Section):
             words = [self.of, f"at ({self.x:g}, {self.y:g}) m" if None not in (self.x, self.y) else ""]
         if self.take == "everywhere":
             words = [self.of, "everywhere"]
+        if self.of.replace("_", " ") in SOIL and None not in (self.x, self.y, self.z):
+            words.append(f"at ({self.x:g}, {self.y:g}, {self.z:g}) m")
         words += [f"of {self.support}" if self.support else "", f"of layer {self.layer}" if self.layer else ""]
         words.append(f"under {self.combination}" if self.combination else "")
         return " ".join(filter(None, words))
@@ -228,11 +241,21 @@ def _scalar_quantity(output: RequestedOutput, results: CombinationResult) -> flo
             return results.plate.contact_share
         case "support force":
             return next((each.total for each in results.supports if each.name == output.support), None)
+        case "soil settlement" | "soil stress":
+            return _in_depth(output, results)
         case "gamma":
             return constants.gamma
         case "k0" | "k1":
             return dict(enumerate(map(float, getattr(constants, output.of)), 1)).get(output.layer or 1)
     return float(getattr(largest_tilt(results), output.of.replace(" ", "_")))
+
+
+def _in_depth(output: RequestedOutput, results: CombinationResult) -> float | None:
+    """Return settlement [m] or vertical stress [Pa] in the depth of a continuum, None on other ground."""
+    ground, (x, y, z) = results.ground, (output.x, output.y, output.z)
+    if ground.cells is None or x is None or y is None or z is None:
+        return None
+    return float((ground.settlement_at if output.of == "soil settlement" else ground.stress_at)(x, y, z))
 
 
 def field_of(results: CombinationResult, name: str) -> Array:

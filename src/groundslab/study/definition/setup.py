@@ -13,19 +13,20 @@ import numpy as np
 from groundslab.arrays import Array, Flags
 from groundslab.errors import InputError
 from groundslab.model.combinations import list_combinations
+from groundslab.model.ground import ContinuousGround, Continuum
 from groundslab.model.loads.placement import on_plate
 from groundslab.model.model import Model
 from groundslab.model.outputs import OutputPoint
 from groundslab.model.plates.region import PlateRegion
 from groundslab.schema.fields import FieldType, ListOf, Number, Quantity
 from groundslab.schema.issues import FieldError, RelativeIssue
-from groundslab.schema.wording import describe, one_of, suggestion
+from groundslab.schema.wording import describe, one_of, quote, suggestion
 from groundslab.study.definition import schema
 from groundslab.study.definition.case_paths import Place, place_of
 from groundslab.study.definition.distributions import AnyDistribution, distribution_of
 from groundslab.study.definition.field_types import Raw
 from groundslab.study.definition.issues import issues_below
-from groundslab.study.definition.outputs import FIELDS, SCALARS, RequestedOutput
+from groundslab.study.definition.outputs import CONSTANTS, FIELDS, SCALARS, SOIL, RequestedOutput
 
 T = TypeVar("T")
 
@@ -233,6 +234,10 @@ def _distribution(part: AnyDistribution, key: FieldType, from_file: bool) -> Any
 
 def _field(field: schema.RandomField, model: Model) -> Field:
     """Return a random field; raises FieldError."""
+    if isinstance(model.ground, ContinuousGround):
+        found = f"a random field on {quote(model.ground.kind)} ground, whose layers are the same everywhere"
+        hint = "vary its moduli under [[vary]], or let them vary over the plan on vlasov or layered ground"
+        raise FieldError(RelativeIssue(("path",), found, "ground of columns, each with constants of its own", hint))
     expected = f"a constant of the ground such as {_GROUND_CONSTANTS[model.ground.kind]}"
     with issues_below("path"):
         place = place_of(model, field.path)
@@ -267,6 +272,14 @@ def _output_issues(keep: RequestedOutput, of: str, model: Model) -> Iterator[Rel
         yield RelativeIssue(("take",), describe(keep.take), f"nothing, as {of} is one figure")
     if keep.take == "at" and None in (keep.x, keep.y):
         yield RelativeIssue(("take",), '"at"', "x and y that say where")
+    if of in SOIL:
+        yield from _soil_issues(keep, of, model)
+        return
+    if keep.z is not None:
+        yield RelativeIssue(("z",), "a depth", f"none, as of is not {one_of(SOIL)}")
+    if of in CONSTANTS and isinstance(model.ground, ContinuousGround):
+        found = f"{of} of {quote(model.ground.kind)} ground"
+        yield RelativeIssue(("of",), found, "a figure that the ground of the case has")
     if keep.take != "at" and (keep.x is not None or keep.y is not None):
         yield RelativeIssue(("x" if keep.x is not None else "y",), "a place", 'none, as take is not "at"')
     if keep.x is not None and keep.y is not None:
@@ -289,6 +302,26 @@ def _output_issues(keep: RequestedOutput, of: str, model: Model) -> Iterator[Rel
         found = f"{describe(keep.combination)}, which is not for the ultimate limit state"
         ultimate = [name for name, limit_state in combinations.items() if limit_state == "ultimate"]
         yield RelativeIssue(("combination",), found, one_of(ultimate))
+
+
+def _soil_issues(keep: RequestedOutput, of: str, model: Model) -> Iterator[RelativeIssue]:
+    """Find why a result in the depth of the ground cannot be kept."""
+    ground = model.ground
+    if not isinstance(ground, ContinuousGround) or (of == "soil settlement" and model.boreholes):
+        expected = 'a case whose ground.kind is "continuum" or "constrained modulus", for settlements without boreholes'
+        yield RelativeIssue(("of",), describe(keep.of), expected)
+    if any(support.kind == "pile" for support in model.supports):
+        yield RelativeIssue(
+            ("of",), f"{of} below a slab on piles", "a slab without, as they carry loads into the depth"
+        )
+    for name in ("x", "y", "z"):
+        if getattr(keep, name) is None:
+            yield RelativeIssue((name,), "nothing", f"where in the ground the {of} is")
+    if keep.z is None or not isinstance(ground, Continuum) or ground.half_space is not None:
+        return
+    base = sum(layer.thickness for layer in ground.layers)
+    if keep.z > base:
+        yield RelativeIssue(("z",), f"{keep.z:g} m", f"at most {base:g} m, the depth of the rigid base")
 
 
 def _limit(limit: schema.LimitState, outputs: list[RequestedOutput | None], from_file: bool) -> Limit | None:

@@ -6,7 +6,7 @@ import json
 import math
 import stat
 import zipfile
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, fields, replace
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +14,7 @@ import numpy as np
 
 from groundslab._version import __version__
 from groundslab.errors import InputError, Issue
+from groundslab.fem.continuum.pressed_cells import PressedCells
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
 from groundslab.results.record import Certificate, Constants, Step
 from groundslab.results.results import CombinationResult, Comparison, Increment, SupportResult
@@ -32,6 +33,8 @@ FORMAT = 6
 LONGEST_REASON = 300
 #: Arrays that all states have in common.
 MESH = {"nodes", "elements"}
+#: Where the cells stand through which a plate presses on an elastic continuum.
+CELLS = "ground.cells"
 
 
 @dataclass(frozen=True, slots=True)
@@ -203,8 +206,16 @@ def _comparison(about: _About, arrays: dict[str, Any]) -> Comparison:
 def _arrays(below: str, state: CombinationResult | Increment | Comparison) -> dict[str, Any]:
     """Return the arrays of a state by their names, which begin with `below`; a mesh that is known stands there once."""
     found: dict[str, Any] = {}
-    for part, values in (("plate", state.plate), ("elements", state.elements), ("ground", state.ground)):
-        names = (item.name for item in fields(values) if not below or item.name not in MESH)
+    parts: dict[str, Any] = {
+        "plate": state.plate,
+        "elements": state.elements,
+        "ground": state.ground,
+        CELLS: state.ground.cells,
+    }
+    for part, values in parts.items():
+        if values is None:
+            continue
+        names = (item.name for item in fields(values) if item.name != "cells" and (not below or item.name not in MESH))
         arrays = {f"{below}{part}.{name}": getattr(values, name) for name in names}
         found |= {name: array for name, array in arrays.items() if array is not None}
     return found
@@ -213,11 +224,15 @@ def _arrays(below: str, state: CombinationResult | Increment | Comparison) -> di
 def _parts(below: str, arrays: dict[str, Any]) -> dict[str, Any]:
     """Return plate, elements and ground of a state from the arrays whose names begin with `below`."""
     kinds = {"plate": PlateResult, "elements": ElementResult, "ground": GroundResult}
-    found = {}
+    found: dict[str, Any] = {}
     for part, kind in kinds.items():
         names = {item.name: f"{'' if item.name in MESH else below}{part}.{item.name}" for item in fields(kind)}
         optional = {item.name for item in fields(kind) if item.default is None and names[item.name] not in arrays}
         found[part] = kind(**{name: arrays[key] for name, key in names.items() if name not in optional})
+    if any(name.startswith(f"{below}{CELLS}.") for name in arrays):
+        cells = {each.name: arrays[f"{below}{CELLS}.{each.name}"] for each in fields(PressedCells)}
+        cells |= {name: bool(cells[name]) for name in ("bonded", "piled")}
+        found["ground"] = replace(found["ground"], cells=PressedCells(**cells))
     return found
 
 

@@ -7,9 +7,11 @@ written files of these names and they hold what belongs there.
 
 from __future__ import annotations
 
+import json
 import os
+import shutil
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cache, partial
@@ -67,6 +69,20 @@ def save_results(results: CombinationResult | Results, folder: str | Path, *, pl
     combined = results if isinstance(results, Results) else results_of(results)
     try:
         fill = partial(_fill, combined, plot=plot)
+        atomic.write_folder(target, fill, manifest.is_path, partial(_require_free, target))
+    except OSError as error:
+        raise _unwritable(target, error) from error
+    return target
+
+
+def add_files(folder: str | Path, writers: Mapping[str, manifest.Writer]) -> Path:
+    """Write further files into a folder of results, whose others stay, or into a new one; completely or not at all.
+
+    `writers` are those of the files by their paths, which `manifest.is_path` must know. Raises InputError.
+    """
+    target = check(folder)
+    try:
+        fill = partial(_fill_further, target, writers)
         atomic.write_folder(target, fill, manifest.is_path, partial(_require_free, target))
     except OSError as error:
         raise _unwritable(target, error) from error
@@ -325,6 +341,20 @@ def _fill(combined: Results, folder: Path, *, plot: bool) -> None:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         writer(folder / name)
     manifest.write_text(folder / "summary.json", text + "\n")
+
+
+def _fill_further(target: Path, writers: Mapping[str, manifest.Writer], folder: Path) -> None:
+    """Write what a folder of results holds, and further files; its summary names them all."""
+    if target.is_dir():
+        shutil.copytree(target, folder, dirs_exist_ok=True)
+    for name, writer in writers.items():
+        (folder / name).unlink(missing_ok=True)
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        writer(folder / name)
+    summary = folder / "summary.json"
+    document = json.loads(summary.read_bytes()) if summary.is_file() else {"program": "groundslab", "files": []}
+    document["files"] = list(dict.fromkeys([*document["files"], *writers, summary.name]))
+    manifest.write_text(summary, json.dumps(document, indent=2, allow_nan=False) + "\n")
 
 
 def _foreign(folder: Path) -> list[str]:

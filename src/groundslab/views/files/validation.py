@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import fields
+from dataclasses import fields, replace
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
 if TYPE_CHECKING:
+    from groundslab.fem.continuum.pressed_cells import PressedCells
     from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
     from groundslab.results.results import CombinationResult, Comparison, Increment, SupportResult
 
@@ -29,7 +30,8 @@ def require_sound(results: CombinationResult) -> None:
 def _faults(results: CombinationResult) -> Iterator[str]:
     """Yield what is wrong; what comes later relies on what came before."""
     yield from _of_constants(results)
-    layers = len(results.constants.k0)
+    # the settlement of a continuum's surface is all that is kept of it on the mesh
+    layers = len(results.constants.k0) or 1
     yield from _of_state("", results, layers)
     yield from _within_plate(results)
     for number, support in enumerate(results.supports, 1):
@@ -41,7 +43,7 @@ def _faults(results: CombinationResult) -> Iterator[str]:
     if (results.elements.discretization_error is None) != (results.comparison is None):
         yield "elements.discretization_error without a comparison, or a comparison without it"
     if (other := results.comparison) is not None:
-        if len(other.constants.k0) != layers or len(other.constants.k1) != layers:
+        if len(other.constants.k0) != len(results.constants.k0) or len(other.constants.k1) != len(other.constants.k0):
             yield "constants of a comparison with another number of layers"
         yield from _of_state("coarser: ", other, layers)
         for number, support in enumerate(other.supports, 1):
@@ -50,6 +52,11 @@ def _faults(results: CombinationResult) -> Iterator[str]:
             yield "errors of a comparison that are none"
     if not results.steps:
         yield "no step of the iteration"
+
+
+def _states(results: CombinationResult) -> list[State]:
+    """Return all states that results hold."""
+    return [results, *results.increments, *([] if results.comparison is None else [results.comparison])]
 
 
 def _of_state(name: str, state: State, layers: int) -> Iterator[str]:
@@ -76,6 +83,22 @@ def _of_state(name: str, state: State, layers: int) -> Iterator[str]:
         yield f"{name}ground.settlement of {surfaces} surfaces on {layers} layers"
     shapes = {"nodes": (n, 2), "elements": (m, 9), "settlement": (*surfaces, n)}
     yield from _of_arrays(f"{name}ground", ground, (n,), shapes)
+    if ground.cells is not None:
+        yield from _of_cells(f"{name}ground.cells", ground.cells)
+
+
+def _of_cells(name: str, cells: PressedCells) -> Iterator[str]:
+    """Yield what is wrong with the cells on an elastic continuum, and with its layers."""
+    c, layers = np.shape(cells.force)[:1], np.shape(cells.layers)[:1]
+    if not (c and c[0] and layers):
+        yield f"{name} without cells or layers"
+    shapes = {"center": (*c, 2), "size": (2,), "layers": (*layers, 3), "beside": (len(cells.beside), 3)}
+    yield from _of_arrays(name, replace(cells, layers=np.where(np.isinf(cells.layers), 1.0, cells.layers)), c, shapes)
+    E, nu, thickness = cells.layers.T
+    if not (np.all(cells.size > 0) and np.all(E > 0) and np.all((nu >= 0) & (nu < 0.5)) and np.all(thickness > 0)):
+        yield f"{name}.size or .layers that none can have"
+    if not (np.all(np.isfinite(cells.layers[:, :2])) and np.all(np.isfinite(thickness[:-1]))):
+        yield f"{name}.layers with numbers that are not finite"
 
 
 def _of_mesh(name: str, mesh: PlateResult | GroundResult) -> Iterator[str]:
@@ -101,7 +124,7 @@ def _of_mesh(name: str, mesh: PlateResult | GroundResult) -> Iterator[str]:
 
 def _of_arrays(
     name: str,
-    part: PlateResult | ElementResult | GroundResult | SupportResult,
+    part: PlateResult | ElementResult | GroundResult | PressedCells | SupportResult,
     usual: tuple[int, ...] | None,
     shapes: Mapping[str, tuple[int, ...]] | None = None,
 ) -> Iterator[str]:
@@ -138,9 +161,14 @@ def _within_plate(results: CombinationResult) -> Iterator[str]:
 
 def _of_constants(results: CombinationResult) -> Iterator[str]:
     """Yield what is wrong with single numbers; their types are known to be right."""
+    from groundslab.model.ground import ContinuousGround
+
     constants, certificate = results.constants, results.certificate
-    if not constants.k0 or len(constants.k0) != len(constants.k1):
+    continuous = isinstance(results.model.ground, ContinuousGround)
+    if bool(constants.k0) == continuous or len(constants.k0) != len(constants.k1):
         yield "constants.k0 and constants.k1 of different lengths"
+    if any((each.ground.cells is None) == continuous for each in _states(results)):
+        yield "cells of an elastic continuum on other ground, or none on it"
     if not all(k0 > 0 for k0 in constants.k0) or not all(k1 >= 0 for k1 in constants.k1):
         yield "constants of the ground that are not positive"
     numbers = [*constants.k0, *constants.k1, constants.gamma, constants.decay, constants.limit_depth]

@@ -8,8 +8,8 @@ import numpy as np
 
 from groundslab.design.design_moments import derive_field, fields_of
 from groundslab.errors import GroundslabError
+from groundslab.fem.mesh import in_space
 from groundslab.results.fields import DIRECTION, ELEMENT_FIELDS, LAYERS, PLATE_FIELDS, PRINCIPAL
-from groundslab.results.mesh_results import in_space
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

@@ -40,7 +40,7 @@ def plot(
         "w", "moment_x" or "m_x", ...), principal moments "m_1" and "m_2", design moments "bottom_x", ...,
         "discretization_error", "stiffness_ratio", bars "required_bottom_x", ... Without any, a usual choice.
     kind : str, optional
-        "plan" (default), "deformed", "lines" (default with a line), "mesh", "soil" or "convergence"; see docs/plots.md.
+        "plan" (default), "deformed", "lines" (with a line), "mesh", "soil", "stress", "convergence"; see docs/plots.md.
     combination : str or sequence of str, optional
         Names of the combinations to draw; without any, all that are certified.
     envelope : str, optional
@@ -118,7 +118,10 @@ def _sheet(request: PlotRequest) -> Figure:
 
 def _drawing_module(request: PlotRequest) -> Any:
     """Return the module that draws a kind."""
-    from groundslab.views.plots import convergence, deformed, plan, sections, soil
+    from groundslab.views.plots import convergence, deformed, plan, sections
+    from groundslab.views.plots.ground import soil, stress
 
-    modules = {"deformed": deformed, "lines": sections, "soil": soil, "convergence": convergence}
+    modules = {
+        "deformed": deformed, "lines": sections, "soil": soil, "stress": stress, "convergence": convergence,
+    }  # fmt: skip
     return modules.get(request.kind, plan)

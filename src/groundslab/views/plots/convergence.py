@@ -1,4 +1,4 @@
-"""How the iteration went: nodes that changed sides and nodes in contact at each step, mesh by mesh, and gamma."""
+"""How the iteration went: nodes, or cells, that changed and are in contact at each step, mesh by mesh, and gamma."""
 
 from __future__ import annotations
 
@@ -68,22 +68,22 @@ def _numbers(part: slice) -> range:
 
 
 def _changed(axes: Axes, steps: Sequence[Step]) -> None:
-    """Draw how many nodes change sides after each step, to a logarithmic scale that has a place for none."""
+    """Draw how many change sides after each step, to a logarithmic scale that has a place for none."""
     changed, color = [step.changed for step in steps], style.CYCLE[2]
     for _, part in meshes_of(steps):
         fill = color if steps[part.start].finest else "white"
         axes.plot(_numbers(part), changed[part], "o-", color=color, markersize=3, markerfacecolor=fill)
     axes.set_yscale("symlog", linthresh=1, linscale=0.5)
-    axes.set(ylim=(-0.15, 2 * max(*changed, 1)), ylabel="changed nodes [-]")
+    axes.set(ylim=(-0.15, 2 * max(*changed, 1)), ylabel="changed [-]")
     axes.yaxis.set_major_formatter(lambda value, _: style.number(value))
 
 
 def _in_contact(axes: Axes, steps: Sequence[Step]) -> None:
-    """Draw how many nodes are in contact at each step."""
+    """Draw how many are in contact at each step."""
     touching = [step.in_contact for step in steps]
     for _, part in meshes_of(steps):
         axes.plot(_numbers(part), touching[part], "s-", color=style.CYCLE[1], markersize=2.6)
-    axes.set(ylim=(0, 1.1 * max(*touching, 1)), ylabel="nodes in contact [-]")
+    axes.set(ylim=(0, 1.1 * max(*touching, 1)), ylabel="in contact [-]")
 
 
 def _gamma(axes: Axes, steps: Sequence[Step]) -> None:

@@ -11,6 +11,7 @@ import numpy as np
 from groundslab.design.tables.reinforcement import bar_fields
 from groundslab.errors import InputError, Issue, NotConverged
 from groundslab.model.loads.load_cases import LimitState
+from groundslab.model.model import Model
 from groundslab.results.contact_zone import require_finite
 from groundslab.results.fields import (
     BAR_FIELDS,
@@ -81,7 +82,7 @@ def resolve(names: Sequence[str]) -> tuple[PlotQuantity, ...]:
     return tuple(QUANTITIES[name] for name in dict.fromkeys(SYMBOLS.get(name, name) for name in names))
 
 
-Kind = Literal["plan", "deformed", "lines", "mesh", "soil", "convergence"]
+Kind = Literal["plan", "deformed", "lines", "mesh", "soil", "stress", "convergence"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
 #: What is drawn if no quantity is named.
 DEFAULT_QUANTITIES: dict[str, tuple[str, ...]] = {
@@ -128,7 +129,7 @@ class PlotRequest:
     quantities: tuple[PlotQuantity, ...]
     combinations: tuple[PlottedCombination, ...]
     histories: tuple[IterationHistory, ...]  # convergence only
-    lines: tuple[SectionLine, ...]  # lines only
+    lines: tuple[SectionLine, ...]  # lines and stress only
     envelope: str  # a limit state, or empty
     mesh: bool = False  # whether the elements' sides are drawn over fields
 
@@ -147,6 +148,7 @@ class PlotRequest:
             "mesh": 1,
             "soil": len(self.combined.model.boreholes) + len(self.combined.model.soil_zones) + 1,
             "lines": len(self.quantities) * len(self.lines),
+            "stress": len(self.combinations) * len(self.lines),
         }.get(self.kind, panels)
 
 
@@ -182,6 +184,8 @@ def parse_request(
     if issues:
         raise InputError(issues)
     assert chosen_kind in KINDS
+    if chosen_kind == "stress" and not listed_lines:
+        listed_lines = (middle_line(combined.model),)
     if chosen_kind == "convergence":
         return PlotRequest(combined, chosen_kind, (), (), _iteration_histories(combined, names), (), "")
     combinations = _select_combinations(combined, names, envelope)
@@ -189,6 +193,7 @@ def parse_request(
         require_finite(each.results)
     _require_element_fields(quantities, combinations)
     _require_bar_fields(quantities, combined)
+    _require_depth(chosen_kind, combinations)
     shown = lines or listed_lines
     return PlotRequest(combined, chosen_kind, quantities, combinations, (), shown, envelope or "", mesh)
 
@@ -228,6 +233,23 @@ def _require_element_fields(quantities: Sequence[PlotQuantity], combinations: Se
         raise InputError(issues)
 
 
+def middle_line(model: Model) -> SectionLine:
+    """Return the line through the middle of the plate, along its longer side and from edge to edge."""
+    x0, x1, y0, y1 = model.plate.bounds
+    if x1 - x0 >= y1 - y0:
+        return SectionLine("", (x0, (y0 + y1) / 2), (x1, (y0 + y1) / 2))
+    return SectionLine("", ((x0 + x1) / 2, y0), ((x0 + x1) / 2, y1))
+
+
+def _require_depth(kind: str, combinations: Sequence[PlottedCombination]) -> None:
+    """Raise InputError if stresses in the depth of other ground are to be drawn than a continuum."""
+    known = [cells is not None and not cells.piled for cells in (each.results.ground.cells for each in combinations)]
+    if kind == "stress" and not all(known):
+        found = f"{quote(kind)} of {quote(combinations[0].results.model.ground.kind)} ground"
+        hint = 'ground.kind = "continuum" or "constrained modulus" has them, below a slab without piles'
+        raise InputError([Issue("kind", found, "ground whose stresses in the depth are known", hint)])
+
+
 def _require_bar_fields(quantities: Sequence[PlotQuantity], combined: Results) -> None:
     """Raise InputError if there is none of a field of bars that is to be drawn, or no bars are enough somewhere."""
     wanted = [quantity.name for quantity in quantities if quantity.name in BAR_FIELDS]
@@ -264,7 +286,7 @@ def _find_conflicts(
         issues.append(Issue("FIELD", quote(of_elements[0]), 'a nodal field, as kind is "lines"'))
     if mesh and kind not in ("plan", "deformed", "mesh"):
         issues.append(Issue("mesh", "the mesh over fields", f"none, as kind is {quote(kind)}"))
-    if lines and kind != "lines":
+    if lines and kind not in ("lines", "stress"):
         issues.append(Issue("line", "a line", f"none, as kind is {quote(kind)}"))
     if envelope is None:
         return issues

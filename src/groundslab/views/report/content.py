@@ -11,11 +11,13 @@ from groundslab.case import casefile
 from groundslab.design.checks import check_design
 from groundslab.design.result_tables import tables_of
 from groundslab.errors import InputError, Issue
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
 from groundslab.results.record import Certificate
 from groundslab.results.soil_profile import list_columns
 from groundslab.schema.wording import listed
 from groundslab.views.report import drawings, table_layout
+from groundslab.views.report.ground_models import build_chapter
 from groundslab.views.report.input_tables import input_tables
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout, drop_empty_columns, headers
 from groundslab.views.summary import combinations, sections
@@ -26,6 +28,7 @@ from groundslab.views.summary.terminal import limit_text, shown_row, step_texts,
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
 
+    from groundslab.analysis.ground_comparison.comparison import GroundComparison
     from groundslab.design.tables.table import Table
     from groundslab.model.outputs import Chapter, Project
     from groundslab.results.results import CombinationResult, Results
@@ -45,7 +48,8 @@ CERTIFICATE_NOTES = (
 
 #: Titles of the chapters, in their order.
 TITLES: dict[Chapter, str] = {
-    "extremes": "Extreme values", "pictures": "Pictures", "case": "Case", "drawings": "Drawings", "loads": "Loads",
+    "extremes": "Extreme values", "pictures": "Pictures", "case": "Case", "drawings": "Drawings",
+    "grounds": "Ground models compared", "loads": "Loads",
     "assumptions": "Assumptions and signs", "tables": "Tables", "viewer": "Viewer", "certificate": "Certificate",
     "convergence": "Convergence",
 }  # fmt: skip
@@ -56,11 +60,15 @@ GROUPS: dict[str, Sequence[str]] = {
 
 
 def build_page(
-    combined: Results, text: str | None = None, file: str = "case.toml", chapters: Sequence[str] | None = None
+    combined: Results,
+    text: str | None = None,
+    file: str = "case.toml",
+    chapters: Sequence[str] | None = None,
+    comparison: GroundComparison | None = None,
 ) -> dict[str, Any]:
     """Return what the report of a solved model says, for the template; text and file are those of its input.
 
-    The chapters are those that the case asks for, unless given.
+    The chapters are those that the case asks for, unless given; that of ground models is there with a comparison only.
     """
     combinations.require_finite(combined)
     found = combinations.entries(combined)
@@ -73,8 +81,11 @@ def build_page(
     if unknown := [name for name in wanted if name not in TITLES]:
         expected = f"chapters among {listed(TITLES)}"
         raise InputError([Issue("chapters", f'"{name}"', expected) for name in unknown])
+    if comparison is not None and comparison.model != combined.model:
+        raise InputError([Issue("comparison", "one of another model", "one of the model of the results")])
+    missing = {"grounds"} if comparison is None else set()
     return {
-        "chapters": {name: title for name, title in TITLES.items() if name in wanted},
+        "chapters": {name: title for name, title in TITLES.items() if name in wanted and name not in missing},
         "title": combined.model.title,
         "project": _title_block(combined.model.project),
         "version": __version__,
@@ -86,9 +97,10 @@ def build_page(
         "design": check_design(combined),
         "case": input_tables(combined.model),
         "drawings": list(_drawings(combined, leading)),
+        "grounds": None if comparison is None else build_chapter(comparison),
         "loads": list(drawings.draw_loads(combined.model)),
-        "constants": _constants(found) if there else None,
-        "analysed": list(map(_section, combinations.description(combined)[:2])) if there else [],
+        "constants": _constants(found) if any(each.constants.k0 for each in there) else None,
+        "analysed": list(map(_section, _analysed(combined))) if there else [],
         "certificates": _certificates(combined, found),
         "extremes": list(_extremes(combined, found)),
         "tables": list(map(_table, tables)),
@@ -123,6 +135,12 @@ def _verdict(combined: Results, found: Sequence[Entry]) -> tuple[str, str]:
         return ("bad", "FAILED: no combination has a certified result; use nothing of it.")
     words = f"{len(numbers)} of {len(found)} combinations have no certified result, number {', '.join(numbers)}."
     return ("bad", f"FAILED: {words} The results of the others are certified.")
+
+
+def _analysed(combined: Results) -> list[SummarySection]:
+    """Return plate and mesh as analyzed, and ground without constants, which has no table of them."""
+    plate, mesh, ground, *_ = combinations.description(combined)
+    return [plate, mesh, *([ground] if isinstance(combined.model.ground, ContinuousGround) else [])]
 
 
 def _section(section: SummarySection) -> TableLayout:
@@ -262,13 +280,15 @@ def _constants(found: Sequence[Entry]) -> TableLayout:
 
 
 def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[drawings.Drawing]:
-    """Yield the plan of the case, the mesh and the ground in section."""
+    """Yield the plan of the case, the mesh, stresses in the ground if they are known, and the ground in section."""
     yield drawings.draw_case(combined.model)
     if leading is not None:
         yield drawings.draw_mesh_plan(leading)
     soil = None if leading is None else drawings.draw_soil(leading)
     if soil is None or leading is None:
         return
+    if (stress := drawings.draw_stress(leading)) is not None:
+        yield stress
     notes = ["Ground below the plate, to scale in depth."]
     if leading.constants.gamma is not None:
         notes.append(
@@ -287,11 +307,17 @@ def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[
 
 def _history(found: Sequence[Entry]) -> TableLayout:
     """Return all steps of all combinations that have results."""
-    numbers = ("#unknowns of the mesh", "#load increment", "#gamma", "#contact iteration", "#nodes in contact")
-    heads = headers("combination", *numbers, "#nodes changed", "")
+    numbers = ("#unknowns of the mesh", "#load increment", "#gamma", "#contact iteration", "#in contact")
+    heads = headers("combination", *numbers, "#changed", "")
     rows = tuple(
         (Cell(results.combination), *(Cell(text, "number") for text in step_texts(step)), Cell("*" * step.finest))
         for results in (entry.results for entry in found if entry.results is not None)
         for step in results.steps
     )
-    return TableLayout("", heads, rows, ("* on the final mesh.",), folded=len(rows) > table_layout.MOST_ROWS)
+    return TableLayout(
+        "",
+        heads,
+        rows,
+        ("* on the final mesh. Contact is counted in nodes, on an elastic continuum in cells.",),
+        folded=len(rows) > table_layout.MOST_ROWS,
+    )

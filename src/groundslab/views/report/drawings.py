@@ -13,9 +13,9 @@ from groundslab.model.combinations import place_patterns
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.views.plots import plot
 from groundslab.views.plots.export import to_inline_svg
+from groundslab.views.plots.ground.soil import draw_columns, soil_columns
 from groundslab.views.plots.plan import draw_mesh
 from groundslab.views.plots.request import PlottedCombination
-from groundslab.views.plots.soil import draw_columns, soil_columns
 from groundslab.views.report import load_plan
 from groundslab.views.report.case_plan import describe_omissions, draw_case_plan
 
@@ -76,6 +76,14 @@ def draw_soil(results: CombinationResult) -> Drawing | None:
     if not known:
         return None
     return Drawing(to_inline_svg(lambda: draw_columns(results.model, known), "soil", "Columns of soil"), "")
+
+
+def draw_stress(results: CombinationResult) -> Drawing | None:
+    """Return the vertical stress of one combination in sections through a continuum, None of other ground."""
+    if results.ground.cells is None or results.ground.cells.piled:
+        return None
+    caption = f"Vertical stress in the ground, without the soil's own weight, of the combination {results.combination}."
+    return Drawing(to_inline_svg(partial(plot, results, kind="stress"), "stress", caption), caption)
 
 
 def find_governing(combined: Results) -> dict[str, str]:

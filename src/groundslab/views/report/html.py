@@ -30,6 +30,7 @@ from groundslab.views.scene.fields import scene_of
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
+    from groundslab.analysis.ground_comparison.comparison import GroundComparison
     from groundslab.model.model import Model
     from groundslab.model.outputs import Chapter
 
@@ -50,6 +51,7 @@ def render_report(
     text: str | None = None,
     file: str = "case.toml",
     chapters: Sequence[Chapter] | None = None,
+    comparison: GroundComparison | None = None,
 ) -> str:
     """Return the report as the text of an HTML file; the same results always give the same text.
 
@@ -58,7 +60,7 @@ def render_report(
     combined = results if isinstance(results, Results) else results_of(results)
     from markupsafe import Markup
 
-    page = build_page(combined, text, file, chapters)
+    page = build_page(combined, text, file, chapters, comparison)
     scene, left_out = _scene(combined) if "viewer" in page["chapters"] else ("", [])
     style = read_asset("report.css") + (HERE / "templates" / "page.css").read_text(encoding="utf-8")
     style += _page_heads(page)
@@ -82,6 +84,7 @@ def write_report(
     text: str | None = None,
     file: str = "case.toml",
     chapters: Sequence[Chapter] | None = None,
+    comparison: GroundComparison | None = None,
 ) -> Path:
     """Write the report of results: one HTML file that needs no network, or a PDF with page numbers and bookmarks.
 
@@ -97,6 +100,8 @@ def write_report(
         Name of the case file.
     chapters : sequence of str, optional
         The chapters beside the first page; by default those of ``report.chapters`` of the case.
+    comparison : GroundComparison, optional
+        A comparison of grounds of the same model, which is a chapter then.
 
     Returns
     -------
@@ -122,14 +127,15 @@ def write_report(
     """
     target = check(path)
     if not _is_pdf(target):
-        write_file(target, target, render_report(results, text=text, file=file, chapters=chapters).encode())
+        page = render_report(results, text=text, file=file, chapters=chapters, comparison=comparison)
+        write_file(target, target, page.encode())
         return Path(path)
     from groundslab.views.report.pdf import print_page
 
     wanted = results.model.report.chapters if chapters is None else chapters
     on_paper = [chapter for chapter in wanted if chapter != "viewer"]
-    content = print_page(render_report(results, text=text, file=file, chapters=on_paper))
-    atomic.write(target, content + f"{TAIL}{__version__}\n".encode())
+    page = render_report(results, text=text, file=file, chapters=on_paper, comparison=comparison)
+    atomic.write(target, print_page(page) + f"{TAIL}{__version__}\n".encode())
     return Path(path)
 
 

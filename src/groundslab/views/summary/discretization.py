@@ -53,7 +53,7 @@ def _not_judged(results: CombinationResult) -> tuple[str, ...]:
     limits = find_limits(results.model, results.plate.nodes, results.plate.in_contact)
     words = {
         "shear forces around footprints and where they are singular": limits.shear_forces,
-        "pressures where they jump": limits.pressures | ~limits.shear_forces,
+        "pressures where they jump or have no limit": limits.pressures | ~limits.shear_forces,
     }
     left_out = [text for text, judged in words.items() if not judged.all()]
     return (f"Not judged within a thickness: {'; '.join(left_out)}.",) if left_out else ()

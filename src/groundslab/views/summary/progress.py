@@ -56,5 +56,5 @@ def line(step: Step) -> str:
     gamma = "" if step.gamma is None else f", gamma {step.gamma:.5g}"
     return (
         f"{step.unknowns} unknowns, load {step.increment}{gamma}, contact {step.iteration}: "
-        f"{step.in_contact} nodes, {step.changed} changed"
+        f"{step.in_contact} closed, {step.changed} changed"
     )

@@ -10,7 +10,7 @@ import numpy as np
 
 from groundslab.accuracy.mesh_statistics import POOR, mesh_statistics
 from groundslab.arrays import Memo
-from groundslab.results.contact_zone import EDGE_NOTE, goes_below_zero, has_line_force, require_finite
+from groundslab.results.contact_zone import CELLS_NOTE, EDGE_NOTE, goes_below_zero, has_line_force, require_finite
 from groundslab.results.fields import PLATE_FIELDS, extreme, place_of
 from groundslab.units import UNITS
 from groundslab.views.summary.cracking import cracking_sections
@@ -19,6 +19,7 @@ from groundslab.views.summary.rows import Row, SummarySection
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
+    from groundslab.model.ground import SoilLayer
     from groundslab.model.model import Model
     from groundslab.results.results import CombinationResult, SupportResult
 
@@ -63,6 +64,8 @@ CERTIFICATE_WORDS = {
     "section_law": "moments against cracked sections",
     "joint_mismatch": "steps across hinges and in the ground",
 }
+#: The same where cells of pressure bear the plate.
+WORDS_OF_CELLS = {"ground_balance": "cells' forces against the plate's"}
 
 
 def summary(results: CombinationResult) -> list[SummarySection]:
@@ -167,7 +170,28 @@ def description_of_ground(results: CombinationResult) -> SummarySection:
     if results.coarser is not None:
         coarser = {row.key: row for row in description_of_ground(results.coarser).rows}
         rows = [with_error(row, coarser.get(row.key), results) for row in rows]
-    return SummarySection("ground", "Ground", tuple(rows))
+    return SummarySection("ground", "Ground", (rows[0], *_continuum(results), *rows[1:]))
+
+
+def _continuum(results: CombinationResult) -> tuple[Row, ...]:
+    """Return the layers of an elastic continuum and its cells of pressure, nothing of other ground."""
+    ground, cells = results.model.ground, results.ground.cells
+    if cells is None:
+        return ()
+    layers: tuple[SoilLayer, ...] = getattr(ground, "layers", ())
+    depth, below = sum(layer.thickness for layer in layers), "nothing settles"
+    if cells.bonded:
+        below = "rigid base" if getattr(ground, "half_space", None) is None else "half-space"
+    words = "bonded elastic layers" if cells.bonded else "layers, under a half-space's stresses"
+    return (
+        Row("layers", words, len(layers)),
+        *([Row("depth", "depth of the layers", depth, UNITS["m"])] if depth else []),
+        Row("below", "below the layers", below),
+        Row("beyond", "beyond the plate", "the same ground, without an end"),
+        Row("cells", "cells of pressure under the plate", len(cells.force)),
+        Row("cell_x", "side of a cell along x", float(cells.size[0]), UNITS["m"]),
+        Row("cell_y", "side of a cell along y", float(cells.size[1]), UNITS["m"]),
+    )
 
 
 def _borders(results: CombinationResult) -> tuple[Row, ...]:
@@ -236,6 +260,8 @@ def _contact(results: CombinationResult) -> SummarySection:
         on_edge = plate.edge_length > 0
         rows += _pressures(plate.nodes[on_edge], plate.line_force[on_edge], "line_force", "edge line force")
         notes = (EDGE_NOTE,)
+    elif results.ground.cells is not None:
+        notes = (CELLS_NOTE,)
     return SummarySection("contact", "Contact", tuple(rows), notes)
 
 
@@ -307,9 +333,10 @@ def certificate_section(results: CombinationResult) -> SummarySection:
     if certificate.ground_load:
         rows.append(Row("ground_load", "sum of the loads beside the plate", certificate.ground_load, UNITS["kN"]))
     limits = certificate.limits()
+    words = CERTIFICATE_WORDS if results.ground.cells is None else CERTIFICATE_WORDS | WORDS_OF_CELLS
     for name, value in certificate.limited().items():
         limit = limits[name]
-        rows.append(Row(name, CERTIFICATE_WORDS[name], value, tolerance=limit, ok=bool(value <= limit)))
+        rows.append(Row(name, words[name], value, tolerance=limit, ok=bool(value <= limit)))
     notes: tuple[str, ...] = ()
     if "margin_effect" in certificate.too_large():
         notes = (

@@ -174,7 +174,7 @@ def print_history(steps: Sequence[Step], console: Console) -> None:
     _print_lines(["Convergence history"], "bold cyan", console)
     table = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="dim")
     for heading in (
-        "mesh\nunknowns", "load\nincrement", "\ngamma", "contact\niteration", "nodes in\ncontact", "nodes\nchanged", "",
+        "mesh\nunknowns", "load\nincrement", "\ngamma", "contact\niteration", "in\ncontact", "\nchanged", "",
     ):  # fmt: skip
         table.add_column(heading, justify="right", no_wrap=True)
     for step in steps:
@@ -185,7 +185,7 @@ def print_history(steps: Sequence[Step], console: Console) -> None:
 
 
 def step_texts(step: Step) -> list[str]:
-    """Return the numbers of a step as text: unknowns, increment, gamma, iteration, nodes in contact, nodes changed."""
+    """Return the numbers of a step as text: unknowns, increment, gamma, iteration, what is in contact, what changed."""
     gamma = "-" if step.gamma is None else format_number(step.gamma)
     return [str(each) for each in (step.unknowns, step.increment, gamma, step.iteration, step.in_contact, step.changed)]
 

@@ -259,6 +259,19 @@ def test_fiber_concrete_by_aci_360_has_yield_lines() -> None:
     assert check.resistance == pytest.approx(6 * (1 + 2 * a / L) * 4e6 * 1.4 * H**2 / 6 / 2 / 1e3)
 
 
+def test_a_continuum_has_an_equivalent_modulus_and_the_clauses_say_so() -> None:
+    """Yield lines on a continuum take k = D / l^4 with T(1 / l) = l^4 / D; of springs nothing is said."""
+    ground = {"kind": "continuum", "half_space": {"E": 40e6, "nu": 0.3}}
+    loads = [leg(0.0, 0.0)]
+    of_springs = checks(model_with(FIBERS, loads))["point load", "internal"]
+    assert "equivalent" not in of_springs.words
+    found = checks(model_with(FIBERS, loads, ground=ground))["point load", "internal"]
+    D = E * H**3 / (12 * (1 - NU**2))
+    # of a half-space T(k) = 2 (1 - nu^2) / (E k), so that l^3 = 2 (1 - nu^2) D / E
+    length = (2 * (1 - 0.3**2) * D / 40e6) ** (1 / 3)
+    assert f"k = {D / length**4 / 1e6:.3g} MPa/m equivalent to the continuum" in found.words
+
+
 def test_what_joints_are_relied_on_for_is_told_as_not_checked() -> None:
     """Of 75 kN at an edge joints carry over 15 %, 11.25 kN; inside and without a share, nothing."""
     inside, edge = leg(0, 0), leg(0, LENGTH_Y / 2 - 0.1)

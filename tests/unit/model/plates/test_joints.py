@@ -10,9 +10,8 @@ import pytest
 from groundslab import InputError, Model
 from groundslab.case import casefile
 from groundslab.discretize.discretize import discretize
-from groundslab.fem.problem import TOP, W, joined_plates
+from groundslab.fem.problem import TOP, W, free_motions, joined_plates
 from groundslab.model.plates.joints import HINGE, play_of, stiffness_of
-from groundslab.solvers.equilibrium import free_motions
 
 STUFF = {"thickness": 0.3, "nu": 0.2}
 HINGED = {"kind": "hinge", "between": ("A", "B")}

@@ -247,6 +247,39 @@ class TestFile:
         assert old in STUDY
         assert where in issues_of(tmp_path, STUDY.replace(old, new, 1))
 
+    def test_a_continuum_is_the_same_everywhere(self, tmp_path: Path) -> None:
+        """Random fields and constants that it has not are refused; moduli vary, and results in its depth are kept."""
+        layer = '{ E = "20 MPa", nu = 0.3, thickness = "4 m" }'
+        case = CASE.replace('kind = "winkler"\nk = "20 MPa/m"', f'kind = "continuum"\nlayers = [{layer}]')
+        study = """
+case = "slab.toml"
+sampling = { kind = "monte carlo", count = 4 }
+[[vary]]
+path = "ground.layers[1].E"
+distribution = { kind = "lognormal", mean = "20 MPa", cov = 0.2 }
+[[keep]]
+of = "soil settlement"
+x = "9 m"
+y = "0 m"
+z = "3 m"
+"""
+        assert read(tmp_path, study, case).setup.outputs[0].column == "soil settlement at (9, 0, 3) m"
+        wrong = (
+            study.replace('z = "3 m"', 'z = "5 m"')
+            + """
+[[keep]]
+of = "k0"
+[[random_field]]
+path = "ground.layers[1].E"
+distribution = { kind = "lognormal", mean = 1, cov = 0.3 }
+correlation_length = "5 m"
+"""
+        )
+        issues = issues_of(tmp_path, wrong, case)
+        assert issues.keys() == {"keep[1].z", "keep[2].of", "random_field[1].path"}
+        assert "the same everywhere" in issues["random_field[1].path"]
+        assert "continuum" in issues_of(tmp_path, study.replace("ground.layers[1].E", "ground.k"), CASE)["keep[1].of"]
+
     def test_saltelli_is_for_independent_variables(self, tmp_path: Path) -> None:
         """Correlation is refused where Sobol's indices are computed; so are impossible correlations."""
         pair = '[[correlation]]\nbetween = ["k", "machine"]\nrho = 0.5\n'

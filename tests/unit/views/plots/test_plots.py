@@ -17,7 +17,7 @@ import pytest
 
 import groundslab
 from groundslab.cli import main
-from groundslab.design.tables.quantities import nodal_values
+from groundslab.design.tables.quantities import mean_at_nodes, nodal_values
 from groundslab.discretize.ground import ground_under
 from groundslab.errors import InputError, NotConverged
 from groundslab.fem import vlasov
@@ -35,12 +35,12 @@ from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.model.varying_ground import Borehole, Void
 from groundslab.results.contact_zone import contact_function
 from groundslab.results.fields import BAR_FIELDS
-from groundslab.results.mesh_results import mean_at_nodes
 from groundslab.results.results import CombinationResult, Results, results_of
 from groundslab.views import plots
 from groundslab.views.files import results_folder
-from groundslab.views.plots import contours, convergence, deformed, plan, request, sections, soil
+from groundslab.views.plots import contours, convergence, deformed, plan, request, sections
 from groundslab.views.plots.annotations import LabelPlacement
+from groundslab.views.plots.ground import soil
 from groundslab.views.plots.panels import build_panels
 from groundslab.views.plots.request import parse_request
 from groundslab.views.plots.style import apply_style, math_symbol, number, plain_text
@@ -792,7 +792,7 @@ class TestConvergence:
         assert "340 unknowns" in reported
         assert "1234 unknowns" in reported
         assert "converged in 3 steps" in reported
-        assert (changed.get_ylabel(), touching.get_ylabel()) == ("changed nodes [-]", "nodes in contact [-]")
+        assert (changed.get_ylabel(), touching.get_ylabel()) == ("changed [-]", "in contact [-]")
         assert touching.get_xlabel() == "step"
 
     def test_gamma_has_axes_of_its_own_if_it_is_iterated(self) -> None:

@@ -22,7 +22,7 @@ from groundslab.views.report.html import render_report
 from groundslab.views.report.load_plan import draw_load_plan, load_text
 from groundslab.views.summary.combinations import Extreme
 from groundslab.views.summary.rows import Row, SummarySection
-from helpers import synthetic
+from helpers import grounds, synthetic
 from helpers.browsing import chromium
 from helpers.pages import Element, page
 
@@ -80,6 +80,27 @@ class TestChapters:
         folder = results_folder.save_results(synthetic.results(), tmp_path / "slab")
         assert cli.main(["report", str(folder), "--chapters", "certificate"]) == 0
         assert sections(page((tmp_path / "slab.html").read_text(encoding="utf-8"))) == {"certificate"}
+
+
+class TestGrounds:
+    """The chapter of ground models."""
+
+    def test_there_with_a_comparison_only(self) -> None:
+        """It has a column for each ground, differences under the figures, and curves; without one it is left out."""
+        assert "grounds" not in sections(page(render_report(synthetic.results())))
+        root = page(render_report(synthetic.results(), chapters=["grounds"], comparison=grounds.comparison()))
+        chapter = root.one("section", id="grounds")
+        figures, constants = (each.text for each in chapter.all("table"))
+        assert "winkler, fitted" in figures
+        assert "+30.0 %" in figures
+        assert "gamma" in constants
+        assert chapter.one("figure").one("svg") is not None
+
+    def test_of_another_model(self) -> None:
+        """A comparison that does not belong to the results is refused."""
+        other = grounds.comparison(synthetic.model().replace(title="another"))
+        with pytest.raises(InputError, match="one of another model"):
+            render_report(synthetic.results(), comparison=other)
 
 
 class TestPageHeads:

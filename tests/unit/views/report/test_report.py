@@ -27,9 +27,10 @@ from groundslab.results.results import Results, SupportResult, results_of
 from groundslab.units import format_number
 from groundslab.views import report
 from groundslab.views.files import results_folder
-from groundslab.views.plots import export, plot, soil
+from groundslab.views.plots import export, plot
 from groundslab.views.plots.annotations import LabelPlacement
 from groundslab.views.plots.export import to_inline_svg
+from groundslab.views.plots.ground import soil
 from groundslab.views.plots.request import PlottedCombination
 from groundslab.views.plots.style import PAGE_COLORS, plain_text
 from groundslab.views.report import drawings

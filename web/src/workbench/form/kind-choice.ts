@@ -1,9 +1,10 @@
 // The choice between the kinds of a table.
 import { fill, h, newId } from "../../viewer/shared/dom";
+import { switchGround } from "../model/changes/ground";
 import { switchKind } from "../model/changes/variants";
 
 import { titleAt } from "../model/items";
-import { type Path, pathKey, tableAt } from "../model/paths";
+import { type Path, pathKey, samePath, tableAt } from "../model/paths";
 import type { Part } from "../model/schema";
 import type { FormContext, Widget } from "./context";
 import { inputWidget } from "./inputs/inputs";
@@ -14,7 +15,9 @@ export function kindChoice(
   path: Path,
   names: readonly string[],
   change: (from: Part | null, to: Part) => void = (from, to) => {
-    const edits = switchKind(ctx.data(), path, from, to, ctx.memory);
+    const data = ctx.data();
+    const isGround = samePath(path, ["ground"]);
+    const edits = isGround ? switchGround(data, from, to, ctx.memory) : switchKind(data, path, from, to, ctx.memory);
     if (edits.length > 0) ctx.change({ edits, text: `change ${titleAt(ctx.data(), path)} to ${kindText(to)}` });
   },
 ): Widget {

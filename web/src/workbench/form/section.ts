@@ -10,6 +10,7 @@ import { showIssues } from "./errors";
 import { valueField } from "./inputs/value-field";
 import { kindChoice } from "./kind-choice";
 import { heading, labelOf } from "./labels";
+import { hasLayers, layersPicture } from "./layers-picture";
 import { listWidget } from "./lists/list";
 import { OUTLINE, plateOutline, plateShape, SHAPE_KEYS, SHAPES } from "./plate-shape";
 
@@ -60,6 +61,7 @@ function fieldWidgets(ctx: FormContext, path: Path, part: Part | null, without: 
   const make = (field: Field) => nodeWidget(ctx, [...path, field.name], field);
   const short = fields.filter((field) => !isLong(field)).map(make);
   const long = fields.filter(isLong).map(make);
+  if (hasLayers(part)) return [...short, layersPicture(ctx, path), ...long];
   if (!isPlate) return [...short, ...long];
   const outline = partWidget(ctx, OUTLINE, { is: "kinds", parts: SHAPES });
   return [plateShape(ctx), ...short, plateOutline(ctx, outline), ...long];

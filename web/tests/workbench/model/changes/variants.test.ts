@@ -23,6 +23,30 @@ describe("switching the kind", () => {
     ]);
   });
 
+  it("gives a continuum its layers or those of the ground before, and a half-space below", () => {
+    const halfSpace = { E: "60 MPa", nu: 0.3 };
+    const ground = (from: Table, kind: string, to: string) =>
+      switchKind({ ground: from }, ["ground"], schema.part(kind), schema.part(to), new Map()).reduce(applyOptimistic, {
+        ground: from,
+      } as Table).ground;
+    const springs = { kind: "winkler", k: "20 MPa/m" };
+    const filled = [{ E: "20 MPa", nu: 0.3, thickness: "4 m" }];
+    expect(ground(springs, "Winkler", "Continuum")).toEqual({
+      kind: "continuum",
+      layers: filled,
+      half_space: halfSpace,
+    });
+    expect(ground({ kind: "vlasov", layers, gamma: 1.5 }, "Vlasov", "Continuum")).toEqual({
+      kind: "continuum",
+      layers,
+      half_space: halfSpace,
+    });
+    expect(ground({ kind: "continuum", layers, half_space: halfSpace }, "Continuum", "ConstrainedModulus")).toEqual({
+      kind: "constrained modulus",
+      layers,
+    });
+  });
+
   it("gives back what the first switch took away", () => {
     const page = new Page({ ground: { kind: "vlasov", layers, gamma: 1.5 } });
     page.show(["ground"]);

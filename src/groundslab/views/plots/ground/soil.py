@@ -11,7 +11,16 @@ import numpy as np
 
 from groundslab.discretize.ground import layer_of, sublayers, winkler_modulus
 from groundslab.fem.foundation import Layer
-from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, SoilLayer, Vlasov, Winkler
+from groundslab.model.ground import (
+    ContinuousGround,
+    Continuum,
+    InterfaceLayer,
+    Layered,
+    Pasternak,
+    SoilLayer,
+    Vlasov,
+    Winkler,
+)
 from groundslab.results.soil_profile import Profile, profiles_of
 from groundslab.views.plots import style
 
@@ -34,6 +43,7 @@ class PlottedLayer:
     nu: float | None
     k0: tuple[float, ...]  # [Pa/m], of its parts or in different combinations; empty if it has none of its own
     k1: tuple[float, ...]  # [Pa m]
+    endless: bool = False  # a half-space, of which a part is drawn, as thick as given
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +59,7 @@ class SoilColumn:
 
     @property
     def depth(self) -> float | None:
-        """Return the depth of the rigid base [m], None if it is not known."""
+        """Return the depth of the base, or of what is drawn [m], None if it is not known."""
         known = [layer.thickness for layer in self.layers if layer.thickness is not None]
         return sum(known) if len(known) == len(self.layers) else None
 
@@ -84,7 +94,7 @@ def _plotted_layers(
         return (PlottedLayer(None if soil is None else soil.depth, E, None, (winkler_modulus(ground, model),), ()),)
     if isinstance(ground, Pasternak):
         return (PlottedLayer(None, None, None, (ground.k0,), (ground.k1,)),)
-    assert isinstance(ground, Vlasov | Layered)
+    assert isinstance(ground, Vlasov | Layered | ContinuousGround)
     plotted = []
     for index, layer in enumerate(layers):
         if isinstance(layer, InterfaceLayer):
@@ -94,14 +104,18 @@ def _plotted_layers(
         k0, k1 = _own_constants(ground, own, index, found)
         s = np.linspace(0, 1, 41 if any(own.moduli[1:]) else 2)
         plotted.append(PlottedLayer(layer.thickness, (s, own.E(s)), layer.nu, k0, k1))
+    below = ground.half_space if isinstance(ground, Continuum) else None
+    if below is not None:
+        drawn = ENDLESS * (sum(each.thickness or 0.0 for each in plotted) or max(model.plate.sides))
+        plotted.append(PlottedLayer(drawn, (np.array([0.0, 1.0]), np.full(2, below.E)), below.nu, (), (), endless=True))
     return tuple(plotted)
 
 
 def _own_constants(
-    ground: Vlasov | Layered, layer: Layer, index: int, found: Sequence[Profile]
+    ground: Vlasov | Layered | ContinuousGround, layer: Layer, index: int, found: Sequence[Profile]
 ) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """Return k0 and k1 of a layer of a stack: of its sublayers, or in each combination; nothing for Vlasov's ground."""
-    if isinstance(ground, Vlasov):
+    """Return k0 and k1 of a layer of a stack: of its sublayers, or in each combination; else nothing."""
+    if not isinstance(ground, Layered):
         return (), ()
     if ground.coupling == "interface":
         return tuple(each.k0[index] for each in found), tuple(each.k1[index] for each in found)
@@ -110,6 +124,8 @@ def _own_constants(
     return tuple(map(float, k0)), tuple(map(float, k1))
 
 
+#: So much of a half-space is drawn, of the depth of the layers over it, or of the plate's longer side.
+ENDLESS = 0.25
 #: So many columns stand side by side.
 SIDE_BY_SIDE = 2
 #: Heights of the boxes of one row of columns, and of several rows [mm].
@@ -198,19 +214,23 @@ def _tops(column: SoilColumn, *, to_scale: bool) -> list[float]:
 
 
 def _draw_layers(axes: Axes, column: SoilColumn, depth: float, *, to_scale: bool) -> None:
-    """Draw the layers one below the other, numbered, on a hatched base."""
+    """Draw the layers one below the other, numbered, on a hatched base; a half-space goes on below."""
     from matplotlib.patches import Rectangle
 
     tops = _tops(column, to_scale=to_scale)
     for index, (upper, lower) in enumerate(pairwise(tops)):
         corner, height, fill = (0, upper), lower - upper, (style.GROUND, OPACITIES[index % len(OPACITIES)])
-        axes.add_patch(Rectangle(corner, 1, height, facecolor=fill, edgecolor=style.INK, linewidth=0.6))
+        edge = "none" if column.layers[index].endless else style.INK
+        axes.add_patch(Rectangle(corner, 1, height, facecolor=fill, edgecolor=edge, linewidth=0.6))
         axes.text(
             0.5, (upper + lower) / 2, str(index + 1), fontsize=style.SMALL, ha="center", va="center", color=style.INK
         )
-    hatched: dict[str, Any] = {"facecolor": "white", "edgecolor": style.GREY, "hatch": "//////", "linewidth": 0.0}
-    axes.add_patch(Rectangle((0, tops[-1]), 1, 0.035 * depth, clip_on=False, **hatched))
-    axes.plot([0, 1], [tops[-1]] * 2, color=style.INK, linewidth=1.2, clip_on=False)
+    if column.layers[-1].endless:
+        axes.plot([0, 1], [tops[-1]] * 2, color=style.INK, linewidth=0.8, linestyle=(0, (1, 2)), clip_on=False)
+    else:
+        hatched: dict[str, Any] = {"facecolor": "white", "edgecolor": style.GREY, "hatch": "//////", "linewidth": 0.0}
+        axes.add_patch(Rectangle((0, tops[-1]), 1, 0.035 * depth, clip_on=False, **hatched))
+        axes.plot([0, 1], [tops[-1]] * 2, color=style.INK, linewidth=1.2, clip_on=False)
     axes.set(xlim=(0, 1), ylim=(depth, 0), xticks=[])
     axes.spines[:].set_visible(False)
     axes.spines["left"].set_visible(to_scale)
@@ -294,6 +314,7 @@ def _write_tables(page: style.Page, column: SoilColumn, corner: tuple[float, flo
 def _row(index: int, layer: PlottedLayer, *, own: bool) -> list[str]:
     """Return a layer as a row of the table."""
     h, nu = (None if each is None else style.number(each) for each in (layer.thickness, layer.nu))
+    h = "\N{INFINITY}" if layer.endless else h
     E = None if layer.E is None else _range(layer.E[1][[0, -1]] / 1e6)
     constants = (layer.k0, layer.k1) if own else ()
     stiffnesses = (_range([k / 1e6 for k in values]) if values else None for values in constants)

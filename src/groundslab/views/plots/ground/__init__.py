@@ -1,0 +1,1 @@
+"""Drawings of the ground: its layers in section, stresses in its depth."""

@@ -1,0 +1,48 @@
+"""A comparison of grounds as a chapter of the report."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING
+
+from groundslab.views.ground_comparison.figure import draw_comparison
+from groundslab.views.ground_comparison.rows import constant_rows, figure_rows, headings, notes
+from groundslab.views.plots.export import to_inline_svg
+from groundslab.views.report.drawings import Drawing
+from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout
+
+if TYPE_CHECKING:
+    from groundslab.analysis.ground_comparison.comparison import GroundComparison
+    from groundslab.views.ground_comparison.rows import ComparisonRow
+
+CAPTION = "Settlement, moment and pressure along x and y through the largest settlement."
+
+
+@dataclass(frozen=True, slots=True)
+class GroundChapter:
+    """What the chapter holds: figures of the plate, constants of the grounds, curves."""
+
+    tables: tuple[TableLayout, ...]
+    drawing: Drawing
+
+
+def build_chapter(comparison: GroundComparison) -> GroundChapter:
+    """Return the chapter of a comparison."""
+    figures = _layout(comparison, "Figures", figure_rows(comparison), notes(comparison))
+    constants = _layout(comparison, "Constants", constant_rows(comparison), ())
+    svg = to_inline_svg(partial(draw_comparison, comparison, titled=False), "grounds", CAPTION)
+    return GroundChapter((figures, constants), Drawing(svg, CAPTION))
+
+
+def _layout(
+    comparison: GroundComparison, title: str, rows: Sequence[ComparisonRow], notes: tuple[str, ...]
+) -> TableLayout:
+    """Return rows with a column for each ground, differences to the continuum under the values."""
+    heads = (TableHeader(""), TableHeader("unit"), *(TableHeader(each, number=True) for each in headings(comparison)))
+    cells = tuple(
+        (Cell(row.label, "words"), Cell(row.unit), *(Cell(value, "number", under) for value, under in row.texts()))
+        for row in rows
+    )
+    return TableLayout(title, heads, cells, notes)
