@@ -292,6 +292,8 @@ def _without_steps(problem: Problem, motions: Array) -> Array:
 
 def _block_diagonal(blocks: list[Array]) -> Array:
     """Return the matrix with blocks along its diagonal; those without columns have rows alone."""
+    if len(blocks) == 1:
+        return blocks[0]
     from scipy.linalg import block_diag
 
     found: Array = block_diag(*blocks)
