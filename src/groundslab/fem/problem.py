@@ -312,10 +312,12 @@ def single_plates(problem: Problem) -> Iterator[tuple[Problem, Flags]]:
 
 def joined_plates(problem: Problem) -> Iterator[tuple[Problem, Flags]]:
     """Yield the plates that joints hold to each other together, each other one by itself, as `single_plates`."""
+    count, links = len(problem.plate_names), problem.links
+    if not links.holds.any():
+        return single_plates(problem)
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
-    count, links = len(problem.plate_names), problem.links
     one, other = problem.plate_at_nodes[links.nodes[links.holds]].T
     groups = connected_components(coo_array((np.ones(len(one)), (one, other)), shape=(count, count)), directed=False)[1]
     return (_restrict(problem, tuple(np.flatnonzero(groups == n).tolist())) for n in range(groups.max() + 1))
