@@ -25,3 +25,4 @@ class LoadStep:
     max_iterations: int  # of contact
     report: OnStep
     gamma: float | None = None  # known from another mesh, not to be found
+    coarser: Level | None = None  # whose plate bends about as that of the level, for less

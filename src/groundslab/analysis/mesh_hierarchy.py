@@ -18,6 +18,7 @@ from groundslab.model.model import Model
 from groundslab.results.certificate import exact_rigid_products
 from groundslab.results.result_mesh import ResultMesh, make_result_mesh
 from groundslab.solvers import warm_start
+from groundslab.solvers.coarser_plate import CoarserPlate
 from groundslab.solvers.conditioning import NEARLY_RIGID, stiffness_ratio
 from groundslab.solvers.direct.protocols import Solver
 from groundslab.solvers.equilibrium import rigid_motions
@@ -42,6 +43,7 @@ class Level:
     rigid: Array | None = None  # the plate's rigid motions
     column: Column | None = None  # of the ground, for the first gamma
     on_continuum: PlateOnContinuum | None = None  # with its factor, on an elastic continuum
+    coarser_plate: CoarserPlate | None = None  # the same on a coarser mesh, under the cells of this one
     cached: tuple[Model, ResultMesh] | None = None  # the mesh of results, and a model that has it
     prolongation: Prolongation | None = None  # from the mesh of results of the next coarser mesh to its own
 
@@ -85,7 +87,7 @@ class Level:
         pattern = self.system.pattern
         own = CachedFactorization(self.solver(pattern.indptr, pattern.indices))
         on_continuum = None if self.on_continuum is None else replace(self.on_continuum, factorization=own)
-        return replace(self, factorization=own, on_continuum=on_continuum)
+        return replace(self, factorization=own, on_continuum=on_continuum, coarser_plate=None)
 
 
 @dataclass(slots=True)

@@ -36,7 +36,7 @@ def solve_nested(
     Or started from that of a similar model, if that converges. factors (cases,) are those of the combination. Also
     returns the solution under the full load on the next coarser mesh, if there is one.
     """
-    model, found, coarser = hierarchy.model, list[Solution](), None
+    model, found, coarser, before = hierarchy.model, list[Solution](), None, None
     if hierarchy.has_reference(combination):
         level = hierarchy.level(hierarchy.finest)
         s = _load_system(level, factors)
@@ -48,23 +48,27 @@ def solve_nested(
         level = hierarchy.level(coarsening)
         if coarsening == hierarchy.finest:
             coarser = found[-1] if found else None
-            found = _solve_finest(model, _load_system(level, factors), level, found, report)
+            found = _solve_finest(model, _load_system(level, factors), level, found, report, before)
         else:
             # without equilibrium or convergence on a coarse mesh the next mesh has no start
             start, found = found, []
             with suppress(NoEquilibrium, NotConverged, SingularMatrix):
                 on_step = report if model.analysis.nested else _ignore
-                found = _solve_increments(model, _load_system(level, factors), level, start, on_step, False)
+                s = _load_system(level, factors)
+                found = _solve_increments(model, s, level, start, on_step, False, before=before)
+        before = None if level.system.problem.elastic is None else level
     hierarchy.store(combination, found)
     return found, coarser
 
 
-def _solve_finest(model: Model, s: System, level: Level, coarser: list[Solution], report: OnStep) -> list[Solution]:
+def _solve_finest(
+    model: Model, s: System, level: Level, coarser: list[Solution], report: OnStep, before: Level | None
+) -> list[Solution]:
     """Return the solution of each load increment on the finest mesh, without the coarser ones where they mislead."""
     if coarser and model.analysis.nested:
         with suppress(NotConverged):
-            return _solve_increments(model, s, level, coarser, report, True)
-    return _solve_increments(model, s, level, [], report, True)
+            return _solve_increments(model, s, level, coarser, report, True, before=before)
+    return _solve_increments(model, s, level, [], report, True, before=before)
 
 
 def _ignore(_: Step) -> None:
@@ -141,10 +145,11 @@ def _solve_increments(
     report: OnStep,
     finest: bool,
     gammas: Sequence[float | None] = (),
+    before: Level | None = None,
 ) -> list[Solution]:
     """Return a solution for each load increment, each started from the same increment on the coarser mesh.
 
-    gammas are those of the increments, where they are not to be found.
+    gammas are those of the increments, where they are not to be found; before is the level of a coarser mesh.
     """
     found: list[Solution] = []
     for number in range(1, model.analysis.increments + 1):
@@ -156,6 +161,7 @@ def _solve_increments(
         factor = number / model.analysis.increments
         slip = found[-1].slip if found else np.zeros(len(s.problem.bearing.law))
         gamma = gammas[number - 1] if gammas else None
-        step = LoadStep(s, level, factor, slip, finest, model.analysis.max_iterations, report_increment, gamma)
+        most = model.analysis.max_iterations
+        step = LoadStep(s, level, factor, slip, finest, most, report_increment, gamma, before)
         found.append(solve_load_step(step, start))
     return found

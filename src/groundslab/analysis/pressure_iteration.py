@@ -19,6 +19,7 @@ from groundslab.fem.system import System, current_bearings, nodal_table, right_h
 from groundslab.results.record import Step
 from groundslab.solvers import bounded_forces
 from groundslab.solvers.bounded_forces import BoundedSolution
+from groundslab.solvers.coarser_plate import make_coarser_plate
 from groundslab.solvers.equilibrium import require_hold
 from groundslab.solvers.plate_on_continuum import PlateOnContinuum, bound_forces, make_plate_on_continuum, move
 from groundslab.solvers.solution import Pressed, Solution
@@ -69,12 +70,12 @@ def _iterate(
     limit = PRODUCTS * step.max_iterations if step.finest else PRODUCTS_COARSE
     beside = step.factor * settlement_by_loads_beside(step.system.problem, ground.cells.center)
     history = list[dict[str, float]]()
-    further = np.zeros(c)
+    further, bend = np.zeros(c), _bending_of_coarser(step)
     if not ground.linear:
         further = ground.settle(x[:c]) - ground.settle_mutually(x[:c])
     extrapolation = Extrapolation()
     while True:
-        problem = bound_forces(p, step.system.problem, law, f, further + beside)
+        problem = bound_forces(p, step.system.problem, law, f, further + beside, bend)
         found = bounded_forces.solve(problem, x, tolerance, limit, report)
         if ground.linear:
             return found
@@ -87,6 +88,17 @@ def _iterate(
         if len(history) >= step.max_iterations:
             raise NotConverged("the settlement of the ground", history, {"x": x})
         further = extrapolation.next(further, after)
+
+
+def _bending_of_coarser(step: LoadStep) -> Callable[[Array], Array] | None:
+    """Return how the plate of a coarser mesh bends, which takes less than that of the step's."""
+    level, coarser = step.level, step.coarser
+    if coarser is None:
+        return None
+    if level.coarser_plate is None:
+        plate = _operator(coarser, coarser.system)
+        level.coarser_plate = make_coarser_plate(plate, coarser.system.problem, step.system.problem)
+    return level.coarser_plate.bend
 
 
 def _require_resolution(p: PlateOnContinuum) -> None:
