@@ -13,7 +13,10 @@ from helpers.paths import EXAMPLES
 
 #: The raft with eight combinations has a test of its own below.
 CASES = sorted(path for path in EXAMPLES.glob("*.toml") if path.stem != "l_raft")
-SLOW = ("house_raft", "pad", "raft_on_continuum", "tank", "warehouse")
+SLOW = (
+    "combined_footing", "cracked_footing", "house_raft", "industrial_floor", "joined_bays", "neighbours", "pad",
+    "raft_on_continuum", "tank", "void", "warehouse", "wind_turbine",
+)  # fmt: skip
 
 
 @pytest.mark.parametrize(

@@ -161,7 +161,7 @@ def test_errors_of_values_with_exact_answers(name: str) -> None:
     assert known
 
 
-@pytest.mark.parametrize("t", [0.3, 0.8])
+@pytest.mark.parametrize("t", [pytest.param(0.3, marks=pytest.mark.slow), 0.8])
 def test_means_where_moments_are_singular(t: float) -> None:
     """A force without a footprint gives the moment and shear forces of one that has spread over a thickness' width."""
     force = {"kind": "point", "P": 1e6, "x": 0.5, "y": 0.3}

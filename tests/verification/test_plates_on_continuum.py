@@ -68,3 +68,13 @@ def test_the_ground_settles_under_a_surcharge() -> None:
         expected = 50e3 * float(surface_settlement(x - 8.0, 0.0, (4.0, 4.0), E_SOIL, NU))
         value = found.ground.value_at(x, 0.0) if x > 2 else found.plate.value_at("settlement", x, 0.0)
         assert value == pytest.approx(expected, rel=2e-2)
+
+
+def test_a_glued_plate_follows_a_surcharge_beside_it() -> None:
+    """Without loads of its own it carries none, tilts towards the surcharge, and knows its error."""
+    loads = [pressure(5.0, 50e3, on="ground")]
+    found = solve([(0.0, STIFF)], loads, beyond={"kind": "infinite", "width": 2.0}, contact={"tensionless": False})
+    near, far = found.plate.value_at("settlement", [1.9, -1.9], [0.0, 0.0])
+    assert near > far > 0
+    assert abs(found.plate.contact_force.sum()) < 1e-3
+    assert found.comparison is not None

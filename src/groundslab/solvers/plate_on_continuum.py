@@ -100,7 +100,8 @@ def bound_forces(
     def gaps(x: Array) -> tuple[Array, float]:
         settled, bent = settle(x), Ct @ p.solve(f + C @ x)
         shape = bent - planes_of_gaps @ (planes_of_gaps.T @ bent)
-        return settled + bent + own, float(max(np.abs(settled).max(), np.abs(shape).max()))
+        size = max(np.abs(settled).max(), np.abs(settled[:c] + further).max(), np.abs(shape).max())
+        return settled + bent + own, float(size)
 
     def multiply(x: Array) -> Array:
         bent: Array = Ct @ p.solve(C @ x)

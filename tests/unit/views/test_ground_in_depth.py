@@ -209,6 +209,7 @@ def test_the_contact_boundary_is_that_of_the_cells(bonded: Results) -> None:
     np.testing.assert_allclose(found, 0.5 - plate.contact_area / plate.area, atol=1e-6)
 
 
+@pytest.mark.slow
 def test_report_shows_the_ground(bonded: Results) -> None:
     """Its layers and cells as analyzed, the stresses as a picture and a table; no constants, which it has not."""
     page = render_report(bonded)

@@ -82,6 +82,7 @@ class TestChapters:
         assert sections(page((tmp_path / "slab.html").read_text(encoding="utf-8"))) == {"certificate"}
 
 
+@pytest.mark.slow
 class TestGrounds:
     """The chapter of ground models."""
 
