@@ -30,6 +30,8 @@ TOLERANCE = 1e-7
 TOLERANCE_COARSE = 1e-6
 #: Products with the operator for each contact step that an analysis may take, and on coarser meshes at all.
 PRODUCTS, PRODUCTS_COARSE = 10, 300
+#: A plate of an elastic length of fewer cells, about that of an element, bends too differently on a coarser mesh.
+THIN = 2.0
 #: A plate that may lift off has an elastic length of at least this share of a cell.
 SHORTEST = 0.3
 
@@ -93,7 +95,9 @@ def _iterate(
 def _bending_of_coarser(step: LoadStep) -> Callable[[Array], Array] | None:
     """Return how the plate of a coarser mesh bends, which takes less than that of the step's."""
     level, coarser = step.level, step.coarser
-    if coarser is None:
+    fine = _operator(level, step.system)
+    grid = fine.ground.cells.grid
+    if coarser is None or fine.elastic_length < THIN * max(grid.dx, grid.dy):
         return None
     if level.coarser_plate is None:
         plate = _operator(coarser, coarser.system)
@@ -142,7 +146,9 @@ def _start(problem: Problem, start: Solution | None) -> Array:
         own, before = problem.bearing.support == number, known.bearing.support == number
         # a line hands its force to more nodes
         on_supports[own] = start.contact.force[before].sum() / own.sum()
-    return np.concatenate([prolong(known.elastic.cells, start.pressed.force, cells), on_supports])
+    # below zero over open gaps, so that pressures on the finer cells end where the contact does
+    tension = np.maximum(start.pressed.gap, 0.0) / known.elastic.flexibility.own
+    return np.concatenate([prolong(known.elastic.cells, start.pressed.force - tension, cells), on_supports])
 
 
 def _table(step: LoadStep, contact: Contact, pressed: Pressed) -> Array:
