@@ -12,11 +12,9 @@ from scipy.integrate import quad, solve_bvp
 from groundslab.fem.continuum.piles import (
     Pile,
     base_interaction,
-    settlement_by_force,
-    settlement_by_shaft,
     shaft_interaction,
-    surface_settlement_by_shaft,
 )
+from helpers.mindlin import settlement_by_force, settlement_by_shaft, surface_settlement_by_shaft
 
 #: A concrete pile in firm clay.
 PILE = Pile(length=20.0, radius=0.5, E=25e9, G_l=10e6 / 3, nu=0.5)
