@@ -19,7 +19,9 @@ from groundslab.errors import GroundslabError, InputError
 from groundslab.workbench.child_process import set_up_child
 
 if TYPE_CHECKING:
+    from groundslab.analysis.ground_comparison.comparison import GroundComparison
     from groundslab.model.loads.load_cases import Combination
+    from groundslab.model.model import Model
     from groundslab.results.record import Step
     from groundslab.results.results import Results
 
@@ -151,6 +153,15 @@ def _solve(pipe: Connection, stop: Any, task: Task, run: int, text: str) -> tupl
     return None
 
 
+def _compare(model: Model) -> GroundComparison | None:
+    """Return a slab on other models of its ground if its case lists that chapter of the report by name."""
+    if "chapters" not in model.report.model_fields_set or "grounds" not in model.report.chapters:
+        return None
+    from groundslab.analysis.ground_comparison.comparison import compare_grounds
+
+    return compare_grounds(model)
+
+
 def _report(pipe: Connection, run: int, file: str, latest: tuple[int, Any] | None) -> None:
     """Send the report on a run, if it is the latest one; file is the name of the case."""
     if latest is None or latest[0] != run:
@@ -160,7 +171,7 @@ def _report(pipe: Connection, run: int, file: str, latest: tuple[int, Any] | Non
         from groundslab.views.report.html import render_report
 
         text, combined = latest[1]
-        content = render_report(combined, text=text, file=file).encode()
+        content = render_report(combined, text=text, file=file, comparison=_compare(combined.model)).encode()
     except Exception as error:
         traceback.print_exc()
         pipe.send(("report", run, f"the report cannot be written: {error}"))

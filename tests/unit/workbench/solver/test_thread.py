@@ -344,3 +344,50 @@ def test_reports_of_runs_that_are_gone(make: Make, events: Events) -> None:
     solver.close()
     asking.join(PATIENCE)
     assert refused.is_set()
+
+
+class Kept:
+    """A pipe that keeps what is sent."""
+
+    def __init__(self) -> None:
+        self.messages: list[object] = []
+        self.content = b""
+
+    def send(self, message: object) -> None:
+        """Keep a message."""
+        self.messages.append(message)
+
+    def send_bytes(self, content: bytes) -> None:
+        """Keep the bytes that follow it."""
+        self.content = content
+
+
+SOFT = """
+[plate]
+length_x = "4 m"
+length_y = "3 m"
+thickness = "300 mm"
+E = "30 GPa"
+nu = 0.2
+[ground]
+kind = "continuum"
+half_space = {E = "20 MPa", nu = 0.3}
+[mesh]
+size = "0.5 m"
+[[loads]]
+kind = "uniform"
+q = "50 kPa"
+[report]
+chapters = %s
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("chapters", "compared"), [('["extremes", "grounds"]', True), ('["extremes"]', False)])
+def test_the_report_compares_grounds_where_the_case_lists_that_chapter(chapters: str, compared: bool) -> None:
+    """The workbench has no command for it: the chapter's name in the case asks for the comparison."""
+    *_, solved = process.solve(SOFT % chapters, lambda *_: None)
+    pipe = Kept()
+    process._report(pipe, 1, "slab.toml", (1, solved))
+    assert pipe.messages == [("report", 1, "")]
+    assert (b"Ground models compared" in pipe.content) is compared
