@@ -162,7 +162,7 @@ def test_sizes_far_off_end_well(data: Any, draw: st.DataObject) -> None:
     with contextlib.suppress(InputError):
         model = from_table(data)
         check(model)
-        if estimate_elements(model.plate, model.mesh) < 200 and model.analysis.increments < 5:
+        if estimate_elements(model.plate, model.plates, model.mesh) < 200 and model.analysis.increments < 5:
             solved(model)
 
 

@@ -132,11 +132,11 @@ def test_a_start_that_leads_nowhere_is_dropped() -> None:
     given = model(**CHANGES["softer ground"])
     ended, tried = nested._solve_increments, list[bool]()
 
-    def at_first_in_vain(*given: Any) -> Any:
+    def at_first_in_vain(*given: Any, **more: Any) -> Any:
         tried.append(True)
         if len(tried) == 1:
             raise NotConverged("the contact zone", [], {})
-        return ended(*given)
+        return ended(*given, **more)
 
     with patch.object(nested, "_solve_increments", at_first_in_vain):
         (found,) = variants.solve_combinations(given).results.values()

@@ -58,16 +58,35 @@ def slab(size: float, **changes: Any) -> Model:
     return Model(**parts | changes)
 
 
+def tables(size: float) -> dict[str, Table]:
+    """Return all tables: of the slab, below it on a continuum, and of a joint between two slabs."""
+    left, right = ({"kind": "rectangle", "x": x, "y": (-2, 2)} for x in ((-3, 0), (0, 3)))
+    sheet = {"thickness": 0.3, "E": 30e9, "nu": 0.2}
+    none: dict[str, Any] = {"supports": [], "columns": [], "output": {}, "reinforcement": None}
+    joined: dict[str, Any] = {
+        "plate": {"name": "left", "outline": left, **sheet},
+        "plates": [{"name": "right", "outline": right, **sheet}],
+        "joints": [{"kind": "hinge", "between": ("left", "right")}],
+        "loads": [
+            {"kind": "patch", "q": q, "x": x, "y": (-1, 1), "case": case}
+            for case, q, x in (("G", 40e3, (-2.5, 0)), ("G", 40e3, (0, 2.5)), ("Q", 60e3, (-2, 0)))
+        ],
+    }
+    deep = slab(size, ground={"kind": "continuum", "half_space": {"E": 20e6, "nu": 0.3}})
+    models = slab(size, **none, **joined), deep, slab(size)
+    return {each.name: each for model in models for each in tables_of(groundslab.solve(model))}
+
+
 @pytest.fixture(scope="module")
 def coarse() -> dict[str, Table]:
-    """Return the tables of a slab on elements of 0.5 m."""
-    return {each.name: each for each in tables_of(groundslab.solve(slab(0.5)))}
+    """Return tables on elements of 0.5 m."""
+    return tables(0.5)
 
 
 @pytest.fixture(scope="module")
 def fine() -> dict[str, Table]:
-    """Return the tables of the same slab on elements of 0.25 m."""
-    return {each.name: each for each in tables_of(groundslab.solve(slab(0.25)))}
+    """Return the same tables on elements of 0.25 m."""
+    return tables(0.25)
 
 
 def shares(table: Table) -> dict[str, float]:
