@@ -194,11 +194,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     # a load that a rigid support takes at once is no measure of what plate, ground and springs resist
     elastic = np.isfinite(solution.law.stiffness)
     springs = np.abs(c.force[elastic])
-    way = np.abs(solution.law.offset[c.state == CLOSED]).max(initial=0.0)
-    rounding = max(ROUNDING * np.abs(s.blocks.plate).max() * way, NOTHING * np.abs(load).max())
-    if len(problem.links.joint):
-        stiffest = link_stiffness(s, column)[problem.links.joint >= 0].max(initial=0.0)
-        rounding = max(rounding, ROUNDING * stiffest * np.abs(U[:, W]).max())
+    rounding = _rounding(solution)
     residual = float(
         np.abs((rest - borne)[~fixed]).max() / (max(np.abs(inner).max(), springs.max(initial=0.0), rounding) or 1.0)
     )
@@ -214,8 +210,10 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     if solution.pressed is None:
         contact[under] -= load[under, TOP]
     pushed, beside = contact.sum(), load[:, TOP].sum()
+    # what a plate without loads of its own carries is the rounding of those of others
+    least = max(rounding, NOTHING / Certificate.TOLERANCE * problem.loading.size)
     balances = [
-        _balance(plate, contact, support, np.abs(c.force[held & elastic]), rounding)
+        _balance(plate, contact, support, np.abs(c.force[held & elastic]), least)
         for plate, held in single_plates(problem)
     ]
     size = sum(each.size for each in balances)
@@ -239,6 +237,17 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
         ground_load=float(beside * share),
         joint_mismatch=_mismatch(problem, U) / settlement if len(problem.links.joint) else None,
     )
+
+
+def _rounding(solution: Solution) -> float:
+    """Return the force [N] that counts as none: the rounding of stiffnesses times displacements, and of loads."""
+    s, problem = solution.system, solution.system.problem
+    way = np.abs(solution.law.offset[solution.contact.state == CLOSED]).max(initial=0.0)
+    rounding = max(ROUNDING * np.abs(s.blocks.plate).max() * way, NOTHING * np.abs(problem.load).max())
+    if len(problem.links.joint):
+        stiffest = link_stiffness(s, solution.column)[problem.links.joint >= 0].max(initial=0.0)
+        rounding = max(rounding, ROUNDING * stiffest * np.abs(solution.U[:, W]).max())
+    return float(rounding)
 
 
 @dataclass(frozen=True, slots=True)
