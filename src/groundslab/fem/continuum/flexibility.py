@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.fem.continuum.cells import Cells, Grid
+from groundslab.fem.continuum.cells import Grid
 from groundslab.fem.continuum.kernels import SurfaceKernel, cell_means
 
 
@@ -33,15 +33,6 @@ class Flexibility:
         found: Array = irfft2(spectrum, self.shape, workers=-1)[: self.grid.nx, : self.grid.ny]
         return found
 
-    def wave_numbers(self) -> Array:
-        """Return k [1/m] of the padded transform."""
-        from scipy.fft import fftfreq, rfftfreq
-
-        kx = 2 * np.pi * fftfreq(self.shape[0], self.grid.dx)
-        ky = 2 * np.pi * rfftfreq(self.shape[1], self.grid.dy)
-        k: Array = np.hypot(kx[:, None], ky)
-        return k
-
 
 def make_flexibility(kernel: SurfaceKernel, grid: Grid) -> Flexibility:
     """Return the operator of ground whose surface has a kernel, on a grid of cells."""
@@ -56,9 +47,3 @@ def make_flexibility(kernel: SurfaceKernel, grid: Grid) -> Flexibility:
     padded[:, shape[1] - grid.ny + 1 :] = padded[:, grid.ny - 1 : 0 : -1]
     # an even kernel has a real transform
     return Flexibility(grid, shape, np.ascontiguousarray(rfft2(padded, workers=-1).real), float(means[0, 0]))
-
-
-def settle_cells(flexibility: Flexibility, cells: Cells, force: Array) -> Array:
-    """Return the mean settlement [m] of cells (c,) by forces on them (c,) [N]."""
-    found: Array = flexibility.settle(cells.on_grid(force)).ravel()[cells.number]
-    return found

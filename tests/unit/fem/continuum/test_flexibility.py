@@ -72,13 +72,3 @@ def test_waves_settle_by_the_transfer_function(name):
     settled = flexibility.settle(wave * d**2)[n // 2 - 32 : n // 2 + 32, n // 2]
     amplitude = 2 * np.mean(settled * np.cos(k * x[n // 2 - 32 : n // 2 + 32]))
     assert amplitude == pytest.approx(T, rel=5e-3)
-
-
-def test_wave_numbers_of_the_padded_grid():
-    """2 pi over the padded lengths, both ways."""
-    flexibility = operator("layer")
-    k = flexibility.wave_numbers()
-    assert k.shape == flexibility.transformed.shape
-    assert k[0, 0] == 0
-    assert k[1, 0] == pytest.approx(2 * math.pi / (flexibility.shape[0] * GRID.dx))
-    assert k[0, 1] == pytest.approx(2 * math.pi / (flexibility.shape[1] * GRID.dy))
