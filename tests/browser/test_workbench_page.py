@@ -360,11 +360,11 @@ def test_closed_lines_are_no_areas(server: Server, bench: Bench, case: Path) -> 
     area = '[[loads]]\nkind = "patch"\nq = "5 kPa"\nx = ["1 m", "2 m"]\ny = ["0 m", "1 m"]\n'
     case.write_text(f"{case.read_text()}\n{wall}\n{area}\n{support}")
     bench.open(server.start(case))
-    fill = "element => getComputedStyle(element.querySelector('path')).fill"
-    bench.page.locator("""svg.drawing .symbol[data-path='["loads",2]']""").wait_for(state="attached")
-    drawn = [
-        bench.page.locator(f"svg.drawing .symbol[data-path='{path}']").evaluate(fill)
-        for path in ('["loads",1]', '["supports",0]', '["loads",2]')
-    ]
+    paths = ['["loads",1]', '["supports",0]', '["loads",2]']
+    symbols = [f"svg.drawing .symbol[data-path='{path}'] path" for path in paths]
+    bench.page.locator(symbols[-1]).wait_for(state="attached")
+    # all at once: a symbol that the next frame draws anew has no style any more
+    fills = "symbols => symbols.map(symbol => getComputedStyle(document.querySelector(symbol)).fill)"
+    drawn = bench.page.evaluate(fills, symbols)
     assert drawn[:2] == ["none", "none"]
     assert drawn[2] != "none"
