@@ -5,11 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.optimize import linprog
 
 from groundslab.arrays import Array
-from groundslab.solvers.bounded_forces import BoundedForces, BoundedSolution, solve
+from groundslab.errors import NoEquilibrium
+from groundslab.solvers.bounded_forces import BoundedForces, BoundedSolution, balance, solve
 
 TOLERANCE = 1e-7
 
@@ -58,3 +61,54 @@ def test_forces_and_gaps_fit(problem: tuple[Any, ...], start: float) -> None:
     np.testing.assert_allclose(p.G @ found.x, p.e, atol=1e-9 * (1 + np.abs(found.x).sum()))
     scale = float(np.abs(A @ found.x).max()) or float(np.abs(c).max())
     assert _violation(A, c, p, found) <= 1.01 * TOLERANCE * scale + 1e-12
+
+
+def _slab(seed: int) -> tuple[BoundedForces, Array]:
+    """Return forces under a rectangle with a limit pressure and two supports, and a start.
+
+    Loads are those of forces nearly all of which are at a bound, moved a little inwards or outwards: beside a few that
+    lie between, most problems of the kind have a solution just so, or just not.
+    """
+    rng = np.random.default_rng(seed)
+    nx, ny = rng.integers(4, 30, 2)
+    side, limit = rng.uniform(0.1, 0.5), 1e5
+    own, cells = side**2, int(nx * ny)
+    x, y = (each.ravel() for each in np.meshgrid(np.arange(nx), np.arange(ny), indexing="ij"))
+    places = side * np.vstack([np.column_stack([x, y]) + 0.5, rng.uniform(0, 1, (2, 2)) * (nx, ny)])
+    G = -np.vstack([np.ones(cells + 2), places.T])
+    # the first support holds both ways, the other one only presses
+    lower, upper = np.zeros(cells + 2), np.full(cells + 2, np.inf)
+    lower[cells], upper[:cells] = -np.inf, limit * own
+    direction = rng.standard_normal(3) / (1, side * nx, side * ny)
+    corner = np.where(G.T @ direction > 0, limit * own, 0.0)
+    corner[cells:] = rng.uniform(0, 0.3, 2) * cells * limit * own
+    middle = np.append(np.full(cells, limit * own / 2), [0.0, 0.0])
+    e = G @ (middle + rng.choice([0.5, 0.9, 0.99, 0.999, 1.05, 1.2]) * (corner - middle))
+    weight, start = np.full(cells + 2, own), rng.choice([0.0, own, 30 * own]) * (np.arange(cells + 2) < cells)
+    nothing: Any = None
+    return BoundedForces(nothing, nothing, nothing, G, e, lower, upper, weight, weight), start
+
+
+def _can_balance(p: BoundedForces) -> bool:
+    """Return whether a linear program finds forces between their bounds that have the resultants."""
+    unit, rows = float(p.upper.min()), np.abs(p.G).max(axis=1)
+    bounds = np.column_stack([p.lower, p.upper]) / unit
+    A = p.G / rows[:, None]
+    return bool(linprog(np.zeros(len(p.lower)), A_eq=A, b_eq=p.e / rows / unit, bounds=bounds).status == 0)
+
+
+@pytest.mark.parametrize("first", range(0, 300, 50))
+def test_slabs_are_refused_if_and_only_if_a_linear_program_says_so(first: int) -> None:
+    """With a limit pressure, a support that holds and one that presses; what is found is balanced to 1e-11."""
+    refused = 0
+    for seed in range(first, first + 50):
+        p, start = _slab(seed)
+        if not _can_balance(p):
+            refused += 1
+            with pytest.raises(NoEquilibrium):
+                balance(p, start, p.can_change)
+            continue
+        z = balance(p, start, p.can_change)
+        assert ((z >= p.lower) & (z <= p.upper)).all()
+        assert np.abs(p.G @ z - p.e).max() <= 1e-11 * (np.abs(p.G) @ np.abs(z)).max()
+    assert 0 < refused < 40

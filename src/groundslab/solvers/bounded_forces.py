@@ -43,6 +43,8 @@ MAX_BALANCING = 200
 STIFFER = 1e-3
 #: A step is halved beyond which what is missing has more than this share of what was, with the other sign.
 TOO_FAR = 0.5
+#: What linprog says where no point fulfills all conditions.
+INFEASIBLE = 2
 #: Combinations of free forces are dependent if one has less than this share of the largest.
 DEPENDENT = 1e-12
 
@@ -278,15 +280,48 @@ def balance(p: BoundedForces, x: Array, among: Flags, weight: Array | None = Non
     """Return the forces nearest to x (n,) that lie between their bounds and have the given combinations.
 
     Only those among some (n,) change, if that is enough. They minimize sum (z - x)^2 / weight; p.weight by default.
+    Where they are not found so, as hardly a force lies between its bounds, a linear program finds the nearest by
+    sum |z - x|, or that there are none: NoEquilibrium.
     """
     weight = p.weight if weight is None else weight
-    for W in (np.where(among, weight, 0.0), np.where(p.can_change, weight, 0.0)):
+    everywhere = np.where(p.can_change, weight, 0.0)
+    for W in (np.where(among, weight, 0.0), everywhere):
         found = _project(p, x, W)
         if found is not None:
-            # digits that were lost to a start far off are found nearby
-            exact = _project(p, found, W)
-            return found if exact is None else exact
-    raise NoEquilibrium("forces between their bounds cannot balance the loads")
+            return _project_again(p, found, W)
+    return _project_again(p, _balance_by_program(p, p.clip(x)), everywhere)
+
+
+def _project_again(p: BoundedForces, x: Array, W: Array) -> Array:
+    """Return balanced forces x (n,) with the digits that were lost to a start far off."""
+    exact = _project(p, x, W)
+    return x if exact is None else exact
+
+
+def _balance_by_program(p: BoundedForces, x: Array) -> Array:
+    """Return the balanced forces for which sum |z - x| is least, from x (n,) between the bounds.
+
+    Raises NoEquilibrium if a linear program shows that there are none.
+    """
+    from scipy.optimize import linprog
+
+    rows = np.abs(p.G).max(axis=1)
+    rows[rows == 0] = 1.0
+    missing = (p.e - p.G @ x) / rows
+    unit = float(np.abs(missing).max()) / np.sqrt(len(x))
+    more_or_less = np.concatenate([p.upper - x, x - p.lower]) / unit
+    found = linprog(
+        np.ones(2 * len(x)),
+        A_eq=np.hstack([p.G, -p.G]) / rows[:, None],
+        b_eq=missing / unit,
+        bounds=np.column_stack([np.zeros(2 * len(x)), more_or_less]),
+    )
+    if found.status == INFEASIBLE:
+        raise NoEquilibrium("forces between their bounds cannot balance the loads")
+    if found.status != 0:
+        raise NotConverged("the balance of forces between their bounds", [], {"x": x})
+    more, less = np.split(unit * found.x, 2)
+    return p.clip(x + more - less)
 
 
 def _project(p: BoundedForces, x: Array, W: Array) -> Array | None:
