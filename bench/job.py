@@ -240,7 +240,7 @@ def judged(model: Model) -> Results:
 def memory(model: Model) -> dict[str, float]:
     """Return time and largest memory of this process in one analysis, and what PARDISO held for the finest mesh.
 
-    Of an MPI run with another solver each process tells its own.
+    The analysis is that of the first combination, if there are several. Of an MPI run with another solver each process tells its own.
     """
     held: list[float] = []
     factor = pardiso.Pardiso.factor
@@ -252,10 +252,12 @@ def memory(model: Model) -> dict[str, float]:
         return found
 
     pardiso.Pardiso.factor = watched  # type: ignore[method-assign]
-    spent, results = measure(driver.solve, model)
+    spent, results = measure(driver.solve, model.replace(combinations=model.combinations[:1]))
+    cells = results.only.ground.cells
     peak = largest_memory()
     return {
         "unknowns": results.only.unknowns,
+        **({} if cells is None else {"cells": len(cells.force)}),
         "one analysis [s]": spent,
         "peak memory [MiB]": peak,
         **({"PARDISO's memory [MiB]": max(held), "peak / factor": peak / max(held)} if held else {}),

@@ -10,6 +10,7 @@ import numpy as np
 from groundslab.verification.analytic_beams import (
     beam_on_springs,
     disk_on_infinite_plate,
+    joined_beams,
     lifting_strip_on_pasternak,
     strip_on_pasternak,
     supported_beam_on_springs,
@@ -224,6 +225,7 @@ _QUANTITIES: dict[Callable[..., dict[str, float]], tuple[str, ...]] = {
     curling_strip: ("settlement", "moment across", "moment along"),
     strip_on_two_springs: ("settlement", "moment"),
     beam_on_springs: ("settlement", "moment"),
+    joined_beams: ("settlement", "moment", "force"),
     clamped_plate: ("settlement", "moment"),
     rings: ("settlement", "moment"),
     disk_on_infinite_plate: ("settlement", "moment"),

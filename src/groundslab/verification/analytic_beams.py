@@ -33,6 +33,30 @@ def beam_on_springs(x: float, length: float, P: float, at: float, EI: float, k: 
     return {"settlement": w, "moment": -EI * bent}
 
 
+def joined_beams(x: float, P: float, a: float, EI: float, k: float, s: float = math.inf) -> dict[str, float]:
+    """Return settlement [m], moment [N m] at x and the force [N] of a joint at x = 0 between two beams on springs.
+
+    Two half-endless Bernoulli beams of stiffness EI [N m2] on springs k [N/m2], a force P [N] at x = -a. The joint hands
+    on V = s (w_left - w_right) [N] without a moment; a hinge has s = inf. With b = (k / 4 EI)^(1/4) a force F at the end
+    settles a half-endless beam by 2 F b / k exp(-b x) cos(b x), and bends it by -F / b exp(-b x) sin(b x) (Hetenyi
+    1946). By reciprocity P alone settles the end by 2 P b / k D, D = exp(-b a) cos(b a), so that
+
+        V / s = 2 b / k (P D - 2 V),   V = P D / (2 + k / (2 b s)).
+
+    The left beam follows from one under P with a free end, so long that its other end is not felt, less V at its end.
+    """
+    b = (k / (4 * EI)) ** 0.25
+    V = P * math.exp(-b * a) * math.cos(b * a) / (2 + k / (2 * b * s))
+    far = 20 / b
+    own = beam_on_springs(-x, far, P, a, EI, k) if x < 0 else {"settlement": 0.0, "moment": 0.0}
+    sign, wave = (-1.0 if x < 0 else 1.0), math.exp(-b * abs(x))
+    return {
+        "settlement": own["settlement"] + sign * 2 * V * b / k * wave * math.cos(b * x),
+        "moment": own["moment"] - sign * V / b * wave * math.sin(b * abs(x)),
+        "force": V,
+    }
+
+
 def disk_on_infinite_plate(r: float, a: float, q: float, D: float, nu: float, k0: float, k1: float) -> dict[str, float]:
     """Return settlement [m] and radial moment [N m/m] of an infinite thin plate on Pasternak ground under a disk.
 

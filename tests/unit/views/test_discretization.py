@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from rich.console import Console
 
+from groundslab import Model, solve
 from groundslab.errors import InputError
 from groundslab.results.results import CombinationResult, Comparison, results_of
 from groundslab.views.files import npz
@@ -58,6 +59,38 @@ def test_figures_have_their_errors() -> None:
     largest = row_of(results, "discretization", "largest_error")
     assert (largest.value, largest.label) == (pytest.approx(0.04), "largest error, moment m_x")
     assert largest.place == row.place
+
+
+def test_an_error_that_is_not_known_is_said_to_be_so() -> None:
+    """Without a coarser mesh terminal, certificate, report and workbench say that no error is known; with one not."""
+    model = synthetic.model().replace(loads=[{"kind": "uniform", "q": 1e4}])
+    results = synthetic.results(4, model=model)
+    words = "The discretization error is not known"
+    verdict = page(render_report(results)).one("p", class_="verdict doubtful").text
+    notes = next(each for each in sections.summary(results) if each.key == "certificate").notes
+    shown = shown_on_terminal(results)
+    assert words in verdict
+    assert any(words in note for note in notes)
+    assert shown.count(words) == 2
+    assert words in build_summary(results_of(results))["coarse"]
+    assert words not in shown_on_terminal(compared(0.04))
+
+
+def test_a_slab_that_bends_within_a_cell_of_the_coarser_mesh() -> None:
+    """On an elastic continuum the coarser mesh of a very thin slab has no solution, and that is told as the reason."""
+    results = solve(
+        Model(
+            plate={"length_x": 8, "length_y": 6, "thickness": 0.015, "E": 30e9, "nu": 0.2},
+            ground={"kind": "continuum", "half_space": {"E": 50e6, "nu": 0.3}},
+            loads=[
+                {"kind": "uniform", "q": 1e3},
+                {"kind": "patch", "q": 2e5, "x": (-0.5, 0.5), "y": (-0.5, 0.5)},
+            ],
+            mesh={"size": 0.25},
+        )
+    )
+    assert results.only.coarser is None
+    assert "the slab may bend within one of these" in coarse_words(results)
 
 
 def test_terminal() -> None:

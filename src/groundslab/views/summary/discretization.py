@@ -46,6 +46,24 @@ def discretization_section(results: CombinationResult) -> SummarySection:
     return SummarySection("discretization", "Discretization error", tuple(rows), notes)
 
 
+def unknown_words(results: CombinationResult) -> str:
+    """Return in words that the discretization error is not known, and why, or "" where it is."""
+    from groundslab.discretize.plan_layout import has_coarser
+
+    if results.coarser is not None:
+        return ""
+    if not has_coarser(results.model):
+        reason = "the mesh has too few elements for one of elements twice as large"
+    elif results.ground.cells is None:
+        reason = "there is no solution on elements twice as large"
+    else:
+        reason = (
+            "there is no solution on elements twice as large; the slab may bend within one of these, or within one of "
+            "the cells through which it presses on the ground"
+        )
+    return f"The discretization error is not known: {reason}. Make mesh.size smaller and compare."
+
+
 def _not_judged(results: CombinationResult) -> tuple[str, ...]:
     """Return in words which values are not among those that are judged, nothing where all are."""
     from groundslab.accuracy.singularities import find_limits
@@ -67,7 +85,7 @@ def _remedy(model: Model) -> str:
 
 
 def coarse_words(combined: Results) -> str:
-    """Return in words that the mesh is too coarse for the accuracy asked for, or "" where it is not."""
+    """Return in words that the mesh is too coarse for the accuracy asked for, or that its error is not known, else ""."""
     from groundslab.accuracy.resolution import find_unresolved
 
     remedy = _remedy(combined.model)
@@ -82,7 +100,7 @@ def coarse_words(combined: Results) -> str:
     judged = [each for results in combined.values() for each in judge(results)[:1]]
     worst = max(judged, key=attrgetter("share"), default=None)
     if worst is None or worst.share <= combined.model.mesh.largest_error:
-        return ""
+        return next(filter(None, map(unknown_words, combined.values())), "")
     return (
         f"The mesh is too coarse: the largest discretization error is {100 * worst.share:.2g} % ({worst.label}), more "
         f"than {100 * combined.model.mesh.largest_error:g} %. {remedy.capitalize()}"

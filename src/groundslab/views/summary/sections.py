@@ -14,7 +14,7 @@ from groundslab.results.contact_zone import CELLS_NOTE, EDGE_NOTE, goes_below_ze
 from groundslab.results.fields import PLATE_FIELDS, extreme, place_of
 from groundslab.units import UNITS
 from groundslab.views.summary.cracking import cracking_sections
-from groundslab.views.summary.discretization import discretization_section, largest_error, with_error
+from groundslab.views.summary.discretization import discretization_section, largest_error, unknown_words, with_error
 from groundslab.views.summary.rows import Row, SummarySection
 
 if TYPE_CHECKING:
@@ -343,4 +343,6 @@ def certificate_section(results: CombinationResult) -> SummarySection:
             "The meshed ground beyond the plate is too narrow or too coarse: make beyond.width larger or mesh.size "
             "smaller.",
         )
+    unknown = unknown_words(results)
+    notes = (*notes, unknown) if unknown else notes
     return SummarySection("certificate", "Certificate", (*rows, *largest_error(results)), notes)
