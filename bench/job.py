@@ -240,7 +240,8 @@ def judged(model: Model) -> Results:
 def memory(model: Model) -> dict[str, float]:
     """Return time and largest memory of this process in one analysis, and what PARDISO held for the finest mesh.
 
-    The analysis is that of the first combination, if there are several. Of an MPI run with another solver each process tells its own.
+    The analysis is that of the first combination, if there are several. Of an MPI run with another solver each process
+    tells its own.
     """
     held: list[float] = []
     factor = pardiso.Pardiso.factor

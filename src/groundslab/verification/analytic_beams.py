@@ -36,10 +36,10 @@ def beam_on_springs(x: float, length: float, P: float, at: float, EI: float, k: 
 def joined_beams(x: float, P: float, a: float, EI: float, k: float, s: float = math.inf) -> dict[str, float]:
     """Return settlement [m], moment [N m] at x and the force [N] of a joint at x = 0 between two beams on springs.
 
-    Two half-endless Bernoulli beams of stiffness EI [N m2] on springs k [N/m2], a force P [N] at x = -a. The joint hands
-    on V = s (w_left - w_right) [N] without a moment; a hinge has s = inf. With b = (k / 4 EI)^(1/4) a force F at the end
-    settles a half-endless beam by 2 F b / k exp(-b x) cos(b x), and bends it by -F / b exp(-b x) sin(b x) (Hetenyi
-    1946). By reciprocity P alone settles the end by 2 P b / k D, D = exp(-b a) cos(b a), so that
+    Two semi-infinite Bernoulli beams of stiffness EI [N m2] on springs k [N/m2], a force P [N] at x = -a. The joint
+    hands on V = s (w_left - w_right) [N] without a moment; a hinge has s = inf. With b = (k / 4 EI)^(1/4) a force F at
+    the end settles a semi-infinite beam by 2 F b / k exp(-b x) cos(b x), and its moment is -F / b exp(-b x) sin(b x)
+    (Hetenyi 1946). By reciprocity P alone settles the end by 2 P b / k D, D = exp(-b a) cos(b a), so that
 
         V / s = 2 b / k (P D - 2 V),   V = P D / (2 + k / (2 b s)).
 

@@ -85,7 +85,7 @@ def _remedy(model: Model) -> str:
 
 
 def coarse_words(combined: Results) -> str:
-    """Return in words that the mesh is too coarse for the accuracy asked for, or that its error is not known, else ""."""
+    """Return in words that the mesh is too coarse for the accuracy asked for, or its error not known, else ""."""
     from groundslab.accuracy.resolution import find_unresolved
 
     remedy = _remedy(combined.model)
