@@ -208,6 +208,18 @@ def _add_solver_routes(app: FastAPI, session: Session) -> None:
         result = session.solver.get_result(run)
         return _respond_not_kept() if result is None else JSONResponse(result.answer.summary)
 
+    @app.get("/api/results/{run}/tables")
+    def list_tables(run: int) -> Response:
+        result = session.solver.get_result(run)
+        return _respond_not_kept() if result is None else JSONResponse(list(result.answer.tables))
+
+    @app.get("/api/results/{run}/tables/{name}")
+    def get_table(run: int, name: str) -> Response:
+        result = session.solver.get_result(run)
+        if result is None or name not in result.answer.tables:
+            return _respond_not_kept()
+        return Response(session.solver.make_view(("table", run, name)), media_type="application/json")
+
     @app.get("/api/results/{run}/report")
     def get_report(run: int) -> Response:
         name, content = session.write_report(run)

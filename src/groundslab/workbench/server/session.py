@@ -198,7 +198,7 @@ class Session:
     def write_report(self, run: int) -> tuple[str, bytes]:
         """Return a name for the report on a run, and its content."""
         path = self._case_file.path or Path("case.toml")
-        return f"{path.stem}-report.html", self.solver.write_report(run, path.name)
+        return f"{path.stem}-report.html", self.solver.make_view(("report", run, path.name))
 
     def close(self) -> str:
         """End; return the path of unsaved work, empty if there is none."""

@@ -165,6 +165,13 @@ export class ResultView {
     this.view().fit();
   }
 
+  /** Mark a place on the plan and bring it into view. */
+  reveal(at: Point): void {
+    if (this.mode !== "plan") this.setMode("plan");
+    this.plan.mark("place", at);
+    this.plan.center(at);
+  }
+
   private setMode(mode: Mode): void {
     this.mode = mode;
     press(this.modes, mode);

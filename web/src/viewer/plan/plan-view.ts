@@ -100,6 +100,13 @@ export class PlanView extends FieldView {
     this.redraw();
   }
 
+  /** Move the view so that a place is in its middle, unless all is seen. */
+  center([x, y]: Point): void {
+    if (this.fitted) return;
+    Object.assign(this.camera, { x, y });
+    this.redraw();
+  }
+
   fit(): void {
     this.fitTo(this.camera);
     this.fitted = true;

@@ -1,5 +1,5 @@
 // The right half of the page: the result as a picture, its summary, values at points and along lines.
-import { isEnvelope } from "../../viewer/data/fields";
+import { fieldsOf, isEnvelope } from "../../viewer/data/fields";
 import { decodeScene, type Point, SceneError } from "../../viewer/data/scene";
 import { ResultView } from "../../viewer/panels/result-view";
 import { SectionPanel } from "../../viewer/panels/section-panel";
@@ -7,10 +7,14 @@ import { ValuePanel } from "../../viewer/panels/value-panel";
 import { fill, h } from "../../viewer/shared/dom";
 import { type Api, Lost, Refused, type Summary } from "../client/api";
 import type { Store } from "../client/store";
+import { parsePath } from "../model/paths";
 import { splitter } from "../shell/splitter";
 import { tabs } from "../shell/tabs";
+import { itemsIn, middleOf } from "./plan-items";
+import { ResultTables } from "./result-tables";
 import { emptyResult, freshness, statusLine } from "./status";
 import { showCertificates, showSummary, verdictOf } from "./summary";
+import type { Target } from "./table-rows";
 import "./result.css";
 
 const SECTION_HINT = "Choose “Section” and click two points, or choose a section line of the model.";
@@ -24,6 +28,7 @@ export class ResultPanel {
   private readonly summaryBox = h("div", { class: "lower-panel summary-box" });
   private readonly certificateBox = h("div", { class: "lower-panel" });
   private readonly refusedBox = h("div", { class: "refused-over", role: "alert", hidden: true });
+  private readonly tables: ResultTables;
   private readonly lower;
   private readonly empty;
   private readonly full = h("div", { class: "result-full", hidden: true });
@@ -34,7 +39,7 @@ export class ResultPanel {
 
   constructor(
     private readonly store: Store,
-    private readonly api: Pick<Api, "scene" | "summary">,
+    private readonly api: Pick<Api, "scene" | "summary" | "tables" | "table">,
     solve: () => void,
     private readonly onLost: (error: Lost) => void,
   ) {
@@ -57,14 +62,22 @@ export class ResultPanel {
     const sectionBox = h("div", { class: "lower-panel section-box" }, chartBar, chartPlace);
     this.values = new ValuePanel(valueBox);
     this.values.onField = (field) => view.show(view.choice, field);
+    this.tables = new ResultTables(
+      api,
+      (target) => this.follow(target),
+      (error) => this.handleError(error),
+    );
+    const { tables } = this;
     this.lower = tabs(
       [
         { name: "summary", label: "Summary", panel: this.summaryBox, scrolls: true },
-        { name: "certificate", label: "Certificate", panel: this.certificateBox, scrolls: true },
         { name: "values", label: "Values", panel: valueBox },
         { name: "section", label: "Section", panel: sectionBox },
+        ...tables.tabs,
+        { name: "certificate", label: "Certificate", panel: this.certificateBox, scrolls: true },
       ],
       "about the result",
+      (name) => void tables.see(name),
     );
     this.empty = emptyResult(store, solve);
     this.full.append(
@@ -80,7 +93,16 @@ export class ResultPanel {
       ),
       h("div", { class: "stage-place" }, view.element, view.scaleBox, this.refusedBox),
       splitter(this.full, "--stage-share", "y", 0.62, [0.25, 0.85], "height of the picture"),
-      h("div", { class: "lower" }, this.lower.bar, this.summaryBox, this.certificateBox, valueBox, sectionBox),
+      h(
+        "div",
+        { class: "lower" },
+        this.lower.bar,
+        this.summaryBox,
+        valueBox,
+        sectionBox,
+        ...tables.panels,
+        this.certificateBox,
+      ),
     );
     this.element.append(h("h2", { class: "unseen" }, "Result"), statusLine(store), this.empty.element, this.full);
     store.on(["solved"], () => void this.fetch());
@@ -101,22 +123,46 @@ export class ResultPanel {
     if (!solved) return this.clear();
     if (solved.run === this.shownRun) return;
     try {
-      const [buffer, summary] = await Promise.all([this.api.scene(solved.run), this.api.summary(solved.run)]);
+      const { run } = solved;
+      const [buffer, summary, names] = await Promise.all([
+        this.api.scene(run),
+        this.api.summary(run),
+        this.api.tables(run),
+      ]);
       if (turn !== this.fetching) return;
       this.summary = summary;
       this.full.hidden = false;
       this.empty.element.hidden = true;
       this.view.setScene(decodeScene(buffer), this.view.field || "settlement");
-      this.shownRun = solved.run;
+      this.shownRun = run;
+      this.tables.set(run, names, (tab, offered) => this.lower.offer(tab, offered));
+      void this.tables.see(this.lower.current());
     } catch (error) {
-      if (turn !== this.fetching) return;
-      if (error instanceof Lost) this.onLost(error);
-      else if (error instanceof Refused || error instanceof SceneError)
-        this.store.set("notice", { kind: "bad", text: `The result cannot be shown: ${error.message}` });
-      else throw error;
+      if (turn === this.fetching) this.handleError(error);
     } finally {
       if (turn === this.fetching) this.element.setAttribute("aria-busy", "false");
     }
+  }
+
+  private handleError(error: unknown): void {
+    if (error instanceof Lost) this.onLost(error);
+    else if (error instanceof Refused || error instanceof SceneError)
+      this.store.set("notice", { kind: "bad", text: `The result cannot be shown: ${error.message}` });
+    else throw error;
+  }
+
+  /** Show what a cell of a table leads to: its field, its combination, its place; the item it names is selected. */
+  private follow({ place, combination, field, item }: Target): void {
+    const { view } = this;
+    if (!view.scene) return;
+    const { combinations, plan } = view.scene.head;
+    const found = combinations.findIndex((each) => each.name === combination);
+    const shown = fieldsOf(view.scene).some((each) => each.name === field);
+    view.show(found < 0 ? view.choice : found, shown && field !== null ? field : view.field);
+    const named = item && itemsIn(plan, item.list).find((each) => each.name === item.name);
+    if (named) this.store.select(parsePath(named.path));
+    const at = place ?? (named && middleOf(named));
+    if (at) view.reveal(at);
   }
 
   private clear(): void {
@@ -126,6 +172,7 @@ export class ResultPanel {
     this.empty.update();
     this.view.clear();
     this.section.cut(null);
+    this.tables.set(null, [], (tab, offered) => this.lower.offer(tab, offered));
   }
 
   /** Show all that depends on the field and the combination. */
