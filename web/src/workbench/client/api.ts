@@ -155,6 +155,8 @@ export class HttpApi {
   summary = (run: number) => this.json<Summary>(`results/${run}/summary`);
   tables = (run: number) => this.json<string[]>(`results/${run}/tables`);
   table = (run: number, name: string) => this.json<ResultTable>(`results/${run}/tables/${name}`, undefined, 120_000);
+  compareGrounds = async (run: number) => void (await this.json(`results/${run}/comparison`, {}));
+  cancelComparison = async () => void (await this.json("comparison/cancel", {}));
   scene = async (run: number) => (await this.request(`results/${run}/scene`, undefined, 120_000)).arrayBuffer();
   reportAddress = (run: number) => `api/results/${run}/report?token=${encodeURIComponent(this.token)}`;
   eventsAddress = () => `api/events?token=${encodeURIComponent(this.token)}`;

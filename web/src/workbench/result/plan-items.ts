@@ -68,6 +68,12 @@ export function itemAt(plan: Plan, at: Point, reach: number): PlanItem | null {
   return near ?? all.find(({ shape, points }) => shape === "area" && isInside(points, at)) ?? null;
 }
 
+/** Return the item at a path as plans write it, null if it has no place. */
+export function itemOf(plan: Plan, path: string): PlanItem | null {
+  const list = path.replace(/\[\d+\](\.shape)?$/, "");
+  return itemsIn(plan, list).find((each) => each.path === path.replace(/\.shape$/, "")) ?? null;
+}
+
 /** Return the least distance of a place from a point or a line. */
 function distanceTo(points: Ring, [x, y]: Point): number {
   if (points.length === 1) return Math.hypot(points[0]![0] - x, points[0]![1] - y);

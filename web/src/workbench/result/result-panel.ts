@@ -7,16 +7,19 @@ import { ValuePanel } from "../../viewer/panels/value-panel";
 import { fill, h } from "../../viewer/shared/dom";
 import { type Api, Lost, Refused, type Summary } from "../client/api";
 import type { Store } from "../client/store";
-import { parsePath } from "../model/paths";
+import { formatPath, parsePath } from "../model/paths";
 import { splitter } from "../shell/splitter";
-import { tabs } from "../shell/tabs";
-import { itemsIn, middleOf } from "./plan-items";
+import { type Tabs, tabs } from "../shell/tabs";
+import { comparisonBar } from "./comparison-bar";
+import { itemAt, itemOf, itemsIn, middleOf } from "./plan-items";
 import { ResultTables } from "./result-tables";
 import { emptyResult, freshness, statusLine } from "./status";
 import { showCertificates, showSummary, verdictOf } from "./summary";
 import type { Target } from "./table-rows";
 import "./result.css";
 
+/** A click so near to a point or a line of the model selects it [px]. */
+const REACH = 8;
 const SECTION_HINT = "Choose “Section” and click two points, or choose a section line of the model.";
 
 /** The panel of results, kept in step with the store's `solved`. */
@@ -29,7 +32,7 @@ export class ResultPanel {
   private readonly certificateBox = h("div", { class: "lower-panel" });
   private readonly refusedBox = h("div", { class: "refused-over", role: "alert", hidden: true });
   private readonly tables: ResultTables;
-  private readonly lower;
+  private readonly lower: Tabs;
   private readonly empty;
   private readonly full = h("div", { class: "result-full", hidden: true });
   private summary: Summary | null = null;
@@ -39,7 +42,7 @@ export class ResultPanel {
 
   constructor(
     private readonly store: Store,
-    private readonly api: Pick<Api, "scene" | "summary" | "tables" | "table">,
+    private readonly api: Pick<Api, "scene" | "summary" | "tables" | "table" | "compareGrounds" | "cancelComparison">,
     solve: () => void,
     private readonly onLost: (error: Lost) => void,
   ) {
@@ -67,18 +70,7 @@ export class ResultPanel {
       (target) => this.follow(target),
       (error) => this.handleError(error),
     );
-    const { tables } = this;
-    this.lower = tabs(
-      [
-        { name: "summary", label: "Summary", panel: this.summaryBox, scrolls: true },
-        { name: "values", label: "Values", panel: valueBox },
-        { name: "section", label: "Section", panel: sectionBox },
-        ...tables.tabs,
-        { name: "certificate", label: "Certificate", panel: this.certificateBox, scrolls: true },
-      ],
-      "about the result",
-      (name) => void tables.see(name),
-    );
+    this.lower = this.makeTabs(valueBox, sectionBox);
     this.empty = emptyResult(store, solve);
     this.full.append(
       h(
@@ -106,12 +98,34 @@ export class ResultPanel {
     );
     this.element.append(h("h2", { class: "unseen" }, "Result"), statusLine(store), this.empty.element, this.full);
     store.on(["solved"], () => void this.fetch());
+    store.on(["selection"], () => this.markSelected());
     store.on(["doc", "waiting", "solved"], () => {
       const isStale = freshness(store.solved, store.doc?.version, store.waitingCount) === "stale";
       this.element.classList.toggle("stale", isStale);
     });
     this.empty.update();
     this.update();
+  }
+
+  /** Make the tabs below the picture. */
+  private makeTabs(valueBox: HTMLElement, sectionBox: HTMLElement): Tabs {
+    const { tables, store, api } = this;
+    tables.addTo(
+      "ground",
+      comparisonBar(store, api, (error) => this.handleError(error)),
+    );
+    store.on(["comparison"], () => void this.takeComparison());
+    return tabs(
+      [
+        { name: "summary", label: "Summary", panel: this.summaryBox, scrolls: true },
+        { name: "values", label: "Values", panel: valueBox },
+        { name: "section", label: "Section", panel: sectionBox },
+        ...tables.tabs,
+        { name: "certificate", label: "Certificate", panel: this.certificateBox, scrolls: true },
+      ],
+      "about the result",
+      (name) => void tables.see(name),
+    );
   }
 
   /** Get the result that the store names, unless a newer one is on its way. */
@@ -134,13 +148,33 @@ export class ResultPanel {
       this.full.hidden = false;
       this.empty.element.hidden = true;
       this.view.setScene(decodeScene(buffer), this.view.field || "settlement");
+      this.markSelected();
       this.shownRun = run;
-      this.tables.set(run, names, (tab, offered) => this.lower.offer(tab, offered));
+      this.offerTables(run, names);
       void this.tables.see(this.lower.current());
     } catch (error) {
       if (turn === this.fetching) this.handleError(error);
     } finally {
       if (turn === this.fetching) this.element.setAttribute("aria-busy", "false");
+    }
+  }
+
+  /** Offer the tabs that have a table; grounds can always be compared. */
+  private offerTables(run: number | null, names: readonly string[]): void {
+    this.tables.set(run, names, (tab, offered) => this.lower.offer(tab, offered || (tab === "ground" && run !== null)));
+  }
+
+  /** Show the comparison of grounds that has been made for the run shown. */
+  private async takeComparison(): Promise<void> {
+    const { comparison } = this.store;
+    if (comparison?.state !== "done" || comparison.run !== this.shownRun) return;
+    try {
+      const names = await this.api.tables(comparison.run);
+      if (comparison.run !== this.shownRun) return;
+      this.offerTables(comparison.run, names);
+      this.tables.choose("ground", "comparison");
+    } catch (error) {
+      this.handleError(error);
     }
   }
 
@@ -172,7 +206,7 @@ export class ResultPanel {
     this.empty.update();
     this.view.clear();
     this.section.cut(null);
-    this.tables.set(null, [], (tab, offered) => this.lower.offer(tab, offered));
+    this.offerTables(null, []);
   }
 
   /** Show all that depends on the field and the combination. */
@@ -189,8 +223,19 @@ export class ResultPanel {
     this.section.update();
   }
 
+  /** Mark the item of the model that is selected. */
+  private markSelected(): void {
+    const { selection } = this.store;
+    const { scene, plan } = this.view;
+    const found = selection && scene && itemOf(scene.head.plan, formatPath(selection));
+    plan.mark("selected", found ? { points: found.points, closed: found.shape === "area" } : null);
+  }
+
   private setPick(at: Point): void {
     this.pick = at;
+    const { scene, plan } = this.view;
+    const found = scene && itemAt(scene.head.plan, at, plan.lengthOf(REACH));
+    if (found) this.store.select(parsePath(found.path));
     this.lower.show("values");
     this.update();
   }

@@ -18,7 +18,11 @@ const GROUPS: readonly { name: string; label: string; tables: Record<string, str
   { name: "supports", label: "Supports", tables: { supports: "supports", joints: "joints" } },
   { name: "strips", label: "Strips", tables: { strips: "design strips", lines: "section lines", points: "points" } },
   { name: "reinforcement", label: "Reinforcement", tables: { reinforcement: "required", bars: "laid, quantities" } },
-  { name: "ground", label: "Ground", tables: { constants: "constants", soil: "soil below points" } },
+  {
+    name: "ground",
+    label: "Ground",
+    tables: { comparison: "ground models compared", constants: "constants", soil: "soil below points" },
+  },
   { name: "mesh", label: "Mesh and errors", tables: { errors: "errors", mesh: "mesh", steps: "steps" } },
 ];
 
@@ -43,6 +47,7 @@ class Group {
     const there = Object.entries(this.tables).filter(([name]) => names.includes(name));
     fillOptions(this.choice, there);
     this.choice.hidden = there.length < 2;
+    this.view.element.hidden = there.length === 0;
     return there.length > 0;
   }
 }
@@ -69,14 +74,22 @@ export class ResultTables {
     return this.groups.map(({ panel }) => panel);
   }
 
-  panelOf(name: string): HTMLElement | undefined {
-    return this.groups.find((group) => group.name === name)?.panel;
+  /** Put something before the rows of a tab. */
+  addTo(tab: string, element: HTMLElement): void {
+    this.groups.find(({ name }) => name === tab)?.panel.prepend(element);
+  }
+
+  /** Choose a table of a tab. */
+  choose(tab: string, table: string): void {
+    const group = this.groups.find(({ name }) => name === tab);
+    if (group) group.choice.value = table;
+    void this.see(tab);
   }
 
   /** Take the names of the tables of a run; `offer` is called with each tab and whether it has any. */
   set(run: number | null, names: readonly string[], offer: (tab: string, offered: boolean) => void): void {
+    if (run !== this.run) this.kept.clear();
     this.run = run;
-    this.kept.clear();
     for (const group of this.groups) offer(group.name, group.offer(names));
   }
 
