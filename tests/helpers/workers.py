@@ -40,7 +40,8 @@ def obey(text: str, progress: Progress) -> tuple[Answer, bytes, str]:
     elif word == "bug":
         raise ZeroDivisionError("by zero")
     progress("half", 0.5)
-    return Answer(0.0, {}, {"text": text}), text.encode() * 1000, text
+    answer = Answer(0.0, {}, {"text": text}, ("words",))
+    return answer, text.encode() * 1000, text
 
 
 def prepare_for_ever(progress: Progress) -> None:

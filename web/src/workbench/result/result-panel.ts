@@ -92,7 +92,7 @@ export class ResultPanel {
         this.summaryBox,
         valueBox,
         sectionBox,
-        ...tables.panels,
+        ...this.tables.panels,
         this.certificateBox,
       ),
     );
