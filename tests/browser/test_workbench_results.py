@@ -54,10 +54,10 @@ def test_tables_are_shown_sorted_filtered_and_followed(server: Server, bench: Be
     bench.wait_seen(".table-count:visible", "of")
     row = table.locator("tbody tr[data-place]").first
     bench.until(lambda: "pressure" in row.inner_text())
-    row.get_by_text("heavy").last.click()
+    row.get_by_text("light").last.click()  # without the uniform load the slab lifts, and presses more at the corner
     bench.until(lambda: page.get_by_label("Field").input_value() == "pressure")
     chosen = "document.querySelector('.combination-choice').selectedOptions[0].textContent"
-    bench.until(lambda: "heavy" in page.evaluate(chosen))
+    bench.until(lambda: "light" in page.evaluate(chosen))
     assert page.locator(".gs-overlay .place").count() == 1
     result.get_by_role("tab", name="Combinations").click()
     table.get_by_text("light").first.wait_for()

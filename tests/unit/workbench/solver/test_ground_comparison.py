@@ -60,8 +60,6 @@ def wait_for(events: list[tuple[str, dict[str, Any]]], name: str) -> dict[str, A
 @pytest.mark.parametrize(
     ("text", "event", "message"), [("go", "compared", ""), ("refuse", "not compared", "no layers")]
 )
-    ("text", "event", "message"), [("go", "compared", ""), ("refuse", "not compared", "no layers")]
-)
 def test_a_comparison_is_kept_or_refused(text: str, event: str, message: str) -> None:
     """Progress is told, and then the end; only what was compared is kept."""
     events: list[tuple[str, dict[str, Any]]] = []
