@@ -109,3 +109,22 @@ def test_grounds_without_layers_cannot_be_compared(server: Server, bench: Bench,
     bench.page.get_by_role("button", name="Compare ground models").click()
     bench.wait_seen(".comparison-words", "without layers of soil")
     assert bench.page.get_by_role("button", name="Compare ground models").is_visible()
+
+
+def test_a_section_that_was_cut_is_kept_as_line_and_as_strip(server: Server, bench: Bench, case: Path) -> None:
+    """Two clicks cut a section; one button adds it to the case, another a strip, whose moments are a table then."""
+    open_two(server, bench, case)
+    page = bench.page
+    result = page.locator(".result")
+    result.get_by_role("button", name="Section", exact=True).click()
+    box = page.locator(".gs-plan").bounding_box()
+    for share in (0.4, 0.6):
+        page.mouse.click(box["x"] + share * box["width"], box["y"] + 0.5 * box["height"])
+    result.get_by_role("button", name="Keep in the case").click()
+    bench.wait_text("[[output.lines]]", 'name = "line 1"')
+    result.get_by_label("Width of the strip").fill("1.5 m")
+    result.get_by_role("button", name="Add strip").click()
+    bench.wait_text("[[output.strips]]", 'name = "strip 1"', 'width = "1.5 m"')
+    bench.wait_solved()
+    result.get_by_role("tab", name="Strips").click()
+    page.locator(".result-table:visible").get_by_text("strip 1").first.wait_for()

@@ -7,10 +7,12 @@ import { ValuePanel } from "../../viewer/panels/value-panel";
 import { fill, h } from "../../viewer/shared/dom";
 import { type Api, Lost, Refused, type Summary } from "../client/api";
 import type { Store } from "../client/store";
+import type { Change } from "../model/changes/edits";
 import { formatPath, parsePath } from "../model/paths";
 import { splitter } from "../shell/splitter";
 import { type Tabs, tabs } from "../shell/tabs";
 import { comparisonBar } from "./comparison-bar";
+import { keepSection } from "./keep-section";
 import { itemAt, itemOf, itemsIn, middleOf } from "./plan-items";
 import { ResultTables } from "./result-tables";
 import { emptyResult, freshness, statusLine } from "./status";
@@ -45,6 +47,7 @@ export class ResultPanel {
     private readonly api: Pick<Api, "scene" | "summary" | "tables" | "table" | "compareGrounds" | "cancelComparison">,
     solve: () => void,
     private readonly onLost: (error: Lost) => void,
+    push: (change: Change) => void,
   ) {
     const valueBox = h("div", { class: "lower-panel value-box" });
     const chartPlace = h("div", { class: "chart-place" });
@@ -57,11 +60,13 @@ export class ResultPanel {
       true,
     );
     const { view } = this;
+    const keep = keepSection(store, push);
     this.section = new SectionPanel(view, chartPlace, SECTION_HINT, (section) => {
+      keep.set(section);
       if (section) this.lower.show("section");
     });
     const { title, lines, combinations } = this.section;
-    const chartBar = h("div", { class: "chart-bar" }, title, lines, combinations);
+    const chartBar = h("div", { class: "chart-bar" }, title, keep.element, lines, combinations);
     const sectionBox = h("div", { class: "lower-panel section-box" }, chartBar, chartPlace);
     this.values = new ValuePanel(valueBox);
     this.values.onField = (field) => view.show(view.choice, field);
