@@ -128,3 +128,24 @@ def test_a_section_that_was_cut_is_kept_as_line_and_as_strip(server: Server, ben
     bench.wait_solved()
     result.get_by_role("tab", name="Strips").click()
     page.locator(".result-table:visible").get_by_text("strip 1").first.wait_for()
+
+
+def test_a_reference_stands_beside_the_next_result(server: Server, bench: Bench, case: Path) -> None:
+    """A kept result is compared with that of a thicker slab; both figures are those that each summary showed."""
+    open_two(server, bench, case)
+    page = bench.page
+    before = bench.largest("largest settlement")
+    page.get_by_role("button", name="Keep as reference").click()
+    bench.click(2.9, 1.9)  # the slab
+    bench.fill("350 mm", "plate", "thickness")
+    page.keyboard.press("Tab")
+    bench.wait_text('"350 mm"')
+    bench.wait_solved()
+    after = bench.largest("largest settlement")
+    assert after != before
+    page.locator(".result").get_by_role("tab", name="Reference").click()
+    cells = (
+        page.locator(".certificates:visible tr", has_text="largest settlement").first.locator("td").all_inner_texts()
+    )
+    assert [float(text) for text in cells[:2]] == [before, after]
+    assert cells[3] == f"{100 * (after - before) / before:+.1f} %".replace("-", "\N{MINUS SIGN}")

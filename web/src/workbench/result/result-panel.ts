@@ -14,6 +14,7 @@ import { type Tabs, tabs } from "../shell/tabs";
 import { comparisonBar } from "./comparison-bar";
 import { keepSection } from "./keep-section";
 import { itemAt, itemOf, itemsIn, middleOf } from "./plan-items";
+import { Reference } from "./reference";
 import { ResultTables } from "./result-tables";
 import { emptyResult, freshness, statusLine } from "./status";
 import { showCertificates, showSummary, verdictOf } from "./summary";
@@ -34,6 +35,10 @@ export class ResultPanel {
   private readonly certificateBox = h("div", { class: "lower-panel" });
   private readonly refusedBox = h("div", { class: "refused-over", role: "alert", hidden: true });
   private readonly tables: ResultTables;
+  private readonly reference = new Reference(() => {
+    this.lower.offer("reference", true);
+    this.lower.show("reference");
+  });
   private readonly lower: Tabs;
   private readonly empty;
   private readonly full = h("div", { class: "result-full", hidden: true });
@@ -97,6 +102,7 @@ export class ResultPanel {
         this.summaryBox,
         valueBox,
         sectionBox,
+        this.reference.panel,
         ...this.tables.panels,
         this.certificateBox,
       ),
@@ -109,6 +115,7 @@ export class ResultPanel {
       this.element.classList.toggle("stale", isStale);
     });
     this.empty.update();
+    this.lower.offer("reference", false);
     this.update();
   }
 
@@ -125,6 +132,7 @@ export class ResultPanel {
         { name: "summary", label: "Summary", panel: this.summaryBox, scrolls: true },
         { name: "values", label: "Values", panel: valueBox },
         { name: "section", label: "Section", panel: sectionBox },
+        { name: "reference", label: "Reference", panel: this.reference.panel, scrolls: true },
         ...tables.tabs,
         { name: "certificate", label: "Certificate", panel: this.certificateBox, scrolls: true },
       ],
@@ -212,6 +220,8 @@ export class ResultPanel {
     this.view.clear();
     this.section.cut(null);
     this.offerTables(null, []);
+    this.reference.forget();
+    this.lower.offer("reference", false);
   }
 
   /** Show all that depends on the field and the combination. */
@@ -219,6 +229,8 @@ export class ResultPanel {
     const { view, summary } = this;
     const one = isEnvelope(view.choice) ? null : (summary?.combinations[view.choice] ?? null);
     showSummary(this.summaryBox, one, summary);
+    if (one && one.refused === null) this.summaryBox.prepend(this.reference.keepButton);
+    this.reference.show(summary, one?.name ?? "");
     showCertificates(this.certificateBox, summary, (n) => view.show(n, view.field));
     const bad = summary?.combinations.filter((each) => verdictOf(each) !== "certified").length ?? 0;
     this.lower.mark("certificate", summary ? (bad > 0 ? String(bad) : "✓") : "", bad > 0);
