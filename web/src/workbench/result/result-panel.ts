@@ -78,7 +78,10 @@ export class ResultPanel {
     this.tables = new ResultTables(
       api,
       (target) => this.follow(target),
-      (error) => this.handleError(error),
+      (error) => {
+        // a newer result is on its way, whose tables follow it
+        if (error instanceof Lost || store.solved?.run === this.shownRun) this.handleError(error);
+      },
     );
     this.lower = this.makeTabs(valueBox, sectionBox);
     this.empty = emptyResult(store, solve);
