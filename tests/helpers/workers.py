@@ -10,13 +10,14 @@ from pathlib import Path
 from typing import Any
 
 from groundslab.errors import GroundslabError, InputError, Issue
+from groundslab.views.report.table_layout import Cell, TableLayout, headers
 from groundslab.workbench.checking import parsing
 from groundslab.workbench.checking.parsing import CheckResult
 from groundslab.workbench.editing.document import Document
-from groundslab.workbench.solver.process import Answer, Progress
+from groundslab.workbench.solver.process import Answer, Progress, Solved
 
 
-def obey(text: str, progress: Progress) -> tuple[Answer, bytes, str]:
+def obey(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
     """Do what the text's last order says, else its first word; a file ends waiting when it is there."""
     word, _, file = text.rpartition("order: ")[2].partition(" ")
     if word == "wait":
@@ -40,7 +41,8 @@ def obey(text: str, progress: Progress) -> tuple[Answer, bytes, str]:
     elif word == "bug":
         raise ZeroDivisionError("by zero")
     progress("half", 0.5)
-    return Answer(0.0, {}, {"text": text}), text.encode() * 1000, text
+    tables = {"words": lambda: TableLayout(text, headers("word"), ((Cell(word),),))}
+    return Answer(0.0, {}, {"text": text}, tuple(tables)), text.encode() * 1000, Solved(text, None, tables)
 
 
 def prepare_for_ever(progress: Progress) -> None:

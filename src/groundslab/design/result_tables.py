@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from functools import partial
+from collections.abc import Callable
+from functools import cache, partial
 
 from groundslab.design.bar_quantities import bars
 from groundslab.design.checks.table import checks_table
@@ -17,7 +18,7 @@ from groundslab.design.tables.table import Column, Table
 from groundslab.model.ground import ContinuousGround
 from groundslab.results.results import Results
 
-__all__ = ["Column", "Table", "fields_of_envelope", "tables_of"]
+__all__ = ["Column", "Table", "fields_of_envelope", "table_makers", "tables_of"]
 
 
 def tables_of(combined: Results) -> tuple[Table, ...]:
@@ -55,27 +56,36 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
     >>> tables["extremes"].columns[3].header
     'least'
     """
+    return tuple(make() for make in table_makers(combined).values())
+
+
+def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
+    """Return what makes each table of `tables_of` by the table's name; a table that others are made of is made once."""
     model = combined.model
-    each = errors.with_errors_of_extremes(extremes(combined), combined)
-    first = errors.with_errors_of_figures(errors.with_errors(combinations, combined), each)
-    tables = [first, each, errors.with_errors_of_envelope(envelopes(combined), each)]
-    tables.append(errors.with_errors(tilts, combined))
+    each = cache(lambda: errors.with_errors_of_extremes(extremes(combined), combined))
+    columns = cache(lambda: errors.with_errors(column_table, combined))
+    makers: dict[str, Callable[[], Table]] = {
+        "combinations": lambda: errors.with_errors_of_figures(errors.with_errors(combinations, combined), each()),
+        "extremes": each,
+        "envelope": lambda: errors.with_errors_of_envelope(envelopes(combined), each()),
+        "tilt": lambda: errors.with_errors(tilts, combined),
+    }
     if model.reinforcement is not None or model.limits is not None or model.floor is not None:
-        tables.append(checks_table(combined))
-    wanted = (
-        (model.output.points, points),
-        (isinstance(model.ground, ContinuousGround) and model.output.points, soil),
-        (model.output.lines, lines),
-        (model.output.strips, strips),
-        (model.supports, support_table),
-        (model.joints, joint_table),
-        (model.columns, column_table),
-    )
-    tables += [errors.with_errors(make, combined) for requested, make in wanted if requested]
+        makers["checks"] = lambda: checks_table(combined)
+    wanted = {
+        "points": (model.output.points, points),
+        "soil": (isinstance(model.ground, ContinuousGround) and model.output.points, soil),
+        "lines": (model.output.lines, lines),
+        "strips": (model.output.strips, strips),
+        "supports": (model.supports, support_table),
+        "joints": (model.joints, joint_table),
+    }
+    makers |= {name: partial(errors.with_errors, make, combined) for name, (asked, make) in wanted.items() if asked}
     if model.columns:
-        tables.append(column_envelope(combined, tables[-1]))
+        makers |= {"columns": columns, "column_envelope": lambda: column_envelope(combined, columns())}
     if model.reinforcement is not None:
-        tables.append(errors.with_errors_of_governing(partial(reinforcement, steel=model.reinforcement), combined))
+        needs = partial(reinforcement, steel=model.reinforcement)
+        makers["reinforcement"] = lambda: errors.with_errors_of_governing(needs, combined)
         if model.reinforcement.laid:
-            tables.append(bars(model))
-    return tuple(tables)
+            makers["bars"] = lambda: bars(model)
+    return makers

@@ -99,13 +99,13 @@ def build_page(
         "drawings": list(_drawings(combined, leading)),
         "grounds": None if comparison is None else build_chapter(comparison),
         "loads": list(drawings.draw_loads(combined.model)),
-        "constants": _constants(found) if any(each.constants.k0 for each in there) else None,
-        "analysed": list(map(_section, _analysed(combined))) if there else [],
+        "constants": list_constants(found) if any(each.constants.k0 for each in there) else None,
+        "analysed": list(map(layout_section, list_sections(combined))) if there else [],
         "certificates": _certificates(combined, found),
         "extremes": list(_extremes(combined, found)),
         "tables": list(map(_table, tables)),
         "unprinted": table_layout.find_unprinted(tables),
-        "history": _history(found),
+        "history": list_steps(found),
         "pictures": list(drawings.draw_pictures(combined)),
         "refused": [(entry.combination.name, str(entry.refused)) for entry in found if entry.refused is not None],
     }
@@ -137,19 +137,19 @@ def _verdict(combined: Results, found: Sequence[Entry]) -> tuple[str, str]:
     return ("bad", f"FAILED: {words} The results of the others are certified.")
 
 
-def _analysed(combined: Results) -> list[SummarySection]:
+def list_sections(combined: Results) -> list[SummarySection]:
     """Return plate and mesh as analyzed, and ground without constants, which has no table of them."""
     plate, mesh, ground, *_ = combinations.description(combined)
     return [plate, mesh, *([ground] if isinstance(combined.model.ground, ContinuousGround) else [])]
 
 
-def _section(section: SummarySection) -> TableLayout:
+def layout_section(section: SummarySection) -> TableLayout:
     """Return a section of the summary."""
-    rows = tuple(map(_row, section.rows))
+    rows = tuple(map(layout_row, section.rows))
     return drop_empty_columns(TableLayout(section.title, headers(*_VALUE), rows, section.notes))
 
 
-def _row(row: Row) -> tuple[Cell, ...]:
+def layout_row(row: Row) -> tuple[Cell, ...]:
     """Return a row of the summary without its place."""
     shown = shown_row(row)
     words = Cell(row.label, "words"), Cell(row.symbol, "symbol")
@@ -266,7 +266,7 @@ def _table(table: Table) -> dict[str, Any]:
     return about | {"grids": grids, "digest": table_layout.summarize_table(table)}
 
 
-def _constants(found: Sequence[Entry]) -> TableLayout:
+def list_constants(found: Sequence[Entry]) -> TableLayout:
     """Return the constants of the ground that each combination ended with."""
     heads: list[TableHeader] = []
     rows = []
@@ -305,7 +305,7 @@ def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[
     yield replace(soil, caption=" ".join(notes))
 
 
-def _history(found: Sequence[Entry]) -> TableLayout:
+def list_steps(found: Sequence[Entry]) -> TableLayout:
     """Return all steps of all combinations that have results."""
     numbers = ("#unknowns of the mesh", "#load increment", "#gamma", "#contact iteration", "#in contact")
     heads = headers("combination", *numbers, "#changed", "")

@@ -36,6 +36,12 @@ def build_chapter(comparison: GroundComparison) -> GroundChapter:
     return GroundChapter((figures, constants), Drawing(svg, CAPTION))
 
 
+def layout_rows(comparison: GroundComparison) -> TableLayout:
+    """Return figures and constants of all grounds in one table."""
+    rows = (*figure_rows(comparison), *constant_rows(comparison))
+    return _layout(comparison, "Ground models compared", rows, notes(comparison))
+
+
 def _layout(
     comparison: GroundComparison, title: str, rows: Sequence[ComparisonRow], notes: tuple[str, ...]
 ) -> TableLayout:

@@ -27,10 +27,11 @@ if TYPE_CHECKING:
 FORMAT = 2
 #: The nodal fields that a scene has, if need be; all others can be made of them.
 SHOWN = (
-    "settlement", "pressure", "gap", "penetration", "moment_x", "moment_y", "moment_xy", "shear_x", "shear_y",
+    "settlement", "rotation_x", "rotation_y", "pressure", LINE_FORCE, "gap", "penetration", "moment_x", "moment_y",
+    "moment_xy", "shear_x", "shear_y",
 )  # fmt: skip
 #: The fields of bars that a scene has begin with these.
-SHOWN_OF_BARS = ("required_", "utilisation_")
+SHOWN_OF_BARS = ("required_", "provided_", "utilisation_", "missing_")
 
 
 def scene_of(combined: Results, most: int | None = None) -> Scene:
@@ -79,15 +80,18 @@ _CONTACT = {
 
 
 def _fields_of(there: list[CombinationResult]) -> list[str]:
-    """Return the names of the fields that are shown; how far the ground has yielded only where it has.
+    """Return the names of the fields that are shown; a penetration and forces along edges only where there are any.
 
     Those of elements only if all combinations have them.
     """
-    yields = any(each.plate.penetration.any() for each in there)
+    absent = {
+        "penetration": not any(each.plate.penetration.any() for each in there),
+        LINE_FORCE: not any(map(has_line_force, there)),
+    }
     of_elements = [
         name for name in SHOWN_ELEMENT_FIELDS if all(getattr(each.elements, name) is not None for each in there)
     ]
-    return [name for name in SHOWN if yields or name != "penetration"] + (of_elements if there else [])
+    return [name for name in SHOWN if not absent.get(name)] + (of_elements if there else [])
 
 
 def _about(name: str, there: list[CombinationResult]) -> dict[str, Any]:

@@ -94,6 +94,7 @@ def create_app(session: Session, tickets: Tickets, port: int, token: str, static
     _add_error_handlers(app, session)
     _add_document_routes(app, session)
     _add_solver_routes(app, session)
+    _add_table_routes(app, session)
     _add_ticket_routes(app, tickets, token)
     for suffix, kind in TYPES.items():
         mimetypes.add_type(kind, suffix)
@@ -213,6 +214,39 @@ def _add_solver_routes(app: FastAPI, session: Session) -> None:
         name, content = session.write_report(run)
         headers = {"Content-Disposition": f"attachment; filename*=UTF-8''{quote(name, safe='')}"}
         return Response(content, media_type="text/html; charset=utf-8", headers=headers)
+
+
+def _add_table_routes(app: FastAPI, session: Session) -> None:
+    """Add the routes of the tables of results, and of the comparison of grounds, which is one when it has been made."""
+
+    @app.get("/api/results/{run}/tables")
+    def list_tables(run: int) -> Response:
+        result = session.solver.get_result(run)
+        if result is None:
+            return _respond_not_kept()
+        compared = ["comparison"] if session.comparer.get(run) else []
+        return JSONResponse([*result.answer.tables, *compared])
+
+    @app.get("/api/results/{run}/tables/{name}")
+    def get_table(run: int, name: str) -> Response:
+        result = session.solver.get_result(run)
+        content = session.comparer.get(run) if name == "comparison" else None
+        if content is None and (result is None or name not in result.answer.tables):
+            return _respond_not_kept()
+        return Response(content or session.solver.make_view(("table", run, name)), media_type="application/json")
+
+    @app.post("/api/results/{run}/comparison")
+    def compare_grounds(run: int) -> Response:
+        result = session.solver.get_result(run)
+        if result is None:
+            return _respond_not_kept()
+        session.comparer.start(run, result.text)
+        return JSONResponse({})
+
+    @app.post("/api/comparison/cancel")
+    def cancel_comparison() -> dict[str, Any]:
+        session.comparer.cancel()
+        return {}
 
 
 def _respond_not_kept() -> JSONResponse:

@@ -21,6 +21,7 @@ from groundslab.workbench.persistence import autosave, files
 from groundslab.workbench.persistence.autosave import Autosave, UnsavedWork
 from groundslab.workbench.server import case_file
 from groundslab.workbench.server.case_file import CaseFile, Conflict
+from groundslab.workbench.solver.ground_comparison import GroundComparer
 from groundslab.workbench.solver.thread import DELAY, Solver
 
 State = dict[str, Any]
@@ -41,6 +42,7 @@ class Session:
         """Begin with a new document; state is the user's folder for unsaved work and locks; caller checks texts."""
         self.hub = hub
         self.solver = solver
+        self.comparer = GroundComparer(hub.publish)
         self._checker = Checker(self._set_data, self._set_check_result, caller)
         self._data: dict[str, Any] | None = None
         self._check_result: CheckResult | None = None  # None while the document is being checked
@@ -198,13 +200,14 @@ class Session:
     def write_report(self, run: int) -> tuple[str, bytes]:
         """Return a name for the report on a run, and its content."""
         path = self._case_file.path or Path("case.toml")
-        return f"{path.stem}-report.html", self.solver.write_report(run, path.name)
+        return f"{path.stem}-report.html", self.solver.make_view(("report", run, path.name))
 
     def close(self) -> str:
         """End; return the path of unsaved work, empty if there is none."""
         self._checker.close()
         with self._lock:
             self.hub.close()
+            self.comparer.cancel()
             self.solver.close()
             self._autosave.release()
             self._case_file.close()
@@ -216,6 +219,7 @@ class Session:
 
     def _begin(self, document: Document, file: CaseFile) -> None:
         """Begin with a document, without undo history."""
+        self.comparer.cancel()
         self.solver.reset()
         self._case_file = file
         self._history = History()

@@ -1,13 +1,14 @@
 """The process that solves: it is kept warm, and stops a run between two steps of the analysis.
 
-It receives ("solve", run, text) and ("report", run, file) from ``Solver`` through a pipe. It sends ("ready",) when it
-can receive, ("warm",) when it has warmed up, ("progress", run, text, share), ("solved", run, answer) followed by the
-bytes of the scene, ("refused", run, message, issues), ("stopped", run), and ("report", run, error) followed by the
-bytes of the report if the error is empty.
+It receives ("solve", run, text), ("report", run, file) and ("table", run, name) from ``Solver`` through a pipe. It
+sends ("ready",) when it can receive, ("warm",) when it has warmed up, ("progress", run, text, share), ("solved", run,
+answer) followed by the bytes of the scene, ("refused", run, message, issues), ("stopped", run), and ("view", message,
+error) in answer to the last two messages, followed by the bytes of the report or of the table if the error is empty.
 """
 
 from __future__ import annotations
 
+import json
 import time
 import traceback
 from collections.abc import Callable
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from groundslab.model.model import Model
     from groundslab.results.record import Step
     from groundslab.results.results import Results
+    from groundslab.views.report.table_layout import TableLayout
 
 #: Shortest time between two messages about the progress [s].
 PROGRESS_INTERVAL = 0.1
@@ -31,24 +33,36 @@ PROGRESS_INTERVAL = 0.1
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """The outcome of a run without its scene: seconds, reasons of refused combinations, the summary."""
+    """The outcome of a run without its scene: seconds, reasons of refused combinations, summary, names of tables."""
 
     seconds: float
     refused: dict[str, str]
     summary: dict[str, Any]
+    tables: tuple[str, ...] = ()
 
 
 #: Called with a text and the share of combinations that are done.
 Progress = Callable[[str, float | None], None]
+#: What is made of the results of a run: "report" or "table", the run, the name of the case or of the table.
+View = tuple[str, int, str]
 #: Solves a text; returns the answer, the packed scene, and the data for a report.
 Task = Callable[[str, Progress], tuple[Answer, bytes, Any]]
+
+
+@dataclass(frozen=True, slots=True)
+class Solved:
+    """What is kept of a run for its report and its tables, which are made when they are asked for."""
+
+    text: str
+    results: Results
+    tables: dict[str, Callable[[], TableLayout]]
 
 
 class Stopped(BaseException):
     """The run is to stop; not an ``Exception``, so that nothing on the way catches it."""
 
 
-def solve(text: str, progress: Progress) -> tuple[Answer, bytes, tuple[str, Results]]:
+def solve(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
     """Return the results of the case that a text describes; raises GroundslabError."""
     from groundslab.analysis.driver import solve_combinations
     from groundslab.case import casefile
@@ -57,6 +71,7 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, tuple[str, Resu
     from groundslab.views.scene.fields import scene_of
     from groundslab.views.summary.progress import line
     from groundslab.workbench.solver.summary import build_summary
+    from groundslab.workbench.solver.tables import layout_makers
 
     start = time.perf_counter()
     model = casefile.loads(text)
@@ -77,7 +92,9 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, tuple[str, Resu
     combined = solve_combinations(model, on_step, on_combination)
     refused = {name: str(error) for name, error in combined.refused.items()}
     summary, scene = build_summary(combined), pack(scene_of(combined))
-    return Answer(time.perf_counter() - start, refused, summary), scene, (text, combined)
+    tables = layout_makers(combined)
+    answer = Answer(time.perf_counter() - start, refused, summary, tuple(tables))
+    return answer, scene, Solved(text, combined, tables)
 
 
 def warm_up(progress: Progress) -> None:
@@ -101,7 +118,7 @@ def main(pipe: Connection, stop: Any, task: Task, prepare: Callable[[Progress], 
             if kind == "solve":
                 latest = _solve(pipe, stop, task, run, rest[0]) or latest
             else:
-                _report(pipe, run, rest[0], latest)
+                _send_view(pipe, (kind, run, rest[0]), latest)
         except (EOFError, BrokenPipeError, ConnectionResetError):
             return
 
@@ -162,19 +179,32 @@ def _compare(model: Model) -> GroundComparison | None:
     return compare_grounds(model)
 
 
-def _report(pipe: Connection, run: int, file: str, latest: tuple[int, Any] | None) -> None:
-    """Send the report on a run, if it is the latest one; file is the name of the case."""
+def _send_view(pipe: Connection, view: View, latest: tuple[int, Any] | None) -> None:
+    """Send a report or a table of a run, if it is the latest one."""
+    kind, run, name = view
     if latest is None or latest[0] != run:
-        pipe.send(("report", run, "the results of that run are not kept any more; solve again"))
+        pipe.send(("view", view, "the results of that run are not kept any more; solve again"))
         return
     try:
-        from groundslab.views.report.html import render_report
-
-        text, combined = latest[1]
-        content = render_report(combined, text=text, file=file, comparison=_compare(combined.model)).encode()
+        content = (_write_report if kind == "report" else _write_table)(latest[1], name)
     except Exception as error:
         traceback.print_exc()
-        pipe.send(("report", run, f"the report cannot be written: {error}"))
+        pipe.send(("view", view, f"it cannot be made: {error}"))
     else:
-        pipe.send(("report", run, ""))
+        pipe.send(("view", view, ""))
         pipe.send_bytes(content)
+
+
+def _write_report(solved: Solved, file: str) -> bytes:
+    """Return the report; file is the name of the case."""
+    from groundslab.views.report.html import render_report
+
+    results = solved.results
+    return render_report(results, text=solved.text, file=file, comparison=_compare(results.model)).encode()
+
+
+def _write_table(solved: Solved, name: str) -> bytes:
+    """Return a table as JSON."""
+    from groundslab.workbench.solver.tables import table_to_json
+
+    return json.dumps(table_to_json(name, solved.tables[name]()), allow_nan=False).encode()

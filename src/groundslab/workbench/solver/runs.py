@@ -1,4 +1,4 @@
-"""Runs of the solver: what is to be solved, results, and reports that are waited for."""
+"""Runs of the solver: what is to be solved, results, and views of them that are waited for."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from groundslab.errors import InputError, Issue
-from groundslab.workbench.solver.process import Answer
+from groundslab.workbench.solver.process import Answer, View
 
 
 @dataclass(slots=True)
@@ -35,6 +35,7 @@ class Result:
     fingerprint: object
     answer: Answer
     scene: bytes
+    text: str = ""
 
     def to_json(self) -> dict[str, Any]:
         """Return the result as data for the page, with the headline of a design that fails or needs attention."""
@@ -48,39 +49,37 @@ class Result:
         }
 
 
-class ReportRequests:
-    """Reports that other threads wait for, by run."""
+class ViewRequests:
+    """Reports and tables that other threads wait for."""
 
     def __init__(self) -> None:
-        self._waiting: dict[int, Future[bytes]] = {}
-        self._file = ""  # the name of the case in a report
+        self._waiting: dict[View, Future[bytes]] = {}
 
-    def add(self, run: int, file: str) -> Future[bytes]:
-        """Return the future report on a run."""
-        self._file = file
-        return self._waiting.setdefault(run, Future())
+    def add(self, view: View) -> Future[bytes]:
+        """Return a future view."""
+        return self._waiting.setdefault(view, Future())
 
-    def take_unsent(self) -> Iterator[tuple[str, int, str]]:
+    def take_unsent(self) -> Iterator[View]:
         """Yield the messages to the process for new requests."""
-        for run, future in self._waiting.items():
+        for view, future in self._waiting.items():
             if not future.running():
                 future.set_running_or_notify_cancel()
-                yield "report", run, self._file
+                yield view
 
-    def finish(self, run: int, error: str, content: bytes = b"") -> None:
-        """Pass on a report, or the reason why there is none."""
-        future = self._waiting.pop(run, Future())
+    def finish(self, view: View, error: str, content: bytes = b"") -> None:
+        """Pass on a view, or the reason why there is none."""
+        future = self._waiting.pop(view, Future())
         if error:
-            future.set_exception(make_report_error(error))
+            future.set_exception(make_view_error(view[0], error))
         else:
             future.set_result(content)
 
     def fail(self, error: str) -> None:
         """Fail all requests."""
-        for run in list(self._waiting):
-            self.finish(run, error)
+        for view in list(self._waiting):
+            self.finish(view, error)
 
 
-def make_report_error(reason: str) -> InputError:
-    """Return the error for a report that cannot be written."""
-    return InputError([Issue("the report", reason, "results that are kept")])
+def make_view_error(kind: str, reason: str) -> InputError:
+    """Return the error for a report or a table that cannot be made."""
+    return InputError([Issue(f"the {kind}", reason, "results that are kept")])

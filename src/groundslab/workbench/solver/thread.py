@@ -20,7 +20,8 @@ from typing import TYPE_CHECKING, Any
 from groundslab.workbench.child_process import CONTEXT, ChildProcess
 from groundslab.workbench.editing.diagnostics import issues_to_json
 from groundslab.workbench.solver import process as worker
-from groundslab.workbench.solver.runs import Job, ReportRequests, Result, make_report_error
+from groundslab.workbench.solver.process import View
+from groundslab.workbench.solver.runs import Job, Result, ViewRequests, make_view_error
 
 if TYPE_CHECKING:
     from groundslab.workbench.events import Event
@@ -56,7 +57,7 @@ class _Requests:
     cancel: bool = False
     close: bool = False
     notify_again: bool = False  # whether the latest result is announced again once the current run is stopped
-    reports: ReportRequests = field(default_factory=ReportRequests)
+    views: ViewRequests = field(default_factory=ViewRequests)
 
 
 class Solver:
@@ -150,17 +151,17 @@ class Solver:
                     events.append(("progress", self._progress))
             return events
 
-    def write_report(self, run: int, file: str, timeout: float = 600.0) -> bytes:
-        """Wait for the report on a run and return it; file is the name of the case. Raises InputError on failure."""
+    def make_view(self, view: View, timeout: float = 600.0) -> bytes:
+        """Wait for a report or a table and return it; raises InputError on failure."""
         with self._lock:
             if self._requests.close:
-                raise make_report_error(CLOSING)
-            future = self._requests.reports.add(run, file)
+                raise make_view_error(view[0], CLOSING)
+            future = self._requests.views.add(view)
         self._wake()
         try:
             return future.result(timeout)
         except TimeoutError:
-            raise make_report_error("it takes too long") from None
+            raise make_view_error(view[0], "it takes too long") from None
 
     def close(self) -> None:
         """End the process and the thread."""
@@ -191,7 +192,7 @@ class Solver:
                 self._handle_exit(process)
         with self._lock:
             self._kill_process(CLOSING)
-            self._requests.reports.fail(CLOSING)
+            self._requests.views.fail(CLOSING)
 
     def _handle_requests(self) -> None:
         """Stop the run, start the process and send it requests, as far as these are due."""
@@ -210,10 +211,10 @@ class Solver:
             self._process = _Process(child, stop)
         process = self._process
         if process is None:
-            requests.reports.fail("the solver cannot be started")
+            requests.views.fail("the solver cannot be started")
         if process is None or not process.is_ready or self._running is not None:
             return
-        messages: list[tuple[str, int, str]] = list(requests.reports.take_unsent())
+        messages: list[tuple[str, int, str]] = list(requests.views.take_unsent())
         if requests.job is not None and now >= requests.job.due:
             job, requests.job = requests.job, None
             self._running = job
@@ -241,18 +242,18 @@ class Solver:
         return max(0.0, min(times) - time.monotonic()) if times else None
 
     def _kill_process(self, reason: str) -> None:
-        """Kill the process; reports that are waited for fail with a reason."""
+        """Kill the process; views that are waited for fail with a reason."""
         if self._process is not None:
             self._process.child.close()
             self._process = None
-            self._requests.reports.fail(reason)
+            self._requests.views.fail(reason)
 
     def _receive(self, process: _Process) -> None:
         """Receive a message of the process."""
         pipe = process.child.pipe
         try:
             kind, *rest = pipe.recv()
-            content = pipe.recv_bytes() if kind == "solved" or (kind == "report" and not rest[1]) else b""
+            content = pipe.recv_bytes() if kind == "solved" or (kind == "view" and not rest[1]) else b""
         except (EOFError, OSError):
             self._handle_exit(process)
             return
@@ -261,8 +262,8 @@ class Solver:
                 process.is_ready = True
             elif kind == "warm":
                 process.has_started, self._failed_starts = True, 0
-            elif kind == "report":
-                self._requests.reports.finish(rest[0], rest[1], content)
+            elif kind == "view":
+                self._requests.views.finish(rest[0], rest[1], content)
             elif self._running is not None and rest[0] == self._running.run:
                 self._handle_run_message(self._running, kind, rest[1:], content)
 
@@ -280,7 +281,7 @@ class Solver:
         elif kind == "refused":
             self._finish_run("refused", job.to_json() | {"message": rest[0], "issues": issues_to_json(rest[1])})
         else:
-            result = Result(job.run, job.version, job.fingerprint, rest[0], content)
+            result = Result(job.run, job.version, job.fingerprint, rest[0], content, job.text)
             self._results[job.run] = result
             while len(self._results) > MAX_RESULTS:
                 del self._results[next(iter(self._results))]

@@ -125,17 +125,15 @@ def test_what_is_refused(steel: dict[str, Any], fields: list[str], options: dict
 
 
 def test_scene_has_them_in_every_combination() -> None:
-    """Required areas and utilisation have one block, which all combinations refer to; weak concrete leaves them out."""
+    """What is told of bars has one block, which all combinations refer to; weak concrete leaves it out."""
     of = results(**LAID)
     scene = scene_of(of)
     names = [field["name"] for field in scene.head["fields"]]
-    shown = [name for name in BAR_FIELDS if name.startswith(("required", "utilisation"))]
-    assert [name for name in names if name in BAR_FIELDS] == shown
+    assert [name for name in names if name in BAR_FIELDS] == list(BAR_FIELDS)
     blocks = [each["values"]["utilisation_bottom_x"] for each in scene.head["combinations"]]
     assert blocks[0] == blocks[1] == blocks[2]
     wanted = bar_fields(of)["utilisation_bottom_x"] * 100
     assert values_of(scene, blocks[0]) == pytest.approx(wanted, abs=np.ptp(wanted) / 1e4)
-    assert not {name for name in BAR_FIELDS if "provided" in name} & set(names)
     one = of.results["two"]
     weak = replace(one, plate=replace(one.plate, moment_x=one.plate.moment_x * 1000))
     left = [field["name"] for field in scene_of(replace(of, results={**of.results, "two": weak})).head["fields"]]

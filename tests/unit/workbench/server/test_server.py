@@ -332,6 +332,12 @@ def test_results_of_a_run(bench: Bench) -> None:
     assert bench.get(f"/api/results/{run}/summary") == {"text": CASE}
     assert bench.get("/api/results/99/summary", 404)["error"]["message"]
     assert bench.get("/api/results/99/report", 422)["error"]["found"]
+    assert bench.get(f"/api/results/{run}/tables") == ["words"]
+    assert bench.get(f"/api/results/{run}/tables/words")["title"] == CASE
+    for path in (f"/api/results/{run}/tables/other", "/api/results/99/tables/words", "/api/results/99/tables"):
+        assert bench.get(path, 404)["error"]["message"]
+    assert bench.post("/api/results/99/comparison", status=404)["error"]["message"]
+    assert bench.post("/api/comparison/cancel") == {}
 
 
 @pytest.mark.slow

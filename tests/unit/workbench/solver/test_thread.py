@@ -248,7 +248,7 @@ def test_a_process_that_never_gets_ready_is_not_started_for_ever(make: Make, eve
     for text in ("go 1", "go 2"):
         assert "exit code 4" in events.wait("refused", submit(solver, text, delay=0.5))["message"]
     with pytest.raises(InputError, match="cannot be started"):
-        solver.write_report(1, "x")
+        solver.make_view(("report", 1, "x"))
 
 
 def test_preparing_gives_way(make: Make, events: Events) -> None:
@@ -298,9 +298,9 @@ q = "-10 kPa"
 def test_the_analysis_behind_it() -> None:
     """Two load cases, one of which lifts the plate off: progress, summary and scene of one, the other's refusal."""
     said: list[tuple[str, float | None]] = []
-    answer, scene, (text, combined) = process.solve(TWO, lambda *words: said.append(words))
-    assert text == TWO
-    assert list(combined.results) == ["down"]
+    answer, scene, solved = process.solve(TWO, lambda *words: said.append(words))
+    assert solved.text == TWO
+    assert list(solved.results.results) == ["down"]
     assert list(answer.refused) == ["up"]
     assert [share for words, share in said if words.endswith("begins")] == [0.0, 0.5]
     down, up = answer.summary["combinations"]
@@ -329,14 +329,14 @@ def test_reports_of_runs_that_are_gone(make: Make, events: Events) -> None:
     second = submit(solver, "go 2")
     events.wait("solved", second)
     with pytest.raises(InputError, match="solve again"):
-        solver.write_report(first, "x")
+        solver.make_view(("report", first, "x"))
     waits = submit(solver, "stuck nowhere")
     events.wait("solving", waits)
     refused = threading.Event()
 
     def ask() -> None:
         with pytest.raises(InputError, match="the server ends"):
-            solver.write_report(second, "x")
+            solver.make_view(("report", second, "x"))
         refused.set()
 
     asking = threading.Thread(target=ask)
@@ -388,6 +388,6 @@ def test_the_report_compares_grounds_where_the_case_lists_that_chapter(chapters:
     """The workbench has no command for it: the chapter's name in the case asks for the comparison."""
     *_, solved = process.solve(SOFT % chapters, lambda *_: None)
     pipe = Kept()
-    process._report(pipe, 1, "slab.toml", (1, solved))
-    assert pipe.messages == [("report", 1, "")]
+    process._send_view(pipe, ("report", 1, "slab.toml"), (1, solved))
+    assert pipe.messages == [("view", ("report", 1, "slab.toml"), "")]
     assert (b"Ground models compared" in pipe.content) is compared

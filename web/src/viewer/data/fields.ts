@@ -50,6 +50,25 @@ export function fieldsOf(scene: Scene): FieldInfo[] {
   return [...basic, ...DERIVED.map(({ name, symbol, meaning }) => ({ name, symbol, meaning, ...common }))];
 }
 
+/** The groups of fields in their order, and how the names of their fields begin. */
+const GROUPS: readonly (readonly [label: string, starts: RegExp])[] = [
+  ["Deformation", /^(settlement|rotation)/],
+  ["Contact", /^(pressure|line_force|gap|penetration)/],
+  ["Moments and shear", /^(moment|shear)/],
+  ["Derived moments", /^(m_[12]|bottom|top)/],
+  ["Reinforcement", /^(required|provided|utilisation|missing)/],
+  ["Analysis", /^/],
+];
+
+/** Return fields in groups, those that are empty left out; a field belongs to the first group that fits. */
+export function groupFields(fields: readonly FieldInfo[]): [label: string, fields: FieldInfo[]][] {
+  const groupOf = ({ name }: FieldInfo) => GROUPS.find(([, starts]) => starts.test(name))?.[0];
+  return GROUPS.map(([label]): [string, FieldInfo[]] => [
+    label,
+    fields.filter((each) => groupOf(each) === label),
+  ]).filter(([, own]) => own.length > 0);
+}
+
 /** Where a field is smallest and largest: value, x, y. */
 export interface FieldExtremes {
   min: Extreme;

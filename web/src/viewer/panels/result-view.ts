@@ -4,9 +4,11 @@ import {
   choiceName,
   type Envelope,
   envelopesOf,
+  type FieldInfo,
   fieldOf,
   fieldsOf,
   fieldValueAt,
+  groupFields,
   isEnvelope,
   parseChoice,
 } from "../data/fields";
@@ -165,6 +167,13 @@ export class ResultView {
     this.view().fit();
   }
 
+  /** Mark a place on the plan and bring it into view. */
+  reveal(at: Point): void {
+    if (this.mode !== "plan") this.setMode("plan");
+    this.plan.mark("place", at);
+    this.plan.center(at);
+  }
+
   private setMode(mode: Mode): void {
     this.mode = mode;
     press(this.modes, mode);
@@ -213,15 +222,12 @@ export class ResultView {
   }
 }
 
-/** Fill a list with the fields of a scene. */
+/** Fill a list with the fields of a scene, in groups. */
 function fillFields(select: HTMLSelectElement, scene: Scene): void {
-  const makeGroup = (label: string, derived: boolean) => {
-    const options = fieldsOf(scene).filter((field) => field.derived === derived);
-    const makeOption = ({ name, meaning, symbol }: (typeof options)[number]) =>
-      h("option", { value: name, title: meaning }, `${symbolText(symbol)} – ${meaning.split(/[,(]/)[0]!.trim()}`);
-    return h("optgroup", { label }, ...options.map(makeOption));
-  };
-  fill(select, makeGroup("Results", false), makeGroup("Derived moments", true));
+  const makeOption = ({ name, meaning, symbol }: FieldInfo) =>
+    h("option", { value: name, title: meaning }, `${symbolText(symbol)} – ${meaning.split(/[,(]/)[0]!.trim()}`);
+  const groups = groupFields(fieldsOf(scene));
+  fill(select, ...groups.map(([label, fields]) => h("optgroup", { label }, ...fields.map(makeOption))));
 }
 
 /** Fill a list with the combinations and envelopes of a scene; those without values are marked, and disabled if not offered. */

@@ -12,6 +12,7 @@ export interface Marks {
   pick: Point | null;
   place: Point | null; // that a chart points at
   section: [Point, Point] | null;
+  selected: { points: readonly Point[]; closed: boolean } | null; // an item of the model
   extremes: { point: Point; text: string; isMaximum: boolean }[];
   factors: ReadonlyMap<string, number> | null; // of the load cases in what is shown; null: no one combination
 }
@@ -55,6 +56,7 @@ export class Overlay {
       : [];
     if (layers.extremes) groups.push(...marks.extremes.map((mark) => drawExtreme(camera, mark)));
     groups.push(...placeTexts(groups, camera));
+    if (marks.selected) groups.push(drawSelected(camera, marks.selected));
     if (marks.section) {
       const pixels = marks.section.map((point) => camera.toPixel(point));
       groups.push(drawGroup("cut", [drawPath(pixels, false), ...drawEnds(pixels)]));
@@ -75,6 +77,12 @@ function drawGroup(kind: string, elements: SVGElement[]): SVGGElement {
   const lines = elements.filter((element) => element.tagName !== "text");
   const halo = svg("g", { class: "halo" }, ...lines.map((element) => element.cloneNode() as SVGElement));
   return svg("g", { class: `symbol ${kind.replaceAll(" ", "-")}`, "data-kind": kind }, halo, ...elements);
+}
+
+/** Draw a selected item: a ring around a point, a thick line along a line or around an area. */
+function drawSelected(camera: Camera, { points, closed }: NonNullable<Marks["selected"]>): SVGGElement {
+  const pixels = points.map((point) => camera.toPixel(point));
+  return drawGroup("selected", pixels.length === 1 ? [drawDot(pixels[0]!, 11)] : [drawPath(pixels, closed)]);
 }
 
 function drawDot([cx, cy]: Point, r: number): SVGElement {

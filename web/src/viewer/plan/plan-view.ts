@@ -41,7 +41,14 @@ export class PlanView extends FieldView {
   private tool: Tool = "pan";
   private readonly layers: Layers = { ...ALL_LAYERS };
   private readonly options = { lines: true, contact: true };
-  private readonly marks: Marks = { pick: null, place: null, section: null, extremes: [], factors: null };
+  private readonly marks: Marks = {
+    pick: null,
+    place: null,
+    section: null,
+    selected: null,
+    extremes: [],
+    factors: null,
+  };
   private sectionStart: Point | null = null;
   private readonly touches = new Touches();
   private pressed: Point | null = null; // where a click may begin
@@ -95,8 +102,20 @@ export class PlanView extends FieldView {
   }
 
   /** Set a mark; null: remove it. */
-  mark<K extends "pick" | "place" | "section">(name: K, at: Marks[K]): void {
+  mark<K extends "pick" | "place" | "section" | "selected">(name: K, at: Marks[K]): void {
     this.marks[name] = at;
+    this.redraw();
+  }
+
+  /** Return how far so many pixels reach on the plan [m]. */
+  lengthOf(pixels: number): number {
+    return pixels / this.camera.scale;
+  }
+
+  /** Move the view so that a place is in its middle, unless all is seen. */
+  center([x, y]: Point): void {
+    if (this.fitted) return;
+    Object.assign(this.camera, { x, y });
     this.redraw();
   }
 

@@ -73,6 +73,32 @@ export interface Summary {
   coarse?: string;
 }
 
+/** What stands above a column of a table, and the columns that say where its values are and of which combination. */
+export interface TableHead {
+  text: string;
+  unit: string;
+  number: boolean;
+  symbol: string;
+  place: [x: number, y: number] | null;
+  combination: number | null;
+  field: string | null;
+}
+
+/** A text, or with it what is under it and what it is. */
+export type TableCell = string | [text: string, under: string, kind: string];
+
+export interface ResultTable {
+  name: string;
+  title: string;
+  heads: TableHead[];
+  rows: TableCell[][];
+  /** The field that each row is of, null where no column names one. */
+  fields: (string | null)[] | null;
+  /** The list of the case that a column names items of. */
+  item: { list: string; column: number } | null;
+  notes: string[];
+}
+
 /** The connection is lost. */
 export abstract class Lost extends Error {}
 
@@ -127,12 +153,16 @@ export class HttpApi {
   cancel = async () => void (await this.json("cancel", {}));
   autosolve = async (on: boolean) => void (await this.json("autosolve", { on }));
   summary = (run: number) => this.json<Summary>(`results/${run}/summary`);
+  tables = (run: number) => this.json<string[]>(`results/${run}/tables`);
+  table = (run: number, name: string) => this.json<ResultTable>(`results/${run}/tables/${name}`, undefined, 120_000);
+  compareGrounds = async (run: number) => void (await this.json(`results/${run}/comparison`, {}));
+  cancelComparison = async () => void (await this.json("comparison/cancel", {}));
   scene = async (run: number) => (await this.request(`results/${run}/scene`, undefined, 120_000)).arrayBuffer();
   reportAddress = (run: number) => `api/results/${run}/report?token=${encodeURIComponent(this.token)}`;
   eventsAddress = () => `api/events?token=${encodeURIComponent(this.token)}`;
 
-  private async json<T>(name: string, body?: object): Promise<T> {
-    return (await (await this.request(name, body)).json()) as T;
+  private async json<T>(name: string, body?: object, patience = PATIENCE): Promise<T> {
+    return (await (await this.request(name, body, patience)).json()) as T;
   }
 
   private async request(name: string, body?: object, patience = PATIENCE): Promise<Response> {

@@ -4,7 +4,7 @@ import type { Change } from "../model/changes/edits";
 import type { Issue } from "../model/issues";
 import { type Api, type DocState, Lost, Unauthorized } from "./api";
 import type { EditQueue } from "./edit-queue";
-import type { Run, Solved, Store } from "./store";
+import type { Comparison, Run, Solved, Store } from "./store";
 
 /** What to do about the document when the server is back. */
 export type Reconciliation = "same" | "adopt" | "offer" | "differs";
@@ -141,6 +141,14 @@ export class Connection {
     });
     on<{ version: number; message: string; issues: Issue[] }>("refused", ({ version, message, issues }) =>
       setRun({ kind: "refused", version, message, issues }),
+    );
+    const setComparison = (comparison: Comparison) => this.store.set("comparison", comparison);
+    on<{ run: number; text: string; share: number }>("comparing", (about) =>
+      setComparison({ ...about, state: "running" }),
+    );
+    on<{ run: number }>("compared", ({ run }) => setComparison({ run, state: "done", text: "", share: 1 }));
+    on<{ run: number; message: string }>("not compared", ({ run, message }) =>
+      setComparison({ run, state: "failed", text: message, share: 0 }),
     );
     on("cancelled", () => setRun({ kind: "cancelled" }));
     source.addEventListener("error", () => {

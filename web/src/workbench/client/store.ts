@@ -25,8 +25,26 @@ export interface Solved {
   design: string;
 }
 
+/** The comparison of ground models: of which run, how far it is; why there is none. */
+export interface Comparison {
+  run: number;
+  state: "running" | "done" | "failed";
+  text: string;
+  share: number;
+}
+
 /** What listeners can be called about. */
-export type Topic = "doc" | "data" | "connection" | "run" | "solved" | "selection" | "waiting" | "autosolve" | "notice";
+export type Topic =
+  | "comparison"
+  | "doc"
+  | "data"
+  | "connection"
+  | "run"
+  | "solved"
+  | "selection"
+  | "waiting"
+  | "autosolve"
+  | "notice";
 
 /** A short message to the user, with an action. */
 export interface Notice {
@@ -41,6 +59,7 @@ export class Store {
   connection: Connection = "ok";
   run: Run = { kind: "idle" };
   solved: Solved | null = null;
+  comparison: Comparison | null = null;
   autosolve = false;
   selection: Path | null = null;
   notice: Notice | null = null;
@@ -105,7 +124,10 @@ export class Store {
   }
 
   /** Take another value of a topic. */
-  set<K extends "connection" | "run" | "solved" | "autosolve" | "notice">(topic: K, value: Store[K]): void {
+  set<K extends "connection" | "comparison" | "run" | "solved" | "autosolve" | "notice">(
+    topic: K,
+    value: Store[K],
+  ): void {
     if (this[topic] === value) return;
     (this as Store)[topic] = value;
     this.emit(topic);

@@ -44,6 +44,11 @@ export function formatPath(path: Path): string {
   return words;
 }
 
+/** Return the path that issues and plans write so. */
+export function parsePath(words: string): Path {
+  return [...words.matchAll(/\[(\d+)\]|[^.[\]]+/g)].map(([step, number]) => (number ? Number(number) - 1 : step));
+}
+
 /** Whether two paths are the same. */
 export function samePath(a: Path | null, b: Path | null): boolean {
   if (a === null || b === null) return a === b;

@@ -1,5 +1,5 @@
 // The right half of the page: the result as a picture, its summary, values at points and along lines.
-import { isEnvelope } from "../../viewer/data/fields";
+import { fieldsOf, isEnvelope } from "../../viewer/data/fields";
 import { decodeScene, type Point, SceneError } from "../../viewer/data/scene";
 import { ResultView } from "../../viewer/panels/result-view";
 import { SectionPanel } from "../../viewer/panels/section-panel";
@@ -7,12 +7,22 @@ import { ValuePanel } from "../../viewer/panels/value-panel";
 import { fill, h } from "../../viewer/shared/dom";
 import { type Api, Lost, Refused, type Summary } from "../client/api";
 import type { Store } from "../client/store";
+import type { Change } from "../model/changes/edits";
+import { formatPath, parsePath } from "../model/paths";
 import { splitter } from "../shell/splitter";
-import { tabs } from "../shell/tabs";
+import { type Tabs, tabs } from "../shell/tabs";
+import { comparisonBar } from "./comparison-bar";
+import { keepSection } from "./keep-section";
+import { itemAt, itemOf, itemsIn, middleOf } from "./plan-items";
+import { Reference } from "./reference";
+import { ResultTables } from "./result-tables";
 import { emptyResult, freshness, statusLine } from "./status";
 import { showCertificates, showSummary, verdictOf } from "./summary";
+import type { Target } from "./table-rows";
 import "./result.css";
 
+/** A click so near to a point or a line of the model selects it [px]. */
+const REACH = 8;
 const SECTION_HINT = "Choose “Section” and click two points, or choose a section line of the model.";
 
 /** The panel of results, kept in step with the store's `solved`. */
@@ -24,7 +34,12 @@ export class ResultPanel {
   private readonly summaryBox = h("div", { class: "lower-panel summary-box" });
   private readonly certificateBox = h("div", { class: "lower-panel" });
   private readonly refusedBox = h("div", { class: "refused-over", role: "alert", hidden: true });
-  private readonly lower;
+  private readonly tables: ResultTables;
+  private readonly reference = new Reference(() => {
+    this.lower.offer("reference", true);
+    this.lower.show("reference");
+  });
+  private readonly lower: Tabs;
   private readonly empty;
   private readonly full = h("div", { class: "result-full", hidden: true });
   private summary: Summary | null = null;
@@ -34,9 +49,10 @@ export class ResultPanel {
 
   constructor(
     private readonly store: Store,
-    private readonly api: Pick<Api, "scene" | "summary">,
+    private readonly api: Pick<Api, "scene" | "summary" | "tables" | "table" | "compareGrounds" | "cancelComparison">,
     solve: () => void,
     private readonly onLost: (error: Lost) => void,
+    push: (change: Change) => void,
   ) {
     const valueBox = h("div", { class: "lower-panel value-box" });
     const chartPlace = h("div", { class: "chart-place" });
@@ -49,23 +65,25 @@ export class ResultPanel {
       true,
     );
     const { view } = this;
+    const keep = keepSection(store, push);
     this.section = new SectionPanel(view, chartPlace, SECTION_HINT, (section) => {
+      keep.set(section);
       if (section) this.lower.show("section");
     });
     const { title, lines, combinations } = this.section;
-    const chartBar = h("div", { class: "chart-bar" }, title, lines, combinations);
+    const chartBar = h("div", { class: "chart-bar" }, title, keep.element, lines, combinations);
     const sectionBox = h("div", { class: "lower-panel section-box" }, chartBar, chartPlace);
     this.values = new ValuePanel(valueBox);
     this.values.onField = (field) => view.show(view.choice, field);
-    this.lower = tabs(
-      [
-        { name: "summary", label: "Summary", panel: this.summaryBox, scrolls: true },
-        { name: "certificate", label: "Certificate", panel: this.certificateBox, scrolls: true },
-        { name: "values", label: "Values", panel: valueBox },
-        { name: "section", label: "Section", panel: sectionBox },
-      ],
-      "about the result",
+    this.tables = new ResultTables(
+      api,
+      (target) => this.follow(target),
+      (error) => {
+        // a newer result is on its way, whose tables follow it
+        if (error instanceof Lost || store.solved?.run === this.shownRun) this.handleError(error);
+      },
     );
+    this.lower = this.makeTabs(valueBox, sectionBox);
     this.empty = emptyResult(store, solve);
     this.full.append(
       h(
@@ -80,16 +98,50 @@ export class ResultPanel {
       ),
       h("div", { class: "stage-place" }, view.element, view.scaleBox, this.refusedBox),
       splitter(this.full, "--stage-share", "y", 0.62, [0.25, 0.85], "height of the picture"),
-      h("div", { class: "lower" }, this.lower.bar, this.summaryBox, this.certificateBox, valueBox, sectionBox),
+      h(
+        "div",
+        { class: "lower" },
+        this.lower.bar,
+        this.summaryBox,
+        valueBox,
+        sectionBox,
+        this.reference.panel,
+        ...this.tables.panels,
+        this.certificateBox,
+      ),
     );
     this.element.append(h("h2", { class: "unseen" }, "Result"), statusLine(store), this.empty.element, this.full);
     store.on(["solved"], () => void this.fetch());
+    store.on(["selection"], () => this.markSelected());
     store.on(["doc", "waiting", "solved"], () => {
       const isStale = freshness(store.solved, store.doc?.version, store.waitingCount) === "stale";
       this.element.classList.toggle("stale", isStale);
     });
     this.empty.update();
+    this.lower.offer("reference", false);
     this.update();
+  }
+
+  /** Make the tabs below the picture. */
+  private makeTabs(valueBox: HTMLElement, sectionBox: HTMLElement): Tabs {
+    const { tables, store, api } = this;
+    tables.addTo(
+      "ground",
+      comparisonBar(store, api, (error) => this.handleError(error)),
+    );
+    store.on(["comparison"], () => void this.takeComparison());
+    return tabs(
+      [
+        { name: "summary", label: "Summary", panel: this.summaryBox, scrolls: true },
+        { name: "values", label: "Values", panel: valueBox },
+        { name: "section", label: "Section", panel: sectionBox },
+        { name: "reference", label: "Reference", panel: this.reference.panel, scrolls: true },
+        ...tables.tabs,
+        { name: "certificate", label: "Certificate", panel: this.certificateBox, scrolls: true },
+      ],
+      "about the result",
+      (name) => void tables.see(name),
+    );
   }
 
   /** Get the result that the store names, unless a newer one is on its way. */
@@ -101,22 +153,66 @@ export class ResultPanel {
     if (!solved) return this.clear();
     if (solved.run === this.shownRun) return;
     try {
-      const [buffer, summary] = await Promise.all([this.api.scene(solved.run), this.api.summary(solved.run)]);
+      const { run } = solved;
+      const [buffer, summary, names] = await Promise.all([
+        this.api.scene(run),
+        this.api.summary(run),
+        this.api.tables(run),
+      ]);
       if (turn !== this.fetching) return;
       this.summary = summary;
       this.full.hidden = false;
       this.empty.element.hidden = true;
       this.view.setScene(decodeScene(buffer), this.view.field || "settlement");
-      this.shownRun = solved.run;
+      this.markSelected();
+      this.shownRun = run;
+      this.offerTables(run, names);
+      void this.tables.see(this.lower.current());
     } catch (error) {
-      if (turn !== this.fetching) return;
-      if (error instanceof Lost) this.onLost(error);
-      else if (error instanceof Refused || error instanceof SceneError)
-        this.store.set("notice", { kind: "bad", text: `The result cannot be shown: ${error.message}` });
-      else throw error;
+      if (turn === this.fetching) this.handleError(error);
     } finally {
       if (turn === this.fetching) this.element.setAttribute("aria-busy", "false");
     }
+  }
+
+  /** Offer the tabs that have a table; grounds can always be compared. */
+  private offerTables(run: number | null, names: readonly string[]): void {
+    this.tables.set(run, names, (tab, offered) => this.lower.offer(tab, offered || (tab === "ground" && run !== null)));
+  }
+
+  /** Show the comparison of grounds that has been made for the run shown. */
+  private async takeComparison(): Promise<void> {
+    const { comparison } = this.store;
+    if (comparison?.state !== "done" || comparison.run !== this.shownRun) return;
+    try {
+      const names = await this.api.tables(comparison.run);
+      if (comparison.run !== this.shownRun) return;
+      this.offerTables(comparison.run, names);
+      this.tables.choose("ground", "comparison");
+    } catch (error) {
+      this.handleError(error);
+    }
+  }
+
+  private handleError(error: unknown): void {
+    if (error instanceof Lost) this.onLost(error);
+    else if (error instanceof Refused || error instanceof SceneError)
+      this.store.set("notice", { kind: "bad", text: `The result cannot be shown: ${error.message}` });
+    else throw error;
+  }
+
+  /** Show what a cell of a table leads to: its field, its combination, its place; the item it names is selected. */
+  private follow({ place, combination, field, item }: Target): void {
+    const { view } = this;
+    if (!view.scene) return;
+    const { combinations, plan } = view.scene.head;
+    const found = combinations.findIndex((each) => each.name === combination);
+    const shown = fieldsOf(view.scene).some((each) => each.name === field);
+    view.show(found < 0 ? view.choice : found, shown && field !== null ? field : view.field);
+    const named = item && itemsIn(plan, item.list).find((each) => each.name === item.name);
+    if (named) this.store.select(parsePath(named.path));
+    const at = place ?? (named && middleOf(named));
+    if (at) view.reveal(at);
   }
 
   private clear(): void {
@@ -126,6 +222,9 @@ export class ResultPanel {
     this.empty.update();
     this.view.clear();
     this.section.cut(null);
+    this.offerTables(null, []);
+    this.reference.forget();
+    this.lower.offer("reference", false);
   }
 
   /** Show all that depends on the field and the combination. */
@@ -133,6 +232,8 @@ export class ResultPanel {
     const { view, summary } = this;
     const one = isEnvelope(view.choice) ? null : (summary?.combinations[view.choice] ?? null);
     showSummary(this.summaryBox, one, summary);
+    if (one && one.refused === null) this.summaryBox.prepend(this.reference.keepButton);
+    this.reference.show(summary, one?.name ?? "");
     showCertificates(this.certificateBox, summary, (n) => view.show(n, view.field));
     const bad = summary?.combinations.filter((each) => verdictOf(each) !== "certified").length ?? 0;
     this.lower.mark("certificate", summary ? (bad > 0 ? String(bad) : "✓") : "", bad > 0);
@@ -142,8 +243,19 @@ export class ResultPanel {
     this.section.update();
   }
 
+  /** Mark the item of the model that is selected. */
+  private markSelected(): void {
+    const { selection } = this.store;
+    const { scene, plan } = this.view;
+    const found = selection && scene && itemOf(scene.head.plan, formatPath(selection));
+    plan.mark("selected", found ? { points: found.points, closed: found.shape === "area" } : null);
+  }
+
   private setPick(at: Point): void {
     this.pick = at;
+    const { scene, plan } = this.view;
+    const found = scene && itemAt(scene.head.plan, at, plan.lengthOf(REACH));
+    if (found) this.store.select(parsePath(found.path));
     this.lower.show("values");
     this.update();
   }

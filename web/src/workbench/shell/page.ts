@@ -37,7 +37,13 @@ export function buildPage(
   const lost = connection.handleLoss.bind(connection);
   const commands = new Commands(api, store, queue, lost, model.flush, model.openIssues, resolveOffer);
   showWarnings(store, commands);
-  const result = new ResultPanel(store, api, () => void commands.solve(), lost);
+  const result = new ResultPanel(
+    store,
+    api,
+    () => void commands.solve(),
+    lost,
+    (change) => queue.push(change),
+  );
   const page = h("main", { class: "page" });
   page.append(
     model.element,

@@ -16,6 +16,8 @@ export interface Tabs {
   show(name: string): void;
   /** Put a badge on a tab, such as a number; empty for none. */
   mark(name: string, text: string, bad?: boolean): void;
+  /** Offer a tab, or hide it; if it was the current one, the first is shown. */
+  offer(name: string, offered: boolean): void;
 }
 
 /** A bar of tabs over panels that are in the page already; `onChange` is called with another one. */
@@ -41,6 +43,7 @@ export function tabs(all: readonly Tab[], label: string, onChange: (name: string
       tab.panel.hidden = !on;
       buttons[n]?.setAttribute("aria-selected", String(on));
       buttons[n]?.setAttribute("tabindex", on ? "0" : "-1");
+      if (on) buttons[n]?.scrollIntoView?.({ block: "nearest", inline: "nearest" });
     });
     onChange(name);
   };
@@ -48,9 +51,10 @@ export function tabs(all: readonly Tab[], label: string, onChange: (name: string
   bar.addEventListener("keydown", (event) => {
     const step = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
     if (step === 0) return;
-    const next = (all.findIndex((tab) => tab.name === current) + step + all.length) % all.length;
-    show(all[next]?.name ?? current);
-    buttons[next]?.focus();
+    const offered = all.filter((_, n) => !buttons[n]?.hidden);
+    const next = (offered.findIndex((tab) => tab.name === current) + step + offered.length) % offered.length;
+    show(offered[next]?.name ?? current);
+    buttons[all.findIndex((tab) => tab.name === current)]?.focus();
   });
   const mark = (name: string, text: string, bad = false) => {
     const badge = buttons[all.findIndex((tab) => tab.name === name)]?.querySelector(".badge");
@@ -58,6 +62,11 @@ export function tabs(all: readonly Tab[], label: string, onChange: (name: string
     badge.textContent = text;
     badge.classList.toggle("bad", bad);
   };
+  const offer = (name: string, offered: boolean) => {
+    const button = buttons[all.findIndex((tab) => tab.name === name)];
+    if (button) button.hidden = !offered;
+    if (!offered && current === name) show(all[0]?.name ?? "");
+  };
   show(current);
-  return { bar, current: () => current, show, mark };
+  return { bar, current: () => current, show, mark, offer };
 }

@@ -1,0 +1,119 @@
+"""The tables of solved combinations as the page shows them: those of results, of ground, mesh and steps of a report.
+
+Cells are formatted as in the report. Heads name the columns whose cells say where a value is and which combination it
+is of, so that a click on it can show both.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from groundslab.design.result_tables import table_makers
+from groundslab.design.tables.errors import EXTREMES
+from groundslab.results.fields import LAYERS, RANGED_FIELDS
+from groundslab.views.report import content, table_layout
+from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout
+from groundslab.views.summary import combinations
+from groundslab.views.summary.discretization import discretization_section
+
+if TYPE_CHECKING:
+    from groundslab.design.tables.table import Table
+    from groundslab.results.results import Results
+
+#: Columns whose cells name an item of the case, and the list that it stands in.
+ITEMS = {
+    "column": "columns", "support": "supports", "strip": "output.strips", "line": "output.lines",
+    "point": "output.points",
+}  # fmt: skip
+#: Fields of the plate by what tables call them; a layer of bars stands for what it requires.
+FIELDS = {about.label: name for name, about in RANGED_FIELDS.items()} | {
+    layer.replace("_", " "): f"required_{layer}" for layer in LAYERS
+}
+#: Fields of the plate by the columns that hold their values.
+FIELDS_OF_HEADS = FIELDS | {head: FIELDS[label] for head, (_, label) in EXTREMES.items()}
+#: Columns whose cells name a field.
+FIELD_COLUMNS = ("quantity", "layer")
+
+Maker = Callable[[], TableLayout]
+
+
+def layout_makers(combined: Results) -> dict[str, Maker]:
+    """Return what makes each table by its name, in the order of the report."""
+    makers: dict[str, Maker] = {name: partial(_layout_table, make) for name, make in table_makers(combined).items()}
+    found = combinations.entries(combined)
+    there = [entry.results for entry in found if entry.results is not None]
+    if any(each.constants.k0 for each in there):
+        makers["constants"] = lambda: replace(content.list_constants(found), title="Constants of the ground")
+    if there:
+        makers["mesh"] = lambda: content.layout_section(content.list_sections(combined)[1])
+        makers["steps"] = lambda: replace(content.list_steps(found), title="Steps of the analysis")
+    if any(each.comparison is not None for each in there):
+        makers["errors"] = partial(_list_errors, combined)
+    return makers
+
+
+def table_to_json(name: str, layout: TableLayout) -> dict[str, Any]:
+    """Return a table as data for the page."""
+    texts = [head.text for head in layout.heads]
+    items = [at for at, text in enumerate(texts) if text in ITEMS]
+    named = next((texts.index(text) for text in FIELD_COLUMNS if text in texts), None)
+    return {
+        "name": name,
+        "title": layout.title,
+        "heads": [_head_to_json(head, at, texts) for at, head in enumerate(layout.heads)],
+        "rows": [[_cell_to_json(cell) for cell in row] for row in layout.rows],
+        "fields": None if named is None else [FIELDS.get(row[named].text) for row in layout.rows],
+        "item": {"list": ITEMS[texts[items[0]]], "column": items[0]} if items else None,
+        "notes": list(layout.notes),
+    }
+
+
+def _layout_table(make: Callable[[], Table]) -> TableLayout:
+    """Return a table of results as the report prints it, uncut."""
+    return table_layout.layout_table(make())
+
+
+def _list_errors(combined: Results) -> TableLayout:
+    """Return the discretization errors of all combinations."""
+    parts = {each.combination: discretization_section(each) for each in combined.values() if each.comparison}
+    rows = tuple((Cell(name), *content.layout_row(row)[:-1]) for name, section in parts.items() for row in section.rows)
+    heads = table_layout.headers("combination", "value", "symbol", "#error", "unit")
+    notes = dict.fromkeys(note for section in parts.values() for note in section.notes)
+    layout = TableLayout("Discretization errors", heads, rows, tuple(notes))
+    return table_layout.drop_empty_columns(layout)
+
+
+def _head_to_json(head: TableHeader, at: int, texts: Sequence[str]) -> dict[str, Any]:
+    """Return what stands above a column, and which columns say where its values are and of which combination."""
+    stem = texts[at]
+    for start in ("x of the ", "y of the ", "combination of the "):
+        stem = stem.removeprefix(start)
+    known = {text: position for position, text in enumerate(texts)}
+    return {
+        "text": head.text,
+        "unit": head.unit,
+        "number": head.number,
+        "symbol": head.symbol,
+        "place": _find_place(stem, known),
+        "combination": known.get(f"combination of the {stem}", known.get("combination")),
+        "field": FIELDS_OF_HEADS.get(head.text),
+    }
+
+
+def _find_place(stem: str, known: Mapping[str, int]) -> list[int] | None:
+    """Return the columns of x and y of what a column holds: its own, those of the row, or the last ones there are."""
+    own = [f"x of the {text.removeprefix('x of the ')}" for text in known if text.startswith("x of the ")]
+    for x in (f"x of the {stem}", "x", "x of it", *reversed(own)):
+        y = "y" + x[1:]
+        if x in known and y in known:
+            return [known[x], known[y]]
+    return None
+
+
+def _cell_to_json(cell: Cell) -> str | list[str]:
+    """Return a cell: its text alone, or with what is under it and what it is."""
+    plain = cell.kind in ("", "number") and not cell.under
+    return cell.text if plain else [cell.text, cell.under, cell.kind]

@@ -1,0 +1,116 @@
+// The tabs of tables below the picture: which tables each has; a table is asked for when it is first seen.
+import { fillOptions, h } from "../../viewer/shared/dom";
+import type { Api, ResultTable } from "../client/api";
+import type { Tab } from "../shell/tabs";
+import type { Target } from "./table-rows";
+import { TableView } from "./table-view";
+
+/** The tabs in their order: name, label, and the tables in them with what each is called there. */
+const GROUPS: readonly { name: string; label: string; tables: Record<string, string> }[] = [
+  { name: "checks", label: "Checks", tables: { checks: "checks" } },
+  {
+    name: "combinations",
+    label: "Combinations",
+    tables: { combinations: "all combinations", extremes: "extremes of each", tilt: "tilt" },
+  },
+  { name: "envelope", label: "Envelope", tables: { envelope: "envelope" } },
+  { name: "columns", label: "Columns", tables: { column_envelope: "extremes", columns: "all combinations" } },
+  { name: "supports", label: "Supports", tables: { supports: "supports", joints: "joints" } },
+  { name: "strips", label: "Strips", tables: { strips: "design strips", lines: "section lines", points: "points" } },
+  { name: "reinforcement", label: "Reinforcement", tables: { reinforcement: "required", bars: "laid, quantities" } },
+  {
+    name: "ground",
+    label: "Ground",
+    tables: { comparison: "ground models compared", constants: "constants", soil: "soil below points" },
+  },
+  { name: "mesh", label: "Mesh and errors", tables: { errors: "errors", mesh: "mesh", steps: "steps" } },
+];
+
+class Group {
+  readonly panel = h("div", { class: "lower-panel table-box" });
+  readonly choice = h("select", { "aria-label": "Table" });
+  readonly view: TableView;
+  shown = ""; // run and name of the table
+
+  constructor(
+    readonly name: string,
+    readonly label: string,
+    readonly tables: Readonly<Record<string, string>>,
+    onTarget: (target: Target) => void,
+  ) {
+    this.view = new TableView(this.choice, onTarget);
+    this.panel.append(this.view.element);
+  }
+
+  /** Offer those of some tables that belong here; returns whether there are any. */
+  offer(names: readonly string[]): boolean {
+    const there = Object.entries(this.tables).filter(([name]) => names.includes(name));
+    fillOptions(this.choice, there);
+    this.choice.hidden = there.length < 2;
+    this.view.element.hidden = there.length === 0;
+    return there.length > 0;
+  }
+}
+
+export class ResultTables {
+  private readonly groups: Group[];
+  private readonly kept = new Map<string, ResultTable>();
+  private run: number | null = null;
+
+  constructor(
+    private readonly api: Pick<Api, "table">,
+    onTarget: (target: Target) => void,
+    private readonly onError: (error: unknown) => void,
+  ) {
+    this.groups = GROUPS.map(({ name, label, tables }) => new Group(name, label, tables, onTarget));
+    for (const group of this.groups) group.choice.addEventListener("change", () => void this.see(group.name));
+  }
+
+  get tabs(): Tab[] {
+    return this.groups.map(({ name, label, panel }) => ({ name, label, panel }));
+  }
+
+  get panels(): HTMLElement[] {
+    return this.groups.map(({ panel }) => panel);
+  }
+
+  /** Put something before the rows of a tab. */
+  addTo(tab: string, element: HTMLElement): void {
+    this.groups.find(({ name }) => name === tab)?.panel.prepend(element);
+  }
+
+  /** Choose a table of a tab. */
+  choose(tab: string, table: string): void {
+    const group = this.groups.find(({ name }) => name === tab);
+    if (group) group.choice.value = table;
+    void this.see(tab);
+  }
+
+  /** Take the names of the tables of a run; `offer` is called with each tab and whether it has any. */
+  set(run: number | null, names: readonly string[], offer: (tab: string, offered: boolean) => void): void {
+    if (run !== this.run) this.kept.clear();
+    this.run = run;
+    for (const group of this.groups) offer(group.name, group.offer(names));
+  }
+
+  /** Show the chosen table of a tab that has come into view. */
+  async see(tab: string): Promise<void> {
+    const group = this.groups.find((each) => each.name === tab);
+    const { run } = this;
+    const name = group?.choice.value;
+    if (!group || !name || run === null || group.shown === `${run} ${name}`) return;
+    group.panel.setAttribute("aria-busy", "true");
+    try {
+      const table = this.kept.get(name) ?? (await this.api.table(run, name));
+      if (run !== this.run) return;
+      this.kept.set(name, table);
+      if (name !== group.choice.value) return;
+      group.shown = `${run} ${name}`;
+      group.view.show(table);
+    } catch (error) {
+      if (run === this.run) this.onError(error);
+    } finally {
+      if (run === this.run) group.panel.setAttribute("aria-busy", "false");
+    }
+  }
+}
