@@ -109,6 +109,16 @@ export function titleAt(data: Table, path: Path): string {
   return path[0] === "plate" && path.length < 3 ? "slab" : formatPath(path);
 }
 
+/** Return what the items at some paths are called together. */
+export function titleOfAll(data: Table, paths: readonly Path[]): string {
+  const kindAt = (path: Path) => SOURCES.find((each) => samePath(each.list, path.slice(0, -1)));
+  const items = paths.map((path) => {
+    const source = kindAt(path);
+    return { kind: source?.word ?? source?.kind ?? ("slab" as const), title: titleAt(data, path) };
+  });
+  return countItems(items);
+}
+
 /** Return where the column is that a load names, null if it names none that is known. */
 function columnOf(data: Table, load: Table): { x: number; y: number } | null {
   if (typeof load.column !== "string" || !load.column) return null;
@@ -152,16 +162,30 @@ function fixedGeometry(value: Json | undefined, at: Path, closed = true): Geomet
   return points.length > 0 ? { type: "fixed", at, points, closed } : null;
 }
 
+/** Return what several items are called together: `2 columns, 3 loads`; of one, its title. */
+export function countItems(items: readonly { kind: string; title: string }[]): string {
+  if (items.length === 1) return items[0]!.title;
+  const counts = new Map<string, number>();
+  for (const { kind } of items) counts.set(kind, (counts.get(kind) ?? 0) + 1);
+  return [...counts].map(([kind, count]) => `${count} ${kind}${count === 1 ? "" : "s"}`).join(", ");
+}
+
+/** Return the loads that go with columns which are moved. */
+export function loadsOn(items: readonly Item[], columns: readonly Item[]): Item[] {
+  const names = new Set(columns.filter(({ kind }) => kind === "column").map(({ table }) => table.name));
+  return items.filter(({ kind, movable, table }) => kind === "load" && !movable && names.has(table.column ?? ""));
+}
+
 /** The rectangle around everything drawn, null if there is nothing. */
 export function boundsOfItems(items: readonly Item[]): [number, number, number, number] | null {
   return boundsOf(items.flatMap((item) => [...ringOf(item.geometry)]));
 }
 
 /** The places that others snap to: corners, centers, ends. */
-export function snapPoints(items: readonly Item[], without: Path | null): Point[] {
+export function snapPoints(items: readonly Item[], without: readonly Path[]): Point[] {
   const points: Point[] = [[0, 0]];
   for (const { geometry, path } of items) {
-    if (without && formatPath(path) === formatPath(without)) continue;
+    if (without.some((each) => samePath(each, path))) continue;
     if (geometry.type === "circle") points.push(geometry.center);
     else points.push(...ringOf(geometry.type === "polygon" ? { ...geometry, bulges: [] } : geometry));
   }

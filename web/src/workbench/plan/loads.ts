@@ -5,7 +5,7 @@ import type { Change } from "../model/changes/edits";
 import { defaultsFor } from "../model/defaults";
 import { UNPLACED } from "../model/items";
 import { namesIn } from "../model/names";
-import { listAt, type Path, samePath, tableAt } from "../model/paths";
+import { listAt, type Path, tableAt } from "../model/paths";
 
 interface Part {
   readonly element: HTMLElement;
@@ -34,7 +34,7 @@ export function unplacedLoads(store: Store, push: (change: Change) => void): Par
     const value = String(load.q ?? load.unit_weight ?? load.difference ?? load.w ?? "");
     const text = `${String(load.name || load.kind)} ${value}${load.case ? ` (${String(load.case)})` : ""}`;
     const chip = button(text, "Load on the entire slab", () => store.select(path), "chip");
-    chip.setAttribute("aria-pressed", String(samePath(path, store.selection)));
+    chip.setAttribute("aria-pressed", String(store.isSelected(path)));
     return chip;
   };
   const makeAdd = (definition: string, text: string) => {

@@ -8,7 +8,8 @@ export type Draws = "nothing" | "point" | "line" | "segment" | "shape";
 
 const SHAPE = "Drag a rectangle, or click corner after corner and close with Enter.";
 const LINE = "Drag a straight line, or click place after place and end with Enter.";
-const SELECT = "Click to select, drag to move; drag the empty plan to move the view, turn the wheel to zoom.";
+const SELECT =
+  "Click to select (Shift: several), drag to move; drag on empty ground to select what lies there. Space or right button moves the view, the wheel zooms.";
 
 const ROWS: readonly [ToolName, string, string, Draws, string][] = [
   ["select", "Select", "V", "nothing", SELECT],

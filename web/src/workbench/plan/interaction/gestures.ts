@@ -13,7 +13,7 @@ import {
   type Ring,
   ringOf,
 } from "../../model/geometry";
-import type { Item } from "../../model/items";
+import { countItems, type Item } from "../../model/items";
 import type { Table } from "../../model/paths";
 import { formatDecimals, formatLength } from "../../model/quantities";
 import type { Tool } from "../tools";
@@ -26,11 +26,41 @@ export interface Preview {
   /** The item that it stands for; null for a new one. */
   item: Item | null;
   text: string;
+  /** Items that change with it. */
+  others?: readonly ShownItem[];
 }
 
-/** Dragging an item. */
+/** An item as it is shown for now. */
+export interface ShownItem {
+  item: Item;
+  geometry: Geometry;
+}
+
+/** Return the items that a preview shows differently. */
+export function shownBy(preview: Preview | null): ShownItem[] {
+  if (!preview?.item) return [];
+  return [{ item: preview.item, geometry: preview.geometry }, ...(preview.others ?? [])];
+}
+
+/** Return the preview of items moved by a step [m]; the first is the one that is held. */
+export function movePreview([first, ...others]: readonly Item[], by: Point, text: string): Preview | null {
+  if (!first) return null;
+  const move = (item: Item): ShownItem => ({ item, geometry: moveGeometry(item.geometry, by) });
+  return { ...move(first), text, others: others.map(move) };
+}
+
+/** Return the change that moves items by a step [m]; loads on columns go with these. */
+export function moveChange(items: readonly Item[], by: Point): Change {
+  const moved = items.filter((item) => item.movable);
+  return {
+    edits: moved.map((item) => ({ op: "move", path: item.path, by })),
+    text: `move ${countItems(moved)}`,
+  };
+}
+
+/** Dragging items. */
 export interface DragGesture {
-  readonly item: Item;
+  readonly items: readonly Item[];
   /** Return the place to be snapped for a place of the pointer. */
   aim(at: Point): Point;
   /** Move to a snapped place. */
@@ -39,15 +69,19 @@ export interface DragGesture {
   change(): Change | null;
 }
 
-/** Moving an item: the corner by which it is held goes to round lengths and other corners. */
+/** Moving items: the corner by which the first is held goes to round lengths and other corners. */
 export class MoveGesture implements DragGesture {
   private readonly held: Point;
   private by: Point = [0, 0];
 
+  readonly items: readonly Item[];
+
   constructor(
-    readonly item: Item,
+    item: Item,
     private readonly start: Point,
+    others: readonly Item[] = [],
   ) {
+    this.items = [item, ...others];
     this.held = nearestCorner(ringOf(item.geometry), start);
   }
 
@@ -58,23 +92,25 @@ export class MoveGesture implements DragGesture {
   moveTo({ at }: Snapped): Preview {
     this.by = [roundOff(at[0] - this.held[0]), roundOff(at[1] - this.held[1])];
     const text = `${formatPoint(at)}   Δ ${formatSigned(this.by[0])}, ${formatSigned(this.by[1])} m`;
-    return { geometry: moveGeometry(this.item.geometry, this.by), item: this.item, text };
+    return movePreview(this.items, this.by, text)!;
   }
 
   change(): Change | null {
     if (this.by[0] === 0 && this.by[1] === 0) return null;
-    return { edits: [{ op: "move", path: this.item.path, by: this.by }], text: `move ${this.item.title}` };
+    return moveChange(this.items, this.by);
   }
 }
 
 /** Dragging one handle of an item. */
 export class ReshapeGesture implements DragGesture {
+  readonly items: readonly Item[];
   private after: Geometry;
 
   constructor(
-    readonly item: Item,
+    private readonly item: Item,
     readonly handle: Handle,
   ) {
+    this.items = [item];
     this.after = item.geometry;
   }
 
