@@ -2,6 +2,7 @@
 import { button, h, setText } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
 import type { FormContext } from "../form/context";
+import { joinEdits } from "../model/changes/batches";
 import type { Change } from "../model/changes/edits";
 import { countItems } from "../model/items";
 import { type Path, startsWith, valueAt } from "../model/paths";
@@ -25,7 +26,9 @@ export interface PlanEditor {
   reveal(path: Path): boolean;
 }
 
-export function planEditor(store: Store, ctx: FormContext, push: (change: Change) => void): PlanEditor {
+export function planEditor(store: Store, context: FormContext, send: (change: Change) => void): PlanEditor {
+  const push = (change: Change) => send(joinEdits(store.data, change));
+  const ctx: FormContext = { ...context, change: push };
   const canvas = new Canvas(store);
   const hint = h("p", { class: "drawing-hint", role: "status" });
   const showHint = (text: string) => setText(hint, text);

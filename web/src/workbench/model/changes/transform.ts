@@ -15,7 +15,7 @@ const ZERO = ["0 m", "0 m"];
 
 /** Return a table of the case file under an isometry; throws Impossible where the case file cannot say that. */
 export function transformTable(table: Table, by: Isometry): Table {
-  const placed = placeParts(placeCoordinates(table, by), by);
+  const placed = placeCoordinates(placeParts(table, by), by);
   return { ...placed, ...turnVectors(table, by), ...turnFootprint(table, by), ...turnPattern(table, by) };
 }
 

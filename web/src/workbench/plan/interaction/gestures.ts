@@ -1,8 +1,9 @@
 // What pointers do between press and release: moving, reshaping and drawing.
 import { withMinus } from "../../../viewer/data/numbers";
 import { distanceBetween } from "../../../viewer/data/points";
-import type { Addition, Change } from "../../model/changes/edits";
+import type { Addition, Change, Edit } from "../../model/changes/edits";
 import { addLine, addPoint, addShape, type DrawnShape } from "../../model/changes/new-items";
+import { editsToTable, Impossible, transformTable } from "../../model/changes/transform";
 import {
   editsBetween,
   type Geometry,
@@ -13,6 +14,7 @@ import {
   type Ring,
   ringOf,
 } from "../../model/geometry";
+import { translation } from "../../model/isometry";
 import { countItems, type Item } from "../../model/items";
 import type { Table } from "../../model/paths";
 import { formatDecimals, formatLength } from "../../model/quantities";
@@ -52,10 +54,23 @@ export function movePreview([first, ...others]: readonly Item[], by: Point, text
 /** Return the change that moves items by a step [m]; loads on columns go with these. */
 export function moveChange(items: readonly Item[], by: Point): Change {
   const moved = items.filter((item) => item.movable);
-  return {
-    edits: moved.map((item) => ({ op: "move", path: item.path, by })),
-    text: `move ${countItems(moved)}`,
-  };
+  const edits = moved.flatMap((item) => (moved.length > 1 ? translateItem(item, by) : moveItem(item, by)));
+  return { edits, text: `move ${countItems(moved)}` };
+}
+
+function moveItem(item: Item, by: Point): Edit[] {
+  return [{ op: "move", path: item.path, by }];
+}
+
+/** Return the edits that write an item at its new place, which can be joined with those of others. */
+function translateItem(item: Item, by: Point): Edit[] {
+  if (item.kind === "slab") return moveItem(item, by);
+  try {
+    return editsToTable(item.path, item.table, transformTable(item.table, translation(by)));
+  } catch (error) {
+    if (error instanceof Impossible) return moveItem(item, by); // the server says what is wrong with it
+    throw error;
+  }
 }
 
 /** Dragging items. */
