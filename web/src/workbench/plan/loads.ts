@@ -2,6 +2,7 @@
 import { button, fill, fillOptions, h } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
 import type { Change } from "../model/changes/edits";
+import { addLoadCase } from "../model/changes/new-items";
 import { defaultsFor } from "../model/defaults";
 import { UNPLACED } from "../model/items";
 import { namesIn } from "../model/names";
@@ -12,18 +13,41 @@ interface Part {
   update(): void;
 }
 
-/** The choice of the load case that stands out, and that new loads belong to. */
-export function caseChoice(store: Store, onChoose: (name: string) => void): Part {
+/** The choice of the load case that stands out and that new loads belong to, and a way to add one. */
+export function caseChoice(store: Store, push: (change: Change) => void, onChoose: (name: string) => void): Part {
   const title = "Loads of this case stand out, and new loads belong to it";
   const select = h("select", { "aria-label": "load case shown", title, onchange: () => onChoose(select.value) });
+  const input = h("input", { "aria-label": "name of the new load case", placeholder: "name, Enter", hidden: true });
+  const add = button("+ case", "Add a load case, which new loads belong to", () => ask(true), "small");
+  const ask = (isAsked: boolean) => {
+    input.hidden = !isAsked;
+    add.hidden = isAsked;
+    if (isAsked) input.focus();
+  };
   const update = () => {
     const names = namesIn(listAt(store.data, ["cases"]));
     const before = select.value;
     fillOptions(select, [["", "all load cases"], ...names.map((name) => [name, name] as const)]);
     select.hidden = names.length === 0;
+    add.disabled = store.broken;
     if (select.value !== before) onChoose(select.value);
   };
-  return { element: select, update };
+  const finish = () => {
+    const name = input.value.trim();
+    if (!name || store.broken) return;
+    const change = addLoadCase(store.data, name);
+    if (change.edits.length > 0) push(change);
+    update();
+    select.value = name;
+    onChoose(select.value);
+    input.value = "";
+    ask(false);
+  };
+  input.addEventListener("keydown", (event) => {
+    if (event.key === "Enter") finish();
+    else if (event.key === "Escape") ask(false);
+  });
+  return { element: h("div", { class: "case-choice" }, select, input, add), update };
 }
 
 /** Loads on the entire slab, and buttons that add them. */

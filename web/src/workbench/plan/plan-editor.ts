@@ -34,7 +34,7 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
   const showHint = (text: string) => setText(hint, text);
   const actions = new Actions(canvas, store, push, showHint);
   const dialog = new ActionDialog(canvas, actions);
-  const panel = propertyPanel(ctx, push, () => actionButtons(actions, dialog, store.selected));
+  const panel = propertyPanel(ctx, push, dialog.element, () => actionButtons(actions, dialog, store.selected));
   const tools = toolBar((tool) => {
     pointer.cancel();
     showHint(tool.hint);
@@ -53,7 +53,7 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
   });
   new Keyboard(canvas, pointer, store, push, tools, actions, dialog);
   useClipboard(canvas.element, actions, () => pointer.place);
-  const cases = caseChoice(store, (name) => {
+  const cases = caseChoice(store, push, (name) => {
     canvas.loadCase = name;
     canvas.redraw();
   });
@@ -62,7 +62,7 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
   const emptyHint = "Draw the slab: choose Slab (B), then drag a rectangle or click corner after corner.";
   const empty = h("p", { class: "drawing-empty" }, emptyHint);
   const corner = h("div", { class: "drawing-corner" }, cases.element, fit);
-  const box = h("div", { class: "drawing-box" }, canvas.element, corner, empty, dialog.element);
+  const box = h("div", { class: "drawing-box" }, canvas.element, corner, empty);
   const middle = h("div", { class: "plan-middle" }, box, loads.element, hint);
   const element = h("div", { class: "plan-editor" }, tools.element, middle, panel.element);
   showHint(tools.current().hint);

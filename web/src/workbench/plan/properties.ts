@@ -15,17 +15,18 @@ export interface PropertyPanel extends Widget {
 
 const INSIDE_PLATE = ["openings", "zones", "edges"]; // of the slab: items of their own, or in the form
 
-/** `makeButtons` makes the buttons of the actions on what is selected. */
+/** `dialog` takes the place of the fields while it is shown; `makeButtons` makes the buttons of the actions on what is selected. */
 export function propertyPanel(
   ctx: FormContext,
   push: (change: Change) => void,
+  dialog: HTMLElement,
   makeButtons: () => HTMLElement[],
 ): PropertyPanel {
   const title = h("h3");
   const buttons = h("div", { class: "property-acts", role: "toolbar", "aria-label": "actions on the selection" });
   const body = h("div", { class: "property-body" });
   const head = h("div", { class: "property-head" }, title, buttons);
-  const element = h("section", { class: "properties", "aria-label": "properties" }, head, body);
+  const element = h("section", { class: "properties", "aria-label": "properties" }, head, dialog, body);
   let shown: readonly Path[] = [];
   let widget: Widget | null = null;
   const toPolygon = button(

@@ -5,7 +5,7 @@ import { footprintOf, titleAt } from "../items";
 import { freeName, namesIn } from "../names";
 import { isTable, type Json, listAt, type Path, type Table, tableAt } from "../paths";
 import { formatLength, parseLength } from "../quantities";
-import type { Addition, Edit } from "./edits";
+import type { Addition, Change, Edit } from "./edits";
 
 /** What is added; slabs replace the one that is there. */
 export type NewKind =
@@ -56,7 +56,7 @@ export function addShape(kind: NewKind, data: Table, drawn: DrawnShape, loadCase
       return addItem(data, ["contact", "voids"], { ...defaultsFor("Void", data), ...place }, kind);
     case "area load": {
       const load = defaultsFor(drawn.kind === "rectangle" ? "PatchLoad" : "AreaLoad", data);
-      return addItem(data, ["loads"], { ...load, ...inCase(loadCase), ...place }, kind);
+      return addItem(data, ["loads"], { ...load, ...inCase(data, loadCase), ...place }, kind);
     }
     default:
       return { change: { edits: outlineEdits(data, shape), text: "draw the slab" }, path: ["plate", "outline"] };
@@ -87,7 +87,7 @@ export function addLine(kind: NewKind, data: Table, line: Ring, loadCase: string
     const value = { name, start: points[0] ?? [], end: points.at(-1) ?? [] };
     return addItem(data, ["output", "lines"], value, `section ${name}`);
   }
-  return addItem(data, ["loads"], { ...defaultsFor("LineLoad", data), ...inCase(loadCase), points }, "line load");
+  return addItem(data, ["loads"], { ...defaultsFor("LineLoad", data), ...inCase(data, loadCase), points }, "line load");
 }
 
 /** Return the change that adds something at a point. */
@@ -106,7 +106,11 @@ export function addPoint(kind: NewKind, data: Table, at: Point, loadCase: string
     return addItem(data, ["columns"], { name, ...place, ...columnSize(data) }, `column ${name}`);
   }
   const column = columnAt(data, at);
-  const value = { ...defaultsFor("PointLoad", data), ...inCase(loadCase), ...(column === null ? place : { column }) };
+  const value = {
+    ...defaultsFor("PointLoad", data),
+    ...inCase(data, loadCase),
+    ...(column === null ? place : { column }),
+  };
   return addItem(data, ["loads"], value, "point load");
 }
 
@@ -129,8 +133,24 @@ function columnAt(data: Table, at: Point): string | null {
   return null;
 }
 
-function inCase(loadCase: string): Table {
-  return loadCase ? { case: loadCase } : {};
+/** Return the case of a new load: the chosen one, else the first there is. */
+function inCase(data: Table, chosen: string): Table {
+  const name = chosen || namesIn(listAt(data, ["cases"]))[0];
+  return name ? { case: name } : {};
+}
+
+/** Return the change that adds a load case; loads that had none belong to the first case. */
+export function addLoadCase(data: Table, name: string): Change {
+  const cases = listAt(data, ["cases"]);
+  const edits: Edit[] = namesIn(cases).includes(name)
+    ? []
+    : [{ op: "add", path: ["cases"], value: { name, ...defaultsFor("LoadCase", data) } }];
+  if (cases.length === 0)
+    for (const list of ["loads", "moves"])
+      listAt(data, [list]).forEach((each, n) => {
+        if (isTable(each) && each.case === undefined) edits.push({ op: "set", path: [list, n, "case"], value: name });
+      });
+  return { edits, text: `add load case ${name}` };
 }
 
 /** Return a copy of the ground for a soil zone, which has to be of the same kind with as many layers. */

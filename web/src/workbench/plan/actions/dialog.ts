@@ -1,4 +1,4 @@
-// The dialog of an action: its numbers, over the plan that shows what they make.
+// The dialog of an action: its numbers, below the plan that shows what they make.
 import { button, fill, h, newId } from "../../../viewer/shared/dom";
 import type { Additions } from "../../model/changes/copies";
 import { Impossible } from "../../model/changes/transform";
@@ -34,7 +34,7 @@ export class ActionDialog {
     const message = h("p", { class: "action-message", role: "status" });
     const apply = h("button", { type: "submit", class: "main" }, form.label);
     const cancel = button("Cancel", "", () => this.close());
-    fill(this.element, h("h3", { id }, form.label), ...rows, message, h("div", { class: "answers" }, cancel, apply));
+    fill(this.element, h("h3", { id }, form.label), ...rows, message, h("div", { class: "answers" }, apply, cancel));
     this.element.setAttribute("aria-labelledby", id);
     this.element.hidden = false;
     this.element.querySelector<HTMLElement>("label:not([hidden]) :is(input, select)")?.focus();
