@@ -51,7 +51,7 @@ export function caseChoice(store: Store, push: (change: Change) => void, onChoos
 }
 
 /** Loads on the entire slab, and buttons that add them. */
-export function unplacedLoads(store: Store, push: (change: Change) => void): Part {
+export function unplacedLoads(store: Store, push: (change: Change) => void, loadCase: () => string): Part {
   const element = h("div", { class: "unplaced" });
   const makeChip = (path: Path) => {
     const load = tableAt(store.data, path);
@@ -62,7 +62,12 @@ export function unplacedLoads(store: Store, push: (change: Change) => void): Par
     return chip;
   };
   const makeAdd = (definition: string, text: string) => {
-    const add = button(`+ ${text}`, `Add ${text}`, () => addLoad(store, push, definition, text), "chip add");
+    const add = button(
+      `+ ${text}`,
+      `Add ${text}`,
+      () => addLoad(store, push, definition, text, loadCase()),
+      "chip add",
+    );
     add.disabled = store.broken;
     return add;
   };
@@ -80,9 +85,15 @@ export function unplacedLoads(store: Store, push: (change: Change) => void): Par
   return { element, update };
 }
 
-function addLoad(store: Store, push: (change: Change) => void, definition: string, text: string): void {
-  const [first] = namesIn(listAt(store.data, ["cases"]));
-  const value = { ...defaultsFor(definition, store.data), ...(first ? { case: first } : {}) };
+function addLoad(
+  store: Store,
+  push: (change: Change) => void,
+  definition: string,
+  text: string,
+  loadCase: string,
+): void {
+  const name = loadCase || namesIn(listAt(store.data, ["cases"]))[0];
+  const value = { ...defaultsFor(definition, store.data), ...(name ? { case: name } : {}) };
   const path: Path = ["loads", listAt(store.data, ["loads"]).length];
   push({ edits: [{ op: "add", path: ["loads"], value }], text: `add ${text}` });
   store.select(path);

@@ -57,7 +57,7 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
     canvas.loadCase = name;
     canvas.redraw();
   });
-  const loads = unplacedLoads(store, push);
+  const loads = unplacedLoads(store, push, () => canvas.loadCase);
   const fit = button("Fit", "Show everything (0)", () => canvas.fit(), "small");
   const emptyHint = "Draw the slab: choose Slab (B), then drag a rectangle or click corner after corner.";
   const empty = h("p", { class: "drawing-empty" }, emptyHint);

@@ -42,6 +42,7 @@ function classesOf(item: Item, { selected, hovered, faulty, loadCase }: Highligh
     selected: selected.some((path) => samePath(path, item.path)),
     hovered: samePath(hovered, item.path),
     faulty: isFaulty,
+    "on-ground": item.table.on === "ground",
     faint: item.kind === "load" && loadCase !== "" && item.table.case !== loadCase,
   };
   const names = Object.entries(marks).flatMap(([name, on]) => (on ? [name] : []));
@@ -61,7 +62,7 @@ function symbolOf(item: Item, loads: readonly Item[], highlights: Highlights): P
     points: closed && isWall ? [...ring, ...ring.slice(0, 1)] : ring,
     texts: texts ?? [],
     foot,
-    holes: kind === "load" ? holesOf(item) : [],
+    holes: kind === "load" ? holesOf(item) : kind === "move" ? (item.feet ?? []) : [],
     hidden: texts === null,
     upward: /^\s*-/.test(String(table.P ?? "")),
     elastic: table.stiffness !== undefined,
@@ -77,6 +78,10 @@ function textsOf(item: Item): string[] {
   switch (item.kind) {
     case "zone":
       return item.table.thickness === undefined ? [] : [`t = ${String(item.table.thickness)}`];
+    case "refinement":
+      return [`h = ${String(item.table.size ?? "")}`];
+    case "move":
+      return [nameOf(item) || String(item.table.pattern ?? "")];
     case "soil zone":
     case "void":
       return [item.title];

@@ -25,6 +25,9 @@ const ROWS: readonly [ToolName, string, string, Draws, string][] = [
   ["borehole", "Borehole", "H", "point", "Click where layers are known. Escape ends."],
   ["soil zone", "Soil zone", "G", "shape", `Draw a part of the plan with other ground. ${SHAPE}`],
   ["void", "Void", "U", "shape", `Draw where the ground lies deeper. ${SHAPE}`],
+  ["plate", "Further plate", "E", "shape", `Draw another plate beside the slab. ${SHAPE}`],
+  ["joint", "Joint", "J", "point", "Click the line that two plates share. Escape ends."],
+  ["refinement", "Finer mesh", "F", "shape", `Draw where the mesh is finer. ${SHAPE}`],
   ["section line", "Section", "X", "segment", "Drag the line along which values are listed."],
 ];
 

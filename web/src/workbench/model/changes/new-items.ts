@@ -4,6 +4,7 @@ import { isInside, type Point, type Ring } from "../geometry";
 import { footprintOf, titleAt } from "../items";
 import { freeName, namesIn } from "../names";
 import { isTable, type Json, listAt, type Path, type Table, tableAt } from "../paths";
+import { platesAt } from "../plates";
 import { formatLength, parseLength } from "../quantities";
 import type { Addition, Change, Edit } from "./edits";
 
@@ -21,7 +22,10 @@ export type NewKind =
   | "borehole"
   | "soil zone"
   | "void"
-  | "section line";
+  | "section line"
+  | "plate"
+  | "joint"
+  | "refinement";
 
 export type DrawnShape = { kind: "rectangle"; from: Point; to: Point } | { kind: "polygon"; points: Ring };
 
@@ -52,6 +56,10 @@ export function addShape(kind: NewKind, data: Table, drawn: DrawnShape, loadCase
       return addItem(data, ["plate", "zones"], { ...defaultsFor("Zone", data), shape }, kind);
     case "soil zone":
       return addItem(data, ["soil_zones"], { shape, ground: copyGround(data) }, kind);
+    case "plate":
+      return addPlate(data, shape);
+    case "refinement":
+      return addItem(data, ["mesh", "refine"], { shape, size: "100 mm" }, "refined mesh");
     case "void":
       return addItem(data, ["contact", "voids"], { ...defaultsFor("Void", data), ...place }, kind);
     case "area load": {
@@ -61,6 +69,25 @@ export function addShape(kind: NewKind, data: Table, drawn: DrawnShape, loadCase
     default:
       return { change: { edits: outlineEdits(data, shape), text: "draw the slab" }, path: ["plate", "outline"] };
   }
+}
+
+/** Return the change that adds a further plate with the thickness and the concrete of the first. */
+function addPlate(data: Table, outline: Table): Addition {
+  const main = { ...defaultsFor("Plate", data), ...tableAt(data, ["plate"]) };
+  const own = ["thickness", "E", "nu", "shear_factor", "thermal_expansion"].filter((key) => key in main);
+  const mainName = typeof main.name === "string" ? main.name : "";
+  const name = freeName([mainName, ...namesIn(listAt(data, ["plates"]))], "plate 2");
+  const values = Object.fromEntries(own.map((key) => [key, main[key]!]));
+  const { change, path } = addItem(data, ["plates"], { name, outline, ...values }, name);
+  // joints and loads call plates by their names
+  const edits: Edit[] = mainName ? [] : [{ op: "set", path: ["plate", "name"], value: "plate 1" }];
+  return { change: { ...change, edits: [...edits, ...change.edits] }, path };
+}
+
+/** Return the change that joins the two plates whose shared line is at a place, null if there is none. */
+export function addJoint(data: Table, at: Point, reach: number): Addition | null {
+  const between = platesAt(data, at, reach);
+  return between && addItem(data, ["joints"], { kind: "hinge", between }, `joint of ${between.join(" and ")}`);
 }
 
 /** Return the edits that give the slab another outline, and what else a slab needs if it is missing. */

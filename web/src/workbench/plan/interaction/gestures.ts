@@ -2,7 +2,7 @@
 import { withMinus } from "../../../viewer/data/numbers";
 import { distanceBetween } from "../../../viewer/data/points";
 import type { Addition, Change, Edit } from "../../model/changes/edits";
-import { addLine, addPoint, addShape, type DrawnShape } from "../../model/changes/new-items";
+import { addJoint, addLine, addPoint, addShape, type DrawnShape } from "../../model/changes/new-items";
 import { editsToTable, Impossible, transformTable } from "../../model/changes/transform";
 import {
   editsBetween,
@@ -196,10 +196,11 @@ export class DrawGesture {
   }
 
   /** Return the change that adds what has been drawn, null if it is not enough. */
-  finish(data: Table, loadCase: string): Addition | null {
+  finish(data: Table, loadCase: string, reach = 0): Addition | null {
     const { tool, points } = this;
     const [first, second] = points;
     if (!first || tool.name === "select") return null;
+    if (tool.name === "joint") return addJoint(data, first, reach);
     if (tool.draws === "point") return addPoint(tool.name, data, first, loadCase);
     if (!second) return null;
     if (tool.draws !== "shape") return addLine(tool.name, data, points, loadCase);

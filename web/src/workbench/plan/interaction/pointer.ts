@@ -149,7 +149,7 @@ export class Pointer {
     const { canvas, store } = this;
     const { start } = press;
     // the slab fills the view: it is dragged only if it is selected
-    const isHeld = press.kind === "item" && (press.item.kind !== "slab" || store.isSelected(press.item.path));
+    const isHeld = press.kind === "item" && (!isPlate(press.item) || store.isSelected(press.item.path));
     if (isHeld && !press.adds) this.startMove(press.item, start);
     else if (isTouch) {
       this.press = { kind: "pan" };
@@ -238,16 +238,22 @@ export class Pointer {
   }
 
   private complete(): void {
-    const addition = this.drawing?.finish(this.store.data, this.canvas.loadCase);
+    const addition = this.drawing?.finish(this.store.data, this.canvas.loadCase, this.canvas.reach);
     this.cancel();
     if (addition) this.hooks.onDrawn(addition);
   }
+}
+
+/** Whether an item fills the view like the slab, so that it is dragged only if it is selected. */
+function isPlate({ kind }: Item): boolean {
+  return kind === "slab" || kind === "plate";
 }
 
 /** Return why an item cannot be moved. */
 export function whyFixed(item: Item): string {
   if (item.kind === "slab")
     return "A rectangle given by its sides is centered on the origin: drag its edges, or convert it to a polygon to move it.";
+  if (item.kind === "joint") return "It lies where its plates meet and moves with them.";
   if (item.kind === "load") return `It stands on column ${String(item.table.column)} and moves with it.`;
   return "It cannot be moved at present.";
 }
