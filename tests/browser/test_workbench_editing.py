@@ -150,3 +150,29 @@ def test_what_is_turned_and_mirrored_is_written_exactly(server: Server, bench: B
     _enter(bench, x="0")
     bench.until(lambda: _places(bench) == [("-2 m", "1 m"), ("2 m", "1 m")])
     bench.wait_seen(".last-edit", "mirror: copy column A1")
+
+
+def test_a_slab_is_drawn_by_typed_lengths_and_places(server: Server, bench: Bench, tmp_path: Path) -> None:
+    """Places and lengths are typed while drawing; at 1280 x 650 every tool can be seen; a case is added in the plan."""
+    bench.page.set_viewport_size({"width": 1280, "height": 650})
+    bench.open(server.start(None))
+    page = bench.page
+    seen = "() => { const e = document.querySelector('.tools'); return e.scrollHeight <= e.clientHeight; }"
+    page.wait_for_function(seen)
+    bench.tool("slab")
+    page.keyboard.type("-1,5; -1")
+    page.keyboard.press("Enter")
+    page.mouse.move(*bench.pixel(1.0, -1.0))
+    page.keyboard.type("3.25")
+    page.keyboard.press("Enter")
+    page.keyboard.type("1.75;2")
+    page.keyboard.press("Enter")
+    page.keyboard.press("Enter")
+    bench.wait_text('points = [["-1.5 m", "-1 m"], ["1.75 m", "-1 m"], ["1.75 m", "2 m"]]')
+    page.get_by_role("button", name="+ case").click()
+    page.get_by_label("name of the new load case").fill("live")
+    page.get_by_label("name of the new load case").press("Enter")
+    bench.wait_text('name = "live"')
+    bench.tool("point load")
+    bench.click(1.0, -0.5)
+    bench.wait_text('case = "live"')

@@ -214,14 +214,3 @@ export function loadsOn(items: readonly Item[], columns: readonly Item[]): Item[
 export function boundsOfItems(items: readonly Item[]): [number, number, number, number] | null {
   return boundsOf(items.flatMap((item) => [...ringOf(item.geometry)]));
 }
-
-/** The places that others snap to: corners, centers, ends. */
-export function snapPoints(items: readonly Item[], without: readonly Path[]): Point[] {
-  const points: Point[] = [[0, 0]];
-  for (const { geometry, path } of items) {
-    if (without.some((each) => samePath(each, path))) continue;
-    if (geometry.type === "circle") points.push(geometry.center);
-    else points.push(...ringOf(geometry.type === "polygon" ? { ...geometry, bulges: [] } : geometry));
-  }
-  return points;
-}

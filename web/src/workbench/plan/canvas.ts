@@ -7,8 +7,9 @@ import { drawPath, drawText } from "../../viewer/plan/symbols";
 import { svg } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
 import { type Geometry, isClosed, type Point, rectangleCorners, ringOf } from "../model/geometry";
-import { boundsOfItems, footprintOf, type Item, itemsOf, snapPoints } from "../model/items";
+import { boundsOfItems, footprintOf, type Item, itemsOf } from "../model/items";
 import { type Path, pathKey } from "../model/paths";
+import { snapPlaces } from "../model/snap-places";
 import { type Preview, shownBy } from "./interaction/gestures";
 import { type Handle, handlesOf } from "./interaction/handles";
 import { itemsAt } from "./interaction/hit-testing";
@@ -112,8 +113,11 @@ export class Canvas {
   /** Return the place that a pixel means; `free` switches snapping off. */
   snap(at: Point, free: boolean, without: readonly Path[], own: readonly Point[] = []): Snapped {
     if (free) return { at, fromX: null, fromY: null, onPoint: false };
-    const points = [...snapPoints(this.items, without), ...own];
-    return snap({ at, points, step: this.step, reach: this.reach });
+    const places = snapPlaces(this.items, without);
+    const points = [...places.map((place) => place.at), ...own];
+    const snapped = snap({ at, points, step: this.step, reach: this.reach });
+    const name = snapped.onPoint ? places.find((place) => place.at === snapped.at)?.name : undefined;
+    return name ? { ...snapped, name } : snapped;
   }
 
   /** How near is near enough [m]. */
@@ -202,12 +206,14 @@ export class Canvas {
     return [drawPath(pixels, closed, "preview"), ...corners, ...drawDimensions(this.camera, ring, closed)];
   }
 
-  private drawGuides({ at, fromX, fromY, onPoint }: Snapped): SVGElement[] {
+  private drawGuides({ at, fromX, fromY, onPoint, name }: Snapped): SVGElement[] {
     const [x, y] = this.camera.toPixel(at);
     const lines = [fromX, fromY].flatMap((from) =>
       from ? [drawPath([this.camera.toPixel(from), [x, y]], false, "guide")] : [],
     );
-    const circle = onPoint ? [this.drawCircle(at, 6, "on-point")] : [];
+    const circle = onPoint
+      ? [this.drawCircle(at, 6, "on-point"), drawText([x, y], name ?? "", [9, 18], "snap-name")]
+      : [];
     if (!this.preview?.text) return [...lines, ...circle];
     const atRight = x > this.camera.width - 220;
     const offset: Point = [atRight ? -14 : 14, y < 40 ? 26 : -14];

@@ -51,7 +51,7 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
     },
     showHint,
   });
-  new Keyboard(canvas, pointer, store, push, tools, actions, dialog);
+  new Keyboard(canvas, pointer, store, push, tools, actions, dialog, showHint);
   useClipboard(canvas.element, actions, () => pointer.place);
   const cases = caseChoice(store, push, (name) => {
     canvas.loadCase = name;

@@ -43,7 +43,7 @@ function classesOf(item: Item, { selected, hovered, faulty, loadCase }: Highligh
     hovered: samePath(hovered, item.path),
     faulty: isFaulty,
     "on-ground": item.table.on === "ground",
-    faint: item.kind === "load" && loadCase !== "" && item.table.case !== loadCase,
+    faint: (item.kind === "load" || item.kind === "move") && loadCase !== "" && item.table.case !== loadCase,
   };
   const names = Object.entries(marks).flatMap(([name, on]) => (on ? [name] : []));
   return ["symbol", item.kind.replaceAll(" ", "-"), ...names].join(" ");

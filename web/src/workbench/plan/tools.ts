@@ -6,7 +6,7 @@ export type ToolName = "select" | NewKind;
 /** What a tool takes from the pointer: one place, a line through places, two ends, or a closed shape. */
 export type Draws = "nothing" | "point" | "line" | "segment" | "shape";
 
-const SHAPE = "Drag a rectangle, or click corner after corner and close with Enter.";
+const SHAPE = "Drag a rectangle (Ctrl: a circle), or click corner after corner and close with Enter.";
 const LINE = "Drag a straight line, or click place after place and end with Enter.";
 const SELECT =
   "Click to select (Shift: several), drag to move; drag on empty ground to select what lies there. Space or right button moves the view, the wheel zooms.";

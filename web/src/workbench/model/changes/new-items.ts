@@ -27,13 +27,18 @@ export type NewKind =
   | "joint"
   | "refinement";
 
-export type DrawnShape = { kind: "rectangle"; from: Point; to: Point } | { kind: "polygon"; points: Ring };
+export type DrawnShape =
+  | { kind: "rectangle"; from: Point; to: Point }
+  | { kind: "polygon"; points: Ring }
+  | { kind: "circle"; center: Point; radius: number };
 
 const toText = (point: Point): Json[] => [formatLength(point[0]), formatLength(point[1])];
 
 /** Return a drawn shape as a table of the case file. */
 function shapeTable(shape: DrawnShape): Table {
   if (shape.kind === "polygon") return { kind: "polygon", points: shape.points.map(toText) };
+  if (shape.kind === "circle")
+    return { kind: "circle", centre: toText(shape.center), radius: formatLength(shape.radius) };
   const { from, to } = shape;
   const range = (n: 0 | 1) => [Math.min(from[n], to[n]), Math.max(from[n], to[n])].map((each) => formatLength(each));
   return { kind: "rectangle", x: range(0), y: range(1) };

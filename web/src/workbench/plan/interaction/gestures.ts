@@ -149,6 +149,8 @@ export class ReshapeGesture implements DragGesture {
 /** Drawing a new item: by dragging, or by clicking place after place. */
 export class DrawGesture {
   readonly points: Point[] = [];
+  /** Whether a shape that is dragged is a circle about its first place. */
+  round = false;
   private dragging = false;
 
   constructor(readonly tool: Tool) {}
@@ -183,6 +185,11 @@ export class DrawGesture {
   preview({ at }: Snapped): Preview {
     const [first] = this.points;
     if (!first) return { geometry: { type: "point", at: [], x: at[0], y: at[1] }, item: null, text: formatPoint(at) };
+    if (this.tool.draws === "shape" && this.dragging && this.round) {
+      const radius = roundOff(distanceBetween(first, at));
+      const geometry: Geometry = { type: "circle", at: [], center: first, radius };
+      return { geometry, item: null, text: `${formatPoint(first)}   ${measureText(geometry)}` };
+    }
     if (this.tool.draws === "shape" && this.dragging) {
       const geometry: Geometry = { type: "box", at: [], x: [first[0], at[0]], y: [first[1], at[1]] };
       const text = sizeText(Math.abs(at[0] - first[0]), Math.abs(at[1] - first[1]));
@@ -204,6 +211,10 @@ export class DrawGesture {
     if (tool.draws === "point") return addPoint(tool.name, data, first, loadCase);
     if (!second) return null;
     if (tool.draws !== "shape") return addLine(tool.name, data, points, loadCase);
+    if (this.round && points.length === 2) {
+      const radius = roundOff(distanceBetween(first, second));
+      return radius > 0 ? addShape(tool.name, data, { kind: "circle", center: first, radius }, loadCase) : null;
+    }
     const isBox = points.length === 2;
     if (isBox && (first[0] === second[0] || first[1] === second[1])) return null;
     const shape: DrawnShape = isBox ? { kind: "rectangle", from: first, to: second } : { kind: "polygon", points };

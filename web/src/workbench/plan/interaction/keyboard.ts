@@ -13,9 +13,11 @@ import { toolForKey } from "../tools";
 import { removeCorner } from "./handles";
 import { Nudge } from "./nudge";
 import type { Pointer } from "./pointer";
+import { typeKey } from "./typed-input";
 
 export class Keyboard {
   private readonly nudge: Nudge;
+  private typed = ""; // a length or a place
 
   constructor(
     private readonly canvas: Canvas,
@@ -25,8 +27,12 @@ export class Keyboard {
     private readonly tools: ToolBar,
     private readonly actions: Actions,
     private readonly dialog: ActionDialog,
+    private readonly showHint: (text: string) => void,
   ) {
     this.nudge = new Nudge(canvas, push);
+    canvas.element.addEventListener("pointerdown", () => {
+      this.typed = "";
+    });
     canvas.element.addEventListener("keydown", (event) => {
       if (this.handle(event)) event.preventDefault();
     });
@@ -38,6 +44,7 @@ export class Keyboard {
     if (isCommand && event.key.toLowerCase() === "d") this.actions.duplicate();
     else if (isCommand && event.key.toLowerCase() === "a") this.selectDrawn();
     else if (isCommand || event.altKey) return false;
+    else if (this.type(event.key)) return true;
     else if (ARROWS[event.key]) this.move(ARROWS[event.key]!, event.shiftKey ? 10 : 1);
     else return this.handlePlain(event);
     return true;
@@ -78,6 +85,29 @@ export class Keyboard {
         else if (!this.openAction(event.key)) return false;
     }
     return true;
+  }
+
+  /** Take a key as part of a length or a place while something is drawn; returns whether it is one. */
+  private type(key: string): boolean {
+    const { pointer, tools } = this;
+    if (tools.current().draws === "nothing" || this.store.broken) return false;
+    if (this.typed && (key === "Enter" || key === "Escape")) {
+      const isPlaced = key === "Escape" || pointer.placeTyped(this.typed);
+      this.showTyped(
+        "",
+        isPlaced ? "" : `Found "${this.typed}", expected a length such as 3.5 or a place such as 2;3.`,
+      );
+      return true;
+    }
+    const typed = typeKey(this.typed, key);
+    if (typed !== null) this.showTyped(typed);
+    return typed !== null;
+  }
+
+  private showTyped(typed: string, hint = ""): void {
+    this.typed = typed;
+    const { current } = this.tools;
+    this.showHint(hint || (typed ? `${typed} — Enter: draw up to there` : current().hint));
   }
 
   /** Open the dialog of an action's key; returns whether there is one for what is selected. */

@@ -9,6 +9,9 @@ import type { Canvas } from "../canvas";
 import type { Tool } from "../tools";
 import { type DragGesture, DrawGesture, MoveGesture, ReshapeGesture } from "./gestures";
 import { itemsInBand } from "./rubber-band";
+import { typedPlace } from "./typed-input";
+
+const TYPED_REACH = 1e-9; // m: typed places are the same only if they are equal
 
 export interface PointerHooks {
   push(change: Change): void;
@@ -62,6 +65,20 @@ export class Pointer {
   /** End a drawing of several clicks with what there is. */
   finish(): void {
     if (this.drawing && this.drawing.points.length >= 2) this.complete();
+  }
+
+  /** Go on drawing at a place or by a length that was typed; returns whether it was one. */
+  placeTyped(text: string): boolean {
+    const drawing = this.drawing ?? new DrawGesture(this.hooks.tool());
+    const place = typedPlace(text, drawing.points.at(-1) ?? null, this.place);
+    if (!place) return false;
+    this.drawing = drawing;
+    const isComplete = drawing.down(place, TYPED_REACH);
+    drawing.up(place, TYPED_REACH);
+    if (isComplete) this.complete();
+    else this.canvas.preview = drawing.preview({ at: place, fromX: null, fromY: null, onPoint: false });
+    this.canvas.redraw();
+    return true;
   }
 
   /** Abandon what is being done; returns whether there was anything. */
@@ -142,6 +159,7 @@ export class Pointer {
   }
 
   private snapDrawing(drawing: DrawGesture, pixel: Point, event: PointerEvent) {
+    drawing.round = event.ctrlKey || event.metaKey;
     return this.canvas.snap(this.canvas.camera.toPlan(pixel), event.altKey, [], drawing.points);
   }
 
