@@ -80,9 +80,7 @@ def test_fields_of_several_items_are_changed_in_one_step(server: Server, bench: 
     assert bench.field("columns", 0, "width_y").locator("input").input_value() == "400 mm"
     bench.fill("350 mm", "columns", 0, "width_x")
     bench.until(lambda: [each["width_x"] for each in _data(bench)["columns"]] == ["350 mm", "350 mm"])
-    assert bench.text() == before.replace('"30 cm"', '"350 mm"').replace(
-        'width_x = "400 mm"', 'width_x = "350 mm"'
-    )
+    assert bench.text() == before.replace('"30 cm"', '"350 mm"').replace('width_x = "400 mm"', 'width_x = "350 mm"')
     drawing = bench.page.locator("svg.drawing")
     drawing.focus()
     drawing.press("Control+z")
@@ -131,7 +129,9 @@ def test_items_go_from_one_workbench_to_another(server: Server, tabs: Any, case:
 
 def test_what_is_turned_and_mirrored_is_written_exactly(server: Server, bench: Bench, case: Path) -> None:
     """A turned rectangular load becomes a polygon; a column that cannot be turned says why; a mirror image is a copy."""
-    case.write_text(case.read_text() + '\n[[loads]]\nkind = "patch"\nq = "20 kPa"\nx = ["1 m", "2 m"]\ny = ["0 m", "1 m"]\n')
+    case.write_text(
+        case.read_text() + '\n[[loads]]\nkind = "patch"\nq = "20 kPa"\nx = ["1 m", "2 m"]\ny = ["0 m", "1 m"]\n'
+    )
     bench.open(server.start(case))
     bench.click(1.5, 0.3)
     bench.page.keyboard.press("r")
@@ -139,7 +139,12 @@ def test_what_is_turned_and_mirrored_is_written_exactly(server: Server, bench: B
     bench.until(lambda: _data(bench)["loads"][1]["kind"] == "area")
     shape = _data(bench)["loads"][1]["shape"]
     half = "0.707106781 m"
-    assert shape["points"] == [["1 m", "0 m"], ["1.707106781 m", half], ["1 m", "1.414213562 m"], ["0.292893219 m", half]]
+    assert shape["points"] == [
+        ["1 m", "0 m"],
+        ["1.707106781 m", half],
+        ["1 m", "1.414213562 m"],
+        ["0.292893219 m", half],
+    ]
     bench.page.keyboard.press("Escape")
     bench.click(-2.0, 1.0)
     bench.page.keyboard.press("r")
@@ -176,3 +181,33 @@ def test_a_slab_is_drawn_by_typed_lengths_and_places(server: Server, bench: Benc
     bench.tool("point load")
     bench.click(1.0, -0.5)
     bench.wait_text('case = "live"')
+
+
+def test_plates_are_drawn_and_joined(server: Server, bench: Bench, case: Path) -> None:
+    """A further plate beside the slab is drawn and joined to it; a circle is drawn where the mesh is finer."""
+    bench.open(server.start(case))
+    bench.page.mouse.move(*bench.pixel(0.0, 0.0))
+    bench.page.mouse.wheel(0, 600)
+    bench.tool("plate")
+    bench.drag((3.0, -2.0), (5.0, 2.0))
+    bench.until(lambda: "plates" in _data(bench))
+    plate = _data(bench)["plates"][0]
+    assert plate["outline"] == {"kind": "rectangle", "x": ["3 m", "5 m"], "y": ["-2 m", "2 m"]}
+    assert (plate["thickness"], plate["E"], plate["nu"]) == ("250 mm", "30 GPa", 0.2)
+    bench.tool("joint")
+    bench.click(3.0, 0.7)
+    bench.until(lambda: "joints" in _data(bench))
+    assert _data(bench)["joints"] == [{"kind": "hinge", "between": [_data(bench)["plate"]["name"], plate["name"]]}]
+    bench.page.wait_for_selector(".symbol.joint")
+    bench.tool("refinement")
+    bench.page.keyboard.down("Control")
+    bench.drag((-1.0, -1.0), (-0.5, -1.0))
+    bench.page.keyboard.up("Control")
+    bench.until(lambda: "refine" in _data(bench)["mesh"])
+    assert _data(bench)["mesh"]["refine"][0]["shape"] == {
+        "kind": "circle",
+        "centre": ["-1 m", "-1 m"],
+        "radius": "0.5 m",
+    }
+    bench.wait_solved()
+    bench.wait_seen(".issue-count", "No errors")
