@@ -94,7 +94,7 @@ export class ActionDialog {
         : is === "flag"
           ? h("input", { ...attributes, type: "checkbox", checked: value === "yes" })
           : h("input", { ...attributes, value, autocomplete: "off", spellcheck: "false" });
-    return h("label", { class: `action-row ${is}`, "data-key": key }, h("span", {}, label), input);
+    return h("label", { class: `action-row is-${is}`, "data-key": key }, h("span", {}, label), input);
   }
 
   private read(): Values {
