@@ -58,13 +58,16 @@ function referencesTo(data: Table, caller: { list: string; key: string }, name: 
 /** Return the change that removes items and the loads on them. */
 export function removeItems(data: Table, paths: readonly Path[]): Change {
   const loads = loadsUpon(data, paths).filter((n) => !paths.some((path) => samePath(path, ["loads", n])));
-  const removed: Path[] = [...paths, ...loads.map((n): Path => ["loads", n])];
+  const joints = jointsUpon(data, paths).filter((n) => !paths.some((path) => samePath(path, ["joints", n])));
+  const places = [...loads.map((n): Path => ["loads", n]), ...joints.map((n): Path => ["joints", n])];
+  const removed: Path[] = [...paths, ...places];
   // from the last on, so that the positions of the others stay
   const edits: Edit[] = removed.toSorted(byPositionBackwards).map((path) => ({ op: "remove", path }));
   const their = paths.length === 1 ? "its" : "their";
   const also =
     loads.length === 0 ? "" : loads.length === 1 ? ` and ${their} load` : ` and ${their} ${loads.length} loads`;
-  return { edits, text: `remove ${titleOfAll(data, paths)}${also}` };
+  const joined = joints.length === 0 ? "" : ` and ${their} ${joints.length === 1 ? "joint" : "joints"}`;
+  return { edits, text: `remove ${titleOfAll(data, paths)}${also}${joined}` };
 }
 
 /** Return the change that removes an item and the loads on it. */
@@ -82,6 +85,15 @@ function loadsUpon(data: Table, paths: readonly Path[]): number[] {
     const names = new Set(namesIn(all.filter((_, n) => isRemoved(n))));
     return [...names].filter((name) => !remaining.has(name)).flatMap((name) => referencesTo(data, caller, name));
   });
+}
+
+/** Return the positions of the joints of plates that are removed. */
+function jointsUpon(data: Table, paths: readonly Path[]): number[] {
+  const isRemoved = (n: number) => paths.some((path) => samePath(path, ["plates", n]));
+  const names = new Set<Json>(namesIn(listAt(data, ["plates"]).filter((_, n) => isRemoved(n))));
+  return listAt(data, ["joints"]).flatMap((joint, n) =>
+    isTable(joint) && listAt(joint, ["between"]).some((name) => names.has(name)) ? [n] : [],
+  );
 }
 
 /** Order paths by their lists, the larger positions first. */

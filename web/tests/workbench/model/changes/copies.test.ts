@@ -6,6 +6,7 @@ import { removeItems } from "../../../../src/workbench/model/changes/references"
 import { rotation, translation } from "../../../../src/workbench/model/isometry";
 import { countItems, itemsOf } from "../../../../src/workbench/model/items";
 import type { Table } from "../../../../src/workbench/model/paths";
+import { platesAt } from "../../../../src/workbench/model/plates";
 import { itemsInBand } from "../../../../src/workbench/plan/interaction/rubber-band";
 import { DATA } from "../../slab";
 
@@ -67,6 +68,33 @@ describe("several items", () => {
         ["loads", 1],
       ]).edits.map((edit) => "path" in edit && edit.path[1]),
     ).toEqual([1, 0]);
+  });
+});
+
+describe("a further plate", () => {
+  const outline = { kind: "rectangle", x: ["6 m", "9 m"], y: ["-1 m", "1 m"] };
+  const data = {
+    ...DATA,
+    plate: { ...(DATA.plate as Table), name: "A" },
+    plates: [{ name: "B", outline }],
+    joints: [{ kind: "hinge", between: ["A", "B"] }],
+  };
+  it("is joined along the line that it shares with the slab", () => {
+    const joint = itemsOf(data, null).find(({ kind }) => kind === "joint");
+    expect(joint?.geometry).toMatchObject({
+      points: [
+        [6, 0],
+        [6, 1],
+      ],
+      closed: false,
+    });
+    expect(platesAt(data, [6.1, 0.5], 0.2)).toEqual(["A", "B"]);
+    expect(platesAt(data, [6.1, 1.5], 0.2)).toBeNull();
+  });
+  it("is removed with its joint", () => {
+    const { edits, text } = removeItems(data, [["plates", 0]]);
+    expect(edits.reduce<Table>(applyOptimistic, data)).toMatchObject({ plates: [], joints: [] });
+    expect(text).toBe("remove plate B and its joint");
   });
 });
 
