@@ -9,10 +9,10 @@ import type { Store } from "../client/store";
 import { type Geometry, isClosed, type Point, rectangleCorners, ringOf } from "../model/geometry";
 import { boundsOfItems, footprintOf, type Item, itemsOf } from "../model/items";
 import { type Path, pathKey } from "../model/paths";
-import { snapPlaces } from "../model/snap-places";
 import { type Preview, shownBy } from "./interaction/gestures";
 import { type Handle, handlesOf } from "./interaction/handles";
 import { itemsAt } from "./interaction/hit-testing";
+import { snapPlaces } from "./interaction/snap-places";
 import { type Snapped, snap } from "./interaction/snapping";
 import { drawDimensions, drawItems } from "./rendering";
 

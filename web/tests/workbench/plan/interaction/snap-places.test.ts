@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
 
-import { itemsOf } from "../../../src/workbench/model/items";
-import { intersection, snapPlaces } from "../../../src/workbench/model/snap-places";
-import { DATA } from "../slab";
+import { itemsOf } from "../../../../src/workbench/model/items";
+import { intersection, snapPlaces } from "../../../../src/workbench/plan/interaction/snap-places";
+import { DATA } from "../../slab";
 
 describe("places to snap to", () => {
   const items = itemsOf(DATA, null);

@@ -1,8 +1,8 @@
 // The places that others snap to: corners, ends, middles, centers and intersections of what is drawn.
-import { pointBetween } from "../../viewer/data/points";
-import { isClosed, type Point, type Ring, ringOf } from "./geometry";
-import type { Item } from "./items";
-import { type Path, samePath } from "./paths";
+import { pointBetween } from "../../../viewer/data/points";
+import { isClosed, type Point, type Ring, ringOf } from "../../model/geometry";
+import type { Item } from "../../model/items";
+import { type Path, samePath } from "../../model/paths";
 
 /** A place with what it is, such as `middle`. */
 export interface SnapPlace {
