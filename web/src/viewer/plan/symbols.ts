@@ -9,6 +9,10 @@ import "./symbols.css";
 
 export type Kind =
   | "slab"
+  | "plate"
+  | "joint"
+  | "move"
+  | "refinement"
   | "opening"
   | "zone"
   | "column"
@@ -50,6 +54,14 @@ export function drawSymbol(camera: Camera, symbol: PlanSymbol): SVGElement[] {
   switch (symbol.kind) {
     case "slab":
       return [drawArea(pixels)];
+    case "plate":
+      return [drawArea(pixels), drawText(leftTop(pixels), text, [6, 15])];
+    case "joint":
+      return [drawPath(pixels, false), drawText(middleOf(pixels), text, [6, -6])];
+    case "refinement":
+      return [drawArea(pixels), drawText(leftTop(pixels), text, [5, 13])];
+    case "move":
+      return drawMove(symbol, pixels, toPixels, text);
     case "opening":
       return [drawArea(pixels), ...drawDiagonals(pixels)];
     case "zone":
@@ -185,6 +197,17 @@ function drawLoad(symbol: PlanSymbol, pixels: Ring, toPixels: (points: Ring) => 
     ...arrows,
     ...drawTexts(pixels[0]!, 4, -15, true),
   ];
+}
+
+/** Draw where a pattern stands, or the path that it moves along, with an arrow at its end. */
+function drawMove(symbol: PlanSymbol, pixels: Ring, toPixels: (points: Ring) => Point[], text: string): SVGElement[] {
+  const feet = (symbol.holes ?? []).map((foot) => drawPath(toPixels(foot), true, "area"));
+  const [from, to] = [pixels.at(-2), pixels.at(-1)!];
+  const name = drawText(pixels[0]!, text, [7, -6]);
+  if (!from) return [...feet, ...drawCross(to, 5), name];
+  const [dx, dy] = directionOf(from, to);
+  const wing = (side: number): Point => [to[0] - dx * 9 - dy * 4 * side, to[1] - dy * 9 + dx * 4 * side];
+  return [drawPath(pixels, false), drawPath([to, wing(1), wing(-1)], true, "head"), ...feet, name];
 }
 
 /** Draw one arrow for all loads at a place, their values beside it. */

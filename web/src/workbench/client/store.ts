@@ -3,7 +3,7 @@
 import type { Change, Edit } from "../model/changes/edits";
 import { applyOptimistic } from "../model/changes/optimistic-edits";
 import type { Issue } from "../model/issues";
-import { type Path, samePath, type Table } from "../model/paths";
+import { type Path, pathKey, samePath, type Table } from "../model/paths";
 import type { DocState } from "./api";
 
 /** The state of the connection. */
@@ -61,7 +61,8 @@ export class Store {
   solved: Solved | null = null;
   comparison: Comparison | null = null;
   autosolve = false;
-  selection: Path | null = null;
+  /** The paths of the items that are selected, the latest last. */
+  selected: readonly Path[] = [];
   notice: Notice | null = null;
   /** The server's data with the edits that are still on their way. */
   data: Table = {};
@@ -133,10 +134,32 @@ export class Store {
     this.emit(topic);
   }
 
+  /** The path of the only item that is selected; null if none or several are. */
+  get selection(): Path | null {
+    return this.selected.length === 1 ? this.selected[0]! : null;
+  }
+
+  /** Select one item; null: none. */
   select(path: Path | null): void {
-    if (samePath(this.selection, path)) return;
-    this.selection = path;
+    this.selectAll(path ? [path] : []);
+  }
+
+  /** Select several items. */
+  selectAll(paths: readonly Path[]): void {
+    const unique = [...new Map(paths.map((path) => [pathKey(path), path])).values()];
+    if (unique.length === this.selected.length && unique.every((path, n) => samePath(path, this.selected[n]!))) return;
+    this.selected = unique;
     this.emit("selection");
+  }
+
+  /** Add an item to those selected, or take it away from them. */
+  toggle(path: Path): void {
+    const others = this.selected.filter((each) => !samePath(each, path));
+    this.selectAll(others.length < this.selected.length ? others : [...others, path]);
+  }
+
+  isSelected(path: Path): boolean {
+    return this.selected.some((each) => samePath(each, path));
   }
 
   /** Whether the text is broken, so that form and drawing cannot be edited. */

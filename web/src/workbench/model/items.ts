@@ -12,6 +12,8 @@ import {
   ringOf,
 } from "./geometry";
 import { formatPath, isTable, type Json, listAt, type Path, samePath, type Table, tableAt, valueAt } from "./paths";
+import { patternFeet } from "./patterns";
+import { readJoint } from "./plates";
 import { parseLength } from "./quantities";
 
 export interface Item {
@@ -24,6 +26,8 @@ export interface Item {
   geometry: Geometry;
   /** A column's cross-section, a load's footprint. */
   foot: Ring | null;
+  /** The footprints of the forces of a pattern that stands. */
+  feet?: readonly Ring[];
   /** Whether it can be moved and reshaped; a load on a column goes with the column. */
   movable: boolean;
 }
@@ -38,6 +42,8 @@ interface Source {
 }
 
 const SOURCES: readonly Source[] = [
+  { kind: "plate", list: ["plates"], below: "outline" },
+  { kind: "joint", list: ["joints"] },
   { kind: "soil zone", list: ["soil_zones"], below: "shape" },
   { kind: "zone", list: ["plate", "zones"], below: "shape" },
   { kind: "opening", list: ["plate", "openings"] },
@@ -46,7 +52,9 @@ const SOURCES: readonly Source[] = [
   { kind: "support", list: ["supports"] },
   { kind: "column", list: ["columns"] },
   { kind: "load", list: ["loads"] },
+  { kind: "move", list: ["moves"], word: "pattern" },
   { kind: "borehole", list: ["boreholes"] },
+  { kind: "refinement", list: ["mesh", "refine"], word: "refined mesh", below: "shape" },
   { kind: "strip", list: ["output", "strips"] },
   { kind: "section line", list: ["output", "lines"] },
   { kind: "output point", list: ["output", "points"] },
@@ -63,7 +71,16 @@ export const UNPLACED: ReadonlySet<string> = new Set([
 
 /** Everything that can be drawn, from below upwards; what cannot be read here is taken from the server's plan. */
 export function itemsOf(data: Table, plan: Table | null): Item[] {
-  return [...slabItem(data, plan), ...SOURCES.flatMap((source) => itemsFrom(source, data, plan))];
+  return [...slabItem(data, plan), ...sourcesOf(data).flatMap((source) => itemsFrom(source, data, plan))];
+}
+
+/** Return all lists of items, those within further plates after these. */
+function sourcesOf(data: Table): Source[] {
+  const inner = listAt(data, ["plates"]).flatMap((_, n): Source[] => [
+    { kind: "zone", list: ["plates", n, "zones"], below: "shape" },
+    { kind: "opening", list: ["plates", n, "openings"] },
+  ]);
+  return [...SOURCES.slice(0, 1), ...inner, ...SOURCES.slice(1)];
 }
 
 function slabItem(data: Table, plan: Table | null): Item[] {
@@ -85,11 +102,27 @@ function itemsFrom(source: Source, data: Table, plan: Table | null): Item[] {
       return [{ kind: source.kind, path, title, table, geometry, foot: null, movable: false }];
     }
     if (source.kind === "load" && UNPLACED.has(String(table.kind))) return [];
+    if (source.kind === "joint") {
+      const joint = readJoint(data, path);
+      return joint ? [{ kind: "joint", path, title, table, geometry: joint, foot: null, movable: false }] : [];
+    }
     const at = source.below ? [...path, source.below] : path;
     const drawn = readGeometry(data, at) ?? (table.shape === undefined ? null : readGeometry(data, [...path, "shape"]));
     const geometry = drawn ?? fromPlan(plan, path);
+    const feet = geometry && source.kind === "move" ? { feet: patternFeet(data, table, geometry) } : {};
     return geometry
-      ? [{ kind: source.kind, path, title, table, geometry, foot: footprintOf(table, geometry), movable: true }]
+      ? [
+          {
+            ...feet,
+            kind: source.kind,
+            path,
+            title,
+            table,
+            geometry,
+            foot: footprintOf(table, geometry),
+            movable: true,
+          },
+        ]
       : [];
   });
 }
@@ -103,10 +136,21 @@ function titleOf(word: string, table: Table, position: number): string {
 
 /** Return the title of the item at a path, also of one without a place in plan. */
 export function titleAt(data: Table, path: Path): string {
-  const source = SOURCES.find((each) => samePath(each.list, path.slice(0, -1)));
+  const source = sourcesOf(data).find((each) => samePath(each.list, path.slice(0, -1)));
   const position = path.at(-1);
   if (source && typeof position === "number") return titleOf(source.word ?? source.kind, tableAt(data, path), position);
   return path[0] === "plate" && path.length < 3 ? "slab" : formatPath(path);
+}
+
+/** Return what the items at some paths are called together. */
+export function titleOfAll(data: Table, paths: readonly Path[]): string {
+  const sources = sourcesOf(data);
+  const kindAt = (path: Path) => sources.find((each) => samePath(each.list, path.slice(0, -1)));
+  const items = paths.map((path) => {
+    const source = kindAt(path);
+    return { kind: source?.word ?? source?.kind ?? ("slab" as const), title: titleAt(data, path) };
+  });
+  return countItems(items);
 }
 
 /** Return where the column is that a load names, null if it names none that is known. */
@@ -152,18 +196,21 @@ function fixedGeometry(value: Json | undefined, at: Path, closed = true): Geomet
   return points.length > 0 ? { type: "fixed", at, points, closed } : null;
 }
 
+/** Return what several items are called together: `2 columns, 3 loads`; of one, its title. */
+export function countItems(items: readonly { kind: string; title: string }[]): string {
+  if (items.length === 1) return items[0]!.title;
+  const counts = new Map<string, number>();
+  for (const { kind } of items) counts.set(kind, (counts.get(kind) ?? 0) + 1);
+  return [...counts].map(([kind, count]) => `${count} ${kind}${count === 1 ? "" : "s"}`).join(", ");
+}
+
+/** Return the loads that go with columns which are moved. */
+export function loadsOn(items: readonly Item[], columns: readonly Item[]): Item[] {
+  const names = new Set(columns.filter(({ kind }) => kind === "column").map(({ table }) => table.name));
+  return items.filter(({ kind, movable, table }) => kind === "load" && !movable && names.has(table.column ?? ""));
+}
+
 /** The rectangle around everything drawn, null if there is nothing. */
 export function boundsOfItems(items: readonly Item[]): [number, number, number, number] | null {
   return boundsOf(items.flatMap((item) => [...ringOf(item.geometry)]));
-}
-
-/** The places that others snap to: corners, centers, ends. */
-export function snapPoints(items: readonly Item[], without: Path | null): Point[] {
-  const points: Point[] = [[0, 0]];
-  for (const { geometry, path } of items) {
-    if (without && formatPath(path) === formatPath(without)) continue;
-    if (geometry.type === "circle") points.push(geometry.center);
-    else points.push(...ringOf(geometry.type === "polygon" ? { ...geometry, bulges: [] } : geometry));
-  }
-  return points;
 }

@@ -70,3 +70,18 @@ export function formatLike(old: Json | undefined, value: number | readonly unkno
   const before = Array.isArray(old) ? old : [];
   return value.map((each, n) => formatLike(before[n] ?? before.at(-1), each as number | readonly unknown[]));
 }
+
+/** A length in the unit of an older text, to a nanometer; the older text itself if it is the same length. */
+export function formatExact(value: number, old: Json | undefined): string {
+  const before = parseLength(old);
+  if (before !== null && Math.abs(before - value) < 5e-10) return String(old);
+  const unit = unitOf(old);
+  const size = METERS[unit] ?? 1;
+  return `${formatDecimals(value / size, Math.max(0, Math.round(9 + Math.log10(size))))} ${unit}`;
+}
+
+/** Return a typed length in meters, null if it is none: a comma may be the decimal point, and m may be left out. */
+export function parseTyped(text: string): number | null {
+  const point = text.trim().replace(/^([+-]?\d*),(\d+)/, "$1.$2");
+  return parseLength(point) ?? parseLength(`${point} m`);
+}

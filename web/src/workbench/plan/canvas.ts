@@ -6,17 +6,19 @@ import { drawGrid, drawRulers, RULER, stepOf } from "../../viewer/plan/rulers";
 import { drawPath, drawText } from "../../viewer/plan/symbols";
 import { svg } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
-import { isClosed, type Point, ringOf } from "../model/geometry";
-import { boundsOfItems, footprintOf, type Item, itemsOf, snapPoints } from "../model/items";
-import { type Path, samePath } from "../model/paths";
-import type { Preview } from "./interaction/gestures";
+import { type Geometry, isClosed, type Point, rectangleCorners, ringOf } from "../model/geometry";
+import { boundsOfItems, footprintOf, type Item, itemsOf } from "../model/items";
+import { type Path, pathKey } from "../model/paths";
+import { type Preview, shownBy } from "./interaction/gestures";
 import { type Handle, handlesOf } from "./interaction/handles";
 import { itemsAt } from "./interaction/hit-testing";
+import { snapPlaces } from "./interaction/snap-places";
 import { type Snapped, snap } from "./interaction/snapping";
 import { drawDimensions, drawItems } from "./rendering";
 
 const REACH = 9; // px: how near is near enough
 const HANDLE = 8; // px: side of a handle
+const NOTHING_MARKED = { selected: [], hovered: null, faulty: [], loadCase: "" };
 const SNAP = 4.5; // px: least distance of round lengths to snap to
 
 /** Everything drawn, kept in step with the store's data. */
@@ -25,6 +27,10 @@ export class Canvas {
   readonly element: SVGSVGElement;
   items: Item[] = [];
   preview: Preview | null = null;
+  /** What an action would make, drawn faintly. */
+  ghosts: readonly Item[] = [];
+  /** The corners of the rubber band, the first where it began. */
+  band: readonly [Point, Point] | null = null;
   guides: Snapped | null = null;
   hovered: Path | null = null;
   corner: number | null = null;
@@ -80,8 +86,14 @@ export class Canvas {
     this.redraw();
   }
 
+  /** The only selected item; null if none or several are selected. */
   get selected(): Item | null {
-    return this.items.find((item) => samePath(item.path, this.store.selection)) ?? null;
+    return this.store.selection ? (this.selectedItems[0] ?? null) : null;
+  }
+
+  /** The selected items that have a place in plan. */
+  get selectedItems(): Item[] {
+    return this.items.filter((item) => this.store.isSelected(item.path));
   }
 
   /** Return the items under a pixel, the likeliest first. */
@@ -99,10 +111,13 @@ export class Canvas {
   }
 
   /** Return the place that a pixel means; `free` switches snapping off. */
-  snap(at: Point, free: boolean, without: Path | null, own: readonly Point[] = []): Snapped {
+  snap(at: Point, free: boolean, without: readonly Path[], own: readonly Point[] = []): Snapped {
     if (free) return { at, fromX: null, fromY: null, onPoint: false };
-    const points = [...snapPoints(this.items, without), ...own];
-    return snap({ at, points, step: this.step, reach: this.reach });
+    const places = snapPlaces(this.items, without);
+    const points = [...places.map((place) => place.at), ...own];
+    const snapped = snap({ at, points, step: this.step, reach: this.reach });
+    const name = snapped.onPoint ? places.find((place) => place.at === snapped.at)?.name : undefined;
+    return name ? { ...snapped, name } : snapped;
   }
 
   /** How near is near enough [m]. */
@@ -129,31 +144,45 @@ export class Canvas {
     this.element.setAttribute("height", String(camera.height));
     // where a place of the plan is on the screen, for tests
     this.element.dataset.view = `${camera.x} ${camera.y} ${camera.scale}`;
-    const isPreviewed = (item: Item) => preview?.item && samePath(preview.item.path, item.path);
-    const shown = this.items.map((item) => (isPreviewed(item) ? withGeometry(item, preview!) : item));
+    const changed = new Map(
+      shownBy(preview).map(({ item, geometry }) => [pathKey(item.path), withGeometry(item, geometry)]),
+    );
+    const shown = this.items.map((item) => changed.get(pathKey(item.path)) ?? item);
     const highlights = {
-      selected: store.selection,
+      selected: store.selected,
       hovered: this.hovered,
       faulty: (store.doc?.issues ?? []).map((fault) => fault.path),
       loadCase: this.loadCase,
     };
     this.grid.replaceChildren(...drawGrid(camera));
     this.symbols.replaceChildren(...drawItems(camera, shown, highlights));
-    this.marks.replaceChildren(...this.drawMarks(shown.find((item) => samePath(item.path, store.selection))));
+    const ghosts = svg("g", { class: "ghosts" }, ...drawItems(camera, this.ghosts, { ...NOTHING_MARKED }));
+    this.marks.replaceChildren(ghosts, ...this.drawMarks(shown.filter((item) => store.isSelected(item.path))));
     this.rulers.replaceChildren(...drawRulers(camera));
   }
 
-  private drawMarks(selected: Item | undefined): SVGElement[] {
+  private drawMarks(items: readonly Item[]): SVGElement[] {
     const { camera, preview } = this;
-    const marks: SVGElement[] = [];
+    const marks = items.length > 1 ? items.flatMap((item) => this.drawHalo(item)) : [];
+    const selected = items.length === 1 ? items[0] : undefined;
     if (selected && selected.geometry.type !== "point")
       marks.push(...drawDimensions(camera, dimensionRing(selected), isClosed(selected.geometry)));
-    if (selected?.geometry.type === "point" && !selected.foot)
-      marks.push(this.drawCircle([selected.geometry.x, selected.geometry.y], 11, "halo"));
+    if (selected) marks.push(...this.drawHalo(selected));
     if (selected && !preview) marks.push(...handlesOf(selected.geometry).map((handle) => this.drawHandle(handle)));
     if (preview && !preview.item) marks.push(...this.drawPreview(preview));
     if (this.guides) marks.push(...this.drawGuides(this.guides));
+    if (this.band) marks.push(this.drawBand(this.band));
     return marks;
+  }
+
+  /** Draw a circle around a point that has no outline to be marked. */
+  private drawHalo({ geometry, foot }: Item): SVGElement[] {
+    return geometry.type === "point" && !foot ? [this.drawCircle([geometry.x, geometry.y], 11, "halo")] : [];
+  }
+
+  private drawBand([from, to]: readonly [Point, Point]): SVGElement {
+    const corners = rectangleCorners([from[0], to[0]], [from[1], to[1]]).map((corner) => this.camera.toPixel(corner));
+    return drawPath(corners, true, from[0] <= to[0] ? "band" : "band crossing");
   }
 
   private drawCircle(at: Point, r: number, className: string): SVGElement {
@@ -177,12 +206,14 @@ export class Canvas {
     return [drawPath(pixels, closed, "preview"), ...corners, ...drawDimensions(this.camera, ring, closed)];
   }
 
-  private drawGuides({ at, fromX, fromY, onPoint }: Snapped): SVGElement[] {
+  private drawGuides({ at, fromX, fromY, onPoint, name }: Snapped): SVGElement[] {
     const [x, y] = this.camera.toPixel(at);
     const lines = [fromX, fromY].flatMap((from) =>
       from ? [drawPath([this.camera.toPixel(from), [x, y]], false, "guide")] : [],
     );
-    const circle = onPoint ? [this.drawCircle(at, 6, "on-point")] : [];
+    const circle = onPoint
+      ? [this.drawCircle(at, 6, "on-point"), drawText([x, y], name ?? "", [9, 18], "snap-name")]
+      : [];
     if (!this.preview?.text) return [...lines, ...circle];
     const atRight = x > this.camera.width - 220;
     const offset: Point = [atRight ? -14 : 14, y < 40 ? 26 : -14];
@@ -190,7 +221,7 @@ export class Canvas {
   }
 }
 
-function withGeometry(item: Item, { geometry }: Preview): Item {
+function withGeometry(item: Item, geometry: Geometry): Item {
   return { ...item, geometry, foot: footprintOf(item.table, geometry) };
 }
 

@@ -2,8 +2,14 @@
 import { button, h, setText } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
 import type { FormContext } from "../form/context";
+import { joinEdits } from "../model/changes/batches";
 import type { Change } from "../model/changes/edits";
+import { countItems } from "../model/items";
 import { type Path, startsWith, valueAt } from "../model/paths";
+import { actionButtons } from "./actions/action-bar";
+import { Actions } from "./actions/actions";
+import { useClipboard } from "./actions/clipboard";
+import { ActionDialog } from "./actions/dialog";
 import { Canvas } from "./canvas";
 import { Keyboard } from "./interaction/keyboard";
 import { Pointer, whyFixed } from "./interaction/pointer";
@@ -12,22 +18,23 @@ import { propertyPanel } from "./properties";
 import { toolBar } from "./tool-bar";
 import "./plan-editor.css";
 
+const HOW_MANY = "Drag one of them or use the arrow keys to move them; Delete removes them.";
+
 export interface PlanEditor {
   readonly element: HTMLElement;
   /** Select the item that a path is in, and focus the field; returns whether there is one. */
   reveal(path: Path): boolean;
 }
 
-export function planEditor(store: Store, ctx: FormContext, push: (change: Change) => void): PlanEditor {
+export function planEditor(store: Store, context: FormContext, send: (change: Change) => void): PlanEditor {
+  const push = (change: Change) => send(joinEdits(store.data, change));
+  const ctx: FormContext = { ...context, change: push };
   const canvas = new Canvas(store);
   const hint = h("p", { class: "drawing-hint", role: "status" });
   const showHint = (text: string) => setText(hint, text);
-  const panel = propertyPanel(
-    ctx,
-    push,
-    (path) => store.select(path),
-    () => canvas.step,
-  );
+  const actions = new Actions(canvas, store, push, showHint);
+  const dialog = new ActionDialog(canvas, actions);
+  const panel = propertyPanel(ctx, push, dialog.element, () => actionButtons(actions, dialog, store.selected));
   const tools = toolBar((tool) => {
     pointer.cancel();
     showHint(tool.hint);
@@ -44,12 +51,13 @@ export function planEditor(store: Store, ctx: FormContext, push: (change: Change
     },
     showHint,
   });
-  new Keyboard(canvas, pointer, store, push, tools);
-  const cases = caseChoice(store, (name) => {
+  new Keyboard(canvas, pointer, store, push, tools, actions, dialog, showHint);
+  useClipboard(canvas.element, actions, () => pointer.place);
+  const cases = caseChoice(store, push, (name) => {
     canvas.loadCase = name;
     canvas.redraw();
   });
-  const loads = unplacedLoads(store, push);
+  const loads = unplacedLoads(store, push, () => canvas.loadCase);
   const fit = button("Fit", "Show everything (0)", () => canvas.fit(), "small");
   const emptyHint = "Draw the slab: choose Slab (B), then drag a rectangle or click corner after corner.";
   const empty = h("p", { class: "drawing-empty" }, emptyHint);
@@ -62,24 +70,24 @@ export function planEditor(store: Store, ctx: FormContext, push: (change: Change
   store.on(["data"], () => {
     canvas.refresh();
     // what has been removed is no longer selected
-    if (store.selection && valueAt(store.data, store.selection) === undefined) store.select(null);
+    store.selectAll(store.selected.filter((path) => valueAt(store.data, path) !== undefined));
     cases.update();
     empty.hidden = canvas.items.some((item) => item.kind === "slab");
   });
   store.on(["doc"], () => {
     canvas.redraw();
     panel.update();
+    dialog.update();
   });
   store.on(["selection"], () => {
+    dialog.close();
     canvas.corner = null;
     canvas.redraw();
-    const item = canvas.selected;
-    const how = item?.movable ? "Drag it, or move it with the arrow keys; Delete removes it." : item && whyFixed(item);
-    showHint(item ? `${item.title} is selected. ${how}` : tools.current().hint);
+    showHint(describeSelection(canvas) ?? tools.current().hint);
   });
   store.on(["data", "selection"], () => {
     loads.update();
-    panel.show(store.selection);
+    panel.show(store.selected);
   });
   const reveal = (path: Path) => {
     const item = canvas.items.findLast((each) => each.kind !== "slab" && startsWith(path, each.path));
@@ -88,4 +96,14 @@ export function planEditor(store: Store, ctx: FormContext, push: (change: Change
     return panel.reveal(path);
   };
   return { element, reveal };
+}
+
+/** Return what is selected and what can be done with it, null if nothing is. */
+function describeSelection(canvas: Canvas): string | null {
+  const items = canvas.selectedItems;
+  const item = canvas.selected;
+  if (items.length > 1) return `${countItems(items)} selected. ${HOW_MANY}`;
+  if (!item) return null;
+  const how = item.movable ? "Drag it, or move it with the arrow keys; Delete removes it." : whyFixed(item);
+  return `${item.title} is selected. ${how}`;
 }

@@ -1,34 +1,33 @@
-// The selected item's properties below the drawing; the slab's where nothing is selected.
+// The selected items' properties and actions below the drawing; the slab's where nothing is selected.
 import { button, fill, h } from "../../viewer/shared/dom";
 import type { FormContext, Widget } from "../form/context";
 import { shapeEdits } from "../form/plate-shape";
 import { partWidget } from "../form/section";
 import type { Change } from "../model/changes/edits";
-import { duplicateItem } from "../model/changes/new-items";
-import { removeItem } from "../model/changes/references";
-import { titleAt } from "../model/items";
+import { titleOfAll } from "../model/items";
 import { type Path, pathKey, valueAt } from "../model/paths";
+import { commonProperties } from "./common-properties";
 
 export interface PropertyPanel extends Widget {
-  /** Show the item at a path; null: the slab. */
-  show(path: Path | null): void;
+  /** Show the items at some paths; none: the slab. */
+  show(paths: readonly Path[]): void;
 }
 
 const INSIDE_PLATE = ["openings", "zones", "edges"]; // of the slab: items of their own, or in the form
 
-/** `step`: by how much a copy lies beside the original [m]. */
+/** `dialog` takes the place of the fields while it is shown; `makeButtons` makes the buttons of the actions on what is selected. */
 export function propertyPanel(
   ctx: FormContext,
   push: (change: Change) => void,
-  select: (path: Path | null) => void,
-  step: () => number,
+  dialog: HTMLElement,
+  makeButtons: () => HTMLElement[],
 ): PropertyPanel {
   const title = h("h3");
-  const buttons = h("div", { class: "property-acts" });
+  const buttons = h("div", { class: "property-acts", role: "toolbar", "aria-label": "actions on the selection" });
   const body = h("div", { class: "property-body" });
   const head = h("div", { class: "property-head" }, title, buttons);
-  const element = h("section", { class: "properties", "aria-label": "properties" }, head, body);
-  let shown: Path | null = null;
+  const element = h("section", { class: "properties", "aria-label": "properties" }, head, dialog, body);
+  let shown: readonly Path[] = [];
   let widget: Widget | null = null;
   const toPolygon = button(
     "Convert to polygon",
@@ -36,37 +35,31 @@ export function propertyPanel(
     () => push({ edits: shapeEdits(ctx, "Polygon"), text: "convert the slab to a polygon" }),
     "small",
   );
-  const duplicate = (path: Path) => {
-    const isPlaced = typeof valueAt(ctx.data(), [...path, "column"]) !== "string";
-    const addition = duplicateItem(ctx.data(), path, isPlaced ? [step(), step()] : [0, 0]);
-    if (!addition) return;
-    push(addition.change);
-    select(addition.path);
+  const makeWidget = (paths: readonly Path[], isSlab: boolean): Widget | null => {
+    if (paths.length > 1) return commonProperties(ctx, paths);
+    const found = ctx.schema.nodeAt(paths[0]!, ctx.data());
+    return found && partWidget(ctx, paths[0]!, found.node, isSlab ? INSIDE_PLATE : []);
   };
-  const remove = (path: Path) => {
-    push(removeItem(ctx.data(), path));
-    select(null);
-  };
-  const show = (path: Path | null) => {
-    const isSlab = path === null || (path[0] === "plate" && path.length < 3);
-    const at: Path = isSlab ? ["plate"] : path;
-    const found = isSlab || valueAt(ctx.data(), at) !== undefined ? ctx.schema.nodeAt(at, ctx.data()) : null;
-    if (found && shown && pathKey(at) === pathKey(shown)) return update();
-    shown = found && at;
-    widget = found && partWidget(ctx, at, found.node, isSlab ? INSIDE_PLATE : []);
+  const show = (selected: readonly Path[]) => {
+    const [first] = selected;
+    const isSlab = selected.length < 2 && (!first || (first[0] === "plate" && first.length < 3));
+    const paths: readonly Path[] = isSlab ? [["plate"]] : selected;
+    const exists = isSlab || paths.every((path) => valueAt(ctx.data(), path) !== undefined);
+    if (exists && paths.map(pathKey).join() === shown.map(pathKey).join()) return update();
+    widget = exists ? makeWidget(paths, isSlab) : null;
+    shown = widget ? paths : [];
     fill(title);
     fill(body, widget?.element ?? h("p", { class: "empty" }, "Nothing is selected."));
-    const itemButtons = [
-      button("Duplicate", "Make a copy beside it (Ctrl+D)", () => duplicate(at), "small"),
-      button("Remove", "Remove it (Delete)", () => remove(at), "small"),
-    ];
-    fill(buttons, ...(found ? (isSlab ? [toPolygon] : itemButtons) : []));
+    fill(buttons, ...(isSlab ? [toPolygon] : []), ...(first && widget ? makeButtons() : []));
     update();
     element.scrollTop = 0;
   };
   const update = () => {
-    if (!widget || !shown) return;
-    title.textContent = shown.length === 1 ? "Slab" : titleAt(ctx.data(), shown);
+    const [first] = shown;
+    if (!widget || !first) return;
+    const isPlate = shown.length === 1 && first.length === 1;
+    title.textContent = isPlate ? "Slab" : titleOfAll(ctx.data(), shown);
+    if (shown.length > 1) title.textContent += " selected";
     toPolygon.hidden = valueAt(ctx.data(), ["plate", "outline", "kind"]) === "polygon";
     widget.update();
   };

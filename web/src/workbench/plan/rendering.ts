@@ -11,7 +11,7 @@ import { formatDecimals, parseLength } from "../model/quantities";
 
 /** Which items are drawn how. */
 export interface Highlights {
-  selected: Path | null;
+  selected: readonly Path[];
   /** The item under the pointer. */
   hovered: Path | null;
   /** Paths with issues. */
@@ -39,10 +39,11 @@ function placeKey({ geometry }: Item): string {
 function classesOf(item: Item, { selected, hovered, faulty, loadCase }: Highlights): string {
   const isFaulty = item.kind !== "slab" && faulty.some((path) => startsWith(path, item.path));
   const marks = {
-    selected: samePath(selected, item.path),
+    selected: selected.some((path) => samePath(path, item.path)),
     hovered: samePath(hovered, item.path),
     faulty: isFaulty,
-    faint: item.kind === "load" && loadCase !== "" && item.table.case !== loadCase,
+    "on-ground": item.table.on === "ground",
+    faint: (item.kind === "load" || item.kind === "move") && loadCase !== "" && item.table.case !== loadCase,
   };
   const names = Object.entries(marks).flatMap(([name, on]) => (on ? [name] : []));
   return ["symbol", item.kind.replaceAll(" ", "-"), ...names].join(" ");
@@ -61,7 +62,7 @@ function symbolOf(item: Item, loads: readonly Item[], highlights: Highlights): P
     points: closed && isWall ? [...ring, ...ring.slice(0, 1)] : ring,
     texts: texts ?? [],
     foot,
-    holes: kind === "load" ? holesOf(item) : [],
+    holes: kind === "load" ? holesOf(item) : kind === "move" ? (item.feet ?? []) : [],
     hidden: texts === null,
     upward: /^\s*-/.test(String(table.P ?? "")),
     elastic: table.stiffness !== undefined,
@@ -77,6 +78,10 @@ function textsOf(item: Item): string[] {
   switch (item.kind) {
     case "zone":
       return item.table.thickness === undefined ? [] : [`t = ${String(item.table.thickness)}`];
+    case "refinement":
+      return [`h = ${String(item.table.size ?? "")}`];
+    case "move":
+      return [nameOf(item) || String(item.table.pattern ?? "")];
     case "soil zone":
     case "void":
       return [item.title];
@@ -91,7 +96,9 @@ function textsOf(item: Item): string[] {
 /** Return the texts of a load; null if another load at the same place shows them. */
 function loadTexts(item: Item, here: readonly Item[], { selected, hovered, loadCase }: Highlights): string[] | null {
   const strong = here.filter((each) => !loadCase || each.table.case === loadCase);
-  const marked = here.find((each) => samePath(selected, each.path) || samePath(hovered, each.path));
+  const marked = here.find(
+    (each) => selected.some((path) => samePath(path, each.path)) || samePath(hovered, each.path),
+  );
   if (item !== (marked ?? strong[0] ?? here[0])) return null;
   const named = marked && strong.length === 0 ? [marked] : strong;
   return marked || strong.length < 2 ? named.map(loadText) : [`${strong.length} loads`];

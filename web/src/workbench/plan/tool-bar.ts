@@ -12,10 +12,11 @@ export interface ToolBar {
 const GROUPS: readonly (readonly ToolName[])[] = [
   ["select"],
   ["slab", "opening", "zone", "column"],
+  ["plate", "joint"],
   ["point load", "line load", "area load"],
   ["support", "wall"],
   ["borehole", "soil zone", "void"],
-  ["section line"],
+  ["section line", "refinement"],
 ];
 
 /** Make the tool bar; `onChange` is called with every tool that is chosen. */

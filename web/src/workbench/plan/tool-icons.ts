@@ -16,6 +16,9 @@ const PATHS: Record<ToolName, string> = {
   borehole: "M8 2a6 6 0 1 0 .01 0M8 2v12M2 8h12",
   "soil zone": "M2 4h12v8H2zM4 7h2M8 6h2M11 9h2M5 10h2",
   void: "M2 5h3c0 7 6 7 6 0h3M2 13h12",
+  plate: "M1 5h6v6H1zM9 5h6v6H9z",
+  joint: "M2 4h5v8H2zM9 4h5v8H9zM8 1v3M8 6.5v3M8 12v3",
+  refinement: "M2 3h12v10H2zM8 3v10M2 8h12M8 5.5h6M11 3v5",
   "section line": "M2 12L14 4M1 10.5l2.2 3M12.8 2.5l2.2 3",
 };
 

@@ -6,9 +6,10 @@ export type ToolName = "select" | NewKind;
 /** What a tool takes from the pointer: one place, a line through places, two ends, or a closed shape. */
 export type Draws = "nothing" | "point" | "line" | "segment" | "shape";
 
-const SHAPE = "Drag a rectangle, or click corner after corner and close with Enter.";
+const SHAPE = "Drag a rectangle (Ctrl: a circle), or click corner after corner and close with Enter.";
 const LINE = "Drag a straight line, or click place after place and end with Enter.";
-const SELECT = "Click to select, drag to move; drag the empty plan to move the view, turn the wheel to zoom.";
+const SELECT =
+  "Click to select (Shift: several), drag to move; drag on empty ground to select what lies there. Space or right button moves the view, the wheel zooms.";
 
 const ROWS: readonly [ToolName, string, string, Draws, string][] = [
   ["select", "Select", "V", "nothing", SELECT],
@@ -24,6 +25,9 @@ const ROWS: readonly [ToolName, string, string, Draws, string][] = [
   ["borehole", "Borehole", "H", "point", "Click where layers are known. Escape ends."],
   ["soil zone", "Soil zone", "G", "shape", `Draw a part of the plan with other ground. ${SHAPE}`],
   ["void", "Void", "U", "shape", `Draw where the ground lies deeper. ${SHAPE}`],
+  ["plate", "Further plate", "E", "shape", `Draw another plate beside the slab. ${SHAPE}`],
+  ["joint", "Joint", "J", "point", "Click the line that two plates share. Escape ends."],
+  ["refinement", "Finer mesh", "F", "shape", `Draw where the mesh is finer. ${SHAPE}`],
   ["section line", "Section", "X", "segment", "Drag the line along which values are listed."],
 ];
 

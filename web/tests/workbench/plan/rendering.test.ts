@@ -13,7 +13,7 @@ describe("the drawing", () => {
     drawItems(
       camera,
       itemsOf(data, null).filter((item) => item.kind === kind),
-      { selected: null, hovered: null, faulty: [], loadCase: "" },
+      { selected: [], hovered: null, faulty: [], loadCase: "" },
     );
   const square = [
     ["0 m", "0 m"],

@@ -4,8 +4,9 @@ import { isInside, type Point, type Ring } from "../geometry";
 import { footprintOf, titleAt } from "../items";
 import { freeName, namesIn } from "../names";
 import { isTable, type Json, listAt, type Path, type Table, tableAt } from "../paths";
+import { platesAt } from "../plates";
 import { formatLength, parseLength } from "../quantities";
-import type { Addition, Edit } from "./edits";
+import type { Addition, Change, Edit } from "./edits";
 
 /** What is added; slabs replace the one that is there. */
 export type NewKind =
@@ -21,15 +22,23 @@ export type NewKind =
   | "borehole"
   | "soil zone"
   | "void"
-  | "section line";
+  | "section line"
+  | "plate"
+  | "joint"
+  | "refinement";
 
-export type DrawnShape = { kind: "rectangle"; from: Point; to: Point } | { kind: "polygon"; points: Ring };
+export type DrawnShape =
+  | { kind: "rectangle"; from: Point; to: Point }
+  | { kind: "polygon"; points: Ring }
+  | { kind: "circle"; center: Point; radius: number };
 
 const toText = (point: Point): Json[] => [formatLength(point[0]), formatLength(point[1])];
 
 /** Return a drawn shape as a table of the case file. */
 function shapeTable(shape: DrawnShape): Table {
   if (shape.kind === "polygon") return { kind: "polygon", points: shape.points.map(toText) };
+  if (shape.kind === "circle")
+    return { kind: "circle", centre: toText(shape.center), radius: formatLength(shape.radius) };
   const { from, to } = shape;
   const range = (n: 0 | 1) => [Math.min(from[n], to[n]), Math.max(from[n], to[n])].map((each) => formatLength(each));
   return { kind: "rectangle", x: range(0), y: range(1) };
@@ -52,15 +61,38 @@ export function addShape(kind: NewKind, data: Table, drawn: DrawnShape, loadCase
       return addItem(data, ["plate", "zones"], { ...defaultsFor("Zone", data), shape }, kind);
     case "soil zone":
       return addItem(data, ["soil_zones"], { shape, ground: copyGround(data) }, kind);
+    case "plate":
+      return addPlate(data, shape);
+    case "refinement":
+      return addItem(data, ["mesh", "refine"], { shape, size: "100 mm" }, "refined mesh");
     case "void":
       return addItem(data, ["contact", "voids"], { ...defaultsFor("Void", data), ...place }, kind);
     case "area load": {
       const load = defaultsFor(drawn.kind === "rectangle" ? "PatchLoad" : "AreaLoad", data);
-      return addItem(data, ["loads"], { ...load, ...inCase(loadCase), ...place }, kind);
+      return addItem(data, ["loads"], { ...load, ...inCase(data, loadCase), ...place }, kind);
     }
     default:
       return { change: { edits: outlineEdits(data, shape), text: "draw the slab" }, path: ["plate", "outline"] };
   }
+}
+
+/** Return the change that adds a further plate with the thickness and the concrete of the first. */
+function addPlate(data: Table, outline: Table): Addition {
+  const main = { ...defaultsFor("Plate", data), ...tableAt(data, ["plate"]) };
+  const own = ["thickness", "E", "nu", "shear_factor", "thermal_expansion"].filter((key) => key in main);
+  const mainName = typeof main.name === "string" ? main.name : "";
+  const name = freeName([mainName, ...namesIn(listAt(data, ["plates"]))], "plate 2");
+  const values = Object.fromEntries(own.map((key) => [key, main[key]!]));
+  const { change, path } = addItem(data, ["plates"], { name, outline, ...values }, name);
+  // joints and loads call plates by their names
+  const edits: Edit[] = mainName ? [] : [{ op: "set", path: ["plate", "name"], value: "plate 1" }];
+  return { change: { ...change, edits: [...edits, ...change.edits] }, path };
+}
+
+/** Return the change that joins the two plates whose shared line is at a place, null if there is none. */
+export function addJoint(data: Table, at: Point, reach: number): Addition | null {
+  const between = platesAt(data, at, reach);
+  return between && addItem(data, ["joints"], { kind: "hinge", between }, `joint of ${between.join(" and ")}`);
 }
 
 /** Return the edits that give the slab another outline, and what else a slab needs if it is missing. */
@@ -87,7 +119,7 @@ export function addLine(kind: NewKind, data: Table, line: Ring, loadCase: string
     const value = { name, start: points[0] ?? [], end: points.at(-1) ?? [] };
     return addItem(data, ["output", "lines"], value, `section ${name}`);
   }
-  return addItem(data, ["loads"], { ...defaultsFor("LineLoad", data), ...inCase(loadCase), points }, "line load");
+  return addItem(data, ["loads"], { ...defaultsFor("LineLoad", data), ...inCase(data, loadCase), points }, "line load");
 }
 
 /** Return the change that adds something at a point. */
@@ -106,7 +138,11 @@ export function addPoint(kind: NewKind, data: Table, at: Point, loadCase: string
     return addItem(data, ["columns"], { name, ...place, ...columnSize(data) }, `column ${name}`);
   }
   const column = columnAt(data, at);
-  const value = { ...defaultsFor("PointLoad", data), ...inCase(loadCase), ...(column === null ? place : { column }) };
+  const value = {
+    ...defaultsFor("PointLoad", data),
+    ...inCase(data, loadCase),
+    ...(column === null ? place : { column }),
+  };
   return addItem(data, ["loads"], value, "point load");
 }
 
@@ -129,8 +165,24 @@ function columnAt(data: Table, at: Point): string | null {
   return null;
 }
 
-function inCase(loadCase: string): Table {
-  return loadCase ? { case: loadCase } : {};
+/** Return the case of a new load: the chosen one, else the first there is. */
+function inCase(data: Table, chosen: string): Table {
+  const name = chosen || namesIn(listAt(data, ["cases"]))[0];
+  return name ? { case: name } : {};
+}
+
+/** Return the change that adds a load case; loads that had none belong to the first case. */
+export function addLoadCase(data: Table, name: string): Change {
+  const cases = listAt(data, ["cases"]);
+  const edits: Edit[] = namesIn(cases).includes(name)
+    ? []
+    : [{ op: "add", path: ["cases"], value: { name, ...defaultsFor("LoadCase", data) } }];
+  if (cases.length === 0)
+    for (const list of ["loads", "moves"])
+      listAt(data, [list]).forEach((each, n) => {
+        if (isTable(each) && each.case === undefined) edits.push({ op: "set", path: [list, n, "case"], value: name });
+      });
+  return { edits, text: `add load case ${name}` };
 }
 
 /** Return a copy of the ground for a soil zone, which has to be of the same kind with as many layers. */

@@ -1,8 +1,8 @@
 // Names that other parts of the file refer to: renamed and removed together with the references.
 
-import { titleAt } from "../items";
+import { titleOfAll } from "../items";
 import { namesIn } from "../names";
-import { isTable, type Json, listAt, type Path, type Table } from "../paths";
+import { isTable, type Json, listAt, type Path, samePath, type Table } from "../paths";
 import type { Change, Edit } from "./edits";
 
 /** Which key of which list calls the names of a list. */
@@ -55,20 +55,54 @@ function referencesTo(data: Table, caller: { list: string; key: string }, name: 
   );
 }
 
+/** Return the change that removes items and the loads on them. */
+export function removeItems(data: Table, paths: readonly Path[]): Change {
+  const loads = loadsUpon(data, paths).filter((n) => !paths.some((path) => samePath(path, ["loads", n])));
+  const joints = jointsUpon(data, paths).filter((n) => !paths.some((path) => samePath(path, ["joints", n])));
+  const places = [...loads.map((n): Path => ["loads", n]), ...joints.map((n): Path => ["joints", n])];
+  const removed: Path[] = [...paths, ...places];
+  // from the last on, so that the positions of the others stay
+  const edits: Edit[] = removed.toSorted(byPositionBackwards).map((path) => ({ op: "remove", path }));
+  const their = paths.length === 1 ? "its" : "their";
+  const also =
+    loads.length === 0 ? "" : loads.length === 1 ? ` and ${their} load` : ` and ${their} ${loads.length} loads`;
+  const joined = joints.length === 0 ? "" : ` and ${their} ${joints.length === 1 ? "joint" : "joints"}`;
+  return { edits, text: `remove ${titleOfAll(data, paths)}${also}${joined}` };
+}
+
 /** Return the change that removes an item and the loads on it. */
 export function removeItem(data: Table, path: Path): Change {
-  const title = titleAt(data, path);
-  const list = path[0];
-  const table = typeof path[1] === "number" && path.length === 2 ? listAt(data, [list as string])[path[1]] : undefined;
-  const name = isTable(table) && typeof table.name === "string" ? table.name : "";
-  const alone = namesIn(listAt(data, [String(list)])).filter((each) => each === name).length === 1;
-  const loads =
-    name && alone && (list === "columns" || list === "supports")
-      ? REFERENCES.filter((each) => each.names === list).flatMap((caller) => referencesTo(data, caller, name))
-      : [];
-  // from the last on, so that the positions of the others stay
-  const edits: Edit[] = [...loads].sort((a, b) => b - a).map((n) => ({ op: "remove", path: ["loads", n] }));
-  edits.push({ op: "remove", path });
-  const also = loads.length === 0 ? "" : loads.length === 1 ? " and its load" : ` and its ${loads.length} loads`;
-  return { edits, text: `remove ${title}${also}` };
+  return removeItems(data, [path]);
+}
+
+/** Return the positions of the loads on items, unless others of the same name remain. */
+function loadsUpon(data: Table, paths: readonly Path[]): number[] {
+  const callers = REFERENCES.filter(({ names, list }) => list === "loads" && names !== "cases");
+  return callers.flatMap((caller) => {
+    const all = listAt(data, [caller.names]);
+    const isRemoved = (n: number) => paths.some((path) => samePath(path, [caller.names, n]));
+    const remaining = new Set(namesIn(all.filter((_, n) => !isRemoved(n))));
+    const names = new Set(namesIn(all.filter((_, n) => isRemoved(n))));
+    return [...names].filter((name) => !remaining.has(name)).flatMap((name) => referencesTo(data, caller, name));
+  });
+}
+
+/** Return the positions of the joints of plates that are removed. */
+function jointsUpon(data: Table, paths: readonly Path[]): number[] {
+  const isRemoved = (n: number) => paths.some((path) => samePath(path, ["plates", n]));
+  const names = new Set<Json>(namesIn(listAt(data, ["plates"]).filter((_, n) => isRemoved(n))));
+  return listAt(data, ["joints"]).flatMap((joint, n) =>
+    isTable(joint) && listAt(joint, ["between"]).some((name) => names.has(name)) ? [n] : [],
+  );
+}
+
+/** Order paths by their lists, the larger positions first. */
+function byPositionBackwards(a: Path, b: Path): number {
+  for (let n = 0; n < Math.min(a.length, b.length); n += 1) {
+    const [one, other] = [a[n]!, b[n]!];
+    if (one === other) continue;
+    if (typeof one === "number" && typeof other === "number") return other - one;
+    return String(one) < String(other) ? -1 : 1;
+  }
+  return b.length - a.length;
 }

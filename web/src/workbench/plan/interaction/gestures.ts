@@ -1,8 +1,9 @@
 // What pointers do between press and release: moving, reshaping and drawing.
 import { withMinus } from "../../../viewer/data/numbers";
 import { distanceBetween } from "../../../viewer/data/points";
-import type { Addition, Change } from "../../model/changes/edits";
-import { addLine, addPoint, addShape, type DrawnShape } from "../../model/changes/new-items";
+import type { Addition, Change, Edit } from "../../model/changes/edits";
+import { addJoint, addLine, addPoint, addShape, type DrawnShape } from "../../model/changes/new-items";
+import { editsToTable, Impossible, transformTable } from "../../model/changes/transform";
 import {
   editsBetween,
   type Geometry,
@@ -13,7 +14,8 @@ import {
   type Ring,
   ringOf,
 } from "../../model/geometry";
-import type { Item } from "../../model/items";
+import { translation } from "../../model/isometry";
+import { countItems, type Item } from "../../model/items";
 import type { Table } from "../../model/paths";
 import { formatDecimals, formatLength } from "../../model/quantities";
 import type { Tool } from "../tools";
@@ -26,11 +28,54 @@ export interface Preview {
   /** The item that it stands for; null for a new one. */
   item: Item | null;
   text: string;
+  /** Items that change with it. */
+  others?: readonly ShownItem[];
 }
 
-/** Dragging an item. */
+/** An item as it is shown for now. */
+export interface ShownItem {
+  item: Item;
+  geometry: Geometry;
+}
+
+/** Return the items that a preview shows differently. */
+export function shownBy(preview: Preview | null): ShownItem[] {
+  if (!preview?.item) return [];
+  return [{ item: preview.item, geometry: preview.geometry }, ...(preview.others ?? [])];
+}
+
+/** Return the preview of items moved by a step [m]; the first is the one that is held. */
+export function movePreview([first, ...others]: readonly Item[], by: Point, text: string): Preview | null {
+  if (!first) return null;
+  const move = (item: Item): ShownItem => ({ item, geometry: moveGeometry(item.geometry, by) });
+  return { ...move(first), text, others: others.map(move) };
+}
+
+/** Return the change that moves items by a step [m]; loads on columns go with these. */
+export function moveChange(items: readonly Item[], by: Point): Change {
+  const moved = items.filter((item) => item.movable);
+  const edits = moved.flatMap((item) => (moved.length > 1 ? translateItem(item, by) : moveItem(item, by)));
+  return { edits, text: `move ${countItems(moved)}` };
+}
+
+function moveItem(item: Item, by: Point): Edit[] {
+  return [{ op: "move", path: item.path, by }];
+}
+
+/** Return the edits that write an item at its new place, which can be joined with those of others. */
+function translateItem(item: Item, by: Point): Edit[] {
+  if (item.kind === "slab") return moveItem(item, by);
+  try {
+    return editsToTable(item.path, item.table, transformTable(item.table, translation(by)));
+  } catch (error) {
+    if (error instanceof Impossible) return moveItem(item, by); // the server says what is wrong with it
+    throw error;
+  }
+}
+
+/** Dragging items. */
 export interface DragGesture {
-  readonly item: Item;
+  readonly items: readonly Item[];
   /** Return the place to be snapped for a place of the pointer. */
   aim(at: Point): Point;
   /** Move to a snapped place. */
@@ -39,15 +84,19 @@ export interface DragGesture {
   change(): Change | null;
 }
 
-/** Moving an item: the corner by which it is held goes to round lengths and other corners. */
+/** Moving items: the corner by which the first is held goes to round lengths and other corners. */
 export class MoveGesture implements DragGesture {
   private readonly held: Point;
   private by: Point = [0, 0];
 
+  readonly items: readonly Item[];
+
   constructor(
-    readonly item: Item,
+    item: Item,
     private readonly start: Point,
+    others: readonly Item[] = [],
   ) {
+    this.items = [item, ...others];
     this.held = nearestCorner(ringOf(item.geometry), start);
   }
 
@@ -58,23 +107,25 @@ export class MoveGesture implements DragGesture {
   moveTo({ at }: Snapped): Preview {
     this.by = [roundOff(at[0] - this.held[0]), roundOff(at[1] - this.held[1])];
     const text = `${formatPoint(at)}   Δ ${formatSigned(this.by[0])}, ${formatSigned(this.by[1])} m`;
-    return { geometry: moveGeometry(this.item.geometry, this.by), item: this.item, text };
+    return movePreview(this.items, this.by, text)!;
   }
 
   change(): Change | null {
     if (this.by[0] === 0 && this.by[1] === 0) return null;
-    return { edits: [{ op: "move", path: this.item.path, by: this.by }], text: `move ${this.item.title}` };
+    return moveChange(this.items, this.by);
   }
 }
 
 /** Dragging one handle of an item. */
 export class ReshapeGesture implements DragGesture {
+  readonly items: readonly Item[];
   private after: Geometry;
 
   constructor(
-    readonly item: Item,
+    private readonly item: Item,
     readonly handle: Handle,
   ) {
+    this.items = [item];
     this.after = item.geometry;
   }
 
@@ -98,6 +149,8 @@ export class ReshapeGesture implements DragGesture {
 /** Drawing a new item: by dragging, or by clicking place after place. */
 export class DrawGesture {
   readonly points: Point[] = [];
+  /** Whether a shape that is dragged is a circle about its first place. */
+  round = false;
   private dragging = false;
 
   constructor(readonly tool: Tool) {}
@@ -132,6 +185,11 @@ export class DrawGesture {
   preview({ at }: Snapped): Preview {
     const [first] = this.points;
     if (!first) return { geometry: { type: "point", at: [], x: at[0], y: at[1] }, item: null, text: formatPoint(at) };
+    if (this.tool.draws === "shape" && this.dragging && this.round) {
+      const radius = roundOff(distanceBetween(first, at));
+      const geometry: Geometry = { type: "circle", at: [], center: first, radius };
+      return { geometry, item: null, text: `${formatPoint(first)}   ${measureText(geometry)}` };
+    }
     if (this.tool.draws === "shape" && this.dragging) {
       const geometry: Geometry = { type: "box", at: [], x: [first[0], at[0]], y: [first[1], at[1]] };
       const text = sizeText(Math.abs(at[0] - first[0]), Math.abs(at[1] - first[1]));
@@ -145,13 +203,18 @@ export class DrawGesture {
   }
 
   /** Return the change that adds what has been drawn, null if it is not enough. */
-  finish(data: Table, loadCase: string): Addition | null {
+  finish(data: Table, loadCase: string, reach = 0): Addition | null {
     const { tool, points } = this;
     const [first, second] = points;
     if (!first || tool.name === "select") return null;
+    if (tool.name === "joint") return addJoint(data, first, reach);
     if (tool.draws === "point") return addPoint(tool.name, data, first, loadCase);
     if (!second) return null;
     if (tool.draws !== "shape") return addLine(tool.name, data, points, loadCase);
+    if (this.round && points.length === 2) {
+      const radius = roundOff(distanceBetween(first, second));
+      return radius > 0 ? addShape(tool.name, data, { kind: "circle", center: first, radius }, loadCase) : null;
+    }
     const isBox = points.length === 2;
     if (isBox && (first[0] === second[0] || first[1] === second[1])) return null;
     const shape: DrawnShape = isBox ? { kind: "rectangle", from: first, to: second } : { kind: "polygon", points };

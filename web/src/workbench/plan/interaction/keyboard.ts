@@ -2,19 +2,22 @@
 import { ARROWS } from "../../../viewer/shared/keys";
 import type { Store } from "../../client/store";
 import type { Change } from "../../model/changes/edits";
-import { duplicateItem } from "../../model/changes/new-items";
-import { removeItem } from "../../model/changes/references";
 import { editsBetween } from "../../model/geometry";
+import { loadsOn } from "../../model/items";
 import { samePath } from "../../model/paths";
+import { type Actions, formForKey } from "../actions/actions";
+import type { ActionDialog } from "../actions/dialog";
 import type { Canvas } from "../canvas";
 import type { ToolBar } from "../tool-bar";
 import { toolForKey } from "../tools";
 import { removeCorner } from "./handles";
 import { Nudge } from "./nudge";
 import type { Pointer } from "./pointer";
+import { typeKey } from "./typed-input";
 
 export class Keyboard {
   private readonly nudge: Nudge;
+  private typed = ""; // a length or a place
 
   constructor(
     private readonly canvas: Canvas,
@@ -22,8 +25,14 @@ export class Keyboard {
     private readonly store: Store,
     private readonly push: (change: Change) => void,
     private readonly tools: ToolBar,
+    private readonly actions: Actions,
+    private readonly dialog: ActionDialog,
+    private readonly showHint: (text: string) => void,
   ) {
     this.nudge = new Nudge(canvas, push);
+    canvas.element.addEventListener("pointerdown", () => {
+      this.typed = "";
+    });
     canvas.element.addEventListener("keydown", (event) => {
       if (this.handle(event)) event.preventDefault();
     });
@@ -32,8 +41,10 @@ export class Keyboard {
   /** Handle a key; returns whether it means something here. */
   private handle(event: KeyboardEvent): boolean {
     const isCommand = event.ctrlKey || event.metaKey;
-    if (isCommand && event.key.toLowerCase() === "d") this.duplicate();
+    if (isCommand && event.key.toLowerCase() === "d") this.actions.duplicate();
+    else if (isCommand && event.key.toLowerCase() === "a") this.selectDrawn();
     else if (isCommand || event.altKey) return false;
+    else if (this.type(event.key)) return true;
     else if (ARROWS[event.key]) this.move(ARROWS[event.key]!, event.shiftKey ? 10 : 1);
     else return this.handlePlain(event);
     return true;
@@ -71,16 +82,47 @@ export class Keyboard {
         break;
       default:
         if (tool) tools.choose(tool);
-        return tool !== null;
+        else if (!this.openAction(event.key)) return false;
     }
     return true;
   }
 
+  /** Take a key as part of a length or a place while something is drawn; returns whether it is one. */
+  private type(key: string): boolean {
+    const { pointer, tools } = this;
+    if (tools.current().draws === "nothing" || this.store.broken) return false;
+    if (this.typed && (key === "Enter" || key === "Escape")) {
+      const isPlaced = key === "Escape" || pointer.placeTyped(this.typed);
+      this.showTyped(
+        "",
+        isPlaced ? "" : `Found "${this.typed}", expected a length such as 3.5 or a place such as 2;3.`,
+      );
+      return true;
+    }
+    const typed = typeKey(this.typed, key);
+    if (typed !== null) this.showTyped(typed);
+    return typed !== null;
+  }
+
+  private showTyped(typed: string, hint = ""): void {
+    this.typed = typed;
+    const { current } = this.tools;
+    this.showHint(hint || (typed ? `${typed} — Enter: draw up to there` : current().hint));
+  }
+
+  /** Open the dialog of an action's key; returns whether there is one for what is selected. */
+  private openAction(key: string): boolean {
+    const form = formForKey(key);
+    if (!form || this.store.selected.length === 0 || this.store.broken) return false;
+    this.dialog.open(form);
+    return true;
+  }
+
   private move([dx, dy]: readonly [number, number], times: number): void {
-    const item = this.canvas.selected;
-    if (item?.movable && !this.store.broken) {
+    const moved = this.canvas.selectedItems.filter((item) => item.movable);
+    if (moved.length > 0 && !this.store.broken) {
       const step = this.canvas.step * times;
-      this.nudge.step(item, dx * step, dy * step);
+      this.nudge.step([...moved, ...loadsOn(this.canvas.items, moved)], dx * step, dy * step);
     } else {
       this.canvas.camera.pan(-dx * 40, dy * 40);
       this.canvas.moved();
@@ -90,25 +132,16 @@ export class Keyboard {
   private remove(): void {
     const { selected, corner } = this.canvas;
     const after = selected && corner !== null ? removeCorner(selected.geometry, corner) : null;
-    const path = this.store.selection;
     if (selected && after) {
       this.canvas.corner = null;
       const edits = editsBetween(selected.geometry, after);
       this.push({ edits, text: `remove a corner of ${selected.title}` });
-    } else if (path && !(path[0] === "plate" && path.length < 3)) {
-      this.push(removeItem(this.store.data, path));
-      this.store.select(null);
-    }
+    } else this.actions.remove();
   }
 
-  private duplicate(): void {
-    const item = this.canvas.selected;
-    if (!item || this.store.broken) return;
-    const step = item.movable ? this.canvas.step * 2 : 0;
-    const addition = duplicateItem(this.store.data, item.path, [step, step]);
-    if (!addition) return;
-    this.push(addition.change);
-    this.store.select(addition.path);
+  /** Select all that is drawn on the slab. */
+  private selectDrawn(): void {
+    this.store.selectAll(this.canvas.items.filter(({ kind }) => kind !== "slab").map(({ path }) => path));
   }
 
   /** Select the next item in the order of the drawing. */

@@ -1,9 +1,9 @@
-// Moving the selected item by keys: one edit for a series of steps.
+// Moving the selected items by keys: one edit for a series of steps.
 import type { Change } from "../../model/changes/edits";
-import { moveGeometry, type Point } from "../../model/geometry";
+import type { Point } from "../../model/geometry";
 import type { Item } from "../../model/items";
 import type { Canvas } from "../canvas";
-import { roundOff } from "./gestures";
+import { moveChange, movePreview, roundOff } from "./gestures";
 
 const QUIET = 350; // ms without a key until the edit is sent
 
@@ -17,20 +17,19 @@ export class Nudge {
   ) {}
 
   /** Move by a step [m]; the edit follows when the keys rest. */
-  step(item: Item, dx: number, dy: number): void {
+  step(items: readonly Item[], dx: number, dy: number): void {
     this.by = [this.by[0] + dx, this.by[1] + dy];
-    this.canvas.preview = { geometry: moveGeometry(item.geometry, this.by), item, text: "" };
+    this.canvas.preview = movePreview(items, this.by, "");
     this.canvas.redraw();
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.finish(item), QUIET);
+    this.timer = setTimeout(() => this.finish(items), QUIET);
   }
 
-  private finish(item: Item): void {
+  private finish(items: readonly Item[]): void {
     const by: Point = [roundOff(this.by[0]), roundOff(this.by[1])];
     this.by = [0, 0];
     this.canvas.preview = null;
-    if (by[0] !== 0 || by[1] !== 0)
-      this.push({ edits: [{ op: "move", path: item.path, by }], text: `move ${item.title}` });
+    if (by[0] !== 0 || by[1] !== 0) this.push(moveChange(items, by));
     this.canvas.redraw();
   }
 }

@@ -3,11 +3,15 @@ import { isFar, pixelOf, Touches, zoomByWheel } from "../../../viewer/plan/navig
 import type { Store } from "../../client/store";
 import type { Addition, Change } from "../../model/changes/edits";
 import type { Point } from "../../model/geometry";
-import type { Item } from "../../model/items";
-import { samePath } from "../../model/paths";
+import { type Item, loadsOn } from "../../model/items";
+import { type Path, samePath } from "../../model/paths";
 import type { Canvas } from "../canvas";
 import type { Tool } from "../tools";
 import { type DragGesture, DrawGesture, MoveGesture, ReshapeGesture } from "./gestures";
+import { itemsInBand } from "./rubber-band";
+import { typedPlace } from "./typed-input";
+
+const TYPED_REACH = 1e-9; // m: typed places are the same only if they are equal
 
 export interface PointerHooks {
   push(change: Change): void;
@@ -20,9 +24,10 @@ export interface PointerHooks {
 /** What goes on while the pointer is down. */
 type Press =
   | { kind: "pan" }
-  | { kind: "item"; item: Item; start: Point; wasSelected: boolean }
+  | { kind: "item"; item: Item; start: Point; wasSelected: boolean; adds: boolean }
   | { kind: "drag"; gesture: DragGesture }
-  | { kind: "empty"; start: Point };
+  | { kind: "band"; start: Point; before: readonly Path[] }
+  | { kind: "empty"; start: Point; adds: boolean };
 
 export class Pointer {
   private drawing: DrawGesture | null = null;
@@ -30,6 +35,8 @@ export class Pointer {
   private space = false;
   private lastClick: Point | null = null; // another click at the same place selects what lies below
   private readonly touches = new Touches();
+  /** The place below the pointer, snapped; null while it is elsewhere. */
+  place: Point | null = null;
 
   constructor(
     private readonly canvas: Canvas,
@@ -60,11 +67,25 @@ export class Pointer {
     if (this.drawing && this.drawing.points.length >= 2) this.complete();
   }
 
+  /** Go on drawing at a place or by a length that was typed; returns whether it was one. */
+  placeTyped(text: string): boolean {
+    const drawing = this.drawing ?? new DrawGesture(this.hooks.tool());
+    const place = typedPlace(text, drawing.points.at(-1) ?? null, this.place);
+    if (!place) return false;
+    this.drawing = drawing;
+    const isComplete = drawing.down(place, TYPED_REACH);
+    drawing.up(place, TYPED_REACH);
+    if (isComplete) this.complete();
+    else this.canvas.preview = drawing.preview({ at: place, fromX: null, fromY: null, onPoint: false });
+    this.canvas.redraw();
+    return true;
+  }
+
   /** Abandon what is being done; returns whether there was anything. */
   cancel(): boolean {
     const isBusy = this.press !== null || this.drawing !== null;
     this.touches.clear();
-    this.press = this.drawing = this.canvas.preview = this.canvas.guides = null;
+    this.press = this.drawing = this.canvas.preview = this.canvas.guides = this.canvas.band = null;
     this.canvas.redraw();
     return isBusy;
   }
@@ -80,7 +101,7 @@ export class Pointer {
       return;
     }
     const tool = this.hooks.tool();
-    if (tool.draws === "nothing") this.press = this.pressAt(pixel);
+    if (tool.draws === "nothing") this.press = this.pressAt(pixel, event.shiftKey);
     else if (!this.store.broken) {
       this.drawing ??= new DrawGesture(tool);
       if (this.drawing.down(this.snapDrawing(this.drawing, pixel, event).at, canvas.reach)) this.complete();
@@ -88,7 +109,7 @@ export class Pointer {
   }
 
   /** Return what a press on a pixel begins. */
-  private pressAt(pixel: Point): Press {
+  private pressAt(pixel: Point, adds: boolean): Press {
     const { canvas, store } = this;
     const handle = canvas.handleAt(pixel);
     const { selected } = canvas;
@@ -102,13 +123,14 @@ export class Pointer {
     const own = isRepeated ? items.find((item) => samePath(item.path, store.selection)) : undefined;
     const item = own ?? items[0];
     return item
-      ? { kind: "item", item, start: pixel, wasSelected: own !== undefined }
-      : { kind: "empty", start: pixel };
+      ? { kind: "item", item, start: pixel, wasSelected: own !== undefined, adds }
+      : { kind: "empty", start: pixel, adds };
   }
 
   private move(event: PointerEvent): void {
     const { canvas, press, touches } = this;
     const pixel = pixelOf(canvas.element, event);
+    this.place = canvas.snap(canvas.camera.toPlan(pixel), true, []).at;
     const before = touches.get(event.pointerId) ?? pixel;
     if (touches.pinch(canvas.camera, event.pointerId, pixel)) {
       this.press = { kind: "pan" };
@@ -117,10 +139,15 @@ export class Pointer {
       canvas.camera.pan(pixel[0] - before[0], pixel[1] - before[1]);
       canvas.moved();
     } else if (press?.kind === "item" || press?.kind === "empty") {
-      if (isFar(press.start, pixel)) this.startDrag(press, pixel);
-    } else if (press) {
+      if (isFar(press.start, pixel)) this.startDrag(press, pixel, event.pointerType === "touch");
+    } else if (press?.kind === "band") this.stretchBand(press, pixel);
+    else if (press) {
       const { gesture } = press;
-      canvas.guides = canvas.snap(gesture.aim(canvas.camera.toPlan(pixel)), event.altKey, gesture.item.path);
+      canvas.guides = canvas.snap(
+        gesture.aim(canvas.camera.toPlan(pixel)),
+        event.altKey,
+        gesture.items.map((item) => item.path),
+      );
       canvas.preview = gesture.moveTo(canvas.guides);
       canvas.redraw();
     } else if (this.hooks.tool().draws !== "nothing") {
@@ -132,28 +159,50 @@ export class Pointer {
   }
 
   private snapDrawing(drawing: DrawGesture, pixel: Point, event: PointerEvent) {
-    return this.canvas.snap(this.canvas.camera.toPlan(pixel), event.altKey, null, drawing.points);
+    drawing.round = event.ctrlKey || event.metaKey;
+    return this.canvas.snap(this.canvas.camera.toPlan(pixel), event.altKey, [], drawing.points);
   }
 
-  private startDrag(press: Extract<Press, { start: Point }>, pixel: Point): void {
+  private startDrag(press: Extract<Press, { adds: boolean }>, pixel: Point, isTouch: boolean): void {
     const { canvas, store } = this;
     const { start } = press;
     // the slab fills the view: it is dragged only if it is selected
-    const isHeld = press.kind === "item" && (press.item.kind !== "slab" || samePath(press.item.path, store.selection));
-    if (press.kind === "empty" || !isHeld) {
+    const isHeld = press.kind === "item" && (!isPlate(press.item) || store.isSelected(press.item.path));
+    if (isHeld && !press.adds) this.startMove(press.item, start);
+    else if (isTouch) {
       this.press = { kind: "pan" };
       canvas.camera.pan(pixel[0] - start[0], pixel[1] - start[1]);
       canvas.moved();
-      return;
+    } else {
+      this.press = { kind: "band", start: canvas.camera.toPlan(start), before: press.adds ? store.selected : [] };
+      this.stretchBand(this.press, pixel);
     }
-    const { item } = press;
-    store.select(item.path);
-    if (item.movable && !store.broken)
-      this.press = { kind: "drag", gesture: new MoveGesture(item, canvas.camera.toPlan(start)) };
-    else {
+  }
+
+  /** Begin to move an item; with all that are selected if it is one of them. */
+  private startMove(item: Item, start: Point): void {
+    const { canvas, store } = this;
+    if (!store.isSelected(item.path)) store.select(item.path);
+    const selected = canvas.selectedItems.filter((each) => each.movable);
+    const held = item.movable ? item : selected.length > 0 && store.selected.length > 1 ? selected[0]! : null;
+    if (!held || store.broken) {
       this.hooks.showHint(whyFixed(item));
       this.press = null;
+      return;
     }
+    const others = selected.filter((each) => each !== held);
+    const carried = loadsOn(canvas.items, [held, ...others]);
+    const gesture = new MoveGesture(held, canvas.camera.toPlan(start), [...others, ...carried]);
+    this.press = { kind: "drag", gesture };
+  }
+
+  /** Select what lies in the rubber band up to a pixel. */
+  private stretchBand({ start, before }: Extract<Press, { kind: "band" }>, pixel: Point): void {
+    const { canvas, store } = this;
+    const to = canvas.camera.toPlan(pixel);
+    canvas.band = [start, to];
+    store.selectAll([...before, ...itemsInBand(canvas.items, start, to).map((item) => item.path)]);
+    canvas.redraw();
   }
 
   private hover(pixel: Point): void {
@@ -168,6 +217,7 @@ export class Pointer {
   }
 
   private leave(): void {
+    this.place = null;
     if (this.press) return;
     this.canvas.hovered = null;
     this.canvas.guides = null;
@@ -187,8 +237,12 @@ export class Pointer {
       canvas.guides = null;
       if (change) this.hooks.push(change);
       canvas.redraw();
-    } else if (press?.kind === "item") this.click(press.item, press.wasSelected, pixel);
-    else if (press?.kind === "empty") this.store.select(null);
+    } else if (press?.kind === "band") {
+      canvas.band = null;
+      canvas.redraw();
+    } else if (press?.kind === "item" && press.adds) this.store.toggle(press.item.path);
+    else if (press?.kind === "item") this.click(press.item, press.wasSelected, pixel);
+    else if (press?.kind === "empty" && !press.adds) this.store.select(null);
   }
 
   /** A click selects; another one at the same place selects what lies below. */
@@ -202,16 +256,22 @@ export class Pointer {
   }
 
   private complete(): void {
-    const addition = this.drawing?.finish(this.store.data, this.canvas.loadCase);
+    const addition = this.drawing?.finish(this.store.data, this.canvas.loadCase, this.canvas.reach);
     this.cancel();
     if (addition) this.hooks.onDrawn(addition);
   }
+}
+
+/** Whether an item fills the view like the slab, so that it is dragged only if it is selected. */
+function isPlate({ kind }: Item): boolean {
+  return kind === "slab" || kind === "plate";
 }
 
 /** Return why an item cannot be moved. */
 export function whyFixed(item: Item): string {
   if (item.kind === "slab")
     return "A rectangle given by its sides is centered on the origin: drag its edges, or convert it to a polygon to move it.";
+  if (item.kind === "joint") return "It lies where its plates meet and moves with them.";
   if (item.kind === "load") return `It stands on column ${String(item.table.column)} and moves with it.`;
   return "It cannot be moved at present.";
 }

@@ -22,6 +22,8 @@ export interface Snapped {
   fromY: Point | null;
   /** Whether it is an existing place itself. */
   onPoint: boolean;
+  /** What the existing place is, such as `corner`. */
+  name?: string;
 }
 
 /** The place that is meant: an existing one, else x and y each in line with one, else a round length. */
@@ -32,7 +34,7 @@ export function snap({ at, points, step, reach }: SnapInput): Snapped {
   for (const point of points) {
     const [dx, dy] = [Math.abs(point[0] - at[0]), Math.abs(point[1] - at[1])];
     const distance = distanceBetween(point, at);
-    if (distance <= least) [onPoint, least] = [point, distance];
+    if (distance < least || (!onPoint && distance === least)) [onPoint, least] = [point, distance];
     if (dx < leastX || (dx === leastX && isNearer(point, fromX, at))) [fromX, leastX] = [point, dx];
     if (dy < leastY || (dy === leastY && isNearer(point, fromY, at))) [fromY, leastY] = [point, dy];
   }

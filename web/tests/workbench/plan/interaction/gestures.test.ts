@@ -121,3 +121,17 @@ describe("drawing", () => {
     expect(outlineEdits({}, { kind: "circle" }).length).toBe(4);
   });
 });
+
+describe("drawing a circle", () => {
+  it("is dragged from its center to its edge", () => {
+    const drawing = new DrawGesture(toolOf("opening"));
+    drawing.down([1, 1], 0.01);
+    drawing.round = true;
+    expect(drawing.preview(free([4, 5])).geometry).toMatchObject({ type: "circle", center: [1, 1], radius: 5 });
+    expect(drawing.up([4, 5], 0.01)).toBe(true);
+    expect(drawing.finish(DATA, "")?.change.edits[0]).toMatchObject({
+      path: ["plate", "openings"],
+      value: { kind: "circle", centre: ["1 m", "1 m"], radius: "5 m" },
+    });
+  });
+});

@@ -1,0 +1,26 @@
+import { describe, expect, it } from "vitest";
+
+import { joinEdits } from "../../../../src/workbench/model/changes/batches";
+import type { Edit } from "../../../../src/workbench/model/changes/edits";
+import { applyOptimistic } from "../../../../src/workbench/model/changes/optimistic-edits";
+import type { Table } from "../../../../src/workbench/model/paths";
+import { DATA } from "../../slab";
+
+describe("many edits of a list", () => {
+  const add = (name: string): Edit => ({ op: "add", path: ["columns"], value: { name } });
+  const many: Edit[] = [...["B", "C", "D"].map(add), { op: "set", path: ["columns", 0, "x"], value: "1 m" }];
+  const opening: Edit = { op: "remove", path: ["plate", "openings", 0] };
+
+  it("are one, with the same result; those of others stay", () => {
+    const { edits } = joinEdits(DATA, { edits: [...many, opening], text: "" });
+    expect(edits.map((edit) => edit.op)).toEqual(["set", "remove"]);
+    const apply = (all: readonly Edit[]) => all.reduce<Table>(applyOptimistic, DATA);
+    expect(apply(edits)).toEqual(apply([...many, opening]));
+  });
+  it("stay if they are few, or move and remove items", () => {
+    for (const edits of [many.slice(0, 3), [...many, { op: "remove", path: ["columns", 1] } as const]]) {
+      const change = { edits, text: "" };
+      expect(joinEdits(DATA, change)).toBe(change);
+    }
+  });
+});
