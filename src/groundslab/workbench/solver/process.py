@@ -1,9 +1,9 @@
 """The process that solves: it is kept warm, and stops a run between two steps of the analysis.
 
-It receives ("solve", run, text) and ("report", run, file) from ``Solver`` through a pipe. It sends ("ready",) when it
-can receive, ("warm",) when it has warmed up, ("progress", run, text, share), ("solved", run, answer) followed by the
-bytes of the scene, ("refused", run, message, issues), ("stopped", run), and ("report", run, error) followed by the
-bytes of the report if the error is empty.
+It receives ("solve", run, text), ("report", run, file) and ("archive", run, file) from ``Solver`` through a pipe. It
+sends ("ready",) when it can receive, ("warm",) when it has warmed up, ("progress", run, text, share), ("solved", run,
+answer) followed by the bytes of the scene, ("refused", run, message, issues), ("stopped", run), and (kind, run, error)
+of a report or an archive, followed by its bytes if the error is empty.
 """
 
 from __future__ import annotations
@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 
 #: Shortest time between two messages about the progress [s].
 PROGRESS_INTERVAL = 0.1
+#: The files about a run that can be asked for.
+FILES = ("report", "archive")
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,7 +103,7 @@ def main(pipe: Connection, stop: Any, task: Task, prepare: Callable[[Progress], 
             if kind == "solve":
                 latest = _solve(pipe, stop, task, run, rest[0]) or latest
             else:
-                _report(pipe, run, rest[0], latest)
+                _write_file(pipe, kind, run, rest[0], latest)
         except (EOFError, BrokenPipeError, ConnectionResetError):
             return
 
@@ -162,19 +164,21 @@ def _compare(model: Model) -> GroundComparison | None:
     return compare_grounds(model)
 
 
-def _report(pipe: Connection, run: int, file: str, latest: tuple[int, Any] | None) -> None:
-    """Send the report on a run, if it is the latest one; file is the name of the case."""
+def _write_file(pipe: Connection, kind: str, run: int, file: str, latest: tuple[int, Any] | None) -> None:
+    """Send the report or archive of a run, if it is the latest one; file is the name of the case."""
     if latest is None or latest[0] != run:
-        pipe.send(("report", run, "the results of that run are not kept any more; solve again"))
+        pipe.send((kind, run, "the results of that run are not kept any more; solve again"))
         return
     try:
+        from groundslab.views.files.archive import pack_results
         from groundslab.views.report.html import render_report
 
         text, combined = latest[1]
-        content = render_report(combined, text=text, file=file, comparison=_compare(combined.model)).encode()
+        report = render_report(combined, text=text, file=file, comparison=_compare(combined.model))
+        content = report.encode() if kind == "report" else pack_results(combined, text, report)
     except Exception as error:
         traceback.print_exc()
-        pipe.send(("report", run, f"the report cannot be written: {error}"))
+        pipe.send((kind, run, f"the {kind} cannot be written: {error}"))
     else:
-        pipe.send(("report", run, ""))
+        pipe.send((kind, run, ""))
         pipe.send_bytes(content)

@@ -48,39 +48,39 @@ class Result:
         }
 
 
-class ReportRequests:
-    """Reports that other threads wait for, by run."""
+class FileRequests:
+    """Reports and archives that other threads wait for, by kind and run."""
 
     def __init__(self) -> None:
-        self._waiting: dict[int, Future[bytes]] = {}
+        self._waiting: dict[tuple[str, int], Future[bytes]] = {}
         self._file = ""  # the name of the case in a report
 
-    def add(self, run: int, file: str) -> Future[bytes]:
-        """Return the future report on a run."""
+    def add(self, kind: str, run: int, file: str) -> Future[bytes]:
+        """Return the future report or archive of a run."""
         self._file = file
-        return self._waiting.setdefault(run, Future())
+        return self._waiting.setdefault((kind, run), Future())
 
     def take_unsent(self) -> Iterator[tuple[str, int, str]]:
         """Yield the messages to the process for new requests."""
-        for run, future in self._waiting.items():
+        for (kind, run), future in self._waiting.items():
             if not future.running():
                 future.set_running_or_notify_cancel()
-                yield "report", run, self._file
+                yield kind, run, self._file
 
-    def finish(self, run: int, error: str, content: bytes = b"") -> None:
-        """Pass on a report, or the reason why there is none."""
-        future = self._waiting.pop(run, Future())
+    def finish(self, kind: str, run: int, error: str, content: bytes = b"") -> None:
+        """Pass on a file, or the reason why there is none."""
+        future = self._waiting.pop((kind, run), Future())
         if error:
-            future.set_exception(make_report_error(error))
+            future.set_exception(make_file_error(kind, error))
         else:
             future.set_result(content)
 
     def fail(self, error: str) -> None:
         """Fail all requests."""
-        for run in list(self._waiting):
-            self.finish(run, error)
+        for kind, run in list(self._waiting):
+            self.finish(kind, run, error)
 
 
-def make_report_error(reason: str) -> InputError:
-    """Return the error for a report that cannot be written."""
-    return InputError([Issue("the report", reason, "results that are kept")])
+def make_file_error(kind: str, reason: str) -> InputError:
+    """Return the error for a report or an archive that cannot be written."""
+    return InputError([Issue(f"the {kind}", reason, "results that are kept")])

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 from groundslab.workbench.child_process import CONTEXT, ChildProcess
 from groundslab.workbench.editing.diagnostics import issues_to_json
 from groundslab.workbench.solver import process as worker
-from groundslab.workbench.solver.runs import Job, ReportRequests, Result, make_report_error
+from groundslab.workbench.solver.runs import FileRequests, Job, Result, make_file_error
 
 if TYPE_CHECKING:
     from groundslab.workbench.events import Event
@@ -56,7 +56,7 @@ class _Requests:
     cancel: bool = False
     close: bool = False
     notify_again: bool = False  # whether the latest result is announced again once the current run is stopped
-    reports: ReportRequests = field(default_factory=ReportRequests)
+    files: FileRequests = field(default_factory=FileRequests)
 
 
 class Solver:
@@ -150,17 +150,25 @@ class Solver:
                     events.append(("progress", self._progress))
             return events
 
-    def write_report(self, run: int, file: str, timeout: float = 600.0) -> bytes:
+    def write_report(self, run: int, file: str) -> bytes:
         """Wait for the report on a run and return it; file is the name of the case. Raises InputError on failure."""
+        return self._write("report", run, file)
+
+    def write_archive(self, run: int, file: str) -> bytes:
+        """Wait for the archive of a run and return it; file is the name of the case. Raises InputError on failure."""
+        return self._write("archive", run, file)
+
+    def _write(self, kind: str, run: int, file: str, timeout: float = 600.0) -> bytes:
+        """Have the process write a file about a run."""
         with self._lock:
             if self._requests.close:
-                raise make_report_error(CLOSING)
-            future = self._requests.reports.add(run, file)
+                raise make_file_error(kind, CLOSING)
+            future = self._requests.files.add(kind, run, file)
         self._wake()
         try:
             return future.result(timeout)
         except TimeoutError:
-            raise make_report_error("it takes too long") from None
+            raise make_file_error(kind, "it takes too long") from None
 
     def close(self) -> None:
         """End the process and the thread."""
@@ -191,7 +199,7 @@ class Solver:
                 self._handle_exit(process)
         with self._lock:
             self._kill_process(CLOSING)
-            self._requests.reports.fail(CLOSING)
+            self._requests.files.fail(CLOSING)
 
     def _handle_requests(self) -> None:
         """Stop the run, start the process and send it requests, as far as these are due."""
@@ -210,10 +218,10 @@ class Solver:
             self._process = _Process(child, stop)
         process = self._process
         if process is None:
-            requests.reports.fail("the solver cannot be started")
+            requests.files.fail("the solver cannot be started")
         if process is None or not process.is_ready or self._running is not None:
             return
-        messages: list[tuple[str, int, str]] = list(requests.reports.take_unsent())
+        messages: list[tuple[str, int, str]] = list(requests.files.take_unsent())
         if requests.job is not None and now >= requests.job.due:
             job, requests.job = requests.job, None
             self._running = job
@@ -245,14 +253,14 @@ class Solver:
         if self._process is not None:
             self._process.child.close()
             self._process = None
-            self._requests.reports.fail(reason)
+            self._requests.files.fail(reason)
 
     def _receive(self, process: _Process) -> None:
         """Receive a message of the process."""
         pipe = process.child.pipe
         try:
             kind, *rest = pipe.recv()
-            content = pipe.recv_bytes() if kind == "solved" or (kind == "report" and not rest[1]) else b""
+            content = pipe.recv_bytes() if kind == "solved" or (kind in worker.FILES and not rest[1]) else b""
         except (EOFError, OSError):
             self._handle_exit(process)
             return
@@ -261,8 +269,8 @@ class Solver:
                 process.is_ready = True
             elif kind == "warm":
                 process.has_started, self._failed_starts = True, 0
-            elif kind == "report":
-                self._requests.reports.finish(rest[0], rest[1], content)
+            elif kind in worker.FILES:
+                self._requests.files.finish(kind, rest[0], rest[1], content)
             elif self._running is not None and rest[0] == self._running.run:
                 self._handle_run_message(self._running, kind, rest[1:], content)
 

@@ -388,6 +388,6 @@ def test_the_report_compares_grounds_where_the_case_lists_that_chapter(chapters:
     """The workbench has no command for it: the chapter's name in the case asks for the comparison."""
     *_, solved = process.solve(SOFT % chapters, lambda *_: None)
     pipe = Kept()
-    process._report(pipe, 1, "slab.toml", (1, solved))
+    process._write_file(pipe, "report", 1, "slab.toml", (1, solved))
     assert pipe.messages == [("report", 1, "")]
     assert (b"Ground models compared" in pipe.content) is compared

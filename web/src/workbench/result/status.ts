@@ -33,8 +33,15 @@ export function statusText(
       if (fresh === "none") return "Not solved yet.";
       if (fresh === "stale" && issues > 0) return `${old}Fix the ${issues === 1 ? "error" : "errors"} to update them.`;
       if (fresh === "stale") return autosolve ? old : `${old}Solve to update them.`;
-      return [solved?.design ?? "", `Solved in ${formatSeconds(solved?.seconds ?? 0)}.`].filter(Boolean).join(" ");
+      return [solved?.design ?? "", originText(solved?.seconds ?? null)].filter(Boolean).join(" ");
   }
+}
+
+/** Where the result is from. */
+function originText(seconds: number | null): string {
+  return seconds === null
+    ? "Results as they were kept; nothing can be changed here."
+    : `Solved in ${formatSeconds(seconds)}.`;
 }
 
 function formatSeconds(value: number): string {

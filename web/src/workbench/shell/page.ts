@@ -18,7 +18,7 @@ import { Commands } from "./commands";
 import { issueList } from "./diagnostics";
 import { splitter } from "./splitter";
 import { tabs } from "./tabs";
-import { topBar } from "./top-bar";
+import { topBar, viewBar } from "./top-bar";
 import { showWarnings } from "./unsaved-work";
 import "./page.css";
 
@@ -52,6 +52,19 @@ export function buildPage(
     notices(store),
   );
   document.addEventListener("keydown", (event) => handleKey(event, commands));
+  store.emitAll();
+}
+
+/** The page of results that are only looked at. */
+export function buildView(api: HttpApi, store: Store, connection: Connection): void {
+  const result = new ResultPanel(store, api, () => undefined, connection.handleLoss.bind(connection));
+  const page = h("main", { class: "page alone" }, result.element);
+  document.body.replaceChildren(
+    viewBar(store, api),
+    banner(store, () => connection.retry()),
+    page,
+    notices(store),
+  );
   store.emitAll();
 }
 
