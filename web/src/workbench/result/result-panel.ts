@@ -35,7 +35,7 @@ export class ResultPanel {
   constructor(
     private readonly store: Store,
     private readonly api: Pick<Api, "scene" | "summary">,
-    solve: () => void,
+    solve: (() => void) | null,
     private readonly onLost: (error: Lost) => void,
   ) {
     const valueBox = h("div", { class: "lower-panel value-box" });

@@ -57,7 +57,7 @@ export function buildPage(
 
 /** The page of results that are only looked at. */
 export function buildView(api: HttpApi, store: Store, connection: Connection): void {
-  const result = new ResultPanel(store, api, () => undefined, connection.handleLoss.bind(connection));
+  const result = new ResultPanel(store, api, null, connection.handleLoss.bind(connection));
   const page = h("main", { class: "page alone" }, result.element);
   document.body.replaceChildren(
     viewBar(store, api),
