@@ -73,3 +73,52 @@ def test_no_violations_in_the_report(server: Server, bench: Bench, case: Path, t
     bench.page.goto((tmp_path / "report.html").as_uri())
     bench.page.locator(".gs-viewer").first.wait_for()
     assert find_violations(bench.page) == []
+
+
+def press_until(page: Any, key: str, selector: str) -> None:
+    """Press a key until an element has the focus."""
+    for _ in range(200):
+        if page.evaluate("(selector) => document.activeElement?.matches(selector) ?? false", selector):
+            return
+        page.keyboard.press(key)
+    raise AssertionError(f"{key} never reaches {selector}")
+
+
+def test_a_session_with_the_keyboard_alone(server: Server, bench: Bench, case: Path) -> None:
+    """A case is opened, a load is added and solved, and its settlement is read, without a mouse."""
+    bench.open(server.start(None))
+    page, keys = bench.page, bench.page.keyboard
+    keys.press("Control+o")
+    dialog = page.get_by_role("dialog")
+    bench.until(lambda: dialog.locator(".path").input_value() != "")
+    press_until(page, "Shift+Tab", ".path")
+    keys.press("Control+a")
+    keys.type(str(case.parent))
+    keys.press("Enter")
+    dialog.get_by_role("option", name="slab.toml").wait_for()
+    press_until(page, "Tab", ".file-name input")
+    keys.type("slab.toml")
+    keys.press("Enter")
+    bench.wait_text('name = "A1"')
+    bench.wait_solved()
+    before = page.locator(".figures tr", has_text="largest settlement").first.text_content()
+
+    press_until(page, "Tab", "svg.drawing")
+    title = page.locator(".properties h3")
+    for _ in range(9):
+        keys.press("n")
+        if "load" in title.inner_text():
+            break
+    assert "load" in title.inner_text()
+    keys.press("Control+d")
+    bench.until(lambda: bench.text().count("[[loads]]") == 2)
+    keys.press("F9")
+    bench.until(
+        lambda: page.locator(".figures tr", has_text="largest settlement").first.text_content() != before,
+        lambda: f"{before} in\n{bench.text()}",
+    )
+    bench.wait_solved()
+    press_until(page, "Tab", '.result [role="tab"]')
+    keys.press("Tab")
+    focused = page.evaluate("() => document.activeElement.textContent")
+    assert "largest settlement" in focused

@@ -11,11 +11,13 @@ import type { Change } from "../model/changes/edits";
 import type { Issue } from "../model/issues";
 import { Schema } from "../model/schema";
 import { planEditor } from "../plan/plan-editor";
+import { TOOLS } from "../plan/tools";
 import { ResultPanel } from "../result/result-panel";
 import { TextPanel } from "../text/text-panel";
 import { banner, notices } from "./banner";
 import { Commands } from "./commands";
 import { issueList } from "./diagnostics";
+import { asksForKeys, showKeys } from "./help";
 import { splitter } from "./splitter";
 import { tabs } from "./tabs";
 import { topBar, viewBar } from "./top-bar";
@@ -44,7 +46,7 @@ export function buildPage(
     splitter(page, "--model-share", "x", 0.5, [0.25, 0.75], "width of the model"),
     result.element,
   );
-  const top = topBar(store, api, commands);
+  const top = topBar(store, api, commands, () => showKeys(TOOLS));
   document.body.replaceChildren(
     top,
     banner(store, () => connection.retry()),
@@ -141,4 +143,8 @@ function handleKey(event: KeyboardEvent, commands: Commands): void {
   else if (event.key === "F9" || (isCommand && event.key === "Enter")) run(commands.solve);
   else if (isCommand && key === "z" && !inText) run(event.shiftKey ? commands.redo : commands.undo);
   else if (isCommand && key === "y" && !inText) run(commands.redo);
+  else if (asksForKeys(event)) {
+    event.preventDefault();
+    showKeys(TOOLS);
+  }
 }

@@ -8,7 +8,7 @@ import { icon } from "./icons";
 
 type Addresses = Pick<Api, "reportAddress" | "archiveAddress">;
 
-export function topBar(store: Store, api: Addresses, commands: Commands): HTMLElement {
+export function topBar(store: Store, api: Addresses, commands: Commands, showKeys: () => void): HTMLElement {
   const file = [
     button("New", "Start a new case", () => void commands.createCase()),
     button("Open …", "Open a case file (Ctrl+O)", () => void commands.open()),
@@ -26,6 +26,7 @@ export function topBar(store: Store, api: Addresses, commands: Commands): HTMLEl
     reportLink(store, api),
     archiveLink(store, api),
     themeButton(),
+    h("button", { type: "button", title: "Keys (?)", "aria-label": "keys", onclick: showKeys }, "?"),
   );
 }
 
