@@ -57,24 +57,19 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, tuple[str, Resu
     from groundslab.model.combinations import list_combinations
     from groundslab.views.scene.binary import pack
     from groundslab.views.scene.fields import scene_of
-    from groundslab.views.summary.progress import line
+    from groundslab.views.summary.progress import CombinationCount, line
     from groundslab.workbench.solver.summary import build_summary
 
     start = time.perf_counter()
     model = casefile.loads(text)
-    count, begun, name = len(list_combinations(model)), 0, ""
-
-    def share_done() -> float | None:
-        return (begun - 1) / count if count > 1 else None
+    combinations = CombinationCount(len(list_combinations(model)))
 
     def on_combination(combination: Combination) -> None:
-        nonlocal begun, name
-        begun = begun % count + 1  # again from the first on each mesh
-        name = f"{begun} of {count}, {combination.name}: " if count > 1 else ""
-        progress(f"{name}begins", share_done())
+        combinations.begin(combination.name)
+        progress(f"{combinations.words()}begins", combinations.share)
 
     def on_step(step: Step) -> None:
-        progress(name + line(step), share_done())
+        progress(combinations.words() + line(step), combinations.share)
 
     combined = solve_combinations(model, on_step, on_combination)
     refused = {name: str(error) for name, error in combined.refused.items()}
