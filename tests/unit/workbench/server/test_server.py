@@ -333,6 +333,7 @@ def test_results_of_a_run(bench: Bench) -> None:
     assert bench.get(f"/api/results/{run}/summary") == {"text": CASE}
     assert bench.get("/api/results/99/summary", 404)["error"]["message"]
     assert bench.get("/api/results/99/report", 422)["error"]["found"]
+    assert bench.get("/api/results/99/archive", 422)["error"]["location"] == "the archive"
 
 
 @pytest.mark.slow
