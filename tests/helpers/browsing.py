@@ -71,18 +71,18 @@ def missing() -> str:
 
 @dataclass
 class Server:
-    """groundslab app as a process of its own."""
+    """groundslab app, or view, as a process of its own."""
 
     state: Path
     process: subprocess.Popen[str] | None = None
     url: str = ""
 
-    def start(self, case: Path | None, port: int = 0) -> str:
-        """Start the server on a case; returns the address of its page."""
-        command = [sys.executable, "-m", "groundslab", "app", "--port", str(port), "--no-browser"]
+    def start(self, case: Path | None, port: int = 0, command: str = "app") -> str:
+        """Start the server on a case, or with another command on results; returns the address of its page."""
+        words = [sys.executable, "-m", "groundslab", command, "--port", str(port), "--no-browser"]
         environment = {**os.environ, "XDG_STATE_HOME": str(self.state), "OMP_NUM_THREADS": "1"}
         self.process = subprocess.Popen(
-            [*command, *([] if case is None else [str(case)])], stdout=subprocess.PIPE, text=True, env=environment
+            [*words, *([] if case is None else [str(case)])], stdout=subprocess.PIPE, text=True, env=environment
         )
         assert self.process.stdout is not None
         self.url = self.process.stdout.readline().strip()

@@ -1,4 +1,4 @@
-"""The command line: groundslab solve, compare-ground, study, plot, report, tables, bars, app, check, new, dxf, ...
+"""The command line: groundslab solve, compare-ground, study, plot, report, tables, bars, app, view, check, new, ...
 
 Exit codes: 0 fine; 1 no certified result (of one combination of loads at least), or a verification case that fails;
 2 wrong input or usage; 3 certified results of a design that fails a check; 130 interrupted.
@@ -89,6 +89,13 @@ def _parser() -> argparse.ArgumentParser:
     app.add_argument("case", nargs="?", help="case file (TOML; default: a new one)")
     app.add_argument("--port", type=int, default=0, metavar="N", help="port of the server (default: any that is free)")
     app.add_argument("--no-browser", action="store_true", help="print the address only")
+    view = _command(commands, "view", _view, "look at kept results in the browser, without editing")
+    view.epilog = "The page is served on this machine alone, until Ctrl-C. Nothing is written."
+    view.add_argument(
+        "results", metavar="RESULTS", help="folder that groundslab solve has written, or a saved ZIP file"
+    )
+    view.add_argument("--port", type=int, default=0, metavar="N", help="port of the server (default: any that is free)")
+    view.add_argument("--no-browser", action="store_true", help="print the address only")
     study.describe(_command(commands, "study", study.run, "solve many variants of a case and keep a row of each"))
     study.describe_evaluation(
         _command(commands, "evaluate", study.evaluate, "make the page and the tables of a study from its rows")
@@ -161,6 +168,14 @@ def _app(options: argparse.Namespace) -> int:
     from groundslab.workbench.server.main import serve
 
     serve(None if options.case is None else Path(options.case), options.port, not options.no_browser)
+    return console.EXIT_OK
+
+
+def _view(options: argparse.Namespace) -> int:
+    """Serve kept results until interrupted."""
+    from groundslab.workbench.server.main import serve_results
+
+    serve_results(Path(options.results), options.port, not options.no_browser)
     return console.EXIT_OK
 
 

@@ -8,7 +8,7 @@ import { Connection } from "./client/connection";
 import { EditQueue } from "./client/edit-queue";
 import { Store } from "./client/store";
 import { isUntouched } from "./model/changes/optimistic-edits";
-import { buildPage } from "./shell/page";
+import { buildPage, buildView } from "./shell/page";
 import { askOffer, askWhichText } from "./shell/unsaved-work";
 
 startTheme();
@@ -46,7 +46,8 @@ const stop = store.on(["doc"], () => {
   // the first text may still be being read
   if (store.doc?.data === null && store.doc.checking) return;
   stop();
-  buildPage(api, store, queue, connection, resolveOffer);
+  if (store.doc?.view !== undefined) buildView(api, store, connection);
+  else buildPage(api, store, queue, connection, resolveOffer);
 });
 const cover = h("p", { class: "cover" }, "Loading …");
 document.body.replaceChildren(cover);

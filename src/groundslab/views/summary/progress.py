@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import time
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
     from rich.console import Console
     from rich.status import Status
@@ -15,19 +16,57 @@ if TYPE_CHECKING:
     from groundslab.results.record import Step
 
 
+class CombinationCount:
+    """Counts the combinations as they begin, from the first again on each mesh, and estimates the time that is left.
+
+    The estimate is the mean time of those that are done. The first on a mesh, which takes the meshing and the first
+    factorization too, is left out of it.
+    """
+
+    def __init__(self, count: int, clock: Callable[[], float] = time.monotonic) -> None:
+        self._count, self._clock = count, clock
+        self._number = 0
+        self._name = ""
+        self._begun = self._second_begun = 0.0
+
+    @property
+    def share(self) -> float | None:
+        """The share of combinations that are done, None where there is only one."""
+        return (self._number - 1) / self._count if self._count > 1 else None
+
+    def begin(self, name: str) -> None:
+        """Note that the next combination begins."""
+        self._number = self._number % self._count + 1
+        self._name, self._begun = name, self._clock()
+        if self._number == 2:
+            self._second_begun = self._begun
+
+    def seconds_left(self) -> float | None:
+        """Return the time that the combinations of this mesh still take, None before it can be estimated [s]."""
+        if self._number < 3:
+            return None
+        mean = (self._begun - self._second_begun) / (self._number - 2)
+        return max(0.0, mean * (self._count - self._number + 1) - (self._clock() - self._begun))
+
+    def words(self) -> str:
+        """Return number and name of the combination and the time left, empty where there is only one."""
+        if self._count == 1:
+            return ""
+        left = self.seconds_left()
+        about = "" if left is None or left < 1.0 else f", about {left:.0f} s left on this mesh"
+        return f"{self._number} of {self._count}, {self._name}{about}: "
+
+
 class StatusLine:
     """A line on the terminal that shows each step, and the combination that it belongs to."""
 
     def __init__(self, status: Status, count: int) -> None:
         self._status = status
-        self._count = count
-        self._number = 0
-        self._name = ""
+        self._combinations = CombinationCount(count)
 
     def begin(self, combination: Combination) -> None:
         """Show that the next combination begins; where there is only one, it is not named."""
-        self._number = self._number % self._count + 1  # again from the first on each mesh
-        self._name = combination.name
+        self._combinations.begin(combination.name)
         self._update("begins")
 
     def __call__(self, step: Step) -> None:
@@ -37,8 +76,9 @@ class StatusLine:
     def _update(self, words: str) -> None:
         from rich.text import Text
 
-        which = f"{self._number} of {self._count}, {self._name}: " if self._count > 1 else ""
-        self._status.update(Text(which + words))  # as text, since a name may hold what rich takes for markup
+        self._status.update(
+            Text(self._combinations.words() + words)
+        )  # as text, since a name may hold what rich takes for markup
 
 
 @contextmanager

@@ -12,15 +12,20 @@ import sys
 import threading
 import webbrowser
 from collections.abc import Callable
+from contextlib import suppress
 from importlib import import_module
 from pathlib import Path
 from types import FrameType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from urllib.parse import urlsplit
 
 from groundslab.errors import InputError, Issue
 from groundslab.workbench.events import Hub
 from groundslab.workbench.persistence import files
+from groundslab.workbench.server.tickets import Tickets
+
+if TYPE_CHECKING:
+    from groundslab.workbench.server.security import Guard
 
 ADDRESS = "127.0.0.1"
 
@@ -31,10 +36,8 @@ def serve(case: Path | None, port: int = 0, browser: bool = True) -> None:
     Port 0 stands for any free one. If another workbench has the case open, its address is printed instead.
     """
     _require_packages()
-    import uvicorn
-
     from groundslab.workbench.server.case_file import OpenElsewhere
-    from groundslab.workbench.server.routes import Tickets, create_app
+    from groundslab.workbench.server.routes import create_app
     from groundslab.workbench.server.session import Session
     from groundslab.workbench.solver.thread import Solver
 
@@ -43,7 +46,7 @@ def serve(case: Path | None, port: int = 0, browser: bool = True) -> None:
         port = listener.getsockname()[1]
         token = secrets.token_urlsafe(32)
         url = f"http://{ADDRESS}:{port}/?token={token}"
-        hub = Hub()
+        hub, tickets = Hub(), Tickets()
         session = Session(hub, Solver(hub.publish), state, url)
         try:
             if case is not None:
@@ -58,32 +61,49 @@ def serve(case: Path | None, port: int = 0, browser: bool = True) -> None:
         except InputError:
             session.close()
             raise
-        tickets = Tickets()
-        config = uvicorn.Config(
-            create_app(session, tickets, port, token),
-            log_level="warning",
-            access_log=False,
-            server_header=False,
-            lifespan="off",
-            loop="asyncio",
-            http="h11",
-            ws="none",
-            timeout_graceful_shutdown=2,
-        )
-
-        def on_start() -> None:
-            print(url, flush=True)
-            if browser:
-                threading.Thread(target=_open_browser, args=(url, tickets.issue()), daemon=True).start()
-
         try:
-            _create_server(config, hub, on_start).run([listener])
-        except KeyboardInterrupt:
-            pass  # the usual end
+            _run(create_app(session, tickets, port, token), tickets, hub, listener, url, browser)
         finally:
             unsaved = session.close()
             if unsaved:
                 _print_message(f"unsaved work is kept in {unsaved}; the next start offers it")
+
+
+def serve_results(path: Path, port: int = 0, browser: bool = True) -> None:
+    """Serve the results in a folder or an archive, read-only, until interrupted; raises InputError."""
+    _require_packages()
+    from groundslab.workbench.server.view import ResultsView, create_view_app
+
+    view = ResultsView.read(path)
+    with _bind(port) as listener:
+        port, token, tickets = listener.getsockname()[1], secrets.token_urlsafe(32), Tickets()
+        url = f"http://{ADDRESS}:{port}/?token={token}"
+        _run(create_view_app(view, tickets, port, token), tickets, view.hub, listener, url, browser)
+
+
+def _run(app: Guard, tickets: Tickets, hub: Hub, listener: socket.socket, url: str, browser: bool) -> None:
+    """Run a server until it is interrupted; its address is printed when it can be used, and opened if wanted."""
+    import uvicorn
+
+    config = uvicorn.Config(
+        app,
+        log_level="warning",
+        access_log=False,
+        server_header=False,
+        lifespan="off",
+        loop="asyncio",
+        http="h11",
+        ws="none",
+        timeout_graceful_shutdown=2,
+    )
+
+    def on_start() -> None:
+        print(url, flush=True)
+        if browser:
+            threading.Thread(target=_open_browser, args=(url, tickets.issue()), daemon=True).start()
+
+    with suppress(KeyboardInterrupt):  # the usual end
+        _create_server(config, hub, on_start).run([listener])
 
 
 def _require_packages() -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import mimetypes
-import secrets
 from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
@@ -23,6 +22,7 @@ from groundslab.workbench.persistence import files
 from groundslab.workbench.server.case_file import Conflict, OpenElsewhere
 from groundslab.workbench.server.security import Guard
 from groundslab.workbench.server.session import Session, State
+from groundslab.workbench.server.tickets import Tickets
 
 STATIC = Path(__file__).parents[1] / "static"
 #: A system may register other types, and a browser runs no script of type text/plain.
@@ -67,34 +67,19 @@ class Autosolve(_Body):
     on: bool
 
 
-class Tickets:
-    """Secrets that are valid once, for addresses that other users of the machine may see."""
-
-    def __init__(self) -> None:
-        self._valid: set[str] = set()
-
-    def issue(self) -> str:
-        """Return a new ticket."""
-        ticket = secrets.token_urlsafe(32)
-        self._valid.add(ticket)
-        return ticket
-
-    def redeem(self, ticket: str) -> bool:
-        """Invalidate a ticket and return whether it was valid."""
-        try:
-            self._valid.remove(ticket)
-        except KeyError:
-            return False
-        return True
-
-
 def create_app(session: Session, tickets: Tickets, port: int, token: str, static: Path = STATIC) -> Guard:
     """Return the server's application."""
     app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None)
-    _add_error_handlers(app, session)
+    add_error_handlers(app)
+    _add_conflict_handler(app, session)
     _add_document_routes(app, session)
     _add_solver_routes(app, session)
     _add_table_routes(app, session)
+    return guard_app(app, tickets, port, token, static)
+
+
+def guard_app(app: FastAPI, tickets: Tickets, port: int, token: str, static: Path = STATIC) -> Guard:
+    """Return an application with the entrance and the files of the page, behind the guard."""
     _add_ticket_routes(app, tickets, token)
     for suffix, kind in TYPES.items():
         mimetypes.add_type(kind, suffix)
@@ -102,8 +87,8 @@ def create_app(session: Session, tickets: Tickets, port: int, token: str, static
     return Guard(app, port, token)
 
 
-def _add_error_handlers(app: FastAPI, session: Session) -> None:
-    """Return errors as {"error": ...}; an edit of an old version is answered with the present state."""
+def add_error_handlers(app: FastAPI) -> None:
+    """Return errors as {"error": ...}."""
 
     @app.exception_handler(InputError)
     async def handle_input_error(_: Request, error: InputError) -> JSONResponse:
@@ -119,6 +104,10 @@ def _add_error_handlers(app: FastAPI, session: Session) -> None:
     async def handle_validation_error(_: Request, error: RequestValidationError) -> JSONResponse:
         messages = [f"{'.'.join(map(str, each['loc']))}: {each['msg']}" for each in error.errors()]
         return JSONResponse({"error": {"message": "; ".join(messages), "issues": []}}, 422)
+
+
+def _add_conflict_handler(app: FastAPI, session: Session) -> None:
+    """Return conflicts as errors; an edit of an old version is answered with the present state."""
 
     @app.exception_handler(Conflict)
     def handle_conflict(_: Request, error: Conflict) -> JSONResponse:
@@ -155,11 +144,7 @@ def _add_document_routes(app: FastAPI, session: Session) -> None:
     app.post("/api/redo")(session.redo)
     app.post("/api/new")(session.new)
     app.get("/api/files")(session.list_folder)
-
-    @app.get("/api/schema")
-    @cache
-    def get_schema() -> JSONResponse:
-        return JSONResponse(json_schema())
+    add_schema_route(app)
 
     @app.post("/api/edits")
     def edit(body: Edits) -> State:
@@ -176,6 +161,15 @@ def _add_document_routes(app: FastAPI, session: Session) -> None:
     @app.post("/api/restore")
     def restore(body: Restore) -> State:
         return session.restore(body.take)
+
+
+def add_schema_route(app: FastAPI) -> None:
+    """Add the schema of a case file."""
+
+    @app.get("/api/schema")
+    @cache
+    def get_schema() -> JSONResponse:
+        return JSONResponse(json_schema())
 
 
 def _add_solver_routes(app: FastAPI, session: Session) -> None:
@@ -202,18 +196,22 @@ def _add_solver_routes(app: FastAPI, session: Session) -> None:
     @app.get("/api/results/{run}/scene")
     def get_scene(run: int) -> Response:
         result = session.solver.get_result(run)
-        return _respond_not_kept() if result is None else Response(result.scene, media_type="application/octet-stream")
+        return respond_not_kept() if result is None else Response(result.scene, media_type="application/octet-stream")
 
     @app.get("/api/results/{run}/summary")
     def get_summary(run: int) -> Response:
         result = session.solver.get_result(run)
-        return _respond_not_kept() if result is None else JSONResponse(result.answer.summary)
+        return respond_not_kept() if result is None else JSONResponse(result.answer.summary)
 
     @app.get("/api/results/{run}/report")
     def get_report(run: int) -> Response:
         name, content = session.write_report(run)
-        headers = {"Content-Disposition": f"attachment; filename*=UTF-8''{quote(name, safe='')}"}
-        return Response(content, media_type="text/html; charset=utf-8", headers=headers)
+        return respond_download(name, content, "text/html; charset=utf-8")
+
+    @app.get("/api/results/{run}/archive")
+    def get_archive(run: int) -> Response:
+        name, content = session.write_archive(run)
+        return respond_download(name, content, "application/zip")
 
 
 def _add_table_routes(app: FastAPI, session: Session) -> None:
@@ -223,7 +221,7 @@ def _add_table_routes(app: FastAPI, session: Session) -> None:
     def list_tables(run: int) -> Response:
         result = session.solver.get_result(run)
         if result is None:
-            return _respond_not_kept()
+            return respond_not_kept()
         compared = ["comparison"] if session.comparer.get(run) else []
         return JSONResponse([*result.answer.tables, *compared])
 
@@ -232,14 +230,14 @@ def _add_table_routes(app: FastAPI, session: Session) -> None:
         result = session.solver.get_result(run)
         content = session.comparer.get(run) if name == "comparison" else None
         if content is None and (result is None or name not in result.answer.tables):
-            return _respond_not_kept()
+            return respond_not_kept()
         return Response(content or session.solver.make_view(("table", run, name)), media_type="application/json")
 
     @app.post("/api/results/{run}/comparison")
     def compare_grounds(run: int) -> Response:
         result = session.solver.get_result(run)
         if result is None:
-            return _respond_not_kept()
+            return respond_not_kept()
         session.comparer.start(run, result.text)
         return JSONResponse({})
 
@@ -249,5 +247,12 @@ def _add_table_routes(app: FastAPI, session: Session) -> None:
         return {}
 
 
-def _respond_not_kept() -> JSONResponse:
+def respond_download(name: str, content: bytes, kind: str) -> Response:
+    """Return a file that the browser saves under a name."""
+    headers = {"Content-Disposition": f"attachment; filename*=UTF-8''{quote(name, safe='')}"}
+    return Response(content, media_type=kind, headers=headers)
+
+
+def respond_not_kept() -> JSONResponse:
+    """Return the answer about a run whose results are gone."""
     return JSONResponse({"error": {"message": "the results of that run are not kept any more"}}, 404)

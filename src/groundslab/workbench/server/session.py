@@ -202,6 +202,11 @@ class Session:
         path = self._case_file.path or Path("case.toml")
         return f"{path.stem}-report.html", self.solver.make_view(("report", run, path.name))
 
+    def write_archive(self, run: int) -> tuple[str, bytes]:
+        """Return a name for the archive of case, results and report of a run, and its content."""
+        path = self._case_file.path or Path("case.toml")
+        return f"{path.stem}-results.zip", self.solver.make_view(("archive", run, path.name))
+
     def close(self) -> str:
         """End; return the path of unsaved work, empty if there is none."""
         self._checker.close()

@@ -1,9 +1,10 @@
 """The process that solves: it is kept warm, and stops a run between two steps of the analysis.
 
-It receives ("solve", run, text), ("report", run, file) and ("table", run, name) from ``Solver`` through a pipe. It
-sends ("ready",) when it can receive, ("warm",) when it has warmed up, ("progress", run, text, share), ("solved", run,
-answer) followed by the bytes of the scene, ("refused", run, message, issues), ("stopped", run), and ("view", message,
-error) in answer to the last two messages, followed by the bytes of the report or of the table if the error is empty.
+It receives ("solve", run, text), ("report", run, file), ("archive", run, file) and ("table", run, name) from
+``Solver`` through a pipe. It sends ("ready",) when it can receive, ("warm",) when it has warmed up, ("progress", run,
+text, share), ("solved", run, answer) followed by the bytes of the scene, ("refused", run, message, issues),
+("stopped", run), and ("view", message, error) in answer to the last three, followed by the bytes that were asked for
+if the error is empty.
 """
 
 from __future__ import annotations
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
 
 #: Shortest time between two messages about the progress [s].
 PROGRESS_INTERVAL = 0.1
+#: The files about a run that can be asked for.
+FILES = ("report", "archive")
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +46,7 @@ class Answer:
 
 #: Called with a text and the share of combinations that are done.
 Progress = Callable[[str, float | None], None]
-#: What is made of the results of a run: "report" or "table", the run, the name of the case or of the table.
+#: What is made of the results of a run: "report", "archive" or "table", the run, the name of the case or of the table.
 View = tuple[str, int, str]
 #: Solves a text; returns the answer, the packed scene, and the data for a report.
 Task = Callable[[str, Progress], tuple[Answer, bytes, Any]]
@@ -69,25 +72,20 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
     from groundslab.model.combinations import list_combinations
     from groundslab.views.scene.binary import pack
     from groundslab.views.scene.fields import scene_of
-    from groundslab.views.summary.progress import line
+    from groundslab.views.summary.progress import CombinationCount, line
     from groundslab.workbench.solver.summary import build_summary
     from groundslab.workbench.solver.tables import layout_makers
 
     start = time.perf_counter()
     model = casefile.loads(text)
-    count, begun, name = len(list_combinations(model)), 0, ""
-
-    def share_done() -> float | None:
-        return (begun - 1) / count if count > 1 else None
+    combinations = CombinationCount(len(list_combinations(model)))
 
     def on_combination(combination: Combination) -> None:
-        nonlocal begun, name
-        begun = begun % count + 1  # again from the first on each mesh
-        name = f"{begun} of {count}, {combination.name}: " if count > 1 else ""
-        progress(f"{name}begins", share_done())
+        combinations.begin(combination.name)
+        progress(f"{combinations.words()}begins", combinations.share)
 
     def on_step(step: Step) -> None:
-        progress(name + line(step), share_done())
+        progress(combinations.words() + line(step), combinations.share)
 
     combined = solve_combinations(model, on_step, on_combination)
     refused = {name: str(error) for name, error in combined.refused.items()}
@@ -180,13 +178,13 @@ def _compare(model: Model) -> GroundComparison | None:
 
 
 def _send_view(pipe: Connection, view: View, latest: tuple[int, Any] | None) -> None:
-    """Send a report or a table of a run, if it is the latest one."""
+    """Send a report, an archive or a table of a run, if it is the latest one."""
     kind, run, name = view
     if latest is None or latest[0] != run:
         pipe.send(("view", view, "the results of that run are not kept any more; solve again"))
         return
     try:
-        content = (_write_report if kind == "report" else _write_table)(latest[1], name)
+        content = WRITERS[kind](latest[1], name)
     except Exception as error:
         traceback.print_exc()
         pipe.send(("view", view, f"it cannot be made: {error}"))
@@ -195,12 +193,24 @@ def _send_view(pipe: Connection, view: View, latest: tuple[int, Any] | None) -> 
         pipe.send_bytes(content)
 
 
-def _write_report(solved: Solved, file: str) -> bytes:
+def _render_report(solved: Solved, file: str) -> str:
     """Return the report; file is the name of the case."""
     from groundslab.views.report.html import render_report
 
     results = solved.results
-    return render_report(results, text=solved.text, file=file, comparison=_compare(results.model)).encode()
+    return render_report(results, text=solved.text, file=file, comparison=_compare(results.model))
+
+
+def _write_report(solved: Solved, file: str) -> bytes:
+    """Return the report as a file."""
+    return _render_report(solved, file).encode()
+
+
+def _write_archive(solved: Solved, file: str) -> bytes:
+    """Return case, results and report as one file."""
+    from groundslab.views.files.archive import pack_results
+
+    return pack_results(solved.results, solved.text, _render_report(solved, file))
 
 
 def _write_table(solved: Solved, name: str) -> bytes:
@@ -208,3 +218,7 @@ def _write_table(solved: Solved, name: str) -> bytes:
     from groundslab.workbench.solver.tables import table_to_json
 
     return json.dumps(table_to_json(name, solved.tables[name]()), allow_nan=False).encode()
+
+
+#: What writes each kind of view.
+WRITERS = {"report": _write_report, "archive": _write_archive, "table": _write_table}

@@ -26,9 +26,10 @@ from helpers.asgi import Answer, Headers
 pytest.importorskip("fastapi")
 from groundslab.workbench.checking import parsing
 from groundslab.workbench.server import case_file as locks
-from groundslab.workbench.server.routes import Tickets, create_app
+from groundslab.workbench.server.routes import create_app
 from groundslab.workbench.server.security import HEADERS, MAX_BODY, check_request
 from groundslab.workbench.server.session import Session
+from groundslab.workbench.server.tickets import Tickets
 from groundslab.workbench.solver.thread import Solver
 
 PORT, TOKEN = 8765, "secret"
@@ -338,6 +339,7 @@ def test_results_of_a_run(bench: Bench) -> None:
         assert bench.get(path, 404)["error"]["message"]
     assert bench.post("/api/results/99/comparison", status=404)["error"]["message"]
     assert bench.post("/api/comparison/cancel") == {}
+    assert bench.get("/api/results/99/archive", 422)["error"]["location"] == "the archive"
 
 
 @pytest.mark.slow

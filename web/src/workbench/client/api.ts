@@ -23,6 +23,8 @@ export interface DocState {
   issues: Issue[];
   plan: Table | null;
   file: string | null;
+  /** Where results that are only looked at are from; the page then edits and solves nothing. */
+  view?: string;
   dirty: boolean;
   can_undo: boolean;
   can_redo: boolean;
@@ -159,6 +161,7 @@ export class HttpApi {
   cancelComparison = async () => void (await this.json("comparison/cancel", {}));
   scene = async (run: number) => (await this.request(`results/${run}/scene`, undefined, 120_000)).arrayBuffer();
   reportAddress = (run: number) => `api/results/${run}/report?token=${encodeURIComponent(this.token)}`;
+  archiveAddress = (run: number) => `api/results/${run}/archive?token=${encodeURIComponent(this.token)}`;
   eventsAddress = () => `api/events?token=${encodeURIComponent(this.token)}`;
 
   private async json<T>(name: string, body?: object, patience = PATIENCE): Promise<T> {

@@ -20,7 +20,8 @@ export type Run =
 export interface Solved {
   run: number;
   version: number;
-  seconds: number;
+  /** How long it took, null where the result was read from a file. */
+  seconds: number | null;
   /** What fails in the design, empty if nothing was found to. */
   design: string;
 }

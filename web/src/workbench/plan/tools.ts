@@ -39,7 +39,7 @@ export interface Tool {
   hint: string;
 }
 
-const TOOLS: readonly Tool[] = ROWS.map(([name, label, key, draws, hint]) => ({
+export const TOOLS: readonly Tool[] = ROWS.map(([name, label, key, draws, hint]) => ({
   name,
   label,
   key,

@@ -25,7 +25,13 @@ import "./result.css";
 const REACH = 8;
 const SECTION_HINT = "Choose “Section” and click two points, or choose a section line of the model.";
 
-/** The panel of results, kept in step with the store's `solved`. */
+/** What the panel can do with the model. */
+export interface ModelActions {
+  solve(): void;
+  push(change: Change): void;
+}
+
+/** The panel of results, kept in step with the store's `solved`; without a model it only shows. */
 export class ResultPanel {
   readonly element = h("section", { class: "result", "aria-label": "result" });
   private readonly view: ResultView;
@@ -43,6 +49,7 @@ export class ResultPanel {
   private readonly empty;
   private readonly full = h("div", { class: "result-full", hidden: true });
   private summary: Summary | null = null;
+  private readonly canCompare: boolean;
   private pick: Point | null = null;
   private fetching = 0;
   private shownRun: number | null = null;
@@ -50,10 +57,10 @@ export class ResultPanel {
   constructor(
     private readonly store: Store,
     private readonly api: Pick<Api, "scene" | "summary" | "tables" | "table" | "compareGrounds" | "cancelComparison">,
-    solve: () => void,
     private readonly onLost: (error: Lost) => void,
-    push: (change: Change) => void,
+    model: ModelActions | null,
   ) {
+    this.canCompare = model !== null;
     const valueBox = h("div", { class: "lower-panel value-box" });
     const chartPlace = h("div", { class: "chart-place" });
     this.view = new ResultView(
@@ -65,13 +72,13 @@ export class ResultPanel {
       true,
     );
     const { view } = this;
-    const keep = keepSection(store, push);
+    const keep = model && keepSection(store, model.push);
     this.section = new SectionPanel(view, chartPlace, SECTION_HINT, (section) => {
-      keep.set(section);
+      keep?.set(section);
       if (section) this.lower.show("section");
     });
     const { title, lines, combinations } = this.section;
-    const chartBar = h("div", { class: "chart-bar" }, title, keep.element, lines, combinations);
+    const chartBar = h("div", { class: "chart-bar" }, title, keep?.element, lines, combinations);
     const sectionBox = h("div", { class: "lower-panel section-box" }, chartBar, chartPlace);
     this.values = new ValuePanel(valueBox);
     this.values.onField = (field) => view.show(view.choice, field);
@@ -84,7 +91,7 @@ export class ResultPanel {
       },
     );
     this.lower = this.makeTabs(valueBox, sectionBox);
-    this.empty = emptyResult(store, solve);
+    this.empty = emptyResult(store, model?.solve ?? null);
     this.full.append(
       h(
         "div",
@@ -125,10 +132,11 @@ export class ResultPanel {
   /** Make the tabs below the picture. */
   private makeTabs(valueBox: HTMLElement, sectionBox: HTMLElement): Tabs {
     const { tables, store, api } = this;
-    tables.addTo(
-      "ground",
-      comparisonBar(store, api, (error) => this.handleError(error)),
-    );
+    if (this.canCompare)
+      tables.addTo(
+        "ground",
+        comparisonBar(store, api, (error) => this.handleError(error)),
+      );
     store.on(["comparison"], () => void this.takeComparison());
     return tabs(
       [
@@ -177,7 +185,9 @@ export class ResultPanel {
 
   /** Offer the tabs that have a table; grounds can always be compared. */
   private offerTables(run: number | null, names: readonly string[]): void {
-    this.tables.set(run, names, (tab, offered) => this.lower.offer(tab, offered || (tab === "ground" && run !== null)));
+    this.tables.set(run, names, (tab, offered) =>
+      this.lower.offer(tab, offered || (tab === "ground" && this.canCompare && run !== null)),
+    );
   }
 
   /** Show the comparison of grounds that has been made for the run shown. */

@@ -33,8 +33,15 @@ export function statusText(
       if (fresh === "none") return "Not solved yet.";
       if (fresh === "stale" && issues > 0) return `${old}Fix the ${issues === 1 ? "error" : "errors"} to update them.`;
       if (fresh === "stale") return autosolve ? old : `${old}Solve to update them.`;
-      return [solved?.design ?? "", `Solved in ${formatSeconds(solved?.seconds ?? 0)}.`].filter(Boolean).join(" ");
+      return [solved?.design ?? "", originText(solved?.seconds ?? null)].filter(Boolean).join(" ");
   }
+}
+
+/** Where the result is from. */
+function originText(seconds: number | null): string {
+  return seconds === null
+    ? "Results as they were kept; nothing can be changed here."
+    : `Solved in ${formatSeconds(seconds)}.`;
 }
 
 function formatSeconds(value: number): string {
@@ -63,14 +70,15 @@ export function statusLine(store: Store): HTMLElement {
   return element;
 }
 
-/** What is shown in place of a result while there is none. */
-export function emptyResult(store: Store, solve: () => void): { element: HTMLElement; update(): void } {
+/** What is shown in place of a result while there is none; without `solve` one that was kept is on its way. */
+export function emptyResult(store: Store, solve: (() => void) | null): { element: HTMLElement; update(): void } {
   const element = h("div", { class: "empty-result" });
   const show = (title: string, text: string, ...more: Child[]) =>
     fill(element, h("h3", {}, title), h("p", {}, text), ...more);
   const update = () => {
     const { run, doc } = store;
     const count = doc?.issues.length ?? 0;
+    if (!solve) return show("Reading the results …", "");
     if (run.kind === "solving") return show("Solving …", "The first result appears here.");
     if (run.kind === "refused")
       return show("Not solved", run.message, ...run.issues.map((each) => h("p", { class: "quiet" }, issueLine(each))));

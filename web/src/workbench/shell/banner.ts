@@ -29,7 +29,7 @@ export function banner(store: Store, retry: () => void): HTMLElement {
 /** Return the command that starts a server to which this page can reconnect. */
 function startCommand(store: Store): string {
   const file = store.doc?.file;
-  return `groundslab app --port ${location.port}${file ? ` "${file}"` : ""}`;
+  return `groundslab ${store.doc?.view === undefined ? "app" : "view"} --port ${location.port}${file ? ` "${file}"` : ""}`;
 }
 
 const NOTICE_TIME = 6000; // ms that a message of success stays

@@ -11,14 +11,16 @@ import type { Change } from "../model/changes/edits";
 import type { Issue } from "../model/issues";
 import { Schema } from "../model/schema";
 import { planEditor } from "../plan/plan-editor";
+import { TOOLS } from "../plan/tools";
 import { ResultPanel } from "../result/result-panel";
 import { TextPanel } from "../text/text-panel";
 import { banner, notices } from "./banner";
 import { Commands } from "./commands";
 import { issueList } from "./diagnostics";
+import { asksForKeys, showKeys } from "./help";
 import { splitter } from "./splitter";
 import { tabs } from "./tabs";
-import { topBar } from "./top-bar";
+import { topBar, viewBar } from "./top-bar";
 import { showWarnings } from "./unsaved-work";
 import "./page.css";
 
@@ -37,20 +39,17 @@ export function buildPage(
   const lost = connection.handleLoss.bind(connection);
   const commands = new Commands(api, store, queue, lost, model.flush, model.openIssues, resolveOffer);
   showWarnings(store, commands);
-  const result = new ResultPanel(
-    store,
-    api,
-    () => void commands.solve(),
-    lost,
-    (change) => queue.push(change),
-  );
+  const result = new ResultPanel(store, api, lost, {
+    solve: () => void commands.solve(),
+    push: (change) => queue.push(change),
+  });
   const page = h("main", { class: "page" });
   page.append(
     model.element,
     splitter(page, "--model-share", "x", 0.5, [0.25, 0.75], "width of the model"),
     result.element,
   );
-  const top = topBar(store, api, commands);
+  const top = topBar(store, api, commands, () => showKeys(TOOLS));
   document.body.replaceChildren(
     top,
     banner(store, () => connection.retry()),
@@ -58,6 +57,19 @@ export function buildPage(
     notices(store),
   );
   document.addEventListener("keydown", (event) => handleKey(event, commands));
+  store.emitAll();
+}
+
+/** The page of results that are only looked at. */
+export function buildView(api: HttpApi, store: Store, connection: Connection): void {
+  const result = new ResultPanel(store, api, connection.handleLoss.bind(connection), null);
+  const page = h("main", { class: "page alone" }, result.element);
+  document.body.replaceChildren(
+    viewBar(store, api),
+    banner(store, () => connection.retry()),
+    page,
+    notices(store),
+  );
   store.emitAll();
 }
 
@@ -134,4 +146,8 @@ function handleKey(event: KeyboardEvent, commands: Commands): void {
   else if (event.key === "F9" || (isCommand && event.key === "Enter")) run(commands.solve);
   else if (isCommand && key === "z" && !inText) run(event.shiftKey ? commands.redo : commands.undo);
   else if (isCommand && key === "y" && !inText) run(commands.redo);
+  else if (asksForKeys(event)) {
+    event.preventDefault();
+    showKeys(TOOLS);
+  }
 }

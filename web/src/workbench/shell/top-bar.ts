@@ -6,9 +6,9 @@ import type { Store } from "../client/store";
 import type { Commands } from "./commands";
 import { icon } from "./icons";
 
-export function topBar(store: Store, api: Pick<Api, "reportAddress">, commands: Commands): HTMLElement {
-  const theme = makeIconButton("theme", "light or dark", switchTheme);
-  theme.title = "Light or dark";
+type Addresses = Pick<Api, "reportAddress" | "archiveAddress">;
+
+export function topBar(store: Store, api: Addresses, commands: Commands, showKeys: () => void): HTMLElement {
   const file = [
     button("New", "Start a new case", () => void commands.createCase()),
     button("Open …", "Open a case file (Ctrl+O)", () => void commands.open()),
@@ -24,8 +24,22 @@ export function topBar(store: Store, api: Pick<Api, "reportAddress">, commands: 
     fileTitle(store),
     ...solveControls(store, commands),
     reportLink(store, api),
-    theme,
+    archiveLink(store, api),
+    themeButton(),
+    h("button", { type: "button", title: "Keys (?)", "aria-label": "keys", onclick: showKeys }, "?"),
   );
+}
+
+/** The bar above results that are only looked at. */
+export function viewBar(store: Store, api: Pick<Api, "reportAddress">): HTMLElement {
+  const name = h("h1", { class: "brand" }, "groundslab");
+  return h("header", { class: "top" }, name, fileTitle(store), reportLink(store, api), themeButton());
+}
+
+function themeButton(): HTMLButtonElement {
+  const theme = makeIconButton("theme", "light or dark", switchTheme);
+  theme.title = "Light or dark";
+  return theme;
 }
 
 function makeIconButton(name: "undo" | "redo" | "theme", label: string, onclick: () => void): HTMLButtonElement {
@@ -85,12 +99,22 @@ function solveControls(store: Store, commands: Commands): HTMLElement[] {
 
 function reportLink(store: Store, api: Pick<Api, "reportAddress">): HTMLElement {
   const title = "Save the report of the last result as one HTML file";
-  const report = h("a", { class: "button", role: "button", title, download: "" }, "Report");
+  return resultLink(store, "Report", title, (run) => api.reportAddress(run));
+}
+
+function archiveLink(store: Store, api: Pick<Api, "archiveAddress">): HTMLElement {
+  const title = "Save case, results and report as one file (ZIP), which groundslab view opens";
+  return resultLink(store, "One file", title, (run) => api.archiveAddress(run));
+}
+
+/** A link that saves a file about the last result. */
+function resultLink(store: Store, label: string, title: string, addressOf: (run: number) => string): HTMLElement {
+  const link = h("a", { class: "button", role: "button", title, download: "" }, label);
   store.on(["solved"], () => {
     const { solved } = store;
-    if (solved) report.href = api.reportAddress(solved.run);
-    else report.removeAttribute("href");
-    report.setAttribute("aria-disabled", String(solved === null));
+    if (solved) link.href = addressOf(solved.run);
+    else link.removeAttribute("href");
+    link.setAttribute("aria-disabled", String(solved === null));
   });
-  return report;
+  return link;
 }

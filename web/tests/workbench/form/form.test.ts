@@ -58,11 +58,11 @@ describe("a field", () => {
   it("sends what was typed to the letter, wrong or not, once the keys rest", () => {
     const page = new Page(PLATE);
     page.show(["plate"]);
-    page.type(["plate", "E"], "30");
+    page.type(["plate", "E"], "31 Pam");
     expect(page.changes).toEqual([]);
     vi.advanceTimersByTime(1000);
     expect(page.changes).toEqual([
-      { edits: [{ op: "set", path: ["plate", "E"], value: "30" }], text: "change E of slab" },
+      { edits: [{ op: "set", path: ["plate", "E"], value: "31 Pam" }], text: "change E of slab" },
     ]);
     page.type(["plate", "E"], "30000 MPa");
     vi.advanceTimersByTime(1000);
@@ -88,9 +88,19 @@ describe("a field", () => {
     page.show(["plate"]);
     page.type(["plate", "nu"], ".25");
     vi.advanceTimersByTime(1000);
-    page.type(["plate", "nu"], "0,25");
+    page.type(["plate", "nu"], "0,3");
     vi.advanceTimersByTime(1000);
-    expect(page.changes.map((change) => (change.edits[0] as { value: unknown }).value)).toEqual([0.25, "0,25"]);
+    page.type(["plate", "nu"], "1,500");
+    vi.advanceTimersByTime(1000);
+    expect(page.changes.map((change) => (change.edits[0] as { value: unknown }).value)).toEqual([0.25, 0.3, "1,500"]);
+  });
+
+  it("gives a bare number the unit that stood there", () => {
+    const page = new Page(PLATE);
+    page.show(["plate"]);
+    page.type(["plate", "E"], "31,5");
+    vi.advanceTimersByTime(1000);
+    expect(page.changes[0]?.edits).toEqual([{ op: "set", path: ["plate", "E"], value: "31.5 GPa" }]);
   });
 
   it("takes the key away when it is emptied, and shows the default instead", () => {

@@ -9,6 +9,7 @@ import type { Field, Node } from "../../model/schema";
 import { type FormContext, isSentWhenComplete, setValue, type Widget } from "../context";
 import { showIssues } from "../errors";
 import { defaultText } from "../labels";
+import { parseInput, unitIn } from "./typed-values";
 
 export const QUIET = 350; // ms without a key until what was typed is sent
 
@@ -17,16 +18,6 @@ export interface Input {
   readonly element: HTMLElement;
   readonly focus: HTMLElement;
   update(): void;
-}
-
-/** Return the value of a typed text, undefined for none. What is no number stays text, which the server reports. */
-function parseInput(node: Node, typed: string): Json | undefined {
-  const text = typed.trim();
-  if (text === "") return undefined;
-  if (node.is === "number" && node.options.includes(text)) return text;
-  const numeric =
-    (node.is === "number" || node.is === "integer") && /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/.test(text);
-  return numeric ? Number(text) : text;
 }
 
 /** Return a value as the text of an input. */
@@ -56,14 +47,18 @@ export function textInput(ctx: FormContext, path: Path, node: Node, options: Tex
   const write = options.write ?? ((value: Json | undefined, typing: boolean) => setValue(ctx, path, value, typing));
   let typed = false;
   let sent = 0; // edits since the field has had the keyboard
+  let unit = ""; // of the value that stood there, which a bare number takes
   const send = () => {
     typed = false;
-    write(parseInput(node, input.value), sent > 0);
+    write(parseInput(node, input.value, unit), sent > 0);
     sent += 1;
   };
   const soon = debounce(QUIET, send);
   const atEnd = isSentWhenComplete(path);
-  input.addEventListener("focus", () => (sent = 0));
+  input.addEventListener("focus", () => {
+    sent = 0;
+    unit = unitIn(valueAt(ctx.data(), path)) || unit;
+  });
   input.addEventListener("input", () => {
     typed = true;
     if (!atEnd) soon();
@@ -73,7 +68,10 @@ export function textInput(ctx: FormContext, path: Path, node: Node, options: Tex
     if (typed) send();
   };
   input.addEventListener("change", end);
-  input.addEventListener("blur", end);
+  input.addEventListener("blur", () => {
+    end();
+    update(); // with the point and the unit that were taken
+  });
   input.addEventListener("keydown", (event) => {
     if (event.key === "Enter") end();
   });
@@ -82,7 +80,7 @@ export function textInput(ctx: FormContext, path: Path, node: Node, options: Tex
   const update = () => {
     if (known) fill(known, ...(referencedNames(ctx.data(), path) ?? []).map((name) => h("option", { value: name })));
     const value = valueAt(ctx.data(), path);
-    if (typed || (document.activeElement === input && parseInput(node, input.value) === value)) return;
+    if (typed || (document.activeElement === input && parseInput(node, input.value, unit) === value)) return;
     if (input.value !== inputText(value)) input.value = inputText(value);
   };
   return { element: known ? h("span", { class: "with-names" }, input, known) : input, focus: input, update };

@@ -1,0 +1,147 @@
+"""Results that were kept earlier, shown read-only: no route changes or writes anything."""
+
+from __future__ import annotations
+
+import tempfile
+import threading
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from fastapi import FastAPI
+from fastapi.responses import JSONResponse, Response, StreamingResponse
+
+from groundslab.case import casefile
+from groundslab.errors import InputError, Issue
+from groundslab.views.files import archive, results_folder
+from groundslab.workbench.events import Event, Hub
+from groundslab.workbench.server.routes import (
+    STATIC,
+    add_error_handlers,
+    add_schema_route,
+    guard_app,
+    respond_download,
+    respond_not_kept,
+)
+from groundslab.workbench.server.security import Guard
+from groundslab.workbench.server.tickets import Tickets
+
+if TYPE_CHECKING:
+    from groundslab.analysis.ground_comparison.comparison import GroundComparison
+    from groundslab.results.results import Results
+
+#: Version of the only state, and number of the only run.
+ONLY = 1
+
+
+class ResultsView:
+    """Results with their summary and scene, as the page of the workbench takes them."""
+
+    def __init__(self, name: str, combined: Results, text: str | None, comparison: GroundComparison | None) -> None:
+        """Begin with results; ``name`` says where they are from, ``text`` is that of their case where it is known."""
+        from groundslab.views.scene.binary import pack
+        from groundslab.views.scene.fields import scene_of
+        from groundslab.workbench.solver.summary import build_summary
+        from groundslab.workbench.solver.tables import layout_makers
+
+        self.hub = Hub()
+        self.summary = build_summary(combined)
+        self.scene = pack(scene_of(combined))
+        self.tables = layout_makers(combined)
+        self._name, self._results, self._text, self._comparison = name, combined, text, comparison
+        self._report: bytes | None = None
+        self._lock = threading.Lock()
+
+    @classmethod
+    def read(cls, path: Path) -> ResultsView:
+        """Read a folder of results, or an archive of one; raises InputError."""
+        if path.is_dir():
+            return cls._read_folder(path, path)
+        if not path.is_file():
+            found, hint = "no folder or file of that name", "groundslab solve CASE writes such a folder"
+            raise InputError([Issue(str(path), found, "a folder of results, or a ZIP archive of one", hint)])
+        with tempfile.TemporaryDirectory(prefix="groundslab-") as folder:
+            archive.unpack_results(path, Path(folder))
+            return cls._read_folder(Path(folder), path)
+
+    @classmethod
+    def _read_folder(cls, folder: Path, shown: Path) -> ResultsView:
+        """Read a folder of results; ``shown`` is the path that the user gave."""
+        from groundslab.views import report
+        from groundslab.views.ground_comparison.files import load_comparison
+
+        combined = results_folder.load_results(folder)
+        text = report.text_of(folder, combined.model)
+        return cls(str(shown.absolute()), combined, text, load_comparison(folder))
+
+    def get_state(self) -> dict[str, Any]:
+        """Return the state in the form of a document that nobody changes; ``view`` says where it is from."""
+        return {
+            "version": ONLY,
+            "text": self._text or casefile.to_toml(self._results.model),
+            "data": {},
+            "issues": [],
+            "plan": None,
+            "file": self._name,
+            "view": self._name,
+            "dirty": False,
+            "can_undo": False,
+            "can_redo": False,
+            "undo_text": "",
+            "redo_text": "",
+            "offer": None,
+            "autosolve": False,
+        }
+
+    def get_current_events(self) -> list[Event]:
+        """Return the events that describe the results."""
+        design = self.summary["design"]
+        headline = design["headline"] if design.get("status") in ("fails", "attention") else ""
+        about = {"run": ONLY, "version": ONLY, "seconds": None, "design": headline}
+        return [("solved", about | {"refused": {name: str(why) for name, why in self._results.refused.items()}})]
+
+    def write_report(self) -> tuple[str, bytes]:
+        """Return a name for the report on the results, and its content, which is made once."""
+        from groundslab.views import report
+
+        with self._lock:
+            if self._report is None:
+                page = report.render_report(self._results, text=self._text, comparison=self._comparison)
+                self._report = page.encode()
+            return f"{Path(self._name).stem}-report.html", self._report
+
+
+def create_view_app(view: ResultsView, tickets: Tickets, port: int, token: str, static: Path = STATIC) -> Guard:
+    """Return the application that shows results."""
+    app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None)
+    add_error_handlers(app)
+    add_schema_route(app)
+    app.get("/api/state")(view.get_state)
+
+    @app.get("/api/events")
+    async def stream_events() -> StreamingResponse:
+        return StreamingResponse(view.hub.listen(view.get_current_events), media_type="text/event-stream")
+
+    @app.get("/api/results/{run}/scene")
+    def get_scene(run: int) -> Response:
+        return Response(view.scene, media_type="application/octet-stream") if run == ONLY else respond_not_kept()
+
+    @app.get("/api/results/{run}/summary")
+    def get_summary(run: int) -> Response:
+        return JSONResponse(view.summary) if run == ONLY else respond_not_kept()
+
+    @app.get("/api/results/{run}/tables")
+    def list_tables(run: int) -> Response:
+        return JSONResponse(list(view.tables)) if run == ONLY else respond_not_kept()
+
+    @app.get("/api/results/{run}/tables/{name}")
+    def get_table(run: int, name: str) -> Response:
+        from groundslab.workbench.solver.tables import table_to_json
+
+        found = run == ONLY and name in view.tables
+        return JSONResponse(table_to_json(name, view.tables[name]())) if found else respond_not_kept()
+
+    @app.get("/api/results/{run}/report")
+    def get_report(run: int) -> Response:
+        return respond_download(*view.write_report(), "text/html; charset=utf-8") if run == ONLY else respond_not_kept()
+
+    return guard_app(app, tickets, port, token, static)

@@ -1,0 +1,128 @@
+"""Accessibility: the rules of axe-core on every page, and a whole session with the keyboard alone."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from helpers.browsing import Bench, Server
+from helpers.paths import ROOT
+
+AXE = ROOT / "web" / "node_modules" / "axe-core" / "axe.min.js"
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(not AXE.is_file(), reason="axe-core is not installed (npm ci in web/)"),
+]
+RUN = """async () => {
+  const { violations } = await axe.run(document, { resultTypes: ["violations"] });
+  return violations.filter(({ impact }) => ["serious", "critical"].includes(impact))
+    .flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.target.join(" ")}: ${node.failureSummary}`));
+}"""
+
+
+def find_violations(page: Any) -> list[str]:
+    """Return the serious and critical violations of a page, in light and in dark."""
+    if not page.evaluate("() => 'axe' in window"):
+        page.evaluate(AXE.read_text())
+    found = []
+    for theme in ("light", "dark"):
+        page.evaluate("(theme) => { document.documentElement.dataset.theme = theme; }", theme)
+        # colours that still change would be those of neither theme
+        page.evaluate("() => Promise.all(document.getAnimations().map((each) => each.finished.catch(() => null)))")
+        found += [f"{theme}: {each}" for each in page.evaluate(RUN)]
+    return found
+
+
+def test_axe_finds_what_is_wrong(bench: Bench) -> None:
+    """A button without a name and text that is too faint are found, so that finding nothing means something."""
+    bench.page.set_content(
+        '<html lang="en"><title>x</title><main><button></button><p style="color:#ccc">faint words</main>'
+    )
+    found = "\n".join(find_violations(bench.page))
+    assert "button-name" in found
+    assert "color-contrast" in found
+
+
+def test_no_violations_from_an_empty_case_to_a_result(server: Server, bench: Bench, case: Path) -> None:
+    """Plan, form and text, with and without a result, the dialogs, and the tabs of the result have no violation."""
+    bench.open(server.start(None))
+    assert find_violations(bench.page) == []
+    bench.page.keyboard.press("Control+o")
+    bench.page.get_by_role("dialog").wait_for()
+    assert find_violations(bench.page) == []
+    server.stop()
+    bench.open(server.start(case))
+    bench.wait_solved()
+    for tab in ("Form", "Text", "Plan"):
+        bench.tab(tab)
+        assert find_violations(bench.page) == []
+    bench.page.locator("svg.drawing").press("?")
+    bench.page.get_by_role("dialog", name="Keys").wait_for()
+    assert find_violations(bench.page) == []
+    bench.page.keyboard.press("Escape")
+    for tab in bench.page.locator(".result").get_by_role("tab").all():
+        tab.click()
+        assert find_violations(bench.page) == []
+
+
+def test_no_violations_in_the_report(server: Server, bench: Bench, case: Path, tmp_path: Path) -> None:
+    """The report's page has no violation."""
+    bench.open(server.start(case))
+    bench.wait_solved()
+    with bench.page.expect_download() as download:
+        bench.page.get_by_role("button", name="Report").click()
+    download.value.save_as(tmp_path / "report.html")
+    bench.page.goto((tmp_path / "report.html").as_uri())
+    bench.page.locator(".gs-viewer").first.wait_for()
+    assert find_violations(bench.page) == []
+
+
+def press_until(page: Any, key: str, selector: str) -> None:
+    """Press a key until an element has the focus."""
+    for _ in range(200):
+        if page.evaluate("(selector) => document.activeElement?.matches(selector) ?? false", selector):
+            return
+        page.keyboard.press(key)
+    raise AssertionError(f"{key} never reaches {selector}")
+
+
+def test_a_session_with_the_keyboard_alone(server: Server, bench: Bench, case: Path) -> None:
+    """A case is opened, a load is added and solved, and its settlement is read, without a mouse."""
+    bench.open(server.start(None))
+    page, keys = bench.page, bench.page.keyboard
+    keys.press("Control+o")
+    dialog = page.get_by_role("dialog")
+    bench.until(lambda: dialog.locator(".path").input_value() != "")
+    press_until(page, "Shift+Tab", ".path")
+    keys.press("Control+a")
+    keys.type(str(case.parent))
+    keys.press("Enter")
+    dialog.get_by_role("option", name="slab.toml").wait_for()
+    press_until(page, "Tab", ".file-name input")
+    keys.type("slab.toml")
+    keys.press("Enter")
+    bench.wait_text('name = "A1"')
+    bench.wait_solved()
+    before = page.locator(".figures tr", has_text="largest settlement").first.text_content()
+
+    press_until(page, "Tab", "svg.drawing")
+    title = page.locator(".properties h3")
+    for _ in range(9):
+        keys.press("n")
+        if "load" in title.inner_text():
+            break
+    assert "load" in title.inner_text()
+    keys.press("Control+d")
+    bench.until(lambda: bench.text().count("[[loads]]") == 2)
+    keys.press("F9")
+    bench.until(
+        lambda: page.locator(".figures tr", has_text="largest settlement").first.text_content() != before,
+        lambda: f"{before} in\n{bench.text()}",
+    )
+    bench.wait_solved()
+    press_until(page, "Tab", '.result [role="tab"]')
+    keys.press("Tab")
+    focused = page.evaluate("() => document.activeElement.textContent")
+    assert "largest settlement" in focused

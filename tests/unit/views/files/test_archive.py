@@ -1,0 +1,115 @@
+"""Results as one file: what is packed is read back, and what is no such file is refused."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import groundslab
+from groundslab.case import casefile
+from groundslab.errors import InputError
+from groundslab.results.results import Results
+from groundslab.views.files import archive, results_folder
+
+TEXT = """\
+# The comment of the user.
+[plate]
+length_x = "4 m"
+length_y = "3 m"
+thickness = "250 mm"
+E = "30 GPa"
+nu = 0.2
+
+[ground]
+kind = "winkler"
+k = "20 MPa/m"
+
+[[loads]]
+kind = "uniform"
+q = "10 kPa"
+
+[mesh]
+counts = [4, 3]
+"""
+
+
+@pytest.fixture(scope="module")
+def combined() -> Results:
+    """Results of a small slab."""
+    return groundslab.solve(casefile.loads(TEXT))
+
+
+def test_an_archive_is_read_back(combined: Results, tmp_path: Path) -> None:
+    """It holds the case to the byte, the report and the results, which are the same; so are its bytes each time."""
+    content = archive.pack_results(combined, TEXT, "<p>report</p>")
+    assert content == archive.pack_results(combined, TEXT, "<p>report</p>")
+    (tmp_path / "slab.zip").write_bytes(content)
+    folder = tmp_path / "unpacked"
+    archive.unpack_results(tmp_path / "slab.zip", folder)
+    assert (folder / "case.toml").read_text() == TEXT
+    assert not list(folder.rglob("*.vtu"))
+    read, written = (next(iter(each.results.values())) for each in (results_folder.load_results(folder), combined))
+    np.testing.assert_array_equal(read.plate.settlement, written.plate.settlement)
+    with zipfile.ZipFile(io.BytesIO(content)) as packed:
+        assert packed.read("report.html") == b"<p>report</p>"
+        assert packed.testzip() is None
+
+
+def write_zip(path: Path, *files: tuple[str, bytes]) -> Path:
+    """Write an archive of files."""
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as packed:
+        for name, content in files:
+            packed.writestr(name, content)
+    return path
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["../case.toml", "/etc/case.toml", "a/../../case.toml", "..\\case.toml", "C:case.toml", "run.sh", "01/x.npz"],
+)
+def test_no_file_is_written_elsewhere(tmp_path: Path, name: str) -> None:
+    """A file of any other path is refused before one is written."""
+    path = write_zip(tmp_path / "x.zip", ("case.toml", b""), (name, b"x"))
+    with pytest.raises(InputError, match="no file of results"):
+        archive.unpack_results(path, tmp_path / "inner" / "folder")
+    assert [each.name for each in tmp_path.iterdir()] == ["x.zip"]
+
+
+def test_bombs_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Neither more bytes than allowed, by what the archive says or by what it holds, nor more files are unpacked."""
+    path = write_zip(tmp_path / "x.zip", ("case.toml", b"#" * 3_000_000), ("summary.json", b"{}"))
+    monkeypatch.setattr(archive, "MAX_SIZE", 2_900_000)
+    with pytest.raises(InputError, match="bytes unpacked"):
+        archive.unpack_results(path, tmp_path / "folder")
+    monkeypatch.setattr(archive, "MAX_SIZE", 4_000_000)
+    monkeypatch.setattr(archive, "MAX_FILES", 1)
+    with pytest.raises(InputError, match="at most 1"):
+        archive.unpack_results(path, tmp_path / "folder")
+    monkeypatch.setattr(archive, "MAX_FILES", 2)
+    lie = path.read_bytes().replace((3_000_000).to_bytes(4, "little"), (5).to_bytes(4, "little"))
+    path.write_bytes(lie)
+    with pytest.raises(InputError, match=r"x\.zip"):
+        archive.unpack_results(path, tmp_path / "folder")
+    assert not (tmp_path / "folder" / "case.toml").exists() or (tmp_path / "folder" / "case.toml").stat().st_size <= 5
+
+
+@pytest.mark.filterwarnings("ignore:Duplicate name")
+def test_what_is_no_archive_is_refused(tmp_path: Path) -> None:
+    """Another file, a damaged one, and two files of one name are refused with words."""
+    path = tmp_path / "x.zip"
+    path.write_bytes(b"no archive")
+    with pytest.raises(InputError, match="not a zip file"):
+        archive.unpack_results(path, tmp_path)
+    write_zip(path, ("case.toml", b"title = 1\n" * 50))
+    content = bytearray(path.read_bytes())
+    content[45] ^= 0xFF
+    path.write_bytes(content)
+    with pytest.raises(InputError, match="something else"):
+        archive.unpack_results(path, tmp_path)
+    write_zip(path, ("case.toml", b"1"), ("case.toml", b"2"))
+    with pytest.raises(InputError, match="same name"):
+        archive.unpack_results(path, tmp_path)

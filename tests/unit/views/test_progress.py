@@ -1,0 +1,43 @@
+"""The count of combinations and the time that is left."""
+
+from __future__ import annotations
+
+import pytest
+
+from groundslab.views.summary.progress import CombinationCount
+
+
+def test_the_time_left_follows_from_the_combinations_that_are_done() -> None:
+    """The first, which takes the meshing too, does not count; the present one takes off what it has taken."""
+    now = [0.0]
+    count = CombinationCount(12, lambda: now[0])
+    times = [("A", 0.0), ("B", 30.0), ("C", 32.0), ("D", 36.0)]
+    words = []
+    for name, now[0] in times:
+        count.begin(name)
+        words.append(count.words())
+    assert words == [
+        "1 of 12, A: ",
+        "2 of 12, B: ",
+        "3 of 12, C, about 20 s left on this mesh: ",  # ten of 2 s
+        "4 of 12, D, about 27 s left on this mesh: ",  # nine of 3 s
+    ]
+    now[0] = 37.0
+    assert count.seconds_left() == pytest.approx(26.0)
+    assert count.share == 3 / 12
+    now[0] = 100.0
+    assert count.words() == "4 of 12, D: "  # it takes longer than the others: nothing is promised
+
+
+def test_each_mesh_begins_from_the_first() -> None:
+    """The second mesh, which is finer, is not judged by the first; a single combination has no count."""
+    now = [0.0]
+    count = CombinationCount(3, lambda: now[0])
+    for now[0] in (0.0, 1.0, 2.0):
+        count.begin("A")
+    assert count.seconds_left() == pytest.approx(1.0)
+    now[0] = 3.0
+    count.begin("A")
+    assert (count.share, count.seconds_left()) == (0.0, None)
+    assert CombinationCount(1).words() == ""
+    assert CombinationCount(1).share is None
