@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from groundslab.workbench.events import Event
 
 #: A run begins after so long without a change [s].
-DELAY = 0.2
+DELAY = 0.05
 #: A run that has not stopped after so long is killed with its process [s].
 GRACE = 0.5
 #: No preview is made where the last run took no longer than this [s].
