@@ -5,11 +5,11 @@ import { debounce } from "../../client/debounce";
 import { referencedNames } from "../../model/changes/references";
 import { issuesAt } from "../../model/issues";
 import { type Json, type Path, pathKey, startsWith, valueAt } from "../../model/paths";
+import { parseInput, unitIn } from "../../model/quantities";
 import type { Field, Node } from "../../model/schema";
 import { type FormContext, isSentWhenComplete, setValue, type Widget } from "../context";
 import { showIssues } from "../errors";
 import { defaultText } from "../labels";
-import { parseInput, unitIn } from "./typed-values";
 
 export const QUIET = 350; // ms without a key until what was typed is sent
 
