@@ -21,6 +21,8 @@ const METERS: Record<string, number> = {
 };
 const LENGTH = /^\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)\s*([A-Za-z]+)\s*$/;
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/;
+/** How a number or a quantity begins. */
+export const NUMBER_START = /^[+-]?[.,]?\d/;
 const COMMA = /^([+-]?\d*),(\d+)((?:[eE][+-]?\d+)?)(?![\d.,])/;
 const QUANTITY = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?(?:\s+(\S.*)|([^\d\s.,eE].*))$/;
 
