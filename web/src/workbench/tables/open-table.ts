@@ -64,7 +64,7 @@ export class OpenTable {
   /** Return what is wrong with a cell: with its value, or with the list or table that the value is part of. */
   issuesAt({ row, column }: Cell): string[] {
     const [path, shown] = [this.pathOf(row), this.columns[column]];
-    if (!path || !shown) return [];
+    if (!path || !shown || this.issues.size === 0) return [];
     const above = shown.path.slice(0, -1).flatMap((_, n) => {
       const key = pathKey([...path, ...shown.path.slice(0, n + 1)]);
       return (this.issues.get(key) ?? []).filter((issue) => pathKey(issue.path) === key);
@@ -74,7 +74,7 @@ export class OpenTable {
 
   /** Return what is wrong with an item, anywhere in it. */
   issuesOf(row: number): Issue[] {
-    const path = this.pathOf(row);
+    const path = this.issues.size > 0 ? this.pathOf(row) : null;
     return path ? (this.issues.get(pathKey(path)) ?? []) : [];
   }
 

@@ -3,6 +3,7 @@ import { button, fill, h, setText } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
 import type { FormContext } from "../form/context";
 import { newItem } from "../form/lists/list";
+import { joinEdits } from "../model/changes/batches";
 import type { Change } from "../model/changes/edits";
 import { removeItems } from "../model/changes/references";
 import { issueCount, issueLine } from "../model/issues";
@@ -276,7 +277,8 @@ export class TablesPanel {
   private remove(): void {
     const paths = this.chosenPaths();
     if (paths.length === 0) return;
-    this.push(removeItems(this.ctx.data(), paths));
+    const data = this.ctx.data();
+    this.push(joinEdits(data, removeItems(data, paths)));
     const { top, left } = boundsOfBlock(this.grid.block);
     this.grid.choose(blockAt(top, left));
   }
