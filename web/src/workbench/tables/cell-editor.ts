@@ -10,8 +10,8 @@ export type After = "stay" | "down" | "up" | "right" | "left" | "next" | "previo
 export interface EditorHooks {
   /** Take what was typed, and go on. */
   commit(text: string, after: After): void;
-  /** Editing has ended, with or without a result. */
-  close(): void;
+  /** Editing has ended, with or without a result; `stays`: the keyboard is still here. */
+  close(stays: boolean): void;
 }
 
 /** Return a field over a cell; `typing` is one that was opened by typing, in which arrow keys lead to other cells. */
@@ -39,17 +39,17 @@ export function cellEditor(
   input.value = typing ? "" : text;
   if (list) cell.ownerDocument.body.append(list);
   let isOpen = true;
-  const close = () => {
+  const close = (stays = true) => {
     if (!isOpen) return;
     isOpen = false;
     list?.remove();
-    hooks.close();
+    hooks.close(stays);
     input.remove();
   };
-  const commit = (after: After) => {
+  const commit = (after: After, stays = true) => {
     if (!isOpen) return;
     const typed = input.value;
-    close();
+    close(stays);
     hooks.commit(typed, after);
   };
   input.addEventListener("keydown", (event) => {
@@ -59,8 +59,11 @@ export function cellEditor(
     else return;
     event.preventDefault();
   });
-  input.addEventListener("change", () => commit("stay"));
-  input.addEventListener("blur", () => commit("stay"));
+  // the page asks for what is typed before it saves; the browser's own event comes with a loss of the focus
+  input.addEventListener("change", (event) => {
+    if (!event.isTrusted) commit("stay");
+  });
+  input.addEventListener("blur", () => commit("stay", false));
   return input;
 }
 

@@ -3,10 +3,11 @@ import { joinEdits } from "../model/changes/batches";
 import type { Change, Edit } from "../model/changes/edits";
 import { renameReferences } from "../model/changes/references";
 import { editsToTable } from "../model/changes/transform";
+import { titleAt } from "../model/items";
 import { freeName, namesIn } from "../model/names";
 import { type Json, listAt, type Path, type Table, tableAt, valueAt } from "../model/paths";
 import { writeCell } from "./cells";
-import type { Column } from "./columns";
+import { type Column, headText } from "./columns";
 import type { Sheet } from "./sheets";
 
 /** A value for a cell; rows beyond the last one are new items. */
@@ -43,7 +44,10 @@ export function writeCells(
     ).map((value): Edit => ({ op: "add", path: [sheet.list], value })),
   ];
   if (edits.length === 0) return null;
-  return joinEdits(data, { edits: [...edits, ...renames(data, edits)], text: describe(sheet, rows.size, made.length) });
+  return joinEdits(data, {
+    edits: [...edits, ...renames(data, edits)],
+    text: describe(data, sheet, positions, writes, made.length),
+  });
 }
 
 /** Return new items with their kind, and with the names that they need and were not given. */
@@ -67,12 +71,23 @@ function renames(data: Table, edits: readonly Edit[]): Edit[] {
   return renameReferences(data, only.path, only.value);
 }
 
-function describe({ title }: Sheet, rows: number, added: number): string {
-  const words = title.toLowerCase();
-  if (added === 0) return `change ${rows === 1 ? "a row" : `${rows} rows`} of ${words}`;
-  return rows === added
-    ? `add ${added === 1 ? "a row" : `${added} rows`} to ${words}`
-    : `paste ${rows} rows of ${words}`;
+/** Return what a change is called in the list of edits. */
+function describe(
+  data: Table,
+  { list, title }: Sheet,
+  positions: readonly number[],
+  writes: readonly Write[],
+  added: number,
+): string {
+  const [only] = writes;
+  const position = positions[only?.row ?? -1];
+  if (writes.length === 1 && only && position !== undefined)
+    return `change ${headText(only.column)} of ${titleAt(data, [list, position])}`;
+  const count = new Set(writes.map(({ row }) => row)).size;
+  const rows = (n: number) => (n === 1 ? "a row" : `${n} rows`);
+  return added === count
+    ? `add ${rows(count)} to ${title.toLowerCase()}`
+    : `change ${rows(count)} of ${title.toLowerCase()}`;
 }
 
 /** Return the change that empties cells, and how many are needed and stay. */

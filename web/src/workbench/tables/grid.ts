@@ -39,6 +39,7 @@ export class Grid {
     this.element = h("div", { class: "sheet-box" }, this.layer);
     this.element.addEventListener("scroll", () => this.draw());
     this.body.addEventListener("mousedown", (event) => this.press(event));
+    this.head.addEventListener("mousedown", (event) => this.pressHead(event));
     new ResizeObserver(() => this.draw()).observe(this.element);
   }
 
@@ -170,6 +171,18 @@ export class Grid {
     };
     this.body.addEventListener("mouseover", drag);
     addEventListener("mouseup", () => this.body.removeEventListener("mouseover", drag), { once: true });
+  }
+
+  /** Choose a column by its head, all of them by the corner. */
+  private pressHead(event: MouseEvent): void {
+    const head = event.target instanceof Element ? event.target.closest("th") : null;
+    if (!head || event.button !== 0) return;
+    event.preventDefault();
+    this.table.focus({ preventScroll: true });
+    const bottom = Math.max(0, this.rowCount - 2);
+    const column = Math.max(0, head.cellIndex - 1);
+    const end = head.cellIndex === 0 ? (this.open?.columns.length ?? 1) - 1 : column;
+    this.choose({ anchor: { row: bottom, column: end }, active: { row: 0, column } });
   }
 
   /** Choose the block up to a cell, or the rows up to its own. */

@@ -72,7 +72,8 @@ function plain(target: KeyTarget, event: KeyboardEvent): boolean {
       if (!event.shiftKey) break;
       return chooseRows(target);
   }
-  if (event.key.length === 1 && !event.altKey) {
+  // "?" lists the keys, here as elsewhere
+  if (event.key.length === 1 && event.key !== "?" && !event.altKey) {
     target.edit(true);
     return false; // the key itself goes into the field
   }

@@ -1,5 +1,5 @@
 // Lists of the model as tables, edited as in a spreadsheet.
-import { button, fill, h, setText } from "../../viewer/shared/dom";
+import { button, fill, h, newId, setText } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
 import type { FormContext } from "../form/context";
 import { newItem } from "../form/lists/list";
@@ -62,7 +62,9 @@ export class TablesPanel {
       ),
     ];
     const bar = h("div", { class: "sheet-bar", role: "toolbar", "aria-label": "rows" }, this.choice, ...buttons);
-    this.element = h("div", { class: "tables" }, bar, this.grid.element, this.status);
+    const way = h("p", { class: "unseen", id: newId("hint") }, "Escape, then Tab leaves the table.");
+    this.grid.table.setAttribute("aria-describedby", way.id);
+    this.element = h("div", { class: "tables" }, bar, this.grid.element, this.status, way);
     this.choice.addEventListener("change", () => this.choose(this.choice.value));
     this.listen();
     store.on(["selection"], () => this.followSelection());
@@ -221,9 +223,9 @@ export class TablesPanel {
     const label = `${headText(column)} of row ${this.open.numberOf(active.row)}`;
     const hooks = {
       commit: (text: string, after: After) => this.finish(text, after),
-      close: () => {
+      close: (stays: boolean) => {
         this.editor = null;
-        this.grid.table.focus({ preventScroll: true });
+        if (stays) this.grid.table.focus({ preventScroll: true });
       },
     };
     this.editor = cellEditor(cell, label, this.open.textAt(active), options, typing, hooks);
