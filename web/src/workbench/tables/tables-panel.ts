@@ -194,7 +194,10 @@ export class TablesPanel {
     const { open, grid, said } = this;
     const { active } = grid.block;
     const total = open.issueTotal;
-    const first = total > 0 ? `${issueCount(total)}, the first in row ${open.numberOf(open.firstFaulty)}.` : "";
+    const first =
+      total > 0
+        ? `${issueCount(total)}${total > 1 ? ", the first" : ""} in row ${open.numberOf(open.firstFaulty)}.`
+        : "";
     const [cell, row] = said
       ? []
       : [open.issuesAt(active).join(" "), open.issuesOf(active.row).map(issueLine).join("; ")];
