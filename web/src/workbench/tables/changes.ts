@@ -7,7 +7,7 @@ import { titleAt } from "../model/items";
 import { freeName, namesIn } from "../model/names";
 import { type Json, listAt, type Path, type Table, tableAt, valueAt } from "../model/paths";
 import { writeCell } from "./cells";
-import { type Column, headText } from "./columns";
+import { type Column, isEditable, nameOf } from "./columns";
 import type { Sheet } from "./sheets";
 
 /** A value for a cell; rows beyond the last one are new items. */
@@ -82,7 +82,7 @@ function describe(
   const [only] = writes;
   const position = positions[only?.row ?? -1];
   if (writes.length === 1 && only && position !== undefined)
-    return `change ${headText(only.column)} of ${titleAt(data, [list, position])}`;
+    return `change ${nameOf(only.column)} of ${titleAt(data, [list, position])}`;
   const count = new Set(writes.map(({ row }) => row)).size;
   const rows = (n: number) => (n === 1 ? "a row" : `${n} rows`);
   return added === count
@@ -98,7 +98,8 @@ export function emptyCells(
   cells: readonly { row: number; column: Column }[],
 ): { change: Change | null; kept: number } {
   const filled = cells.filter(
-    ({ row, column }) => valueAt(data, [sheet.list, positions[row] ?? -1, ...column.path]) !== undefined,
+    ({ row, column }) =>
+      isEditable(column) && valueAt(data, [sheet.list, positions[row] ?? -1, ...column.path]) !== undefined,
   );
   const optional = filled.filter(({ column }) => !column.needed);
   const writes = optional.map(({ row, column }): Write => ({ row, column, value: undefined }));

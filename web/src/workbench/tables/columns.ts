@@ -24,7 +24,7 @@ export interface Column {
   readonly blanks: readonly Json[];
 }
 
-const MOST_POINTS = 6; // of a line; those with more are edited in the plan
+const MOST_POINTS = 12; // of a line that have columns; the number of points of longer ones stands beside them
 const SINGLE: ReadonlySet<Node["is"]> = new Set([
   "quantity",
   "number",
@@ -55,6 +55,11 @@ export function headText({ words, symbol }: Column): string {
   return [words, symbol].filter(Boolean).join(" ");
 }
 
+/** Return what a column is called in a sentence. */
+export function nameOf(column: Column): string {
+  return column.path.length === 1 ? column.words || column.symbol : headText(column);
+}
+
 function fieldColumns(schema: Schema, data: Table, field: Field, rows: readonly Table[]): Column[] {
   const { node, name } = field;
   const longest = (least: number) => rows.reduce((most, row) => Math.max(most, listAt(row, [name]).length), least);
@@ -64,7 +69,10 @@ function fieldColumns(schema: Schema, data: Table, field: Field, rows: readonly 
     case "tuple":
       return tupleColumns(field, node);
     case "points":
-      return countTo(Math.min(longest(2), MOST_POINTS)).flatMap((n) => pointColumns(field, node.each, n));
+      return [
+        ...countTo(Math.min(longest(2), MOST_POINTS)).flatMap((n) => pointColumns(field, node.each, n)),
+        ...(longest(2) > MOST_POINTS ? [singleColumn(field)] : []),
+      ];
     case "factors":
       return caseNames(data, rows, name).map((word) => factorColumn(field, word));
     case "list": {

@@ -72,8 +72,8 @@ export class Grid {
   choose(block: Block): void {
     this.block = clampBlock(block, this.rowCount, this.open?.columns.length ?? 1);
     this.reveal(this.block.active);
-    this.draw();
     this.onChoose();
+    this.draw();
   }
 
   /** Return the element of a cell, null where it is out of view. */

@@ -10,7 +10,7 @@ import { issueCount, issueLine } from "../model/issues";
 import type { Path } from "../model/paths";
 import { type After, cellEditor, optionsFor } from "./cell-editor";
 import { duplicateRows, emptyCells } from "./changes";
-import { headText, isEditable } from "./columns";
+import { isEditable, nameOf } from "./columns";
 import { Grid } from "./grid";
 import { type KeyTarget, keyHandler } from "./keys";
 import { OpenTable } from "./open-table";
@@ -49,6 +49,7 @@ export class TablesPanel {
       () => this.edit(false),
     );
     this.allColumns.classList.add("small");
+    this.allColumns.setAttribute("aria-pressed", "false");
     const buttons = [
       button("Add row", "Add a row with usual values (Ctrl and +)", () => this.add(), "small"),
       button("Duplicate", "Duplicate the selected rows (Ctrl+D)", () => this.duplicate(), "small"),
@@ -73,7 +74,7 @@ export class TablesPanel {
   /** Show the present data, if the panel is visible. */
   update(): void {
     if (this.element.closest("[hidden]")) return;
-    this.open = new OpenTable(this.ctx, this.sheet, this.allColumns.getAttribute("aria-pressed") === "true");
+    this.open = new OpenTable(this.ctx, this.sheet, this.showsAll);
     this.allColumns.disabled = !this.open.hasHidden;
     this.fillChoice();
     this.grid.show(this.open);
@@ -88,19 +89,25 @@ export class TablesPanel {
     this.followSelection();
   }
 
-  /** Go to the cell of a path; returns whether a table has it. */
+  /** Go to the cell of a path; returns whether it can be edited here. */
   reveal(path: Path): boolean {
     const sheet = sheetAt(this.sheets, this.ctx.data(), path);
     if (!sheet) return false;
-    this.sheet = sheet;
-    this.update();
-    const row = this.open.positions.indexOf(Number(path[1]));
+    const open = new OpenTable(this.ctx, sheet, this.showsAll);
     const inner = path.slice(2);
     const fits = (length: number) =>
-      this.open.columns.findIndex((column) => column.path.slice(0, length).join() === inner.slice(0, length).join());
+      open.columns.findIndex((column) => column.path.slice(0, length).join() === inner.slice(0, length).join());
+    const column = inner.length > 0 ? Math.max(fits(inner.length), fits(1)) : 0;
+    if (column < 0 || !isEditable(open.columns[column]!)) return false;
+    this.sheet = sheet;
+    this.update();
     this.grid.table.focus();
-    this.grid.choose(blockAt(row, inner.length > 0 ? Math.max(0, fits(inner.length), fits(1)) : 0));
+    this.grid.choose(blockAt(open.positions.indexOf(Number(path[1])), column));
     return true;
+  }
+
+  private get showsAll(): boolean {
+    return this.allColumns.getAttribute("aria-pressed") === "true";
   }
 
   private listen(): void {
@@ -156,8 +163,7 @@ export class TablesPanel {
   }
 
   private toggleColumns(): void {
-    const isPressed = this.allColumns.getAttribute("aria-pressed") === "true";
-    this.allColumns.setAttribute("aria-pressed", String(!isPressed));
+    this.allColumns.setAttribute("aria-pressed", String(!this.showsAll));
     this.update();
   }
 
@@ -218,12 +224,12 @@ export class TablesPanel {
     const cell = this.grid.cellAt(active);
     if (!column || !cell || this.editor || this.store.broken) return;
     if (!isEditable(column)) {
-      this.said = `The ${headText(column)} is edited in the plan and in the form.`;
+      this.said = `The ${nameOf(column)} is edited in the plan and in the form.`;
       return this.tell();
     }
     const item = this.open.pathOf(active.row) ?? [this.sheet.list, this.open.positions.length];
     const options = optionsFor(this.ctx.data(), column, item);
-    const label = `${headText(column)} of row ${this.open.numberOf(active.row)}`;
+    const label = `${nameOf(column)} of row ${this.open.numberOf(active.row)}`;
     const hooks = {
       commit: (text: string, after: After) => this.finish(text, after),
       close: (stays: boolean) => {

@@ -83,6 +83,7 @@ describe("what is typed into a cell", () => {
     const table = openTable("columns");
     const change = table.type({ row: 0, column: columnOf(table, "name") }, "A1");
     expect(change?.text).toBe("change name of column A");
+    expect(table.type({ row: 0, column: columnOf(table, "width_x") }, "1 m")?.text).toBe("change width x of column A");
     expect(listAt(apply(change), ["loads"])[0]).toMatchObject({ column: "A1" });
   });
   it("fills lists of fixed length, points and factors, and removes them when they are empty", () => {
@@ -160,6 +161,27 @@ describe("a paste", () => {
 });
 
 describe("rows", () => {
+  it("keep what cannot be edited here, and tell how many points are not shown", () => {
+    const points = Array.from({ length: 14 }, (_, n) => [`${n} m`, "0 m"]);
+    const data: Table = {
+      loads: [
+        { kind: "line", q: "1 kN/m", points },
+        { kind: "line", q: "1 kN/m", shape: { kind: "circle" } },
+      ],
+    };
+    const table = openTable("loads line", data);
+    const [last, shape] = [columnOf(table, "points.11.1"), columnOf(table, "shape")];
+    expect(table.textAt({ row: 0, column: last })).toBe("0 m");
+    expect(table.textAt({ row: 0, column: last + 1 })).toBe("14");
+    expect(emptyCells(data, table.sheet, table.positions, [{ row: 1, column: table.columns[shape]! }])).toEqual({
+      change: null,
+      kept: 0,
+    });
+    expect(listAt(apply(table.type({ row: 0, column: last }, "7"), data), ["loads"])[0]).toMatchObject({
+      points: points.with(11, ["11 m", "7 m"]),
+    });
+    expect(table.paste(table.copyAll(), at(2, 0)).left).toEqual(["points", "shape"]);
+  });
   it("are emptied but for what is needed", () => {
     const table = openTable("columns");
     const cells = table.columns.map((column) => ({ row: 0, column }));
