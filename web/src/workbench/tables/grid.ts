@@ -40,6 +40,9 @@ export class Grid {
     this.element.addEventListener("scroll", () => this.draw());
     this.body.addEventListener("mousedown", (event) => this.press(event));
     this.head.addEventListener("mousedown", (event) => this.pressHead(event));
+    this.element.addEventListener("click", ({ target }) => {
+      if (target === this.element || target === this.layer) this.table.focus({ preventScroll: true });
+    });
     new ResizeObserver(() => this.draw()).observe(this.element);
   }
 
@@ -58,7 +61,7 @@ export class Grid {
     const widths = [5, ...open.columns.map((column, n) => widthOf(open, column, n))];
     fill(this.columns, ...widths.map((width) => h("col", { style: `width:${width}ch` })));
     this.table.style.width = `${widths.reduce((sum, width) => sum + width, 0)}ch`;
-    const corner = h("th", { scope: "col", class: "number-of", title: "Select all rows" }, "#");
+    const corner = h("th", { scope: "col", class: "number-of", title: "Choose all rows" }, "#");
     fill(this.head, h("tr", { "aria-rowindex": 1 }, corner, ...open.columns.map(makeHead)));
     this.draw();
   }
@@ -68,10 +71,10 @@ export class Grid {
     return (this.open?.rows.length ?? 0) + 1;
   }
 
-  /** Choose a block, and bring its active cell into view. */
-  choose(block: Block): void {
+  /** Choose a block, and bring its active cell into view unless the view is to stay. */
+  choose(block: Block, stays = false): void {
     this.block = clampBlock(block, this.rowCount, this.open?.columns.length ?? 1);
-    this.reveal(this.block.active);
+    if (!stays) this.reveal(this.block.active);
     this.onChoose();
     this.draw();
   }
@@ -145,7 +148,7 @@ export class Grid {
       {
         id: `cell-${cell.row}-${cell.column}`,
         class: names.filter(Boolean).join(" ") || null,
-        title: issues.join(" ") || null,
+        title: issues.join(" ") || (text.length > WIDEST ? text : null),
         "aria-selected": inBlock ? "true" : "false",
         "aria-invalid": issues.length > 0 ? "true" : null,
         "aria-readonly": isEditable(column) ? null : "true",
@@ -182,7 +185,7 @@ export class Grid {
     const bottom = Math.max(0, this.rowCount - 2);
     const column = Math.max(0, head.cellIndex - 1);
     const end = head.cellIndex === 0 ? (this.open?.columns.length ?? 1) - 1 : column;
-    this.choose({ anchor: { row: bottom, column: end }, active: { row: 0, column } });
+    this.choose({ anchor: { row: bottom, column: end }, active: { row: 0, column } }, true);
   }
 
   /** Choose the block up to a cell, or the rows up to its own. */

@@ -3,6 +3,7 @@ import { NUMBER_START } from "../model/quantities";
 import { type Column, headText } from "./columns";
 
 const UNIT = /^\[?\(?([A-Za-zµ°%][A-Za-z0-9µ°%/^*·.²³ -]*|1\/[A-Za-z°]+)\)?\]?$/;
+const PLAIN_NUMBER = /^[+-]?[\d.,]+$/;
 
 /** Return the cells of a text with tabs or semicolons between them; quoted cells may hold both, and line ends. */
 export function splitCells(text: string): string[][] {
@@ -54,9 +55,12 @@ export function readBlock(
 /** Return a block whose first line names its columns, null if it does not; a line of units may follow. */
 function readHead(cells: readonly (readonly string[])[], columns: readonly Column[]): PastedBlock | null {
   const [first, ...others] = cells;
-  if (!first || others.length === 0 || first.some((cell) => NUMBER_START.test(cell))) return null;
+  if (!first || others.length === 0) return null;
   const heads = first.map(splitHead);
-  const found = heads.map(({ name }) => findColumn(name, columns));
+  const called = heads.map(({ name }) => findColumn(name, columns));
+  // a load case may be called "1 snow"; what is nothing but a number is a value
+  if (first.some((cell, k) => NUMBER_START.test(cell) && (!called[k] || PLAIN_NUMBER.test(cell)))) return null;
+  const found = called.map((column, k) => (called.indexOf(column) === k ? column : null));
   const named = found.filter((column) => column !== null).length;
   const words = heads.filter(({ name }) => name !== "").length;
   if (named === 0 || named * 2 < words || (named === 1 && words > 1)) return null;

@@ -133,10 +133,10 @@ export class TablesPanel {
       document.addEventListener(type, (event) => this.exchange(event));
   }
 
-  /** Copy, cut and paste while the table has the focus. */
+  /** Copy, cut and paste while the table or one of its buttons has the focus, and no cell is edited. */
   private exchange(event: ClipboardEvent): void {
     const { clipboardData: clipboard, type } = event;
-    if (document.activeElement !== this.grid.table || !clipboard) return;
+    if (!this.element.contains(document.activeElement) || this.editor || !clipboard) return;
     event.preventDefault();
     if (type === "paste") return this.paste(clipboard.getData("text/plain"));
     clipboard.setData("text/plain", this.open.copy(boundsOfBlock(this.grid.block)));

@@ -65,7 +65,10 @@ describe("a head", () => {
     expect(block.unknown).toEqual(["remark"]);
   });
   it("of loads calls the column that a load stands on, and moments by their letters", () => {
-    expect(keysOf("column\tP\tMx\tforce P\n1\t2\t3\t4", "loads point")).toEqual(["column", "P", "M_x", "P"]);
+    const block = readBlock(splitCells("column\tP\tMx\tforce P\n1\t2\t3\t4"), columnsFor("loads point"), 0);
+    expect(block.columns.map((column) => column?.path[0] ?? null)).toEqual(["column", "P", "M_x", null]);
+    // the same column a second time
+    expect(block.unknown).toEqual(["force P"]);
   });
   it("names the ends of lines and rectangles, the layers of boreholes", () => {
     expect(keysOf("x1\ty1\tx2\ty2\tq\n1\t2\t3\t4\t5", "loads line")).toEqual([
@@ -87,6 +90,13 @@ describe("a head", () => {
     const block = readBlock(splitCells("name\tx\twidth x\n\tm\t[mm]\nA\t1\t2"), columnsFor("columns"), 0);
     expect(block.units).toEqual(["", "m", "mm"]);
     expect(block.rows).toEqual([["A", "1", "2"]]);
+  });
+  it("may name load cases that begin with a number, but is no line of numbers", () => {
+    const data = { cases: [{ name: "1 snow" }, { name: "2" }, { name: "3" }] };
+    const sheet = sheetsOf(schema).find(({ list }) => list === "combinations")!;
+    const columns = columnsOf(schema, data, sheet, []);
+    expect(readBlock(splitCells("name\t1 snow\nA\t1.5"), columns, 0).rows).toHaveLength(1);
+    expect(readBlock(splitCells("2\t3\n1\t1"), columns, 3).rows).toHaveLength(2);
   });
   it("is none where there are numbers, one line only, or words that name nothing", () => {
     expect(keysOf("A\t1\t2", "columns")).toEqual(["name", "x", "y"]);
