@@ -132,7 +132,9 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
   const children = [title, views.bar, broken, planTab, formTab, tablesTab, textTab, issues.element];
   const flush = () => {
     const { activeElement } = document;
-    if (activeElement instanceof HTMLInputElement) activeElement.dispatchEvent(new Event("change"));
+    // a box that is ticked has sent its value, and would send it again and again
+    const isTyped = activeElement instanceof HTMLInputElement && activeElement.type === "text";
+    if (isTyped) activeElement.dispatchEvent(new Event("change"));
     text.flush();
   };
   const element = h("section", { class: "model", "aria-label": "model" }, ...children);
