@@ -63,7 +63,7 @@ def test_columns_and_loads_come_from_a_spreadsheet(server: Server, bench: Bench,
     _open_table(bench, "columns")
     bench.page.keyboard.press("ArrowDown")
     bench.page.evaluate(PASTE, COLUMNS)
-    bench.wait_seen(".sheet-status", "12 rows pasted. Not taken: remark.")
+    bench.wait_seen(".sheet-status", "12 rows added. Not taken: remark.")
     bench.until(lambda: len(_data(bench)["columns"]) == 13)
     assert _data(bench)["columns"][12] == {
         "name": "B11",
@@ -96,7 +96,7 @@ def test_a_wrong_cell_is_marked_and_put_right(server: Server, bench: Bench, case
     bench.until(lambda: _cells(bench, "td.faulty") == ["1,500"], lambda: str(_cells(bench, "td.faulty")))
     assert [each["P"] for each in _data(bench)["loads"]] == ["1,500", "80 kN"]
     assert _cells(bench, "tr.faulty th") == ["1"]
-    bench.wait_seen(".sheet-status", "2 rows pasted. 1 error in row 1.")
+    bench.wait_seen(".sheet-status", "1 row changed, 1 row added. 1 error in row 1.")
     assert 'ound "1,500"' in bench.page.locator("td.faulty").get_attribute("title")
 
     bench.page.locator(".issue-list summary").click()

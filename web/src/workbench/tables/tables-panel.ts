@@ -305,14 +305,21 @@ export class TablesPanel {
 
   private paste(text: string): void {
     if (text.trim() === "" || this.store.broken) return;
+    const before = this.open.rows.length;
     const { change, block, left } = this.open.paste(text, boundsOfBlock(this.grid.block));
     this.push(change);
     this.grid.choose({
       anchor: { row: block.bottom, column: block.right },
       active: { row: block.top, column: block.left },
     });
-    const count = block.bottom - block.top + 1;
-    this.said = `${count} ${count === 1 ? "row" : "rows"} pasted.${left.length > 0 ? ` Not taken: ${left.join(", ")}.` : ""}`;
+    const rows = (count: number, what: string) => `${count} ${count === 1 ? "row" : "rows"} ${what}`;
+    const [changed, added] = [
+      Math.max(0, Math.min(block.bottom + 1, before) - block.top),
+      this.open.rows.length - before,
+    ];
+    const done = [changed > 0 ? rows(changed, "changed") : "", added > 0 ? rows(added, "added") : ""];
+    const rest = left.length > 0 ? ` Not taken: ${left.join(", ")}.` : "";
+    this.said = `${done.filter(Boolean).join(", ") || "Nothing pasted"}.${rest}`;
     this.tell();
   }
 }
