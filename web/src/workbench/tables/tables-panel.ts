@@ -18,8 +18,7 @@ import { blockAt, boundsOfBlock, moveBlock, nextCell } from "./selection";
 import { positionsIn, type Sheet, sheetAt, sheetsOf } from "./sheets";
 import "./tables.css";
 
-const NO_ROWS =
-  "No rows yet. Paste them from a spreadsheet, best with a head such as “x [m]”, or type into the last row.";
+const NO_ROWS = "No rows yet. Paste them, best below heads such as “x [m]”, or type into the last row.";
 
 export class TablesPanel {
   readonly element: HTMLElement;
