@@ -45,7 +45,8 @@ export type Topic =
   | "selection"
   | "waiting"
   | "autosolve"
-  | "notice";
+  | "notice"
+  | "opened";
 
 /** A short message to the user, with an action. */
 export interface Notice {

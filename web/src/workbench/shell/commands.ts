@@ -84,11 +84,12 @@ export class Commands {
       this.store.set("autosolve", on);
     });
 
-  /** Forget results and selection of the document before. */
+  /** Forget results, selection and what else belongs to the document before. */
   private resetResult(): void {
     this.store.set("solved", null);
     this.store.set("run", { kind: "idle" });
     this.store.select(null);
+    this.store.emit("opened");
   }
 
   /** Ask what to do with unsaved work before another document is opened. */
