@@ -112,6 +112,7 @@ sides = ["left", "right"]
 size = "0.5 m"
 """
 
+
 def _tour(first: str) -> list[str]:
     """Return a way through all ordered pairs of kinds, from one of them and back to it."""
     left = {kind: [other for other in KINDS if other != kind] for kind in KINDS}
