@@ -93,7 +93,7 @@ def to_case(drawing: Drawing, title: str = "") -> str:
     text = [
         "# Input file of groundslab, made from a drawing. What no drawing says stands behind #. Where it says",
         '# "fill in", give your own value and take the # away, from the other lines of that section too.',
-        "# Coordinates are the drawing's own. Loads and settlements are positive downwards.",
+        f"# {_origin_text(drawing)} Loads and settlements are positive downwards.",
         "",
         f"title = {quote(title)}",
         "",
@@ -215,6 +215,14 @@ def _place_point(mark: PointMark, columns: list[Footprint], tree: STRtree) -> li
             ]
             return [*moments, f"column = {quote(own.name)}"]
     return [f"x = {_length_text(mark.x)}", f"y = {_length_text(mark.y)}"]
+
+
+def _origin_text(drawing: Drawing) -> str:
+    """Return where the coordinates are measured from."""
+    x, y = drawing.origin
+    if not x and not y:
+        return "Coordinates are the drawing's own."
+    return f"The origin is the drawing's point ({x:.10g}, {y:.10g}) m."
 
 
 def _polygon_lines(curve: Ring) -> list[str]:

@@ -24,7 +24,7 @@ from groundslab import units
 from groundslab.case import casefile, dxf
 from groundslab.case.dxf.document import Layers
 from groundslab.case.dxf.drawing import Drawing
-from groundslab.case.dxf.labelling import find_quantity
+from groundslab.case.dxf.loads.labelling import find_quantity
 from groundslab.errors import InputError
 from groundslab.geometry.plan import Ring
 from groundslab.model.loads.load_types import AreaLoad, LineLoad, PointLoad, UniformLoad
