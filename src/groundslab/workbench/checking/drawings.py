@@ -19,10 +19,11 @@ READ_LIMIT = 30.0
 
 @dataclass(frozen=True, slots=True)
 class ConvertedDrawing:
-    """The text of a case made from a drawing, and the report of what was read and what was left."""
+    """The text of a case made from a drawing, the report of what was read and what was left, its origin [m]."""
 
     text: str
     report: str
+    origin: tuple[float, float]
 
 
 class DrawingReader:
@@ -98,4 +99,4 @@ def convert_drawing(path: str, layers: Mapping[str, str], unit: str | None, cent
     drawing = dxf.read(path, layers, unit)
     if centered:
         drawing = dxf.center(drawing)
-    return ConvertedDrawing(dxf.to_case(drawing, Path(path).stem), dxf.report_text(drawing))
+    return ConvertedDrawing(dxf.to_case(drawing, Path(path).stem), dxf.report_text(drawing), drawing.origin)

@@ -174,7 +174,7 @@ class Session:
             self._autosave.release()
             self._case_file.close()
             self._begin(Document(made.text), CaseFile(None, None))
-        return {"state": self.get_state(), "report": made.report}
+        return {"state": self.get_state(), "report": made.report, "origin": made.origin}
 
     def restore(self, accept: bool) -> State:
         """Restore unsaved work of an earlier run, as a step that can be undone, or decline it."""

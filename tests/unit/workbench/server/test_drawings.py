@@ -117,6 +117,7 @@ def test_a_case_from_a_drawing(bench: Bench, drawing: Path) -> None:
     answer = bench.convert(drawing, ROLES)
     state = answer["state"]
     assert (state["file"], state["dirty"], state["can_undo"]) == (None, True, False)
+    assert answer["origin"] == [0, 0]
     data = tomllib.loads(state["text"])
     assert data["title"] == "plan"
     assert data["plate"]["outline"]["points"][0] == ["1 m", "2 m"]
@@ -128,7 +129,9 @@ def test_a_case_from_a_drawing(bench: Bench, drawing: Path) -> None:
 
 def test_the_origin_and_the_unit_that_are_chosen(bench: Bench, drawing: Path) -> None:
     """The middle of the slab becomes the origin; a unit that is given wins over that of the drawing."""
-    centered = bench.convert(drawing, ROLES, centered=True)["state"]["text"]
+    answer = bench.convert(drawing, ROLES, centered=True)
+    centered = answer["state"]["text"]
+    assert answer["origin"] == [4, 4]
     assert "The origin is the drawing's point (4, 4) m." in centered
     data = tomllib.loads(centered)
     assert data["plate"]["outline"]["points"][0] == ["-3 m", "-2 m"]
@@ -204,7 +207,7 @@ def test_a_drawing_that_takes_too_long_or_too_much(drawing: Path, tmp_path: Path
     with pytest.raises(InputError, match=r"found a drawing that takes longer than 0.01 s to read, expected a smaller"):
         DrawingReader(seconds=0.01).survey(long)
     with pytest.raises(InputError, match="a drawing that takes too much memory to read"):
-        DrawingReader(memory=1_000_000).survey(drawing)
+        DrawingReader(memory=1_000_000).survey(long)
     assert DrawingReader().survey(drawing)["unit"] == "mm"
 
 

@@ -6,6 +6,7 @@ import { drawGrid, drawRulers, RULER, stepOf } from "../../viewer/plan/rulers";
 import { drawPath, drawText } from "../../viewer/plan/symbols";
 import { svg } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
+import { type Underlay, UnderlayLines } from "../drawing/underlay";
 import { type Geometry, isClosed, type Point, rectangleCorners, ringOf } from "../model/geometry";
 import { boundsOfItems, footprintOf, type Item, itemsOf } from "../model/items";
 import { type Path, pathKey } from "../model/paths";
@@ -36,6 +37,8 @@ export class Canvas {
   corner: number | null = null;
   loadCase = "";
   private readonly grid = svg("g");
+  private readonly below = svg("g");
+  private underlay: UnderlayLines | null = null;
   private readonly symbols = svg("g");
   private readonly marks = svg("g");
   private readonly rulers = svg("g");
@@ -51,7 +54,7 @@ export class Canvas {
       "aria-label": "drawing of the slab in plan",
       "aria-roledescription": "drawing",
     };
-    this.element = svg("svg", attributes, this.grid, this.symbols, this.marks, this.rulers);
+    this.element = svg("svg", attributes, this.grid, this.below, this.symbols, this.marks, this.rulers);
   }
 
   /** The size of the element has changed. */
@@ -71,6 +74,12 @@ export class Canvas {
     // a slab of another size is shown entirely, unless the user has chosen what is seen
     if (hasChanged && this.fitted && !this.preview) this.fit();
     else this.redraw();
+  }
+
+  /** Show a drawing below the items, or none. */
+  showUnderlay(underlay: Underlay | null): void {
+    this.underlay = underlay?.shown ? new UnderlayLines(underlay) : null;
+    this.redraw();
   }
 
   /** Show everything. */
@@ -113,7 +122,7 @@ export class Canvas {
   /** Return the place that a pixel means; `free` switches snapping off. */
   snap(at: Point, free: boolean, without: readonly Path[], own: readonly Point[] = []): Snapped {
     if (free) return { at, fromX: null, fromY: null, onPoint: false };
-    const places = snapPlaces(this.items, without);
+    const places = [...snapPlaces(this.items, without), ...(this.underlay?.placesNear(at, this.reach) ?? [])];
     const points = [...places.map((place) => place.at), ...own];
     const snapped = snap({ at, points, step: this.step, reach: this.reach });
     const name = snapped.onPoint ? places.find((place) => place.at === snapped.at)?.name : undefined;
@@ -155,6 +164,7 @@ export class Canvas {
       loadCase: this.loadCase,
     };
     this.grid.replaceChildren(...drawGrid(camera));
+    this.below.replaceChildren(...(this.underlay ? [this.underlay.draw(camera)] : []));
     this.symbols.replaceChildren(...drawItems(camera, shown, highlights));
     const ghosts = svg("g", { class: "ghosts" }, ...drawItems(camera, this.ghosts, { ...NOTHING_MARKED }));
     this.marks.replaceChildren(ghosts, ...this.drawMarks(shown.filter((item) => store.isSelected(item.path))));

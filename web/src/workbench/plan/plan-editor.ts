@@ -1,6 +1,7 @@
 // The drawing with its tools, keys and properties.
 import { button, h, setText } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
+import { underlayBar } from "../drawing/underlay-bar";
 import type { FormContext } from "../form/context";
 import { joinEdits } from "../model/changes/batches";
 import type { Change } from "../model/changes/edits";
@@ -61,7 +62,7 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
   const fit = button("Fit", "Show everything (0)", () => canvas.fit(), "small");
   const emptyHint = "Draw the slab: choose Slab (B), then drag a rectangle or click corner after corner.";
   const empty = h("p", { class: "drawing-empty" }, emptyHint);
-  const corner = h("div", { class: "drawing-corner" }, cases.element, fit);
+  const corner = h("div", { class: "drawing-corner" }, underlayBar(store, canvas), cases.element, fit);
   const box = h("div", { class: "drawing-box" }, canvas.element, corner, empty);
   const middle = h("div", { class: "plan-middle" }, box, loads.element, hint);
   const element = h("div", { class: "plan-editor" }, tools.element, middle, panel.element);
