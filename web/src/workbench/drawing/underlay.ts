@@ -1,5 +1,6 @@
 // A drawing below the plan: its lines in gray, whose ends and intersections others snap to. It is no part of the case.
 
+import { type Box, extend } from "../../viewer/data/boxes";
 import { distanceBetween } from "../../viewer/data/points";
 import type { Camera } from "../../viewer/plan/camera";
 import { svg } from "../../viewer/shared/dom";
@@ -44,6 +45,14 @@ export class UnderlayLines {
         for (let k = 0; k < 4; k += 1) this.pieces[at + k] = line[n + k]! * factor + offset[k % 2]!;
     this.zero = count > 0 ? [this.pieces[0]!, this.pieces[1]!] : [0, 0];
     this.element = svg("path", { class: "underlay", d: this.path(lines, factor, offset) });
+  }
+
+  /** The box around the lines, null if there are none. */
+  get bounds(): Box | null {
+    const { pieces } = this;
+    const box: Box = [Infinity, Infinity, -Infinity, -Infinity];
+    for (let n = 0; n < pieces.length; n += 2) extend(box, pieces[n]!, pieces[n + 1]!, pieces[n]!, pieces[n + 1]!);
+    return pieces.length > 0 ? box : null;
   }
 
   /** Draw the lines; they are one path, of which only the place changes. */

@@ -1,5 +1,6 @@
 // The drawing on the screen: what is seen, what is drawn, which part of it is under the pointer.
 
+import { boxAround } from "../../viewer/data/boxes";
 import { distanceBetween } from "../../viewer/data/points";
 import { Camera } from "../../viewer/plan/camera";
 import { drawGrid, drawRulers, RULER, stepOf } from "../../viewer/plan/rulers";
@@ -79,12 +80,20 @@ export class Canvas {
   /** Show a drawing below the items, or none. */
   showUnderlay(underlay: Underlay | null): void {
     this.underlay = underlay?.shown ? new UnderlayLines(underlay) : null;
-    this.redraw();
+    if (this.fitted) this.fit();
+    else this.redraw();
   }
 
   /** Show everything. */
   fit(): void {
-    this.camera.fit(boundsOfItems(this.items) ?? [-6, -4, 6, 4], 42, RULER.left, RULER.bottom);
+    const boxes = [boundsOfItems(this.items), this.underlay?.bounds ?? null].filter((box) => box !== null);
+    const all = boxAround(
+      boxes.flatMap(([x0, y0, x1, y1]): Point[] => [
+        [x0, y0],
+        [x1, y1],
+      ]),
+    );
+    this.camera.fit(boxes.length > 0 ? all : [-6, -4, 6, 4], 42, RULER.left, RULER.bottom);
     this.fitted = true;
     this.redraw();
   }
