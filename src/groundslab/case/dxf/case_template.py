@@ -38,6 +38,9 @@ _LOADS = (
     '# q = "6.25 kPa"              # fill in',
 )
 
+#: Units of loads, a thousand times those of SI.
+_USUAL_UNITS = {"force": "kN", "force per length": "kN/m", "pressure": "kPa"}
+
 #: What differs by less than this part of a column's size is the same.
 SAME = 1e-6
 #: A coordinate so small is what rounding left of zero [m].
@@ -162,7 +165,13 @@ def _load_lines(kind: str, mark: PointMark | LineMark | AreaMark, value: str, wh
 
 def _value_line(key: str, value: float | None, dimension: str, example: str) -> str:
     """Return the line of a value, or of one to be filled in."""
-    return f'{key} = "{units.write(value, dimension)}"' if value is not None else f'{key} = "{example}"  # fill in'
+    return f'{key} = "{_quantity_text(value, dimension)}"' if value is not None else f'{key} = "{example}"  # fill in'
+
+
+def _quantity_text(value: float, dimension: str) -> str:
+    """Return a load in the unit that engineers write it in, if that gives the same number."""
+    text = f"{value / 1e3:.15g} {_USUAL_UNITS[dimension]}"
+    return text if units.parse(text, dimension) == value else units.write(value, dimension)
 
 
 def _place_line(load: LineMark) -> list[str]:

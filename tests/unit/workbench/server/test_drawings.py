@@ -122,7 +122,7 @@ def test_a_case_from_a_drawing(bench: Bench, drawing: Path) -> None:
     assert data["title"] == "plan"
     assert data["plate"]["outline"]["points"][0] == ["1 m", "2 m"]
     assert [(each["x"], each["width_x"]) for each in data["columns"]] == [("2.2 m", "0.4 m"), ("5.2 m", "0.4 m")]
-    assert [(each["kind"], each["q"]) for each in data["loads"]] == [("line", "25000.0 N/m")]
+    assert [(each["kind"], each["q"]) for each in data["loads"]] == [("line", "25 kN/m")]
     assert "columns: 2" in answer["report"]
     assert "A-DOORS" not in answer["report"]
 
