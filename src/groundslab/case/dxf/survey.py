@@ -25,13 +25,17 @@ MOST_POINTS = 50_000
 
 @dataclass(slots=True)
 class LayerContent:
-    """A layer: its entities by kind, what its name says that it holds, its lines and points [m] to be shown."""
+    """A layer: its entities by kind, what its name says that it holds; straight lines, curves, points [m] to be shown.
+
+    Curves are chords, exact at their ends only.
+    """
 
     name: str
     role: str | None
     hidden: bool
     kinds: Counter[str] = field(default_factory=Counter)
     lines: list[list[Place]] = field(default_factory=list)
+    curves: list[list[Place]] = field(default_factory=list)
     points: list[Place] = field(default_factory=list)
 
 
@@ -69,12 +73,12 @@ def survey(path: str | Path) -> Survey:
     for source, entity in _iterate_all(document, context, remarks):
         layer = layers.setdefault(source.layer.lower(), _describe_layer(document, source.layer))
         layer.kinds[entity.dxftype()] += 1
-        points = _points_of(entity, layer, context)
-        if shown + len(points) > MOST_POINTS:
-            left += 1
-        elif points:
+        for points, straight in _parts_of(entity, layer, context):
+            if shown + len(points) > MOST_POINTS:
+                left += 1
+                continue
             shown += len(points)
-            layer.lines.append(points)
+            (layer.lines if straight else layer.curves).append(points)
     if left:
         remarks.append(f"{left:,} lines are not shown, as there are more than {MOST_POINTS:,} points")
     found = sorted(layers.values(), key=lambda each: (each.role is None, each.name.lower()))
@@ -108,8 +112,8 @@ def _describe_layer(document: Document, name: str) -> LayerContent:
     return LayerContent(name, role, known is not None and (known.is_frozen() or known.is_off()))
 
 
-def _points_of(entity: DXFEntity, layer: LayerContent, context: ReadContext) -> list[Place]:
-    """Return the points of a line, arcs as chords; one that is a point is added to its layer."""
+def _parts_of(entity: DXFEntity, layer: LayerContent, context: ReadContext) -> list[tuple[list[Place], bool]]:
+    """Return the points of a line's parts, and whether each is straight; one that is a point is added to its layer."""
     try:
         if entity.dxftype() in {"POINT", "INSERT"}:
             place = read_position(entity, context)
@@ -122,5 +126,11 @@ def _points_of(entity: DXFEntity, layer: LayerContent, context: ReadContext) -> 
         return []
     if not isinstance(piece, DrawnLine):
         return []
-    edges = make_segments(piece.points, piece.bulges)
-    return [piece.points[0], *(point for edge in edges for point in divide_edge(edge))]
+    if entity.dxftype() in {"ELLIPSE", "SPLINE"}:
+        return [(piece.points, False)]
+    parts: list[tuple[list[Place], bool]] = []
+    for edge in make_segments(piece.points, piece.bulges):
+        if not (parts and edge.straight and parts[-1][1]):
+            parts.append(([edge.start], edge.straight))
+        parts[-1][0].extend([*((x, y) for x, y in divide_edge(edge)[:-1]), edge.end])
+    return parts

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from importlib import import_module
@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from groundslab.errors import InputError, Issue
+from groundslab.geometry.plan import Place
 from groundslab.workbench.checking.bounded_process import MEMORY, BoundedProcess, CallFailure, MemoryLimit, TimeLimit
 
 #: Time in which a drawing must be read [s].
@@ -84,12 +85,17 @@ def survey_drawing(path: str) -> dict[str, Any]:
             "role": each.role,
             "hidden": each.hidden,
             "kinds": dict(each.kinds.most_common()),
-            "lines": [[value for point in line for value in point] for line in each.lines],
-            "points": [value for point in each.points for value in point],
+            "lines": list(map(_flatten, each.lines)),
+            "curves": list(map(_flatten, each.curves)),
+            "points": _flatten(each.points),
         }
         for each in found.layers
     ]
     return {"unit": found.unit, "scale": found.scale, "layers": layers, "remarks": list(found.remarks)}
+
+
+def _flatten(points: Sequence[Place]) -> list[float]:
+    return [value for point in points for value in point]
 
 
 def convert_drawing(path: str, layers: Mapping[str, str], unit: str | None, centered: bool) -> ConvertedDrawing:

@@ -98,7 +98,8 @@ def test_the_layers_of_a_drawing(bench: Bench, drawing: Path) -> None:
     assert layers["A-SLAB"]["lines"] == [[1, 2, 7, 2, 7, 6, 1, 6, 1, 2]]
     assert layers["A-DOORS"]["kinds"] == {"ARC": 1, "TEXT": 1}
     assert layers["A-DOORS"]["hidden"] is True
-    arc = layers["A-DOORS"]["lines"][0]
+    assert layers["A-DOORS"]["lines"] == []
+    arc = layers["A-DOORS"]["curves"][0]
     assert arc[:2] == pytest.approx([3.5, 3.0])
     assert arc[-2:] == pytest.approx([3.0, 3.5])
     assert all((x - 3) ** 2 + (y - 3) ** 2 == pytest.approx(0.25) for x, y in zip(arc[::2], arc[1::2], strict=True))
@@ -211,10 +212,26 @@ def test_a_drawing_that_takes_too_long_or_too_much(drawing: Path, tmp_path: Path
     assert DrawingReader().survey(drawing)["unit"] == "mm"
 
 
+def test_arcs_and_straight_lines_are_told_apart(drawing: Path) -> None:
+    """A slot is two lines and two arcs; an ellipse and a circle are curves."""
+    document = ezdxf.readfile(drawing)
+    space = document.modelspace()
+    space.add_lwpolyline(
+        [(0, 0, 0), (2000, 0, 1), (2000, 1000, 0), (0, 1000, 1)], format="xyb", close=True, dxfattribs={"layer": "SLOT"}
+    )
+    space.add_ellipse((0, 0), (500, 0), 0.5, dxfattribs={"layer": "ROUND"})
+    space.add_circle((0, 0), 500, dxfattribs={"layer": "ROUND"})
+    document.saveas(drawing)
+    found = {layer.name: layer for layer in surveying.survey(drawing).layers}
+    assert found["SLOT"].lines == [[(0, 0), (2, 0)], [(2, 1), (0, 1)]]
+    assert [(curve[0], curve[-1]) for curve in found["SLOT"].curves] == [((2, 0), (2, 1)), ((0, 1), (0, 0))]
+    assert (len(found["ROUND"].lines), len(found["ROUND"].curves)) == (0, 3)
+
+
 def test_lines_beyond_a_number_are_not_shown(drawing: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """They are counted, and how many are left out is said."""
     monkeypatch.setattr(surveying, "MOST_POINTS", 7)
     found = surveying.survey(drawing)
-    assert sum(len(line) for layer in found.layers for line in layer.lines) == 7
+    assert sum(len(line) for layer in found.layers for line in (*layer.lines, *layer.curves)) == 7
     assert found.remarks == ("3 lines are not shown, as there are more than 7 points",)
     assert sum(sum(layer.kinds.values()) for layer in found.layers) == 6

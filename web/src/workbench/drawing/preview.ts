@@ -30,7 +30,7 @@ export function drawPreview(survey: Survey): { element: SVGSVGElement; mark: (la
 }
 
 function drawLayer(layer: Layer, place: (point: readonly [number, number]) => string): SVGGElement {
-  const d = layer.lines.map((line) => `M${pointsOf(line).map(place).join("L")}`).join("");
+  const d = [...layer.lines, ...layer.curves].map((line) => `M${pointsOf(line).map(place).join("L")}`).join("");
   // a line without length with round ends is a dot
   const dots = pointsOf(layer.points).slice(0, MOST_DOTS);
   const dotted = dots.map((point) => `M${place(point)}h0`).join("");

@@ -3,7 +3,7 @@
 import { type Box, boxAround } from "../../viewer/data/boxes";
 import type { Point } from "../model/geometry";
 
-/** A layer: its entities by kind, what its name says that it holds; lines and points as flat lists. */
+/** A layer: its entities by kind, what its name says that it holds; lines, chords of curves and points as flat lists. */
 export interface Layer {
   name: string;
   role: string | null;
@@ -11,6 +11,7 @@ export interface Layer {
   hidden: boolean;
   kinds: Record<string, number>;
   lines: readonly number[][];
+  curves: readonly number[][];
   points: readonly number[];
 }
 
@@ -90,8 +91,6 @@ export function pointsOf(flat: readonly number[]): Point[] {
 
 /** Return the box around what layers show, null if they show nothing. */
 export function boundsOfLayers(layers: readonly Layer[]): Box | null {
-  const box = boxAround(
-    layers.flatMap(({ lines, points }) => [...lines.flatMap((line) => pointsOf(line)), ...pointsOf(points)]),
-  );
+  const box = boxAround(layers.flatMap(({ lines, curves, points }) => [...lines, ...curves, points].flatMap(pointsOf)));
   return box[0] > box[2] ? null : box;
 }

@@ -30,29 +30,36 @@ export function centeringOffset(survey: Survey, unit: string): Point {
 export class UnderlayLines {
   /** Ends of each straight piece, x0, y0, x1, y1 [m]. */
   private readonly pieces: Float64Array;
+  /** Ends of each curve; what lies between them are chords, which do not lie on it. */
+  private readonly curves: Float64Array;
   private readonly element: SVGPathElement;
   /** Where the path's own zero lies [m]: coordinates of pictures have few digits. */
   private readonly zero: Point;
 
   constructor({ survey, unit, offset }: Underlay) {
     const factor = enlargement(survey, unit);
-    const lines = survey.layers.filter((layer) => !layer.hidden).flatMap((layer) => layer.lines);
-    const count = lines.reduce((sum, line) => sum + Math.max(0, line.length / 2 - 1), 0);
-    this.pieces = new Float64Array(4 * count);
-    let at = 0;
-    for (const line of lines)
-      for (let n = 0; n + 3 < line.length; n += 2, at += 4)
-        for (let k = 0; k < 4; k += 1) this.pieces[at + k] = line[n + k]! * factor + offset[k % 2]!;
-    this.zero = count > 0 ? [this.pieces[0]!, this.pieces[1]!] : [0, 0];
-    this.element = svg("path", { class: "underlay", d: this.path(lines, factor, offset) });
+    const layers = survey.layers.filter((layer) => !layer.hidden);
+    const [lines, curves] = [layers.flatMap((layer) => layer.lines), layers.flatMap((layer) => layer.curves)];
+    const place = (line: readonly number[], n: number) => line[n]! * factor + offset[n % 2]!;
+    const pieces = lines.flatMap((line) =>
+      line.slice(3).flatMap((_, n) => (n % 2 ? [] : [0, 1, 2, 3].map((k) => place(line, n + k)))),
+    );
+    this.pieces = Float64Array.from(pieces);
+    this.curves = Float64Array.from(
+      curves.flatMap((curve) => [0, 1, -2, -1].map((k) => place(curve, k < 0 ? curve.length + k : k))),
+    );
+    const first = this.pieces.length > 0 ? this.pieces : this.curves;
+    this.zero = first.length > 0 ? [first[0]!, first[1]!] : [0, 0];
+    const all = [...lines, ...curves].map((line) => line.map((_, n) => place(line, n)));
+    this.element = svg("path", { class: "underlay", d: all.map((line) => this.path(line)).join("") });
   }
 
   /** The box around the lines, null if there are none. */
   get bounds(): Box | null {
-    const { pieces } = this;
     const box: Box = [Infinity, Infinity, -Infinity, -Infinity];
-    for (let n = 0; n < pieces.length; n += 2) extend(box, pieces[n]!, pieces[n + 1]!, pieces[n]!, pieces[n + 1]!);
-    return pieces.length > 0 ? box : null;
+    for (const ends of [this.pieces, this.curves])
+      for (let n = 0; n < ends.length; n += 2) extend(box, ends[n]!, ends[n + 1]!, ends[n]!, ends[n + 1]!);
+    return box[0] <= box[2] ? box : null;
   }
 
   /** Draw the lines; they are one path, of which only the place changes. */
@@ -62,11 +69,13 @@ export class UnderlayLines {
     return this.element;
   }
 
-  /** Return the ends of lines near a place, and where they cross. */
+  /** Return the ends of lines and curves near a place, and where straight lines cross. */
   placesNear(at: Point, reach: number): SnapPlace[] {
-    const near = this.piecesNear(at, reach);
+    const near = piecesNear(this.pieces, at, reach);
     const isNear = (place: SnapPlace) => distanceBetween(place.at, at) <= reach;
-    const ends = near.flat().map((end): SnapPlace => ({ at: end, name: "end" }));
+    const ends = [...near, ...piecesNear(this.curves, at, reach)]
+      .flat()
+      .map((end): SnapPlace => ({ at: end, name: "end" }));
     const some = near.slice(0, MOST_CROSSED);
     const crossings = some.flatMap((one, n) =>
       some.slice(n + 1).flatMap((other): SnapPlace[] => {
@@ -77,30 +86,22 @@ export class UnderlayLines {
     return [...ends, ...crossings].filter(isNear);
   }
 
-  /** Return the pieces whose boxes come near a place. */
-  private piecesNear([x, y]: Point, reach: number): [Point, Point][] {
-    const { pieces } = this;
-    const found: [Point, Point][] = [];
-    for (let n = 0; n < pieces.length; n += 4) {
-      const [x0, y0, x1, y1] = [pieces[n]!, pieces[n + 1]!, pieces[n + 2]!, pieces[n + 3]!];
-      if (x < Math.min(x0, x1) - reach || x > Math.max(x0, x1) + reach) continue;
-      if (y < Math.min(y0, y1) - reach || y > Math.max(y0, y1) + reach) continue;
-      found.push([
-        [x0, y0],
-        [x1, y1],
-      ]);
-    }
-    return found;
+  private path(line: readonly number[]): string {
+    return line.map((value, n) => `${n % 2 ? " " : n ? "L" : "M"}${(value - this.zero[n % 2]!).toFixed(5)}`).join("");
   }
+}
 
-  private path(lines: readonly number[][], factor: number, offset: Point): string {
-    const place = (line: readonly number[], n: number) => {
-      const x = line[n]! * factor + offset[0] - this.zero[0];
-      const y = line[n + 1]! * factor + offset[1] - this.zero[1];
-      return `${x.toFixed(5)} ${y.toFixed(5)}`;
-    };
-    return lines
-      .map((line) => line.flatMap((_, n) => (n % 2 ? [] : [`${n ? "L" : "M"}${place(line, n)}`])).join(""))
-      .join("");
+/** Return the pieces whose boxes come near a place. */
+function piecesNear(pieces: Float64Array, [x, y]: Point, reach: number): [Point, Point][] {
+  const found: [Point, Point][] = [];
+  for (let n = 0; n < pieces.length; n += 4) {
+    const [x0, y0, x1, y1] = [pieces[n]!, pieces[n + 1]!, pieces[n + 2]!, pieces[n + 3]!];
+    if (x < Math.min(x0, x1) - reach || x > Math.max(x0, x1) + reach) continue;
+    if (y < Math.min(y0, y1) - reach || y > Math.max(y0, y1) + reach) continue;
+    found.push([
+      [x0, y0],
+      [x1, y1],
+    ]);
   }
+  return found;
 }

@@ -22,6 +22,7 @@ const layer = (name: string, more: Partial<Layer> = {}): Layer => ({
   hidden: false,
   kinds: { LINE: 1 },
   lines: [],
+  curves: [],
   points: [],
   ...more,
 });
@@ -112,6 +113,17 @@ describe("an underlay", () => {
     expect(crossing!.at[1]).toBeCloseTo(0, 12);
     expect(lines.placesNear([-40, 0], 1)).toEqual([]);
     expect(lines.placesNear([3, 2.2], 0.1)).toEqual([]);
+  });
+
+  it("has the ends of curves, but nothing on their chords", () => {
+    const door = layer("DOOR", { lines: [[0, 0, 1, 0]], curves: [[1, 0, 0.7, 0.7, 0, 1]] });
+    const axis = layer("AXIS", { lines: [[0.5, -1, 0.5, 3]] });
+    const lines = new UnderlayLines({ ...UNDERLAY, survey: { ...SURVEY, layers: [door, axis] } });
+    expect(lines.placesNear([0, 1], 0.1)).toEqual([{ at: [0, 1], name: "end" }]);
+    expect(lines.placesNear([0.7, 0.7], 0.1)).toEqual([]);
+    expect(lines.placesNear([0.5, 0.79], 0.1)).toEqual([]); // where the axis crosses a chord
+    expect(lines.placesNear([0.5, 0], 0.1)).toEqual([{ at: [0.5, 0], name: "intersection" }]);
+    expect(lines.draw(new Camera()).getAttribute("d")!.split("M")).toHaveLength(4);
   });
 
   it("lies where its offset says, in its unit", () => {
