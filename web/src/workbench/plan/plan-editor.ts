@@ -7,7 +7,7 @@ import { joinEdits } from "../model/changes/batches";
 import type { Change } from "../model/changes/edits";
 import { countItems } from "../model/items";
 import { type Path, startsWith, valueAt } from "../model/paths";
-import { actionButtons } from "./actions/action-bar";
+import { actionButtons, generatorButtons } from "./actions/action-bar";
 import { Actions } from "./actions/actions";
 import { useClipboard } from "./actions/clipboard";
 import { ActionDialog } from "./actions/dialog";
@@ -19,6 +19,7 @@ import { propertyPanel } from "./properties";
 import { toolBar } from "./tool-bar";
 import "./plan-editor.css";
 
+const EMPTY = "Draw the slab: choose Slab (B), then drag a rectangle or click corner after corner.";
 const HOW_MANY = "Drag one of them or use the arrow keys to move them; Delete removes them.";
 
 export interface PlanEditor {
@@ -60,9 +61,9 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
   });
   const loads = unplacedLoads(store, push, () => canvas.loadCase);
   const fit = button("Fit", "Show everything (0)", () => canvas.fit(), "small");
-  const emptyHint = "Draw the slab: choose Slab (B), then drag a rectangle or click corner after corner.";
-  const empty = h("p", { class: "drawing-empty" }, emptyHint);
-  const corner = h("div", { class: "drawing-corner" }, underlayBar(store, canvas), cases.element, fit);
+  const empty = h("p", { class: "drawing-empty" }, EMPTY);
+  const bar = [underlayBar(store, canvas), cases.element, generatorButtons(dialog), fit];
+  const corner = h("div", { class: "drawing-corner" }, ...bar);
   const box = h("div", { class: "drawing-box" }, canvas.element, corner, empty);
   const middle = h("div", { class: "plan-middle" }, box, loads.element, hint);
   const element = h("div", { class: "plan-editor" }, tools.element, middle, panel.element);
