@@ -130,7 +130,7 @@ def _tour(first: str) -> list[str]:
 def test_each_kind_of_ground_follows_each_other_without_an_issue(
     server: Server, bench: Bench, case: Path, text: str
 ) -> None:
-    """After each switch the file holds a model that is checked without issues, in the end the first one; undo works."""
+    """After each switch the file holds a model that is checked without issues, in the end the first one; undo brings all back."""
     case.write_text(text)
     model = casefile.loads(text)
     names = {value: name for name, value in KINDS.items()}
@@ -138,10 +138,13 @@ def test_each_kind_of_ground_follows_each_other_without_an_issue(
     bench.tab("Form")
     choice = bench.page.locator("""[data-path='["ground","kind"]'] select""").locator("visible=true")
     for name in _tour(names[model.ground.kind])[1:]:
-        before = bench.text()
         choice.select_option(name)
         bench.until(lambda name=name: tomllib.loads(bench.text())["ground"]["kind"] == KINDS[name])
         assert casefile.loads(bench.text()).ground.kind == KINDS[name]
     assert casefile.loads(bench.text()) == model
+    before = bench.text()
+    choice.select_option("Winkler")
+    bench.wait_seen(".notice", "1 load on the ground")
+    bench.until(lambda: bench.text() != before)
     bench.page.keyboard.press("Control+z")
     bench.until(lambda: bench.text() == before)
