@@ -130,7 +130,7 @@ def _tour(first: str) -> list[str]:
 def test_each_kind_of_ground_follows_each_other_without_an_issue(
     server: Server, bench: Bench, case: Path, text: str
 ) -> None:
-    """After each switch the file holds a model that is checked without issues, in the end the first one; undo brings all back."""
+    """After each switch the file holds a model without issues, in the end the first one; undo brings all back."""
     case.write_text(text)
     model = casefile.loads(text)
     names = {value: name for name, value in KINDS.items()}

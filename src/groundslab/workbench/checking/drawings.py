@@ -53,6 +53,12 @@ class DrawingReader:
                 return caller.call(function, str(path), *arguments, seconds=self._seconds)
             except CallFailure as error:
                 raise InputError([_explain_failure(path, error)]) from None
+            except InputError:
+                raise
+            except Exception as error:  # of any kind, as what is damaged may be anything
+                hint = "save it again in the CAD program"
+                issue = Issue(str(path), f"a damaged DXF file ({type(error).__name__}: {error})", "a DXF drawing", hint)
+                raise InputError([issue]) from None
             finally:
                 caller.close()
 

@@ -212,6 +212,13 @@ def test_a_drawing_that_takes_too_long_or_too_much(drawing: Path, tmp_path: Path
     assert DrawingReader().survey(drawing)["unit"] == "mm"
 
 
+def test_a_drawing_that_breaks_the_reader_is_an_issue(drawing: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever the error of reading is, it is told in words."""
+    monkeypatch.setattr("groundslab.workbench.checking.drawings.survey_drawing", int)  # fails in the process
+    with pytest.raises(InputError, match=r"found a damaged DXF file \(ValueError: invalid literal"):
+        DrawingReader().survey(drawing)
+
+
 def test_arcs_and_straight_lines_are_told_apart(drawing: Path) -> None:
     """A slot is two lines and two arcs; an ellipse and a circle are curves."""
     document = ezdxf.readfile(drawing)
