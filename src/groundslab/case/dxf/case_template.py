@@ -38,6 +38,9 @@ _LOADS = (
     '# q = "6.25 kPa"              # fill in',
 )
 
+#: Units of loads, a thousand times those of SI.
+_USUAL_UNITS = {"force": "kN", "force per length": "kN/m", "pressure": "kPa"}
+
 #: What differs by less than this part of a column's size is the same.
 SAME = 1e-6
 #: A coordinate so small is what rounding left of zero [m].
@@ -93,7 +96,7 @@ def to_case(drawing: Drawing, title: str = "") -> str:
     text = [
         "# Input file of groundslab, made from a drawing. What no drawing says stands behind #. Where it says",
         '# "fill in", give your own value and take the # away, from the other lines of that section too.',
-        "# Coordinates are the drawing's own. Loads and settlements are positive downwards.",
+        f"# {_origin_text(drawing)} Loads and settlements are positive downwards.",
         "",
         f"title = {quote(title)}",
         "",
@@ -162,7 +165,13 @@ def _load_lines(kind: str, mark: PointMark | LineMark | AreaMark, value: str, wh
 
 def _value_line(key: str, value: float | None, dimension: str, example: str) -> str:
     """Return the line of a value, or of one to be filled in."""
-    return f'{key} = "{units.write(value, dimension)}"' if value is not None else f'{key} = "{example}"  # fill in'
+    return f'{key} = "{_quantity_text(value, dimension)}"' if value is not None else f'{key} = "{example}"  # fill in'
+
+
+def _quantity_text(value: float, dimension: str) -> str:
+    """Return a load in the unit that engineers write it in, if that gives the same number."""
+    text = f"{value / 1e3:.15g} {_USUAL_UNITS[dimension]}"
+    return text if units.parse(text, dimension) == value else units.write(value, dimension)
 
 
 def _place_line(load: LineMark) -> list[str]:
@@ -215,6 +224,14 @@ def _place_point(mark: PointMark, columns: list[Footprint], tree: STRtree) -> li
             ]
             return [*moments, f"column = {quote(own.name)}"]
     return [f"x = {_length_text(mark.x)}", f"y = {_length_text(mark.y)}"]
+
+
+def _origin_text(drawing: Drawing) -> str:
+    """Return where the coordinates are measured from."""
+    x, y = drawing.origin
+    if not x and not y:
+        return "Coordinates are the drawing's own."
+    return f"The origin is the drawing's point ({x:.10g}, {y:.10g}) m."
 
 
 def _polygon_lines(curve: Ring) -> list[str]:

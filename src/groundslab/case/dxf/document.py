@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from groundslab import units
 from groundslab.case.dxf.drawing import ReadContext, ReportLine, Source
 from groundslab.errors import InputError, Issue
-from groundslab.schema.wording import describe, suggestion
+from groundslab.schema.wording import describe, one_of, suggestion
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing as Document
@@ -63,6 +63,8 @@ def open_drawing(path: str) -> Document:
         document.modelspace()  # which a damaged file may lack
     except OSError:
         raise InputError([Issue(path, "a file that is not DXF", expected)]) from None
+    except MemoryError:
+        raise
     except Exception as error:  # of any kind, as what is damaged may be anything
         found = f"a damaged DXF file ({error})"
         raise InputError([Issue(path, found, expected, "save it again in the CAD program")]) from None
@@ -110,15 +112,21 @@ WITH_VALUE = ("line_loads", "area_loads")
 
 
 class Roles:
-    """What layers hold, by their names in lower case; a name may go on with a value where its role allows one."""
+    """What layers hold, by their names in lower case.
 
-    def __init__(self, named: Mapping[str, str]) -> None:
+    A name may go on with a value where its role allows one, unless all layers are named; then usual names may.
+    """
+
+    def __init__(self, named: Mapping[str, str], every: bool = False) -> None:
         self.named = named
+        self._every = every
+        usual = {getattr(Layers(), role).lower(): role for role in WITH_VALUE}
+        self._starts = usual if every else named
 
     def of(self, layer: str) -> str | None:
         """Return what a layer holds, None if it is not read."""
         name = layer.lower()
-        return self.named.get(name) or self.named.get(self._start(name))
+        return self.named.get(name) or (None if self._every else self.named.get(self._start(name)))
 
     def suffix(self, layer: str) -> str:
         """Return what follows the known name in the name of a layer."""
@@ -127,7 +135,7 @@ class Roles:
 
     def _start(self, layer: str) -> str:
         """Return the known name with which that of a layer begins and may go on, empty if there is none."""
-        starts = (name for name, role in self.named.items() if role in WITH_VALUE and layer.startswith(name))
+        starts = (name for name, role in self._starts.items() if role in WITH_VALUE and layer.startswith(name))
         return max((name for name in starts if not layer[len(name) :][:1].isalpha()), key=len, default="")
 
 
@@ -148,6 +156,44 @@ def assign_roles(layers: Layers, context: ReadContext) -> Roles:
     return Roles(roles)
 
 
+def name_roles(layers: Mapping[str, str], context: ReadContext) -> Roles:
+    """Return what each layer holds, where all that are read are named, several for the same if need be."""
+    known = [each.name for each in fields(Layers)]
+    for layer, role in layers.items():
+        if role not in known:
+            where = f"layer {describe(layer)}"
+            context.issues.append(Issue(where, describe(role), one_of(known), suggestion(role, known)))
+    if "outline" not in layers.values():
+        context.issues.append(Issue("layer for outline", "no layer", "the layer that holds the slab's edge"))
+    return Roles({layer.lower(): role for layer, role in layers.items()}, every=True)
+
+
+def check_named_layers(
+    document: Document, layers: Mapping[str, str], entities: dict[str, list[tuple[Source, DXFEntity]]],
+    context: ReadContext,
+) -> None:  # fmt: skip
+    """Report layers that are hidden or empty, where all that are read are named; that of the outline must not be."""
+    full = {source.layer.lower() for sources in entities.values() for source, _ in sources}
+    for name, role in layers.items():
+        _report_hidden(document, name, context)
+        if name.lower() not in full:
+            context.report_entity(Source(name, "LAYER", ""), False, "nothing on it")
+        if role == "outline" and not entities["outline"]:
+            where = f"{context.path}, layer {describe(name)}"
+            context.issues.append(Issue(where, "nothing on it", "entities for outline"))
+
+
+def _report_hidden(document: Document, name: str, context: ReadContext) -> None:
+    """Report a layer that is not shown."""
+    if not document.layers.has_entry(name):
+        return
+    layer = document.layers.get(name)
+    hidden = [word for word, so in (("frozen", layer.is_frozen()), ("off", layer.is_off())) if so]
+    if hidden:
+        why = f"the layer is {' and '.join(hidden)}; it was read all the same"
+        context.report_entity(Source(layer.dxf.name, "LAYER", layer.dxf.handle or ""), True, why)
+
+
 def check_layers(
     document: Document,
     layers: Layers,
@@ -160,12 +206,7 @@ def check_layers(
     usual = Layers()
     for key, role in roles.named.items():
         name: str = getattr(layers, role)
-        if document.layers.has_entry(name):
-            layer = document.layers.get(name)
-            hidden = [word for word, so in (("frozen", layer.is_frozen()), ("off", layer.is_off())) if so]
-            if hidden:
-                why = f"the layer is {' and '.join(hidden)}; it was read all the same"
-                context.report_entity(Source(layer.dxf.name, "LAYER", layer.dxf.handle or ""), True, why)
+        _report_hidden(document, name, context)
         if entities[role] or (role in WITH_VALUE and key == getattr(usual, role).lower()):
             continue
         if role == "outline" or key != getattr(usual, role).lower():

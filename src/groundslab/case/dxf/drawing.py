@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, NoReturn
 
@@ -72,7 +72,10 @@ class ReportLine:
 
 @dataclass(frozen=True, slots=True)
 class Drawing:
-    """What was taken from a drawing, in meters; ``scale`` is the size of its ``unit`` in meters."""
+    """What was taken from a drawing, in meters; ``scale`` is the size of its ``unit`` in meters.
+
+    ``origin`` is the place of the drawing [m] from which coordinates are measured.
+    """
 
     outline: Ring
     openings: tuple[Ring, ...]
@@ -84,6 +87,36 @@ class Drawing:
     report: tuple[ReportLine, ...]
     unit: str
     scale: float
+    origin: Place = (0.0, 0.0)
+
+
+def center(drawing: Drawing) -> Drawing:
+    """Return a drawing whose origin is the middle of the outline's sides, with coordinates to a nanometer."""
+    x0, x1, y0, y1 = drawing.outline.bounds
+    origin = (x0 + x1) / 2, (y0 + y1) / 2
+
+    def move(point: Place) -> Place:
+        return round(point[0] - origin[0], 9), round(point[1] - origin[1], 9)
+
+    def move_ring(ring: Ring) -> Ring:
+        return replace(ring, points=tuple(map(move, ring.points)))
+
+    def move_area(area: AreaMark) -> AreaMark:
+        return replace(area, curve=move_ring(area.curve), holes=tuple(map(move_ring, area.holes)))
+
+    columns = tuple(move_ring(each) if isinstance(each, Ring) else move(each) for each in drawing.columns)
+    loads = [(each, move((each.x, each.y))) for each in drawing.point_loads]
+    return replace(
+        drawing,
+        outline=move_ring(drawing.outline),
+        openings=tuple(map(move_ring, drawing.openings)),
+        zones=tuple(map(move_ring, drawing.zones)),
+        columns=columns,
+        point_loads=tuple(replace(each, x=x, y=y) for each, (x, y) in loads),
+        line_loads=tuple(replace(each, points=tuple(map(move, each.points))) for each in drawing.line_loads),
+        area_loads=tuple(map(move_area, drawing.area_loads)),
+        origin=origin,
+    )
 
 
 CLOSE = 1e-6  # ends so near, as a part of the drawing's size, are one point

@@ -3,17 +3,28 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from groundslab.case.dxf.chaining import ClosedCurve, join_lines
 from groundslab.case.dxf.classify import find_outline, read_column_points, report_taken
-from groundslab.case.dxf.distributed_loads import read_area_loads, read_line_loads
-from groundslab.case.dxf.document import WITH_VALUE, Layers, Roles, assign_roles, check_layers, open_drawing, set_unit
+from groundslab.case.dxf.document import (
+    WITH_VALUE,
+    Layers,
+    Roles,
+    assign_roles,
+    check_layers,
+    check_named_layers,
+    name_roles,
+    open_drawing,
+    set_unit,
+)
 from groundslab.case.dxf.drawing import CLOSE, MOST_EDGES, MOST_ENTITIES, Drawing, ReadContext, Source, abort
 from groundslab.case.dxf.entities import BlockCounts, DrawnLine, iterate_entities, read_line, read_position
-from groundslab.case.dxf.labelling import DIMENSION, Label, read_label
-from groundslab.case.dxf.point_loads import read_point_loads
+from groundslab.case.dxf.loads.distributed_loads import read_area_loads, read_line_loads
+from groundslab.case.dxf.loads.labelling import DIMENSION, Label, read_label
+from groundslab.case.dxf.loads.point_loads import read_point_loads
 from groundslab.geometry.intersections import find_self_meeting
 from groundslab.geometry.plan import Place
 
@@ -27,17 +38,24 @@ WRITTEN = ("TEXT", "MTEXT", "ATTRIB", "ATTDEF")
 CURVES = ("outline", "openings", "zones", "columns")
 
 
-def read(path: str | Path, layers: Layers | None = None, unit: str | None = None) -> Drawing:
+def read(path: str | Path, layers: Layers | Mapping[str, str] | None = None, unit: str | None = None) -> Drawing:
     """Return what a drawing's layers hold; raises InputError with all that is wrong.
 
-    ``unit`` (such as "mm") is needed if the drawing does not say its own, and wins over it.
+    ``layers`` names one for each thing, or says what each holds of all that are read. ``unit`` (such as "mm") is needed
+    if the drawing does not say its own, and wins over it.
     """
-    context, layers = ReadContext(str(path)), layers or Layers()
+    context = ReadContext(str(path))
     document = open_drawing(context.path)
     set_unit(document, unit, context)
-    roles = assign_roles(layers, context)
-    entities = _entities(document, roles, context)
-    check_layers(document, layers, roles, entities, context)
+    if isinstance(layers, Mapping):
+        roles = name_roles(layers, context)
+        entities = _entities(document, roles, context)
+        check_named_layers(document, layers, entities, context)
+    else:
+        layers = layers or Layers()
+        roles = assign_roles(layers, context)
+        entities = _entities(document, roles, context)
+        check_layers(document, layers, roles, entities, context)
     texts = {role: _texts(entities[role], DIMENSION[role], context) for role in WITH_VALUE}
     lines, points = _lines(entities, context)
     tolerance = _tolerance(lines, points)

@@ -52,16 +52,23 @@ def create_state_folder() -> Path:
 
 
 def list_folder(folder: Path) -> dict[str, Any]:
-    """Return the folders and case files in a folder, without hidden ones; raises InputError."""
+    """Return the folders, case files and drawings in a folder, without hidden ones; raises InputError."""
     folder = folder.expanduser().absolute()
     try:
         entries = [entry for entry in os.scandir(folder) if _is_listed(entry.name)]
         folders = sorted((entry.name for entry in entries if try_check(entry.is_dir)), key=str.casefold)
-        files = [entry.name for entry in entries if entry.name.lower().endswith(".toml") and try_check(entry.is_file)]
+        names = {
+            suffix: sorted(
+                (each.name for each in entries if each.name.lower().endswith(suffix) and try_check(each.is_file)),
+                key=str.casefold,
+            )
+            for suffix in (".toml", ".dxf")
+        }
     except OSError as error:
         raise InputError([Issue(str(folder), describe_error(error), "a folder that can be read")]) from None
     parent = None if folder.parent == folder else str(folder.parent)
-    return {"folder": str(folder), "parent": parent, "folders": folders, "files": sorted(files, key=str.casefold)}
+    files = {"files": names[".toml"], "drawings": names[".dxf"]}
+    return {"folder": str(folder), "parent": parent, "folders": folders, **files}
 
 
 def try_check(check: Callable[[], bool]) -> bool:

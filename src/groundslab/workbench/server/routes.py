@@ -55,6 +55,15 @@ class Open(_Body):
     file: Annotated[str, Field(min_length=1)]
 
 
+class OpenDrawing(_Body):
+    """A drawing, what each of its layers that are read holds, its unit, and whether the slab's middle is the origin."""
+
+    file: Annotated[str, Field(min_length=1)]
+    layers: Annotated[dict[str, str], Field(max_length=1000)]
+    unit: Annotated[str, Field(max_length=100)] | None = None
+    centered: bool = False
+
+
 class Restore(_Body):
     """Whether unsaved work is restored or declined."""
 
@@ -163,6 +172,14 @@ def _add_document_routes(app: FastAPI, session: Session) -> None:
     @app.post("/api/open")
     def open_file(body: Open) -> State:
         return session.open(body.file)
+
+    @app.get("/api/drawing")
+    def survey_drawing(file: str) -> JSONResponse:
+        return JSONResponse(session.survey_drawing(file))
+
+    @app.post("/api/drawing")
+    def open_drawing(body: OpenDrawing) -> dict[str, Any]:
+        return session.open_drawing(body.file, body.layers, body.unit, body.centered)
 
     @app.post("/api/restore")
     def restore(body: Restore) -> State:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -12,6 +12,7 @@ from typing import Any
 from groundslab.case import casefile
 from groundslab.errors import InputError, Issue
 from groundslab.workbench.checking.bounded_process import BoundedProcess
+from groundslab.workbench.checking.drawings import DrawingReader
 from groundslab.workbench.checking.parsing import CheckResult
 from groundslab.workbench.checking.thread import Checker
 from groundslab.workbench.editing.document import Document, Edit
@@ -44,6 +45,7 @@ class Session:
         self.solver = solver
         self.comparer = GroundComparer(hub.publish)
         self._checker = Checker(self._set_data, self._set_check_result, caller)
+        self._drawings = DrawingReader()
         self._data: dict[str, Any] | None = None
         self._check_result: CheckResult | None = None  # None while the document is being checked
         self._plan: dict[str, Any] | None = None  # the previous one while the document is being checked
@@ -159,6 +161,20 @@ class Session:
             self._case_file.close()
             self._begin_new()
         return self.get_state()
+
+    def survey_drawing(self, name: str) -> dict[str, Any]:
+        """Return what the layers of a drawing hold; raises InputError."""
+        return self._drawings.survey(case_file.resolve_path(name, self._case_file.folder))
+
+    def open_drawing(self, name: str, layers: Mapping[str, str], unit: str | None, centered: bool) -> dict[str, Any]:
+        """Begin a new document made from a drawing, and return its state with the report; raises InputError."""
+        path = case_file.resolve_path(name, self._case_file.folder)
+        made = self._drawings.convert(path, layers, unit, centered)
+        with self._lock:
+            self._autosave.release()
+            self._case_file.close()
+            self._begin(Document(made.text), CaseFile(None, None))
+        return {"state": self.get_state(), "report": made.report, "origin": made.origin}
 
     def restore(self, accept: bool) -> State:
         """Restore unsaved work of an earlier run, as a step that can be undone, or decline it."""

@@ -24,7 +24,7 @@ from groundslab import units
 from groundslab.case import casefile, dxf
 from groundslab.case.dxf.document import Layers
 from groundslab.case.dxf.drawing import Drawing
-from groundslab.case.dxf.labelling import find_quantity
+from groundslab.case.dxf.loads.labelling import find_quantity
 from groundslab.errors import InputError
 from groundslab.geometry.plan import Ring
 from groundslab.model.loads.load_types import AreaLoad, LineLoad, PointLoad, UniformLoad
@@ -942,8 +942,8 @@ class TestOutput:
         points = tuple(tuple(float(each.removesuffix(" m")) for each in point) for point in opening["points"])
         assert points == drawing.openings[0].points
         assert case["loads"] == [
-            {"kind": "point", "name": "70 kN", "P": "70000.0 N", "x": "3 m", "y": "4 m"},
-            {"kind": "point", "name": "250 kN", "P": "250000.0 N", "x": "6 m", "y": "5 m"},
+            {"kind": "point", "name": "70 kN", "P": "70 kN", "x": "3 m", "y": "4 m"},
+            {"kind": "point", "name": "250 kN", "P": "250 kN", "x": "6 m", "y": "5 m"},
         ]
         for words in ("# thickness", "# E", "# nu", "# [ground]", "# Zone 1", "# Column 2", '# x = "7 m"'):
             assert words in text

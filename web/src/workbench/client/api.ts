@@ -1,5 +1,6 @@
 // The server's HTTP interface.
 
+import type { DrawingChoice, Survey } from "../drawing/survey";
 import type { Change } from "../model/changes/edits";
 import { type Issue, issueLine } from "../model/issues";
 import { isTable, type Json, type Table, tableAt } from "../model/paths";
@@ -44,6 +45,14 @@ export interface Folder {
   parent: string | null;
   folders: string[];
   files: string[];
+  drawings?: string[];
+}
+
+/** A case made from a drawing: the report of what was read, and the place of the drawing [m] that is the origin. */
+export interface OpenedDrawing {
+  state: DocState;
+  report: string;
+  origin: [number, number];
 }
 
 export interface SummaryRow {
@@ -130,6 +139,7 @@ export class Refused extends Error {
 }
 
 const PATIENCE = 15_000; // ms until a server that does not answer counts as gone
+const READING = 120_000; // the same while it reads a drawing
 
 /** The interface over HTTP, every call with the token. */
 export class HttpApi {
@@ -147,6 +157,9 @@ export class HttpApi {
   redo = () => this.json<DocState>("redo", {});
   save = (file: string | null, over: boolean) => this.json<DocState>("save", file === null ? { over } : { file, over });
   open = (file: string) => this.json<DocState>("open", { file });
+  surveyDrawing = (file: string) => this.json<Survey>(`drawing?file=${encodeURIComponent(file)}`, undefined, READING);
+  openDrawing = (file: string, choice: DrawingChoice) =>
+    this.json<OpenedDrawing>("drawing", { file, ...choice }, READING);
   createCase = () => this.json<DocState>("new", {});
   restore = (take: boolean) => this.json<DocState>("restore", { take });
   files = (folder: string | null) =>

@@ -1,5 +1,6 @@
 // The state of the page, and listeners to its changes. No elements here.
 
+import type { Underlay } from "../drawing/underlay";
 import type { Change, Edit } from "../model/changes/edits";
 import { applyOptimistic } from "../model/changes/optimistic-edits";
 import type { Issue } from "../model/issues";
@@ -52,7 +53,9 @@ export type Topic =
   | "selection"
   | "waiting"
   | "autosolve"
-  | "notice";
+  | "notice"
+  | "opened"
+  | "underlay";
 
 /** A short message to the user, with an action. */
 export interface Notice {
@@ -73,6 +76,8 @@ export class Store {
   /** The paths of the items that are selected, the latest last. */
   selected: readonly Path[] = [];
   notice: Notice | null = null;
+  /** The drawing below the plan. */
+  underlay: Underlay | null = null;
   /** The server's data with the edits that are still on their way. */
   data: Table = {};
   /** The server's data; the last ones that could be read while the text is broken. */
@@ -134,7 +139,7 @@ export class Store {
   }
 
   /** Take another value of a topic. */
-  set<K extends "connection" | "comparison" | "preview" | "run" | "solved" | "autosolve" | "notice">(
+  set<K extends "connection" | "comparison" | "preview" | "run" | "solved" | "autosolve" | "notice" | "underlay">(
     topic: K,
     value: Store[K],
   ): void {

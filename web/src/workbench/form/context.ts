@@ -14,6 +14,8 @@ export interface FormContext {
   data(): Table;
   issues(): readonly Issue[];
   change(change: Change): void;
+  /** Tell the user something in a line. */
+  notify?(text: string): void;
 }
 
 /** A part of a form: `update` shows the present data and issues, `reveal` opens and focuses the field of a path. */

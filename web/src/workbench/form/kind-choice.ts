@@ -17,8 +17,11 @@ export function kindChoice(
   change: (from: Part | null, to: Part) => void = (from, to) => {
     const data = ctx.data();
     const isGround = samePath(path, ["ground"]);
-    const edits = isGround ? switchGround(data, from, to, ctx.memory) : switchKind(data, path, from, to, ctx.memory);
+    const { edits, notice } = isGround
+      ? switchGround(data, from, to, ctx.memory)
+      : { edits: switchKind(data, path, from, to, ctx.memory), notice: "" };
     if (edits.length > 0) ctx.change({ edits, text: `change ${titleAt(ctx.data(), path)} to ${kindText(to)}` });
+    if (notice) ctx.notify?.(notice);
   },
 ): Widget {
   const parts = names.map((name) => ctx.schema.part(name));

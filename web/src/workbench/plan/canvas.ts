@@ -1,5 +1,6 @@
 // The drawing on the screen: what is seen, what is drawn, which part of it is under the pointer.
 
+import { boxAround } from "../../viewer/data/boxes";
 import { distanceBetween } from "../../viewer/data/points";
 import { Camera } from "../../viewer/plan/camera";
 import { drawGrid, drawRulers, RULER, stepOf } from "../../viewer/plan/rulers";
@@ -7,6 +8,7 @@ import { drawPath, drawText } from "../../viewer/plan/symbols";
 import { svg } from "../../viewer/shared/dom";
 import { readStored, writeStored } from "../../viewer/shared/storage";
 import type { Store } from "../client/store";
+import { type Underlay, UnderlayLines } from "../drawing/underlay";
 import { type Geometry, isClosed, type Point, rectangleCorners, ringOf } from "../model/geometry";
 import { boundsOfItems, footprintOf, type Item, itemsOf } from "../model/items";
 import { type Path, pathKey } from "../model/paths";
@@ -44,6 +46,8 @@ export class Canvas {
   hasAxes = readStored(AXES) !== "no";
   private readonly grid = svg("g");
   private readonly axes = svg("g");
+  private readonly below = svg("g");
+  private underlay: UnderlayLines | null = null;
   private readonly symbols = svg("g");
   private readonly marks = svg("g");
   private readonly rulers = svg("g");
@@ -59,7 +63,7 @@ export class Canvas {
       "aria-label": "drawing of the slab in plan",
       "aria-roledescription": "drawing",
     };
-    this.element = svg("svg", attributes, this.grid, this.axes, this.symbols, this.marks, this.rulers);
+    this.element = svg("svg", attributes, this.grid, this.below, this.axes, this.symbols, this.marks, this.rulers);
   }
 
   /** The size of the element has changed. */
@@ -81,14 +85,24 @@ export class Canvas {
     else this.redraw();
   }
 
+  /** Show a drawing below the items, or none. */
+  showUnderlay(underlay: Underlay | null): void {
+    this.underlay = underlay?.shown ? new UnderlayLines(underlay) : null;
+    if (this.fitted) this.fit();
+    else this.redraw();
+  }
+
   /** Show everything. */
   fit(): void {
-    this.camera.fit(
-      boundsOfItems(this.items) ?? [-6, -4, 6, 4],
-      this.hasAxes ? MARGIN_OF_AXES : MARGIN,
-      RULER.left,
-      RULER.bottom,
+    const boxes = [boundsOfItems(this.items), this.underlay?.bounds ?? null].filter((box) => box !== null);
+    const all = boxAround(
+      boxes.flatMap(([x0, y0, x1, y1]): Point[] => [
+        [x0, y0],
+        [x1, y1],
+      ]),
     );
+    const margin = this.hasAxes ? MARGIN_OF_AXES : MARGIN;
+    this.camera.fit(boxes.length > 0 ? all : [-6, -4, 6, 4], margin, RULER.left, RULER.bottom);
     this.fitted = true;
     this.redraw();
   }
@@ -134,7 +148,7 @@ export class Canvas {
   /** Return the place that a pixel means; `free` switches snapping off. */
   snap(at: Point, free: boolean, without: readonly Path[], own: readonly Point[] = []): Snapped {
     if (free) return { at, fromX: null, fromY: null, onPoint: false };
-    const places = snapPlaces(this.items, without);
+    const places = [...snapPlaces(this.items, without), ...(this.underlay?.placesNear(at, this.reach) ?? [])];
     const points = [...places.map((place) => place.at), ...own];
     const snapped = snap({ at, points, step: this.step, reach: this.reach });
     const name = snapped.onPoint ? places.find((place) => place.at === snapped.at)?.name : undefined;
@@ -176,6 +190,7 @@ export class Canvas {
       loadCase: this.loadCase,
     };
     this.grid.replaceChildren(...drawGrid(camera));
+    this.below.replaceChildren(...(this.underlay ? [this.underlay.draw(camera)] : []));
     this.axes.replaceChildren(...(this.hasAxes ? drawAxes(camera, shown) : []));
     this.symbols.replaceChildren(...drawItems(camera, shown, highlights));
     const ghosts = svg("g", { class: "ghosts" }, ...drawItems(camera, this.ghosts, { ...NOTHING_MARKED }));

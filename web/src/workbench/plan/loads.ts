@@ -1,12 +1,12 @@
 // Loads beside the drawing: the load case that stands out, and loads without a place in plan.
-import { button, fill, fillOptions, h } from "../../viewer/shared/dom";
+import { button, fillOptions, h, setText } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
 import type { Change } from "../model/changes/edits";
 import { addLoadCase } from "../model/changes/new-items";
 import { defaultsFor } from "../model/defaults";
 import { UNPLACED } from "../model/items";
 import { namesIn } from "../model/names";
-import { listAt, type Path, tableAt } from "../model/paths";
+import { listAt, type Path, type Table, tableAt } from "../model/paths";
 
 interface Part {
   readonly element: HTMLElement;
@@ -52,37 +52,52 @@ export function caseChoice(store: Store, push: (change: Change) => void, onChoos
 
 /** Loads on the entire slab, and buttons that add them. */
 export function unplacedLoads(store: Store, push: (change: Change) => void, loadCase: () => string): Part {
-  const element = h("div", { class: "unplaced" });
-  const makeChip = (path: Path) => {
-    const load = tableAt(store.data, path);
-    const value = String(load.q ?? load.unit_weight ?? load.difference ?? load.w ?? "");
-    const text = `${String(load.name || load.kind)} ${value}${load.case ? ` (${String(load.case)})` : ""}`;
-    const chip = button(text, "Load on the entire slab", () => store.select(path), "chip");
-    chip.setAttribute("aria-pressed", String(store.isSelected(path)));
-    return chip;
-  };
-  const makeAdd = (definition: string, text: string) => {
-    const add = button(
-      `+ ${text}`,
-      `Add ${text}`,
-      () => addLoad(store, push, definition, text, loadCase()),
-      "chip add",
-    );
-    add.disabled = store.broken;
-    return add;
+  // buttons are kept, so that a press is not lost where leaving a field changes a load meanwhile
+  const chips: { button: HTMLButtonElement; path: Path }[] = [];
+  const none = h("span", { class: "quiet" }, "no loads");
+  const box = h("span", { class: "chips" }, none);
+  const adds = [
+    ["UniformLoad", "uniform load"],
+    ["SelfWeight", "self-weight"],
+  ].map(([definition = "", text = ""]) =>
+    button(`+ ${text}`, `Add ${text}`, () => addLoad(store, push, definition, text, loadCase()), "chip add"),
+  );
+  const makeChip = () => {
+    const chip = {
+      button: button("", "Load on the entire slab", () => store.select(chip.path), "chip"),
+      path: [] as Path,
+    };
+    box.append(chip.button);
+    chips.push(chip);
   };
   const update = () => {
-    const chips = listAt(store.data, ["loads"]).flatMap((_, n) =>
-      UNPLACED.has(String(tableAt(store.data, ["loads", n]).kind)) ? [makeChip(["loads", n])] : [],
+    const paths = listAt(store.data, ["loads"]).flatMap((_, n): Path[] =>
+      UNPLACED.has(String(tableAt(store.data, ["loads", n]).kind)) ? [["loads", n]] : [],
     );
-    fill(
-      element,
-      h("span", {}, "Entire slab:"),
-      h("span", { class: "chips" }, ...(chips.length > 0 ? chips : [h("span", { class: "quiet" }, "no loads")])),
-      h("span", { class: "chip-adds" }, makeAdd("UniformLoad", "uniform load"), makeAdd("SelfWeight", "self-weight")),
-    );
+    while (chips.length < paths.length) makeChip();
+    for (const chip of chips.splice(paths.length)) chip.button.remove();
+    paths.forEach((path, n) => {
+      const chip = chips[n]!;
+      chip.path = path;
+      setText(chip.button, chipText(tableAt(store.data, path)));
+      chip.button.setAttribute("aria-pressed", String(store.isSelected(path)));
+    });
+    none.hidden = paths.length > 0;
+    for (const add of adds) add.disabled = store.broken;
   };
+  const element = h(
+    "div",
+    { class: "unplaced" },
+    h("span", {}, "Entire slab:"),
+    box,
+    h("span", { class: "chip-adds" }, ...adds),
+  );
   return { element, update };
+}
+
+function chipText(load: Table): string {
+  const value = String(load.q ?? load.unit_weight ?? load.difference ?? load.w ?? "");
+  return `${String(load.name || load.kind)} ${value}${load.case ? ` (${String(load.case)})` : ""}`;
 }
 
 function addLoad(

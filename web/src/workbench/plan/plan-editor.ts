@@ -1,6 +1,7 @@
 // The drawing with its tools, keys and properties.
 import { button, h, setText } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
+import { underlayBar } from "../drawing/underlay-bar";
 import type { FormContext } from "../form/context";
 import { joinEdits } from "../model/changes/batches";
 import type { Change } from "../model/changes/edits";
@@ -62,8 +63,8 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
   });
   const loads = unplacedLoads(store, push, () => canvas.loadCase);
   const empty = h("p", { class: "drawing-empty" }, EMPTY);
-  const view = viewButtons(canvas);
-  const corner = h("div", { class: "drawing-corner" }, cases.element, ...view);
+  const bar = [underlayBar(store, canvas), cases.element, ...viewButtons(canvas)];
+  const corner = h("div", { class: "drawing-corner" }, ...bar);
   const box = h("div", { class: "drawing-box" }, canvas.element, corner, empty);
   const middle = h("div", { class: "plan-middle" }, box, loads.element, hint);
   const element = h("div", { class: "plan-editor" }, tools.element, middle, panel.element);

@@ -3,6 +3,7 @@
 import { type Api, type DocState, Lost, Refused } from "../client/api";
 import type { EditQueue } from "../client/edit-queue";
 import type { Store } from "../client/store";
+import { isDrawing, openDrawing } from "../drawing/open-drawing";
 import { ask } from "./dialogs";
 import { chooseFile } from "./file-dialog";
 
@@ -57,7 +58,8 @@ export class Commands {
 
   open = async (): Promise<void> => {
     const chosen = await chooseFile(this.api, "open", this.store.doc?.file ?? null);
-    if (chosen) await this.openFile(chosen.file);
+    if (!chosen) return;
+    await (isDrawing(chosen.file) ? this.openDrawing(chosen.file) : this.openFile(chosen.file));
   };
 
   /** Open a file in place of the present one. */
@@ -65,6 +67,21 @@ export class Commands {
     if (!(await this.confirmLeaving())) return;
     if (await this.change(() => this.api.open(file))) this.resetResult();
   };
+
+  /** Make a case of a drawing, or show it below the plan. */
+  private openDrawing(file: string): Promise<void> {
+    return openDrawing(file, {
+      api: this.api,
+      store: this.store,
+      run: (run) => this.run(run),
+      leave: () => this.confirmLeaving(),
+      replace: async (make, refused) => {
+        const isDone = await this.change(make, undefined, refused);
+        if (isDone) this.resetResult();
+        return isDone;
+      },
+    });
+  }
 
   createCase = async (): Promise<void> => {
     if (!(await this.confirmLeaving())) return;
@@ -84,11 +101,13 @@ export class Commands {
       this.store.set("autosolve", on);
     });
 
-  /** Forget results and selection of the document before. */
+  /** Forget results, selection and what else belongs to the document before. */
   private resetResult(): void {
     this.store.set("solved", null);
     this.store.set("run", { kind: "idle" });
     this.store.select(null);
+    this.store.set("underlay", null);
+    this.store.emit("opened");
   }
 
   /** Ask what to do with unsaved work before another document is opened. */

@@ -45,7 +45,7 @@ class FileDialog {
     private readonly resolve: (chosen: ChosenFile | null) => void,
   ) {
     const words = purpose === "open" ? "Open" : "Save";
-    const title = purpose === "open" ? "Open a case file" : "Save the case file as";
+    const title = purpose === "open" ? "Open a case file or a drawing" : "Save the case file as";
     const goUp = () => this.folder?.parent && void this.show(this.folder.parent);
     const answers = [
       button("Cancel", "", () => this.close(null)),
@@ -103,12 +103,22 @@ class FileDialog {
     }
     this.message.textContent = "";
     this.place.value = this.folder.folder;
-    const { folders, files } = this.folder;
+    const { folders } = this.folder;
+    const drawings = this.purpose === "open" ? (this.folder.drawings ?? []) : [];
+    const files = [...this.folder.files, ...drawings];
     fill(
       this.list,
       ...folders.map((name) => this.entry(name, true)),
       ...files.map((name) => this.entry(name, false)),
-      folders.length + files.length === 0 ? h("p", { class: "empty" }, "No case files (*.toml) in this folder.") : null,
+      folders.length + files.length === 0
+        ? h(
+            "p",
+            { class: "empty" },
+            this.purpose === "open"
+              ? "No case files (*.toml) or drawings (*.dxf) in this folder."
+              : "No case files (*.toml) in this folder.",
+          )
+        : null,
     );
     return true;
   }

@@ -83,7 +83,9 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
     data: () => store.data,
     issues: () => store.doc?.issues ?? [],
     change: push,
+    notify: (text) => store.set("notice", { kind: "info", text }),
   };
+  store.on(["opened"], () => ctx.memory.clear());
   const form = formPanel(ctx, openSections);
   const plan = planEditor(store, ctx, push);
   const sheets = new TablesPanel(store, ctx);

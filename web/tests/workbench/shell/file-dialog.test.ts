@@ -20,3 +20,22 @@ test("saves into the folder that is written, though its files are not listed yet
   expect(await chosen).toEqual({ file: "/third/slab.toml", over: false });
   expect(listed).toEqual([null, "/third"]);
 });
+
+test("lists drawings among the files to open, not among those to save to", async () => {
+  const files = async (): Promise<Folder> => ({
+    folder: "/start",
+    parent: null,
+    folders: [],
+    files: ["slab.toml"],
+    drawings: ["plan.dxf"],
+  });
+  for (const [purpose, names] of [
+    ["open", ["slab.toml", "plan.dxf"]],
+    ["save", ["slab.toml"]],
+  ] as const) {
+    document.body.replaceChildren();
+    void chooseFile({ files }, purpose, null);
+    await new Promise((resolve) => setTimeout(resolve));
+    expect([...document.querySelectorAll(".files .entry")].map((entry) => entry.textContent)).toEqual(names);
+  }
+});

@@ -13,12 +13,15 @@ export type Memory = Map<string, Table>;
 
 /** The edits that make the table at a path another kind. */
 export function switchKind(data: Table, path: Path, from: Part | null, to: Part, memory: Memory): Edit[] {
+  return replaceTable(data, path, convertTable(data, path, tableAt(data, path), from, to, memory));
+}
+
+/** The edits that make the table at a path this one, key by key. */
+export function replaceTable(data: Table, path: Path, wanted: Table): Edit[] {
   const old = tableAt(data, path);
-  if (from) memory.set(pathKey([...path, from.name]), old);
-  const wanted = convertTable(data, path, old, from, to, memory.get(pathKey([...path, to.name])) ?? {});
   if (valueAt(data, path) === undefined) return [{ op: "set", path, value: wanted }];
   const edits: Edit[] = [];
-  if (to.kind) edits.push({ op: "set", path: [...path, "kind"], value: to.kind });
+  if (wanted.kind) edits.push({ op: "set", path: [...path, "kind"], value: wanted.kind });
   for (const key of Object.keys(old)) if (!(key in wanted)) edits.push({ op: "remove", path: [...path, key] });
   for (const [key, value] of Object.entries(wanted)) {
     if (key !== "kind" && !sameValue(value, old[key])) edits.push({ op: "set", path: [...path, key], value });
@@ -26,8 +29,17 @@ export function switchKind(data: Table, path: Path, from: Part | null, to: Part,
   return edits;
 }
 
-/** The table after the switch. */
-function convertTable(data: Table, path: Path, old: Table, from: Part | null, to: Part, before: Table): Table {
+/** The table after the switch; `place` is what the memory calls it by. */
+export function convertTable(
+  data: Table,
+  path: Path,
+  old: Table,
+  from: Part | null,
+  to: Part,
+  memory: Memory,
+  place: Path = path,
+): Table {
+  if (from) memory.set(pathKey([...place, from.name]), old);
   const table: Table = to.kind ? { kind: to.kind } : {};
   const shared = new Map((from?.fields ?? []).map((field) => [field.name, field]));
   for (const field of to.fields) {
@@ -36,11 +48,12 @@ function convertTable(data: Table, path: Path, old: Table, from: Part | null, to
     if (own !== undefined && field.node.is !== "tag" && (!previous || isCompatible(previous, field)))
       table[field.name] = own;
   }
-  const filled: Table = { ...defaultPlacement(data, path, to, old), ...defaultsFor(to.name, data), ...before };
-  const given = new Set(Object.keys({ ...defaultsFor(to.name, data), ...before }));
+  // what the table was before it had another kind is complete: defaults would say a thing twice
+  const given = memory.get(pathKey([...place, to.name])) ?? defaultsFor(to.name, data);
+  const filled: Table = { ...defaultPlacement(data, path, to, old), ...defaultsFor(to.name, data), ...given };
   for (const field of to.fields) {
     const value = filled[field.name];
-    const wanted = field.needed || given.has(field.name) || needsPlace(to, field);
+    const wanted = field.needed || field.name in given || needsPlace(to, field);
     if (table[field.name] === undefined && value !== undefined && wanted) table[field.name] = value;
   }
   return table;

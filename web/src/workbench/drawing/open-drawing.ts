@@ -1,0 +1,96 @@
+// Opening a drawing: its layers are read, then a case is made of it, or it is shown below the plan.
+
+import { button, h } from "../../viewer/shared/dom";
+import type { Api, DocState, Refused } from "../client/api";
+import type { Store } from "../client/store";
+import { closeDialog, openDialog } from "../shell/dialogs";
+import { askAboutDrawing } from "./drawing-dialog";
+import type { DrawingChoice, Survey } from "./survey";
+import { centeringOffset } from "./underlay";
+
+/** Whether a file is a drawing by its name. */
+export function isDrawing(file: string): boolean {
+  return /\.dxf$/i.test(file);
+}
+
+/** What the opening of a drawing needs. */
+export interface DrawingOpener {
+  api: Pick<Api, "surveyDrawing" | "openDrawing">;
+  store: Store;
+  /** Do something with the server after all edits have been sent; returns whether it went well. */
+  run(run: () => Promise<void>): Promise<boolean>;
+  /** Ask what to do with unsaved work; returns whether the document may be left. */
+  leave(): Promise<boolean>;
+  /** Replace the document; `refused` takes the reason if the server refuses. */
+  replace(make: () => Promise<DocState>, refused: (error: Refused) => boolean): Promise<boolean>;
+}
+
+/** Open a drawing; resolves when its dialog is closed. */
+export async function openDrawing(file: string, opener: DrawingOpener): Promise<void> {
+  const { api, store } = opener;
+  const name = file.replace(/^.*[\\/]/, "");
+  let found: Survey | null = null;
+  store.set("notice", { kind: "info", text: `Reading ${name} …` });
+  const isRead = await opener.run(async () => {
+    found = await api.surveyDrawing(file);
+    store.set("notice", null);
+  });
+  const survey = found as Survey | null;
+  if (!isRead || !survey) return;
+  await askAboutDrawing(name, survey, {
+    makeCase: (choice, shown) => makeCase(file, name, survey, choice, shown, opener),
+    showBelow: (choice) => {
+      const offset = choice.centered ? centeringOffset(survey, choice.unit) : ([0, 0] as [number, number]);
+      store.set("underlay", { name, survey, unit: choice.unit, offset, shown: true });
+    },
+  });
+}
+
+/** Make a case of a drawing; returns why it cannot be made, empty if it was. */
+async function makeCase(
+  file: string,
+  name: string,
+  survey: Survey,
+  choice: DrawingChoice,
+  shown: boolean,
+  { api, store, leave, replace }: DrawingOpener,
+): Promise<string> {
+  if (!(await leave())) return "The present case stays open.";
+  let problem = "The drawing could not be read.";
+  let [report, origin] = ["", [0, 0] as [number, number]];
+  const isMade = await replace(
+    async () => {
+      const made = await api.openDrawing(file, choice);
+      ({ report, origin } = made);
+      return made.state;
+    },
+    (error) => {
+      problem = error.message;
+      return true;
+    },
+  );
+  if (!isMade) return problem;
+  const offset: [number, number] = [0 - origin[0], 0 - origin[1]];
+  store.set("underlay", { name, survey, unit: choice.unit, offset, shown });
+  showReport(name, report);
+  return "";
+}
+
+/** Show what was read of a drawing and what was left. */
+function showReport(name: string, report: string): void {
+  const title = `What was read of ${name}`;
+  const close = () => closeDialog(dialog);
+  const missing =
+    "What no drawing says, such as the thickness and the ground, is missing still: the list of errors says what.";
+  const ok = button("Close", "", close, "main");
+  const dialog = h(
+    "dialog",
+    { class: "drawing-report", "aria-label": title },
+    h("h2", {}, title),
+    h("p", {}, missing),
+    h("pre", { tabindex: 0 }, report),
+    h("div", { class: "answers" }, ok),
+  );
+  openDialog(dialog, close);
+  ok.focus();
+}

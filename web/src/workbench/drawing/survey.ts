@@ -1,0 +1,96 @@
+// What a drawing holds, as the server has read it, and what is chosen of it.
+
+import { type Box, boxAround } from "../../viewer/data/boxes";
+import type { Point } from "../model/geometry";
+
+/** A layer: its entities by kind, what its name says that it holds; lines, chords of curves and points as flat lists. */
+export interface Layer {
+  name: string;
+  role: string | null;
+  /** Whether the drawing does not show it. */
+  hidden: boolean;
+  kinds: Record<string, number>;
+  lines: readonly number[][];
+  curves: readonly number[][];
+  points: readonly number[];
+}
+
+/** A drawing, whose places are meters if its unit is `scale` meters. */
+export interface Survey {
+  unit: string | null;
+  scale: number;
+  layers: readonly Layer[];
+  /** What is not counted or not shown. */
+  remarks: readonly string[];
+}
+
+/** What is to be made of a drawing. */
+export interface DrawingChoice {
+  /** What each layer that is read holds, by its name. */
+  layers: Record<string, string>;
+  unit: string;
+  /** Whether the slab's middle becomes the origin; else the drawing's own stays. */
+  centered: boolean;
+}
+
+/** What a layer can hold, as the command line calls it, and as people do. */
+export const ROLES: readonly (readonly [string, string])[] = [
+  ["", "not read"],
+  ["outline", "outline"],
+  ["openings", "openings"],
+  ["zones", "zones"],
+  ["columns", "columns"],
+  ["point_loads", "point loads"],
+  ["line_loads", "line loads"],
+  ["area_loads", "area loads"],
+];
+
+/** Units of length in meters. */
+const UNITS: Readonly<Record<string, number>> = {
+  mm: 0.001,
+  cm: 0.01,
+  dm: 0.1,
+  m: 1,
+  km: 1000,
+  in: 0.0254,
+  ft: 0.3048,
+  yd: 0.9144,
+  mi: 1609.344,
+  survey_foot: 1200 / 3937,
+};
+
+/** Return the units to choose from; that of the drawing is among them. */
+export function unitsFor({ unit }: Survey): string[] {
+  const usual = ["mm", "cm", "m", "in", "ft"];
+  return unit === null || usual.includes(unit) ? usual : [unit, ...usual];
+}
+
+/** Return by how much the places of a drawing are larger in a unit than they were read. */
+export function enlargement({ scale }: Survey, unit: string): number {
+  return (UNITS[unit] ?? scale) / scale;
+}
+
+/** Return what a layer has, such as `4 LINE, 2 TEXT`. */
+export function contentText({ kinds }: Layer): string {
+  return Object.entries(kinds)
+    .map(([kind, count]) => `${count} ${kind}`)
+    .join(", ");
+}
+
+/** Return what keeps a case from being made, empty if nothing does. */
+export function findProblem({ layers, unit }: DrawingChoice): string {
+  if (unit === "") return "Choose the drawing's unit: it does not say its own.";
+  if (!Object.values(layers).includes("outline")) return "Choose the layer of the outline.";
+  return "";
+}
+
+/** Return the points of a flat list. */
+export function pointsOf(flat: readonly number[]): Point[] {
+  return Array.from({ length: flat.length / 2 }, (_, n): Point => [flat[2 * n]!, flat[2 * n + 1]!]);
+}
+
+/** Return the box around what layers show, null if they show nothing. */
+export function boundsOfLayers(layers: readonly Layer[]): Box | null {
+  const box = boxAround(layers.flatMap(({ lines, curves, points }) => [...lines, ...curves, points].flatMap(pointsOf)));
+  return box[0] > box[2] ? null : box;
+}
