@@ -26,6 +26,7 @@ BOREHOLE = f'[[boreholes]]\nx = "1 m"\ny = "1 m"\nlayers = [{LAYER}]\n'
 CASES = '[[cases]]\nname = "dead"\n[[cases]]\nname = "live"\naction = "variable"\n'
 TWO = 'name = "A"\n[[plates]]\nname = "B"\nthickness = "250 mm"\nE = "30 GPa"\nnu = 0.2\n[plates.outline]\n\
 kind = "rectangle"\nx = ["3 m", "6 m"]\ny = ["-2 m", "2 m"]\n'
+RECTANGLE = 'shape = {kind = "rectangle", x = ["0 m", "1 m"], y = ["0 m", "1 m"]}'
 SUPPORT = '[[supports]]\nkind = "point"\nname = "S"\nx = "1 m"\ny = "1 m"\n'
 COLUMN = '[[columns]]\nname = "C1"\nx = "1 m"\ny = "1 m"\nwidth_x = "400 mm"\nwidth_y = "400 mm"\n'
 
@@ -93,7 +94,7 @@ WRONG: dict[str, tuple[str, str, list[str]]] = {
               'k1 = "10 MN/m"},\n{k0 = "20 MPa/m", k1 = "0 MN/m"}]\n', more='[beyond]\nkind = "infinite"\n'),
         "ground.layers[2].k1", ['set beyond.kind to "none"']),
     "zones beside boreholes": (
-        write(ground=VLASOV, more=BOREHOLE + f'[[soil_zones]]\nshape = {{kind = "rectangle", x = ["0 m", "1 m"], y = ["0 m", "1 m"]}}\n'
+        write(ground=VLASOV, more=BOREHOLE + f'[[soil_zones]]\n{RECTANGLE}\n'
               f'ground = {{kind = "vlasov", layers = [{LAYER}]}}\n'),
         "soil_zones", ["remove soil_zones", "remove boreholes"]),
     "formulas beside boreholes": (write(ground=VLASOV + 'formulas = "as printed"\n', more=BOREHOLE),

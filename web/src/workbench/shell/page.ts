@@ -7,6 +7,7 @@ import type { EditQueue } from "../client/edit-queue";
 import type { Store } from "../client/store";
 import type { FormContext } from "../form/context";
 import { formPanel } from "../form/form-panel";
+import { asksForKeys, showKeys } from "../help/keys";
 import type { Change } from "../model/changes/edits";
 import type { Issue } from "../model/issues";
 import { Schema } from "../model/schema";
@@ -17,7 +18,6 @@ import { TextPanel } from "../text/text-panel";
 import { banner, notices } from "./banner";
 import { Commands } from "./commands";
 import { issueList } from "./diagnostics";
-import { asksForKeys, showKeys } from "./help";
 import { splitter } from "./splitter";
 import { tabs } from "./tabs";
 import { topBar, viewBar } from "./top-bar";
@@ -113,7 +113,7 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
       form.reveal(issue.path);
     }
   };
-  const issues = issueList(store, reveal);
+  const issues = issueList(store, reveal, push);
   store.on(["data", "doc"], () => {
     // what is hidden is updated when it is shown
     if (views.current() === "form") form.update();

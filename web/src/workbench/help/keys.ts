@@ -1,6 +1,6 @@
 // Help: the keys of the page.
 import { button, h, newId } from "../../viewer/shared/dom";
-import { closeDialog, openDialog } from "./dialogs";
+import { closeDialog, openDialog } from "../shell/dialogs";
 
 type KeyRow = readonly [keys: string, meaning: string];
 
