@@ -7,6 +7,8 @@ import type { EditQueue } from "../client/edit-queue";
 import type { Store } from "../client/store";
 import type { FormContext } from "../form/context";
 import { formPanel } from "../form/form-panel";
+import { openDocumentation } from "../help/documentation";
+import { fieldHelp } from "../help/field-help";
 import { asksForKeys, showKeys } from "../help/keys";
 import type { Change } from "../model/changes/edits";
 import type { Issue } from "../model/issues";
@@ -89,8 +91,9 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
     push(continued ? { ...change, merge: true } : change);
   });
   const broken = h("p", { class: "broken", role: "alert", hidden: true }, BROKEN);
-  const planTab = h("div", { class: "panel" }, plan.element);
+  const planTab = h("div", { class: "panel plan-help" }, plan.element);
   const formTab = h("div", { class: "panel scrolls" }, form.element);
+  for (const panel of [planTab, formTab]) panel.append(fieldHelp(ctx, panel, openDocumentation));
   const textTab = h("div", { class: "panel" }, text.element);
   const views = tabs(
     [
