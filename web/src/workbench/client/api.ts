@@ -46,6 +46,14 @@ export interface Folder {
   files: string[];
 }
 
+/** An example that the server has, with what its picture shows. */
+export interface Example {
+  name: string;
+  title: string;
+  about: string;
+  data: Table;
+}
+
 export interface SummaryRow {
   label: string;
   symbol: string;
@@ -148,6 +156,8 @@ export class HttpApi {
   save = (file: string | null, over: boolean) => this.json<DocState>("save", file === null ? { over } : { file, over });
   open = (file: string) => this.json<DocState>("open", { file });
   createCase = () => this.json<DocState>("new", {});
+  examples = () => this.json<Example[]>("examples");
+  openExample = (name: string) => this.json<DocState>("examples", { name });
   restore = (take: boolean) => this.json<DocState>("restore", { take });
   files = (folder: string | null) =>
     this.json<Folder>(folder === null ? "files" : `files?folder=${encodeURIComponent(folder)}`);

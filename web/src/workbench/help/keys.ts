@@ -1,6 +1,8 @@
 // Help: the keys of the page.
 import { button, h, newId } from "../../viewer/shared/dom";
 import { closeDialog, openDialog } from "../shell/dialogs";
+import { openDocumentation } from "./documentation";
+import { setFieldHelp, showsFieldHelp } from "./field-help";
 
 type KeyRow = readonly [keys: string, meaning: string];
 
@@ -9,6 +11,7 @@ const EVERYWHERE: readonly KeyRow[] = [
   ["Ctrl+O", "open a case file"],
   ["Ctrl+Z, Ctrl+Y", "undo, redo"],
   ["F9", "solve"],
+  ["F1", "documentation, of the field with the focus"],
   ["?", "this list"],
 ];
 
@@ -21,8 +24,8 @@ const DRAWING: readonly KeyRow[] = [
   ["+, -, 0", "zoom in, zoom out, show all"],
 ];
 
-/** Show the keys; `tools` are those of the drawing. */
-export function showKeys(tools: readonly { key: string; label: string }[]): void {
+/** Show the keys and what else helps; `tools` are those of the drawing, `takeTour` starts the tour. */
+export function showKeys(tools: readonly { key: string; label: string }[], takeTour: () => void): void {
   const id = newId("dialog");
   const close = () => closeDialog(dialog);
   const done = button("Close", "", close, "main");
@@ -31,6 +34,10 @@ export function showKeys(tools: readonly { key: string; label: string }[]): void
     "dialog",
     { class: "ask keys", "aria-labelledby": id },
     h("h2", { id }, "Keys"),
+    helpLinks(() => {
+      close();
+      takeTour();
+    }),
     h(
       "div",
       { class: "key-groups", tabindex: 0, role: "group", "aria-label": "keys" },
@@ -44,6 +51,15 @@ export function showKeys(tools: readonly { key: string; label: string }[]): void
     h("div", { class: "answers" }, done),
   );
   openDialog(dialog, close);
+}
+
+/** Documentation and tour, and whether the meaning of fields is shown. */
+function helpLinks(takeTour: () => void): HTMLElement {
+  const onchange = () => setFieldHelp(shows.checked);
+  const shows: HTMLInputElement = h("input", { type: "checkbox", checked: showsFieldHelp(), onchange });
+  const documentation = button("Documentation", "In another tab (F1)", () => openDocumentation());
+  const tour = button("Tour", "Five steps from the slab to the report", takeTour);
+  return h("div", { class: "help-links" }, documentation, tour, h("label", {}, shows, "Show the meaning of fields"));
 }
 
 function keyTable(title: string, rows: readonly KeyRow[]): HTMLElement {
