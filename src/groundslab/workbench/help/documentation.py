@@ -136,7 +136,9 @@ def _render(text: str, name: str) -> str:
     for token in tokens:
         if token.children is not None:
             token.children = list(_resolve_links(token.children, posixpath.dirname(name)))
-    return str(parser.renderer.render(tokens, parser.options, {}))
+    page = str(parser.renderer.render(tokens, parser.options, {}))
+    # what scrolls by itself must be reached by keys
+    return re.sub(r"<(pre|table)>", r'<\1 tabindex="0">', page)
 
 
 def _add_heading_anchors(tokens: list[Token]) -> None:
