@@ -38,9 +38,9 @@ def rename_key(place: Place, name: str) -> Repair:
     return Repair(f"rename to {name}", (Edit("rename", place, name),))
 
 
-def add_item(place: Place, name: str, kind: str) -> Repair:
-    """Return the repair that adds an item of a kind that has nothing but a name."""
-    return Repair(f"add {kind} {describe(name)}", (Edit("add", place, {"name": name}),))
+def add_item(place: Place, value: dict[str, Any], label: str) -> Repair:
+    """Return the repair that adds an item to a list."""
+    return Repair(label, (Edit("add", place, value),))
 
 
 def use_nearest(place: Place, word: object, known: Collection[str]) -> tuple[Repair, ...]:

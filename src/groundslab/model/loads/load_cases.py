@@ -7,6 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import model_validator
 
+from groundslab.errors import Repair
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Boolean, Choice, Factors, ListOf, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
@@ -164,6 +165,15 @@ class Combine(Section):
     ] = "psi_1"
 
 
+def _add_case(name: str) -> tuple[Repair, ...]:
+    """Return the repairs that add a load case of a name; its action, on which combinations depend, is to be chosen."""
+    actions: tuple[Kind, ...] = ("permanent", "variable")
+    return tuple(
+        add_item(("cases",), {"name": name, "action": action}, f"add {action} load case {describe(name)}")
+        for action in actions
+    )
+
+
 def check_case_names(
     part: str, key: str, named: list[str | None], cases: tuple[LoadCase, ...]
 ) -> Iterator[RelativeIssue]:
@@ -178,7 +188,7 @@ def check_case_names(
             found = describe(name) if name else "no case"
             place, hint = (part, position, key), suggestion(name, names)
             repairs = use_nearest(place, name, names)
-            repairs += (add_item(("cases",), name, "load case"),) if name else ()
+            repairs += _add_case(name) if name else ()
             repairs += () if names else (remove(place),)
             yield RelativeIssue(place, found, expected, hint, repairs)
 
@@ -198,7 +208,7 @@ def check_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, 
                 hint, nearest = suggestion(name, names), find_nearest(name, names)
                 free = nearest is not None and nearest not in dict(combination.factors)
                 renames = (rename_key(place, str(nearest)),) if free else ()
-                repairs = (*renames, add_item(("cases",), name, "load case"), remove(place, label="remove the factor"))
+                repairs = (*renames, *_add_case(name), remove(place, label="remove the factor"))
                 yield RelativeIssue(place, "a case that is not there", one_of(names), hint, repairs)
 
 
