@@ -73,7 +73,8 @@ WRONG: dict[str, tuple[str, str, list[str]]] = {
     "unknown case in factors": (
         write(loads=LOADS + 'case = "dead"\n',
               more=CASES + '[[combinations]]\nname = "1"\nfactors = {dead = 1.35, liv = 1.5}\n'),
-        "combinations[1].factors.liv", ["rename to live", 'add permanent load case "liv"', 'add variable load case "liv"',
+        "combinations[1].factors.liv",
+        ["rename to live", 'add permanent load case "liv"', 'add variable load case "liv"',
          "remove the factor"]),
     "combinations without cases": (write(more='[[combinations]]\nname = "1"\nfactors = {dead = 1.35}\n'),
                                    "combinations", ["remove combinations"]),

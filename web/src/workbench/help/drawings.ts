@@ -105,7 +105,7 @@ function drawFootprint(): Mark[] {
     still(box("concrete", 84, 26, 44, 36)),
     mark("width_x", ...dimension(84, 18, 128, 18, "c_x")),
     mark("width_y", ...dimension(78, 62, 78, 26, "c_y")),
-    mark("diameter", svg("circle", { class: "outline", cx: 106, cy: 44, r: 18 }), letter(106, 40, "d")),
+    mark("diameter", svg("circle", { class: "outline", cx: 106, cy: 44, r: 18 }), letter(97, 41, "d")),
     mark("x", path("M106 44V92", "line thin"), arrow(52, 92, 106, 92), letter(100, 87, "x", "end")),
     mark("y", path("M106 44H150", "line thin"), arrow(150, 92, 150, 44), letter(158, 72, "y", "start")),
     mark("P", svg("circle", { class: "load", cx: 106, cy: 44, r: 3.5 }), letter(114, 56, "P", "start")),
@@ -119,7 +119,7 @@ function drawRectangle(): Mark[] {
     mark("q", box("area", 72, 24, 84, 42), letter(114, 50, "q")),
     still(box("outline", 72, 24, 84, 42)),
     mark("x", path("M72 66V92M156 66V92", "line thin"), letter(72, 101, "x_1"), letter(156, 101, "x_2")),
-    mark("y", path("M72 24H22M72 66H22", "line thin"), letter(10, 28, "y_2"), letter(10, 70, "y_1")),
+    mark("y", path("M156 24H164M156 66H164", "line thin"), letter(172, 28, "y_2"), letter(172, 70, "y_1")),
   ];
 }
 
@@ -128,8 +128,8 @@ function drawPressure(): Mark[] {
   return [
     still(SLAB()),
     mark("q", ...pressure(20, 164, 16, 36), letter(92, 11, "q")),
-    mark("shape holes", path("M50 58H134"), letter(92, 70, "shape")),
-    mark("slope bend about", path("M20 16L164 2", "line"), letter(172, 12, "q_x", "end")),
+    mark("shape", path("M50 58H134"), letter(92, 70, "shape")),
+    mark("slope", path("M20 16L164 2", "line"), letter(172, 12, "q_x", "end")),
   ];
 }
 
@@ -162,7 +162,8 @@ function drawPile(): Mark[] {
     mark("length", ...dimension(72, 82, 72, 20, "l")),
     mark("diameter", ...dimension(84, 93, 100, 93, "d")),
     mark("E", letter(112, 54, "E_p", "start")),
-    mark("limit limit_tension", arrow(130, 84, 130, 56), letter(136, 74, "R_c", "start")),
+    mark("limit", arrow(130, 84, 130, 60), letter(136, 76, "R_c", "start")),
+    mark("limit_tension", arrow(130, 30, 130, 50), letter(136, 44, "R_t", "start")),
   ];
 }
 
@@ -205,7 +206,7 @@ function drawContact(): Mark[] {
   return [
     still(box("concrete", 20, 18, 144, 12), path("M20 42H84C92 42 92 56 100 56H132C140 56 140 42 148 42H164")),
     mark("gap", ...dimension(34, 42, 34, 30, "g_0")),
-    mark("depth voids gaps", ...dimension(116, 56, 116, 30, "d")),
+    mark("depth voids", path("M100 42H132", "line thin"), ...dimension(116, 56, 116, 42, "d")),
     mark("limit_pressure", arrow(60, 66, 60, 44), arrow(74, 66, 74, 44), letter(67, 80, "p_max")),
   ];
 }
