@@ -24,6 +24,11 @@ def obey(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
         while not Path(file).exists():
             progress("waits", None)
             time.sleep(0.005)
+    elif word == "preview":
+        progress.show("of " + (progress.shown or "nothing"), b"coarse")
+        while not Path(file).exists():
+            progress("waits", None)
+            time.sleep(0.005)
     elif word == "stuck":
         progress("sticks", None)
         while not Path(file).exists():

@@ -43,11 +43,17 @@ AROUND = 6.0
 ORDERS = (1.0, 2.0)
 
 
-def solve_adaptively(model: Model, solve: Callable[[Meshes], Results], share: float = 1.0) -> Results:
+def solve_adaptively(
+    model: Model,
+    solve: Callable[[Meshes], Results],
+    share: float = 1.0,
+    on_mesh: Callable[[Results], None] | None = None,
+) -> Results:
     """Return the results of a model on meshes that are refined until the judged errors are within mesh.accuracy.
 
     Or within a share of it. Or until those that are not fall no more, another mesh would have too many unknowns, or
     MOST_MESHES were made: then the accuracy is missed. Where the mesh is not adaptive, the first one is the only one.
+    on_mesh is called with the results on each mesh before the next one is made.
     """
     start, accuracy = local_sizes(model), share * model.mesh.largest_error
     results, before, spent = solve(Meshes(local=start)), dict[str, dict[str, float]](), 0
@@ -77,6 +83,8 @@ def solve_adaptively(model: Model, solve: Callable[[Meshes], Results], share: fl
             if first.unknowns > MOST_SHARE * left:
                 break
             sizes = sizes * np.sqrt(unknowns / left)
+        if on_mesh is not None:
+            on_mesh(results)
         ratio = sizes / np.sqrt(area)
         extents = np.maximum(ratio, KEPT * ratio**2)[:, None] * extents_of(mesh)
         results = solve(Meshes(local=join((mesh.xy[:, 8], extents), start)))

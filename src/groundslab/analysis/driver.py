@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
@@ -24,6 +25,7 @@ from groundslab.model.combinations import list_combinations, place_patterns
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
+from groundslab.model.settings import Mesh
 from groundslab.results.certificate import certificate, worst
 from groundslab.results.record import Step
 from groundslab.results.recovery import expand, recover, recover_fields
@@ -34,12 +36,15 @@ from groundslab.solvers.solution import Solution
 
 #: Variants have the mesh of the base case, made for errors of this share of the accuracy, as theirs may be larger.
 BASE_SHARE = 0.5
+#: A preview has about so many elements.
+PREVIEW_ELEMENTS = 100
 #: At most so many combinations are solved at the same time, each on its share of the threads,
 MAX_LANES = 4
 #: and only if each has no more unknowns than this: every lane needs memory for a factor.
 MAX_PARALLEL_UNKNOWNS = 400_000
 
 OnCombination = Callable[[Combination], None]
+OnMesh = Callable[[Results], None]
 
 
 def solve(model: Model, on_step: OnStep | None = None, on_combination: OnCombination | None = None) -> Results:
@@ -97,15 +102,38 @@ def solve(model: Model, on_step: OnStep | None = None, on_combination: OnCombina
 
 
 def solve_combinations(
-    model: Model, on_step: OnStep | None = None, on_combination: OnCombination | None = None
+    model: Model,
+    on_step: OnStep | None = None,
+    on_combination: OnCombination | None = None,
+    on_mesh: OnMesh | None = None,
 ) -> Results:
-    """Solve every combination of a model as `solve` does, but keep a single one that is refused in `refused` too."""
+    """Solve every combination of a model as `solve` does, but keep a single one that is refused in `refused` too.
+
+    on_mesh is called with the results on each mesh that is not the last.
+    """
     combinations, placed = list_combinations(model), place_patterns(model)
 
     def solve_on(meshes: Meshes) -> Results:
         return _combine(model, combinations, _outcomes(placed, combinations, on_step, meshes), on_combination)
 
-    return solve_adaptively(placed, solve_on)
+    return solve_adaptively(placed, solve_on, on_mesh=on_mesh)
+
+
+def solve_preview(model: Model, name: str, on_step: OnStep | None = None) -> Results:
+    """Solve one combination on a mesh of few elements, for a first look while all are solved.
+
+    The slab does not crack, and nothing says how large the errors are. The name may be of no combination: then it is
+    the first one.
+    """
+    combinations, placed = list_combinations(model), place_patterns(model)
+    one = next((each for each in combinations if each.name == name), combinations[0])
+    area = sum(math.prod(plate.sides) for plate in model.every_plate)
+    mesh = Mesh(size=math.sqrt(area / PREVIEW_ELEMENTS))
+    coarse = placed.model_copy(update={"mesh": mesh, "cracking": None})
+    solver_name, solver = factorization.choose(model.analysis.solver)
+    hierarchy = MeshHierarchy(coarse, solver, 0, 1.0, keep=False)
+    outcome = _outcome(coarse, one, [hierarchy], solver_name, on_step or (lambda _: None))
+    return _combine(coarse, [one], iter([outcome]))
 
 
 class Variants:
@@ -271,7 +299,8 @@ def _outcome(
 ) -> CombinationResult | GroundslabError:
     """Return the results of a combination, or why it has none.
 
-    hierarchies are the finest meshes, and two for the effect of the margin; `solver` is the name in the results.
+    hierarchies are the finest meshes, and two for the effect of the margin if that is judged; `solver` is the name in
+    the results.
     """
     finest, *margins = hierarchies
     steps: list[Step] = []
@@ -284,7 +313,7 @@ def _outcome(
     try:
         (*earlier, solution), coarser = solve_nested(finest, combination.name, factors, report)
         found = (*earlier, solution)
-        effect = margin_effect(margins, combination.name, factors, found) if _is_infinite(model) else None
+        effect = margin_effect(margins, combination.name, factors, found) if margins and _is_infinite(model) else None
         if _cracks(model, combination):
             solution, coarser = solve_cracked_meshes(finest, solution, coarser, report)
         frame, before = finest.result_mesh(solution, 0), _with_load_shares(earlier)

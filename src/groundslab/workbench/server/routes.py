@@ -68,6 +68,12 @@ class Autosolve(_Body):
     on: bool
 
 
+class Shown(_Body):
+    """The combination that is looked at, None if several are."""
+
+    combination: str | None
+
+
 def create_app(session: Session, tickets: Tickets, port: int, token: str, static: Path = STATIC) -> Guard:
     """Return the server's application."""
     app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None)
@@ -200,6 +206,16 @@ def _add_solver_routes(app: FastAPI, session: Session) -> None:
     def get_scene(run: int) -> Response:
         result = session.solver.get_result(run)
         return respond_not_kept() if result is None else Response(result.scene, media_type="application/octet-stream")
+
+    @app.get("/api/results/{run}/preview")
+    def get_preview(run: int) -> Response:
+        scene = session.solver.get_preview(run)
+        return respond_not_kept() if scene is None else Response(scene, media_type="application/octet-stream")
+
+    @app.post("/api/shown")
+    def set_shown(body: Shown) -> dict[str, Any]:
+        session.solver.shown = body.combination
+        return {}
 
     @app.get("/api/results/{run}/summary")
     def get_summary(run: int) -> Response:

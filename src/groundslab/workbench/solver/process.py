@@ -1,10 +1,10 @@
 """The process that solves: it is kept warm, and stops a run between two steps of the analysis.
 
-It receives ("solve", run, text), ("report", run, file), ("archive", run, file) and ("table", run, name) from
+It receives ("solve", run, text, shown), ("report", run, file), ("archive", run, file) and ("table", run, name) from
 ``Solver`` through a pipe. It sends ("ready",) when it can receive, ("warm",) when it has warmed up, ("progress", run,
-text, share), ("solved", run, answer) followed by the bytes of the scene, ("refused", run, message, issues),
-("stopped", run), and ("view", message, error) in answer to the last three, followed by the bytes that were asked for
-if the error is empty.
+text, share), ("preview", run, words) followed by the bytes of a scene, ("solved", run, answer) followed by the bytes of
+the scene, ("refused", run, message, issues), ("stopped", run), and ("view", message, error) in answer to the last
+three, followed by the bytes that were asked for if the error is empty.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ import json
 import time
 import traceback
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from multiprocessing.connection import Connection
 from typing import TYPE_CHECKING, Any
@@ -44,8 +45,23 @@ class Answer:
     tables: tuple[str, ...] = ()
 
 
-#: Called with a text and the share of combinations that are done.
-Progress = Callable[[str, float | None], None]
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """Tells how a run goes on, and shows what there is before its end.
+
+    `tell` is called with a text and the share of combinations that are done, `show` with words about a packed scene and
+    the scene. `shown` is the combination that is looked at, None where no preview of it is wanted.
+    """
+
+    tell: Callable[[str, float | None], None]
+    show: Callable[[str, bytes], None] = lambda _words, _scene: None
+    shown: str | None = None
+
+    def __call__(self, text: str, share: float | None) -> None:
+        """Tell how the run goes on."""
+        self.tell(text, share)
+
+
 #: What is made of the results of a run: "report", "archive" or "table", the run, the name of the case or of the table.
 View = tuple[str, int, str]
 #: Solves a text; returns the answer, the packed scene, and the data for a report.
@@ -80,6 +96,9 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
     model = casefile.loads(text)
     combinations = CombinationCount(len(list_combinations(model)))
 
+    if progress.shown is not None:
+        _show_preview(model, progress, progress.shown)
+
     def on_combination(combination: Combination) -> None:
         combinations.begin(combination.name)
         progress(f"{combinations.words()}begins", combinations.share)
@@ -87,12 +106,28 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
     def on_step(step: Step) -> None:
         progress(combinations.words() + line(step), combinations.share)
 
-    combined = solve_combinations(model, on_step, on_combination)
+    def on_mesh(results: Results) -> None:
+        unknowns = next(iter(results.values())).unknowns
+        progress.show(f"on a mesh of {unknowns:,} unknowns, which is being refined", pack(scene_of(results)))
+
+    combined = solve_combinations(model, on_step, on_combination, on_mesh)
     refused = {name: str(error) for name, error in combined.refused.items()}
     summary, scene = build_summary(combined), pack(scene_of(combined))
     tables = layout_makers(combined)
     answer = Answer(time.perf_counter() - start, refused, summary, tuple(tables))
     return answer, scene, Solved(text, combined, tables)
+
+
+def _show_preview(model: Model, progress: Progress, name: str) -> None:
+    """Show one combination on a coarse mesh, if it has a solution there."""
+    from groundslab.analysis.driver import solve_preview
+    from groundslab.views.scene.binary import pack
+    from groundslab.views.scene.fields import scene_of
+
+    with suppress(GroundslabError):
+        found = solve_preview(model, name, lambda _: progress("a preview on a coarse mesh", None))
+        if len(found):
+            progress.show("on a coarse mesh, of this combination only", pack(scene_of(found)))
 
 
 def warm_up(progress: Progress) -> None:
@@ -114,7 +149,7 @@ def main(pipe: Connection, stop: Any, task: Task, prepare: Callable[[Progress], 
         try:
             kind, run, *rest = pipe.recv()
             if kind == "solve":
-                latest = _solve(pipe, stop, task, run, rest[0]) or latest
+                latest = _solve(pipe, stop, task, run, *rest) or latest
             else:
                 _send_view(pipe, (kind, run, rest[0]), latest)
         except (EOFError, BrokenPipeError, ConnectionResetError):
@@ -124,24 +159,24 @@ def main(pipe: Connection, stop: Any, task: Task, prepare: Callable[[Progress], 
 def _prepare(pipe: Connection, prepare: Callable[[Progress], None]) -> None:
     """Warm up until the first message arrives."""
 
-    def progress(_text: str, _share: float | None) -> None:
+    def tell(_text: str, _share: float | None) -> None:
         if pipe.poll():
             raise Stopped
 
     try:
         if not pipe.poll(0.05):
-            prepare(progress)
+            prepare(Progress(tell))
     except Stopped:
         pass
     except Exception:
         traceback.print_exc()
 
 
-def _solve(pipe: Connection, stop: Any, task: Task, run: int, text: str) -> tuple[int, Any] | None:
+def _solve(pipe: Connection, stop: Any, task: Task, run: int, text: str, shown: str | None) -> tuple[int, Any] | None:
     """Solve a text and send the outcome; return the data for a report."""
     sent = float("-inf")
 
-    def progress(message: str, share: float | None) -> None:
+    def tell(message: str, share: float | None) -> None:
         nonlocal sent
         if stop.value >= run:
             raise Stopped
@@ -149,9 +184,15 @@ def _solve(pipe: Connection, stop: Any, task: Task, run: int, text: str) -> tupl
             pipe.send(("progress", run, message, share))
             sent = time.monotonic()
 
+    def show(words: str, scene: bytes) -> None:
+        if stop.value >= run:
+            raise Stopped
+        pipe.send(("preview", run, words))
+        pipe.send_bytes(scene)
+
     try:
-        progress("begins", None)
-        answer, scene, kept = task(text, progress)
+        tell("begins", None)
+        answer, scene, kept = task(text, Progress(tell, show, shown))
     except Stopped:
         pipe.send(("stopped", run))
     except GroundslabError as error:

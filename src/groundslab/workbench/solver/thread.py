@@ -27,9 +27,11 @@ if TYPE_CHECKING:
     from groundslab.workbench.events import Event
 
 #: A run begins after so long without a change [s].
-DELAY = 0.2
+DELAY = 0.05
 #: A run that has not stopped after so long is killed with its process [s].
 GRACE = 0.5
+#: No preview is made where the last run took no longer than this [s].
+QUICK = 0.5
 #: Number of results that are kept, for pages that still show the previous one.
 MAX_RESULTS = 2
 #: A process that fails so often before it is ready is not started again until there is a new job.
@@ -81,6 +83,9 @@ class Solver:
         self._failed_starts = 0
         self._results: dict[int, Result] = {}
         self._progress: dict[str, Any] | None = None
+        self._preview: tuple[int, bytes] | None = None  # run and scene
+        #: The combination that is looked at, of which a run shows a preview; None if several are.
+        self.shown: str | None = ""
         self._wake_receiver, self._wake_sender = Pipe(duplex=False)
         self._thread = threading.Thread(target=self._event_loop, name="solver", daemon=True)
         self._thread.start()
@@ -132,6 +137,11 @@ class Solver:
         """Return the result of a run, None if there is none or it is no longer kept."""
         with self._lock:
             return self._results.get(run)
+
+    def get_preview(self, run: int) -> bytes | None:
+        """Return the latest scene of a run that has not ended yet, None if there is none."""
+        with self._lock:
+            return self._preview[1] if self._preview is not None and self._preview[0] == run else None
 
     @property
     def current(self) -> Job | None:
@@ -214,12 +224,13 @@ class Solver:
             requests.views.fail("the solver cannot be started")
         if process is None or not process.is_ready or self._running is not None:
             return
-        messages: list[tuple[str, int, str]] = list(requests.views.take_unsent())
+        messages: list[tuple[Any, ...]] = list(requests.views.take_unsent())
         if requests.job is not None and now >= requests.job.due:
             job, requests.job = requests.job, None
             self._running = job
             self._notify("solving", job.to_json())
-            messages.append(("solve", job.run, job.text))
+            slow = self.latest is None or self.latest.answer.seconds > QUICK
+            messages.append(("solve", job.run, job.text, self.shown if slow else None))
         with suppress(OSError):  # of a process that has just ended, which the event loop will notice
             for message in messages:
                 process.child.pipe.send(message)
@@ -253,7 +264,7 @@ class Solver:
         pipe = process.child.pipe
         try:
             kind, *rest = pipe.recv()
-            content = pipe.recv_bytes() if kind == "solved" or (kind == "view" and not rest[1]) else b""
+            content = pipe.recv_bytes() if kind in ("preview", "solved") or (kind == "view" and not rest[1]) else b""
         except (EOFError, OSError):
             self._handle_exit(process)
             return
@@ -273,6 +284,10 @@ class Solver:
             if self._kill_at is None:
                 self._progress = {"run": job.run, "text": rest[0], "share": rest[1]}
                 self._notify("progress", self._progress)
+        elif kind == "preview":
+            if self._kill_at is None and not self._requests.cancel:
+                self._preview = job.run, content
+                self._notify("preview", job.to_json() | {"words": rest[0]})
         elif self._kill_at is not None:
             self._finish_run()
         elif self._requests.cancel:  # it ended before it could be stopped
@@ -289,7 +304,7 @@ class Solver:
 
     def _finish_run(self, event: str = "", data: dict[str, Any] | None = None) -> None:
         """Finish the current run, with an event unless it was announced when the run was stopped."""
-        self._running = self._kill_at = self._progress = None
+        self._running = self._kill_at = self._progress = self._preview = None
         self._requests.cancel = self._requests.notify_again = False
         if event:
             self._notify(event, data or {})

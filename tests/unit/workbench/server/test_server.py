@@ -332,6 +332,10 @@ def test_results_of_a_run(bench: Bench) -> None:
     assert answer.content == CASE.encode() * 1000
     assert bench.get(f"/api/results/{run}/summary") == {"text": CASE}
     assert bench.get("/api/results/99/summary", 404)["error"]["message"]
+    assert bench.get("/api/results/99/preview", 404)["error"]["message"]
+    assert bench.post("/api/shown", {"combination": "ULS 1"}) == {}
+    assert bench.session.solver.shown == "ULS 1"
+    bench.post("/api/shown", {"combination": 1}, 422)
     assert bench.get("/api/results/99/report", 422)["error"]["found"]
     assert bench.get(f"/api/results/{run}/tables") == ["words"]
     assert bench.get(f"/api/results/{run}/tables/words")["title"] == CASE

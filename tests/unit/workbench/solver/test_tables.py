@@ -63,7 +63,7 @@ stations = 3
 @cache
 def solved() -> process.Solved:
     """Return the solved case."""
-    return process.solve(CASE, lambda *_: None)[2]
+    return process.solve(CASE, process.Progress(lambda *_: None))[2]
 
 
 def table(name: str) -> dict[str, object]:

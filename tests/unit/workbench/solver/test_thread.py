@@ -15,6 +15,7 @@ from groundslab.views.scene.binary import unpack
 from groundslab.workbench.events import Event
 from groundslab.workbench.solver import process
 from groundslab.workbench.solver import thread as solvers
+from groundslab.workbench.solver.process import Progress
 from groundslab.workbench.solver.thread import Solver
 from helpers import workers
 
@@ -104,6 +105,20 @@ def test_a_run_is_reported_from_beginning_to_end(make: Make, events: Events) -> 
     assert [solver.get_result(run) is not None for run in runs] == [False, True, True]
     assert solver.get_current_events() == [("solved", events.wait("solved", runs[-1]))]
     assert solver.current is None
+
+
+def test_a_preview_is_there_until_the_run_ends(make: Make, events: Events, tmp_path: Path) -> None:
+    """It is of the combination that is looked at; a quick run has none, nor has one when several are looked at."""
+    solver, release = make(), tmp_path / "release"
+    solver.shown = "ULS 1"
+    run = submit(solver, f"preview {release}", 7)
+    assert events.wait("preview", run) == {"run": run, "version": 7, "words": "of ULS 1"}
+    assert (solver.get_preview(run), solver.get_preview(run + 1)) == (b"coarse", None)
+    release.touch()
+    events.wait("solved", run)
+    assert solver.get_preview(run) is None
+    # the run before took no time
+    assert events.wait("preview", submit(solver, f"preview {release} "))["words"] == "of nothing"
 
 
 def test_the_newest_state_replaces_the_one_that_is_solved(make: Make, events: Events, tmp_path: Path) -> None:
@@ -298,7 +313,7 @@ q = "-10 kPa"
 def test_the_analysis_behind_it() -> None:
     """Two load cases, one of which lifts the plate off: progress, summary and scene of one, the other's refusal."""
     said: list[tuple[str, float | None]] = []
-    answer, scene, solved = process.solve(TWO, lambda *words: said.append(words))
+    answer, scene, solved = process.solve(TWO, Progress(lambda *words: said.append(words)))
     assert solved.text == TWO
     assert list(solved.results.results) == ["down"]
     assert list(answer.refused) == ["up"]
@@ -314,7 +329,31 @@ def test_the_analysis_behind_it() -> None:
     data = unpack(scene).head["combinations"]
     assert [(each["name"], each["certified"]) for each in data] == [("down", True), ("up", False)]
     with pytest.raises(process.Stopped):
-        process.solve(TWO, _stop)
+        process.solve(TWO, Progress(_stop))
+
+
+def test_a_preview_is_of_the_combination_that_is_looked_at() -> None:
+    """It has that combination alone, on another mesh; of one without equilibrium there is none."""
+    for shown, names in (("down", [["down"]]), ("", [["down"]]), ("up", []), (None, [])):
+        previews: list[bytes] = []
+        tell, show = (lambda *_: None), (lambda _, scene, previews=previews: previews.append(scene))
+        _, scene, _ = process.solve(TWO, Progress(tell, show, shown))
+        heads = [unpack(each).head for each in previews]
+        assert [[one["name"] for one in head["combinations"]] for head in heads] == names
+        assert all(head["mesh"]["nodes"] != unpack(scene).head["mesh"]["nodes"] for head in heads)
+
+
+def test_every_mesh_but_the_last_is_shown() -> None:
+    """Where the mesh is refined for the accuracy, all combinations are there before the results are."""
+    previews: list[tuple[str, bytes]] = []
+    text = TWO.replace("counts = [4, 4]", 'accuracy = "2 %"').replace(
+        'kind = "uniform"', 'kind = "point"\nx = "0 m"\ny = "0 m"'
+    )
+    text = text.replace('q = "10 kPa"', 'P = "100 kN"').replace('q = "-10 kPa"', 'P = "10 kN"')
+    process.solve(text, Progress(lambda *_: None, lambda *words: previews.append(words)))
+    assert previews
+    assert "being refined" in previews[0][0]
+    assert [one["name"] for one in unpack(previews[0][1]).head["combinations"]] == ["down", "up"]
 
 
 def _stop(_words: str, _share: float | None) -> None:
@@ -386,7 +425,7 @@ chapters = %s
 @pytest.mark.parametrize(("chapters", "compared"), [('["extremes", "grounds"]', True), ('["extremes"]', False)])
 def test_the_report_compares_grounds_where_the_case_lists_that_chapter(chapters: str, compared: bool) -> None:
     """The workbench has no command for it: the chapter's name in the case asks for the comparison."""
-    *_, solved = process.solve(SOFT % chapters, lambda *_: None)
+    *_, solved = process.solve(SOFT % chapters, Progress(lambda *_: None))
     pipe = Kept()
     process._send_view(pipe, ("report", 1, "slab.toml"), (1, solved))
     assert pipe.messages == [("view", ("report", 1, "slab.toml"), "")]

@@ -170,6 +170,8 @@ export class HttpApi {
   compareGrounds = async (run: number) => void (await this.json(`results/${run}/comparison`, {}));
   cancelComparison = async () => void (await this.json("comparison/cancel", {}));
   scene = async (run: number) => (await this.request(`results/${run}/scene`, undefined, 120_000)).arrayBuffer();
+  preview = async (run: number) => (await this.request(`results/${run}/preview`, undefined, 120_000)).arrayBuffer();
+  setShown = async (combination: string | null) => void (await this.json("shown", { combination }));
   reportAddress = (run: number) => `api/results/${run}/report?token=${encodeURIComponent(this.token)}`;
   archiveAddress = (run: number) => `api/results/${run}/archive?token=${encodeURIComponent(this.token)}`;
   eventsAddress = () => `api/events?token=${encodeURIComponent(this.token)}`;

@@ -4,7 +4,7 @@ import type { Change } from "../model/changes/edits";
 import type { Issue } from "../model/issues";
 import { type Api, type DocState, Lost, Unauthorized } from "./api";
 import type { EditQueue } from "./edit-queue";
-import type { Comparison, Run, Solved, Store } from "./store";
+import type { Comparison, Preview, Run, Solved, Store } from "./store";
 
 /** What to do about the document when the server is back. */
 export type Reconciliation = "same" | "adopt" | "offer" | "differs";
@@ -125,7 +125,10 @@ export class Connection {
     this.source = source;
     const on = <T = unknown>(name: string, take: (about: T) => void) =>
       source.addEventListener(name, (event) => take(JSON.parse((event as MessageEvent<string>).data) as T));
-    const setRun = (run: Run) => this.store.set("run", run);
+    const setRun = (run: Run) => {
+      if (run.kind !== "solving") this.store.set("preview", null);
+      this.store.set("run", run);
+    };
     on<{ version: number }>("state", ({ version }) => void this.refresh(version));
     on("saved", () => void this.refresh(-1));
     on<{ run: number; version: number }>("solving", ({ run, version }) =>
@@ -135,6 +138,7 @@ export class Connection {
       const now = this.store.run;
       if (now.kind === "solving" && now.run === run) setRun({ ...now, text, share });
     });
+    on<Preview>("preview", ({ run, words }) => this.store.set("preview", { run, words }));
     on<Solved>("solved", ({ run, version, seconds, design }) => {
       setRun({ kind: "idle" });
       this.store.set("solved", { run, version, seconds, design });

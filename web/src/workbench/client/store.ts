@@ -26,6 +26,12 @@ export interface Solved {
   design: string;
 }
 
+/** The picture of a run that has not ended; what it is, in words. */
+export interface Preview {
+  run: number;
+  words: string;
+}
+
 /** The comparison of ground models: of which run, how far it is; why there is none. */
 export interface Comparison {
   run: number;
@@ -40,6 +46,7 @@ export type Topic =
   | "doc"
   | "data"
   | "connection"
+  | "preview"
   | "run"
   | "solved"
   | "selection"
@@ -60,6 +67,7 @@ export class Store {
   connection: Connection = "ok";
   run: Run = { kind: "idle" };
   solved: Solved | null = null;
+  preview: Preview | null = null;
   comparison: Comparison | null = null;
   autosolve = false;
   /** The paths of the items that are selected, the latest last. */
@@ -126,7 +134,7 @@ export class Store {
   }
 
   /** Take another value of a topic. */
-  set<K extends "connection" | "comparison" | "run" | "solved" | "autosolve" | "notice">(
+  set<K extends "connection" | "comparison" | "preview" | "run" | "solved" | "autosolve" | "notice">(
     topic: K,
     value: Store[K],
   ): void {

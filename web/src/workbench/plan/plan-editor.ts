@@ -6,7 +6,7 @@ import { joinEdits } from "../model/changes/batches";
 import type { Change } from "../model/changes/edits";
 import { countItems } from "../model/items";
 import { type Path, startsWith, valueAt } from "../model/paths";
-import { actionButtons } from "./actions/action-bar";
+import { actionButtons, generatorButtons } from "./actions/action-bar";
 import { Actions } from "./actions/actions";
 import { useClipboard } from "./actions/clipboard";
 import { ActionDialog } from "./actions/dialog";
@@ -61,7 +61,7 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
   const fit = button("Fit", "Show everything (0)", () => canvas.fit(), "small");
   const emptyHint = "Draw the slab: choose Slab (B), then drag a rectangle or click corner after corner.";
   const empty = h("p", { class: "drawing-empty" }, emptyHint);
-  const corner = h("div", { class: "drawing-corner" }, cases.element, fit);
+  const corner = h("div", { class: "drawing-corner" }, cases.element, generatorButtons(dialog), fit);
   const box = h("div", { class: "drawing-box" }, canvas.element, corner, empty);
   const middle = h("div", { class: "plan-middle" }, box, loads.element, hint);
   const element = h("div", { class: "plan-editor" }, tools.element, middle, panel.element);

@@ -14,6 +14,7 @@ import { type Tabs, tabs } from "../shell/tabs";
 import { comparisonBar } from "./comparison-bar";
 import { keepSection } from "./keep-section";
 import { itemAt, itemOf, itemsIn, middleOf } from "./plan-items";
+import { Preview } from "./preview";
 import { Reference } from "./reference";
 import { ResultTables } from "./result-tables";
 import { emptyResult, freshness, statusLine } from "./status";
@@ -51,12 +52,17 @@ export class ResultPanel {
   private summary: Summary | null = null;
   private readonly canCompare: boolean;
   private pick: Point | null = null;
+  private readonly preview: Preview;
+  private shownName: string | null = "";
   private fetching = 0;
   private shownRun: number | null = null;
 
   constructor(
     private readonly store: Store,
-    private readonly api: Pick<Api, "scene" | "summary" | "tables" | "table" | "compareGrounds" | "cancelComparison">,
+    private readonly api: Pick<
+      Api,
+      "scene" | "summary" | "tables" | "table" | "preview" | "setShown" | "compareGrounds" | "cancelComparison"
+    >,
     private readonly onLost: (error: Lost) => void,
     model: ModelActions | null,
   ) {
@@ -91,19 +97,11 @@ export class ResultPanel {
       },
     );
     this.lower = this.makeTabs(valueBox, sectionBox);
+    this.preview = this.makePreview();
     this.empty = emptyResult(store, model?.solve ?? null);
     this.full.append(
-      h(
-        "div",
-        { class: "stage-bar", role: "toolbar", "aria-label": "result" },
-        view.combinations,
-        view.fields,
-        view.toolGroup,
-        view.modeGroup,
-        view.fitButton,
-        view.meshButton,
-      ),
-      h("div", { class: "stage-place" }, view.element, view.scaleBox, this.refusedBox),
+      this.makeToolbar(),
+      h("div", { class: "stage-place" }, view.element, view.scaleBox, this.preview.label, this.refusedBox),
       splitter(this.full, "--stage-share", "y", 0.62, [0.25, 0.85], "height of the picture"),
       h(
         "div",
@@ -127,6 +125,27 @@ export class ResultPanel {
     this.empty.update();
     this.lower.offer("reference", false);
     this.update();
+  }
+
+  /** Make the choices and tools above the picture. */
+  private makeToolbar(): HTMLElement {
+    const { combinations, fields, toolGroup, modeGroup, fitButton, meshButton } = this.view;
+    const about = { class: "stage-bar", role: "toolbar", "aria-label": "result" };
+    return h("div", about, combinations, fields, toolGroup, modeGroup, fitButton, meshButton);
+  }
+
+  /** Make what shows previews in place of the last result. */
+  private makePreview(): Preview {
+    return new Preview(this.store, this.api, this.view, {
+      onShow: () => {
+        this.fetching += 1; // the last result, if it is on its way, comes too late
+        this.shownRun = null;
+        this.full.hidden = false;
+        this.empty.element.hidden = true;
+      },
+      onEnd: () => void this.fetch(),
+      onLost: this.onLost,
+    });
   }
 
   /** Make the tabs below the picture. */
@@ -171,6 +190,7 @@ export class ResultPanel {
       this.summary = summary;
       this.full.hidden = false;
       this.empty.element.hidden = true;
+      this.preview.end();
       this.view.setScene(decodeScene(buffer), this.view.field || "settlement");
       this.markSelected();
       this.shownRun = run;
@@ -226,6 +246,7 @@ export class ResultPanel {
   }
 
   private clear(): void {
+    this.preview.end();
     this.shownRun = this.summary = this.pick = null;
     this.full.hidden = true;
     this.empty.element.hidden = false;
@@ -240,7 +261,10 @@ export class ResultPanel {
   /** Show all that depends on the field and the combination. */
   private update(): void {
     const { view, summary } = this;
-    const one = isEnvelope(view.choice) ? null : (summary?.combinations[view.choice] ?? null);
+    const shown = isEnvelope(view.choice) ? null : (view.scene?.head.combinations[view.choice]?.name ?? "");
+    this.tellShown(shown);
+    // of a preview there may be no summary yet, or that of the result before
+    const one = summary?.combinations.find((each) => each.name === shown) ?? null;
     showSummary(this.summaryBox, one, summary);
     if (one && one.refused === null) this.summaryBox.prepend(this.reference.keepButton);
     this.reference.show(summary, one?.name ?? "");
@@ -251,6 +275,13 @@ export class ResultPanel {
     fill(this.refusedBox, h("h3", {}, `${one?.name ?? ""} has no solution`), h("p", {}, one?.refused ?? ""));
     this.values.show(view.scene, view.locator, view.choice, this.pick, view.field);
     this.section.update();
+  }
+
+  /** Tell the server which combination is looked at, of which a run shows a preview; null: several. */
+  private tellShown(name: string | null): void {
+    if (!this.canCompare || name === this.shownName) return;
+    this.shownName = name;
+    this.api.setShown(name).catch((error: unknown) => this.handleError(error));
   }
 
   /** Mark the item of the model that is selected. */

@@ -31,6 +31,7 @@ class Group {
   readonly choice = h("select", { "aria-label": "Table" });
   readonly view: TableView;
   shown = ""; // run and name of the table
+  chosen = ""; // the table that was asked for
 
   constructor(
     readonly name: string,
@@ -46,6 +47,8 @@ class Group {
   offer(names: readonly string[]): boolean {
     const there = Object.entries(this.tables).filter(([name]) => names.includes(name));
     fillOptions(this.choice, there);
+    // not what was first while that was all: strips come before the lines that were there
+    this.choice.value = there.find(([name]) => name === this.chosen)?.[0] ?? there[0]?.[0] ?? "";
     this.choice.hidden = there.length < 2;
     this.view.element.hidden = there.length === 0;
     return there.length > 0;
@@ -63,7 +66,8 @@ export class ResultTables {
     private readonly onError: (error: unknown) => void,
   ) {
     this.groups = GROUPS.map(({ name, label, tables }) => new Group(name, label, tables, onTarget));
-    for (const group of this.groups) group.choice.addEventListener("change", () => void this.see(group.name));
+    for (const group of this.groups)
+      group.choice.addEventListener("change", () => this.choose(group.name, group.choice.value));
   }
 
   get tabs(): Tab[] {
@@ -82,7 +86,7 @@ export class ResultTables {
   /** Choose a table of a tab. */
   choose(tab: string, table: string): void {
     const group = this.groups.find(({ name }) => name === tab);
-    if (group) group.choice.value = table;
+    if (group) group.choice.value = group.chosen = table;
     void this.see(tab);
   }
 

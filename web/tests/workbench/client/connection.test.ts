@@ -154,7 +154,10 @@ describe("the connection", () => {
     events().send("progress", { run: 3, text: "mesh 1", share: 0.25 });
     events().send("progress", { run: 2, text: "of an older run", share: 0.9 });
     expect(store.run).toMatchObject({ kind: "solving", text: "mesh 1", share: 0.25 });
+    events().send("preview", { run: 3, version: 1, words: "on a coarse mesh" });
+    expect(store.preview).toEqual({ run: 3, words: "on a coarse mesh" });
     events().send("solved", { run: 3, version: 1, seconds: 2 });
+    expect(store.preview).toBeNull();
     expect([store.run.kind, store.solved?.run]).toEqual(["idle", 3]);
     expect(freshness(store.solved, store.doc?.version, 0)).toBe("fresh");
     expect(freshness(store.solved, store.doc?.version, 1)).toBe("stale");

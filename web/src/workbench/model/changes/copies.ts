@@ -18,6 +18,8 @@ export interface ListedTable {
 export interface Additions {
   change: Change;
   paths: Path[];
+  /** What is worth to know of it before it is made. */
+  note?: string;
 }
 
 /** Lists whose names are for people only, and may occur twice. */

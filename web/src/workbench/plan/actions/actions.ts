@@ -18,7 +18,9 @@ import { boundsOfItems, type Item, itemsOf, titleOfAll } from "../../model/items
 import { pathKey, sameValue, type Table } from "../../model/paths";
 import { readTables, writeTables } from "../../model/toml";
 import type { Canvas } from "../canvas";
-import { type ActionForm, FORMS, type Values } from "./forms";
+import { casesToChoose, type Generator } from "../generators/generator";
+import type { Values } from "./fields";
+import { type ActionForm, FORMS } from "./forms";
 
 export class Actions {
   constructor(
@@ -28,9 +30,10 @@ export class Actions {
     private readonly showHint: (text: string) => void,
   ) {}
 
-  /** Return the change that an action makes of the selection; throws Impossible. */
-  plan(form: ActionForm, values: Values): Additions {
+  /** Return the change that an action makes of the selection, or a generator of nothing; throws Impossible. */
+  plan(form: ActionForm | Generator, values: Values): Additions {
     const { data, selected } = this.store;
+    if ("generate" in form) return form.generate(data, values);
     const center = middleOf(this.canvas.selectedItems);
     const { isometries, copies } = form.plan(values, center);
     const title = titleOfAll(data, selected);
@@ -69,6 +72,12 @@ export class Actions {
     const tables = tablesAt(data, selected);
     if (tables.length === 0) return;
     this.addCopiesAt(tables, this.besides(), `duplicate ${titleOfAll(data, selected)}`);
+  }
+
+  /** The load cases to choose from, and the one that new loads are in. */
+  get cases(): { all: string[]; active: string } {
+    const all = casesToChoose(this.store.data);
+    return { all, active: this.canvas.loadCase || all[0]! };
   }
 
   remove(): void {

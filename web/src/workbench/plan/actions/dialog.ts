@@ -3,12 +3,14 @@ import { button, fill, h, newId } from "../../../viewer/shared/dom";
 import type { Additions } from "../../model/changes/copies";
 import { Impossible } from "../../model/changes/transform";
 import type { Canvas } from "../canvas";
+import type { Generator } from "../generators/generator";
 import type { Actions } from "./actions";
-import type { ActionField, ActionForm, Values } from "./forms";
+import type { ActionField, Values } from "./fields";
+import type { ActionForm } from "./forms";
 
 export class ActionDialog {
   readonly element = h("form", { class: "action-dialog", role: "dialog", hidden: true });
-  private form: ActionForm | null = null;
+  private form: ActionForm | Generator | null = null;
   private readonly typed = new Map<string, string>(); // what was entered last, by form and field
 
   constructor(
@@ -26,15 +28,15 @@ export class ActionDialog {
     });
   }
 
-  /** Ask for the numbers of an action. */
-  open(form: ActionForm): void {
+  /** Ask for the numbers of an action or a generator. */
+  open(form: ActionForm | Generator): void {
     this.form = form;
     const id = newId("action");
     const rows = form.fields.map((field) => this.makeRow(form, field));
     const message = h("p", { class: "action-message", role: "status" });
     const apply = h("button", { type: "submit", class: "main" }, form.label);
     const cancel = button("Cancel", "", () => this.close());
-    fill(this.element, h("h3", { id }, form.label), ...rows, message, h("div", { class: "answers" }, apply, cancel));
+    fill(this.element, h("h3", { id }, form.label), ...rows, h("div", { class: "answers" }, apply, cancel, message));
     this.element.setAttribute("aria-labelledby", id);
     this.element.hidden = false;
     this.element.querySelector<HTMLElement>("label:not([hidden]) :is(input, select)")?.focus();
@@ -63,7 +65,9 @@ export class ActionDialog {
     const isMade = typeof made !== "string";
     this.canvas.ghosts = isMade ? this.actions.preview(made.change) : [];
     this.canvas.redraw();
-    fill(this.element.querySelector(".action-message")!, isMade ? "" : made);
+    const message = this.element.querySelector(".action-message")!;
+    message.classList.toggle("bad", !isMade);
+    fill(message, isMade ? (made.note ?? "") : made);
     this.element.querySelector<HTMLButtonElement>("[type=submit]")!.disabled = !isMade;
   }
 
@@ -85,12 +89,14 @@ export class ActionDialog {
     }
   }
 
-  private makeRow(form: ActionForm, { key, label, is, initial, options }: ActionField): HTMLElement {
-    const value = this.typed.get(`${form.name} ${key}`) ?? initial;
+  private makeRow(form: ActionForm | Generator, { key, label, is, initial, options }: ActionField): HTMLElement {
+    const { all, active } = this.actions.cases;
+    const value = is === "case" ? active : (this.typed.get(`${form.name} ${key}`) ?? initial);
+    const choices = is === "case" ? all : (options ?? []);
     const attributes = { name: key, "data-is": is };
     const input =
-      is === "choice"
-        ? h("select", attributes, ...(options ?? []).map((each) => h("option", { selected: each === value }, each)))
+      is === "choice" || is === "case"
+        ? h("select", attributes, ...choices.map((each) => h("option", { selected: each === value }, each)))
         : is === "flag"
           ? h("input", { ...attributes, type: "checkbox", checked: value === "yes" })
           : h("input", { ...attributes, value, autocomplete: "off", spellcheck: "false" });

@@ -3,21 +3,9 @@
 import { Impossible } from "../../model/changes/transform";
 import type { Point } from "../../model/geometry";
 import { type Isometry, reflection, rotation, translation } from "../../model/isometry";
-import { parseTyped } from "../../model/quantities";
+import { type ActionField, angle, angleOf, count, countOf, length, lengthOf, type Values } from "./fields";
 
 export type ActionName = "move" | "rotate" | "mirror" | "array";
-
-export interface ActionField {
-  key: string;
-  label: string;
-  is: "length" | "angle" | "count" | "choice" | "flag";
-  initial: string;
-  options?: readonly string[];
-  /** Whether it is asked for with the present values. */
-  shown?: (values: Values) => boolean;
-}
-
-export type Values = Readonly<Record<string, string>>;
 
 /** What is made of the selection: its image under the isometry, or a copy under each. */
 export interface Plan {
@@ -110,38 +98,6 @@ export const FORMS: readonly ActionForm[] = [
     }),
   },
 ];
-
-function length(key: string, label: string, initial: string): ActionField {
-  return { key, label, is: "length", initial };
-}
-
-function angle(key: string, label: string, initial: string): ActionField {
-  return { key, label, is: "angle", initial };
-}
-
-function count(key: string, label: string, initial: string): ActionField {
-  return { key, label, is: "count", initial };
-}
-
-function lengthOf(values: Values, key: string): number {
-  const text = values[key] ?? "";
-  const found = parseTyped(text);
-  if (found === null) throw new Impossible(`${key}: found "${text}", expected a length such as "1.5 m"`);
-  return found;
-}
-
-function angleOf(values: Values, key: string): number {
-  const text = values[key] ?? "";
-  const found = Number(text.replace(/\s*(°|deg)\s*$/, "").replace(",", ".") || Number.NaN);
-  if (!Number.isFinite(found)) throw new Impossible(`${key}: found "${text}", expected an angle in degrees such as 30`);
-  return found;
-}
-
-function countOf(values: Values, key: string): number {
-  const text = (values[key] ?? "").trim();
-  if (!/^[1-9]\d{0,3}$/.test(text)) throw new Impossible(`${key}: found "${text}", expected a whole number from 1`);
-  return Number(text);
-}
 
 function pointOf(values: Values, x: string, y: string, center: Point): Point {
   const coordinate = (key: string, own: number) => (values[key]?.trim() === "center" ? own : lengthOf(values, key));

@@ -8,6 +8,7 @@ import { samePath } from "../../model/paths";
 import { type Actions, formForKey } from "../actions/actions";
 import type { ActionDialog } from "../actions/dialog";
 import type { Canvas } from "../canvas";
+import { generatorForKey } from "../generators/generators";
 import type { ToolBar } from "../tool-bar";
 import { toolForKey } from "../tools";
 import { removeCorner } from "./handles";
@@ -110,10 +111,11 @@ export class Keyboard {
     this.showHint(hint || (typed ? `${typed} — Enter: draw up to there` : current().hint));
   }
 
-  /** Open the dialog of an action's key; returns whether there is one for what is selected. */
+  /** Open the dialog of a key; returns whether there is one, an action only if something is selected. */
   private openAction(key: string): boolean {
-    const form = formForKey(key);
-    if (!form || this.store.selected.length === 0 || this.store.broken) return false;
+    const action = this.store.selected.length > 0 ? formForKey(key) : null;
+    const form = action ?? generatorForKey(key);
+    if (!form || this.store.broken) return false;
     this.dialog.open(form);
     return true;
   }

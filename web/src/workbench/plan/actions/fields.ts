@@ -1,0 +1,84 @@
+// The fields that a dialog of the plan asks for, and what is read from them.
+
+import { replaceDecimalComma } from "../../form/inputs/typed-values";
+import { Impossible } from "../../model/changes/transform";
+import { parseTyped } from "../../model/quantities";
+
+export interface ActionField {
+  key: string;
+  label: string;
+  is: "length" | "lengths" | "force" | "angle" | "number" | "count" | "choice" | "case" | "flag";
+  initial: string;
+  options?: readonly string[];
+  /** Whether it is asked for with the present values. */
+  shown?: (values: Values) => boolean;
+}
+
+export type Values = Readonly<Record<string, string>>;
+
+export function length(key: string, label: string, initial: string): ActionField {
+  return { key, label, is: "length", initial };
+}
+
+export function angle(key: string, label: string, initial: string): ActionField {
+  return { key, label, is: "angle", initial };
+}
+
+export function count(key: string, label: string, initial: string): ActionField {
+  return { key, label, is: "count", initial };
+}
+
+export function force(key: string, label: string, initial: string): ActionField {
+  return { key, label, is: "force", initial };
+}
+
+export function lengthOf(values: Values, key: string): number {
+  const text = values[key] ?? "";
+  const found = parseTyped(text);
+  if (found === null) throw new Impossible(`${key}: found "${text}", expected a length such as "1.5 m"`);
+  return found;
+}
+
+export function angleOf(values: Values, key: string): number {
+  const text = values[key] ?? "";
+  const found = Number(text.replace(/\s*(°|deg)\s*$/, "").replace(",", ".") || Number.NaN);
+  if (!Number.isFinite(found)) throw new Impossible(`${key}: found "${text}", expected an angle in degrees such as 30`);
+  return found;
+}
+
+export function countOf(values: Values, key: string): number {
+  const text = (values[key] ?? "").trim();
+  if (!/^[1-9]\d{0,3}$/.test(text)) throw new Impossible(`${key}: found "${text}", expected a whole number from 1`);
+  return Number(text);
+}
+
+/** Return lengths that are listed, [6, 6, 5.4] of "2x6 5,4": a number and x repeat one. */
+export function lengthsOf(values: Values, key: string): number[] {
+  const text = values[key] ?? "";
+  const parts = text
+    .replace(/(\d)\s+([a-z]+)\b/gi, "$1$2")
+    .split(/[\s;]+/)
+    .filter(Boolean);
+  const found = parts.flatMap((part) => {
+    const [, times = "1", one = part] = /^(\d{1,3})[x×*](.+)$/.exec(part) ?? [];
+    return Array<number>(Number(times)).fill(parseTyped(one) ?? Number.NaN);
+  });
+  if (found.length === 0 || !found.every((each) => each > 0))
+    throw new Impossible(`${key}: found "${text}", expected distances such as 6 6 5.4, or 3x6`);
+  return found;
+}
+
+/** A number and its unit. */
+export interface Force {
+  value: number;
+  unit: string;
+}
+
+/** Return a force; without a unit it is in kN. */
+export function forceOf(values: Values, key: string): Force {
+  const text = values[key] ?? "";
+  const [, number = "", unit = ""] = /^([+-]?[\d.,eE+-]*\d)\s*([A-Za-z]*)$/.exec(text.trim()) ?? [];
+  const value = Number(replaceDecimalComma(number) || Number.NaN);
+  if (!Number.isFinite(value)) throw new Impossible(`${key}: found "${text}", expected a force such as "60 kN"`);
+  return { value, unit: unit || "kN" };
+}

@@ -1,0 +1,94 @@
+// Columns on the axes of a building, with a load each.
+import type { Edit } from "../../model/changes/edits";
+import { Impossible } from "../../model/changes/transform";
+import { isInside, nearestOnSegment, type Point, type Ring, ringOf } from "../../model/geometry";
+import { itemsOf } from "../../model/items";
+import { freeName, namesIn } from "../../model/names";
+import { listAt, type Path, type Table } from "../../model/paths";
+import { formatLength } from "../../model/quantities";
+import { force, forceOf, length, lengthOf, lengthsOf } from "../actions/fields";
+import { CASE, chosenCase, formatForce, type Generator } from "./generator";
+
+const MOST = 1000;
+
+export const COLUMN_GRID: Generator = {
+  name: "columns",
+  label: "Columns",
+  key: "D",
+  hint: "Add columns on axes, with a load each",
+  fields: [
+    length("x", "first x", "-5 m"),
+    length("y", "first y", "-3 m"),
+    { key: "spacing_x", label: "distances in x", is: "lengths", initial: "2x5 m" },
+    { key: "spacing_y", label: "distances in y", is: "lengths", initial: "6 m" },
+    length("width_x", "width in x", "400 mm"),
+    length("width_y", "width in y", "400 mm"),
+    force("P", "load of each", "500 kN"),
+    CASE,
+  ],
+  generate: (data, values) => {
+    const [xs, ys] = [
+      axes(lengthOf(values, "x"), lengthsOf(values, "spacing_x")),
+      axes(lengthOf(values, "y"), lengthsOf(values, "spacing_y")),
+    ];
+    if (xs.length * ys.length > MOST)
+      throw new Impossible(`${xs.length * ys.length} columns are too many, expected at most ${MOST}`);
+    const on = makeIsOnSlab(data);
+    const all = ys.flatMap((y, row) => xs.map((x, n) => ({ name: `${letters(n)}${row + 1}`, at: [x, y] as Point })));
+    const kept = all.filter(({ at }) => on(at));
+    if (kept.length === 0) throw new Impossible("no place of them lies on the slab");
+    const P = forceOf(values, "P");
+    const found = P.value === 0 ? { edits: [], case: "" } : chosenCase(data, values, "columns");
+    const size = {
+      width_x: formatLength(lengthOf(values, "width_x"), "mm"),
+      width_y: formatLength(lengthOf(values, "width_y"), "mm"),
+    };
+    const taken = namesIn(listAt(data, ["columns"]));
+    const edits: Edit[] = [...found.edits];
+    for (const { name, at } of kept) {
+      const free = freeName(taken, name);
+      taken.push(free);
+      const value = { name: free, x: formatLength(at[0]), y: formatLength(at[1]), ...size };
+      edits.push({ op: "add", path: ["columns"], value });
+      if (P.value !== 0)
+        edits.push({
+          op: "add",
+          path: ["loads"],
+          value: { kind: "point", case: found.case, column: free, P: formatForce(P) },
+        });
+    }
+    const first = listAt(data, ["columns"]).length;
+    const left = all.length - kept.length;
+    return {
+      change: { edits, text: `add ${kept.length} columns` },
+      paths: kept.map((_, n): Path => ["columns", first + n]),
+      note: `${kept.length} columns.${left > 0 ? ` ${left} that would not stand on the slab are left out.` : ""}`,
+    };
+  },
+};
+
+/** Return the places of axes from their distances. */
+function axes(first: number, distances: readonly number[]): number[] {
+  const places = [first];
+  for (const each of distances) places.push(places.at(-1)! + each);
+  return places;
+}
+
+/** Return the letters of an axis: A to Z, then AA. */
+export function letters(n: number): string {
+  return n < 26 ? String.fromCharCode(65 + n) : letters(Math.floor(n / 26) - 1) + letters(n % 26);
+}
+
+/** Return what says whether a place lies on a plate, its edge included, and in no opening. */
+function makeIsOnSlab(data: Table): (at: Point) => boolean {
+  const items = itemsOf(data, null);
+  const ringsOf = (kinds: readonly string[]) =>
+    items.filter(({ kind }) => kinds.includes(kind)).map(({ geometry }) => ringOf(geometry));
+  const [plates, openings] = [ringsOf(["slab", "plate"]), ringsOf(["opening"])];
+  return (at) =>
+    plates.some((ring) => isInside(ring, at) || isOnEdge(ring, at)) && !openings.some((ring) => isInside(ring, at));
+}
+
+function isOnEdge(ring: Ring, at: Point): boolean {
+  return ring.some((point, n) => nearestOnSegment(point, ring[(n + 1) % ring.length] ?? point, at).distance < 1e-6);
+}

@@ -1,0 +1,46 @@
+// What a generator of loads or columns asks for, and the load case that its loads are in.
+import type { Additions } from "../../model/changes/copies";
+import type { Edit } from "../../model/changes/edits";
+import { addLoadCase } from "../../model/changes/new-items";
+import { freeName, namesIn } from "../../model/names";
+import { isTable, listAt, type Table } from "../../model/paths";
+import type { ActionField, Force, Values } from "../actions/fields";
+
+export interface Generator {
+  name: "racks" | "vehicle" | "columns";
+  label: string;
+  key: string;
+  hint: string;
+  fields: readonly ActionField[];
+  /** Return what the values make, as one change; throws Impossible. */
+  generate(data: Table, values: Values): Additions;
+}
+
+/** The choice of a load case that is made with the loads. */
+export const NEW_CASE = "a new one";
+
+export const CASE: ActionField = { key: "case", label: "load case", is: "case", initial: "" };
+
+/** Return the load cases to choose from. */
+export function casesToChoose(data: Table): string[] {
+  return [...namesIn(listAt(data, ["cases"])), NEW_CASE];
+}
+
+/** Return the edits that the chosen load case needs, and its name; loads that had none before get one of their own. */
+export function chosenCase(data: Table, values: Values, name: string): { edits: Edit[]; case: string } {
+  const cases = namesIn(listAt(data, ["cases"]));
+  const chosen = values.case ?? "";
+  if (cases.includes(chosen)) return { edits: [], case: chosen };
+  const free = freeName(cases, name);
+  const others = [...listAt(data, ["loads"]), ...listAt(data, ["moves"])].some(isTable);
+  const before = cases.length === 0 && others ? addLoadCase(data, freeName([free], "permanent")).edits : [];
+  return {
+    edits: [...before, { op: "add", path: ["cases"], value: { name: free, action: "variable" } }],
+    case: free,
+  };
+}
+
+/** Return a force as the case file writes it. */
+export function formatForce({ value, unit }: Force, factor = 1): string {
+  return `${Number((value * factor).toPrecision(6))} ${unit}`;
+}

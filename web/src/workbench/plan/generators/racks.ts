@@ -1,0 +1,151 @@
+// Racks: rows of frames with two legs each, single or back to back.
+import type { Additions } from "../../model/changes/copies";
+import type { Edit } from "../../model/changes/edits";
+import { Impossible } from "../../model/changes/transform";
+import type { Point } from "../../model/geometry";
+import { applyTo, rotation } from "../../model/isometry";
+import { freeName, namesIn } from "../../model/names";
+import { type Json, listAt, type Table } from "../../model/paths";
+import { formatLength } from "../../model/quantities";
+import {
+  type ActionField,
+  angle,
+  angleOf,
+  count,
+  countOf,
+  force,
+  forceOf,
+  length,
+  lengthOf,
+  type Values,
+} from "../actions/fields";
+import { CASE, chosenCase, formatForce, type Generator } from "./generator";
+
+const DOUBLE = "back to back";
+const LOADS = "point loads";
+const MOST_LEGS = 2000;
+const hasAisle = ({ rows }: Values) => rows !== "1";
+
+const FIELDS: readonly ActionField[] = [
+  force("P", "load of a leg", "60 kN"),
+  length("width_x", "base plate along", "150 mm"),
+  length("width_y", "base plate across", "150 mm"),
+  count("bays", "bays", "5"),
+  length("bay", "width of a bay", "2.7 m"),
+  length("depth", "depth of a frame", "1.1 m"),
+  { key: "racks", label: "racks", is: "choice", initial: "single", options: ["single", DOUBLE] },
+  { ...length("gap", "between the two", "0.3 m"), shown: ({ racks }) => racks === DOUBLE },
+  count("rows", "rows of racks", "1"),
+  { ...length("aisle", "aisle", "3.5 m"), shown: hasAisle },
+  length("x", "first leg x", "0 m"),
+  length("y", "first leg y", "0 m"),
+  angle("angle", "direction [°]", "0"),
+  CASE,
+  { key: "as", label: "as", is: "choice", initial: "pattern", options: ["pattern", LOADS] },
+];
+
+export const RACKS: Generator = {
+  name: "racks",
+  label: "Racks",
+  key: "K",
+  hint: "Add the legs of racks in rows",
+  fields: FIELDS,
+  generate: (data, values) => {
+    const across = legsAcross(values);
+    const frames = countOf(values, "bays") + 1;
+    const rows = countOf(values, "rows");
+    const legs = rows * frames * across.length;
+    if (legs > MOST_LEGS) throw new Impossible(`${legs} legs are too many, expected at most ${MOST_LEGS}`);
+    const found = chosenCase(data, values, "racks");
+    const make = values.as === LOADS ? asLoads : asPattern;
+    const made = make(data, values, across, found.case);
+    return {
+      change: { edits: [...found.edits, ...made.change.edits], text: `add ${legs} legs of racks` },
+      paths: made.paths,
+      note: `${legs} legs.`,
+    };
+  },
+};
+
+/** Return the places of a frame's legs across the rack [m]. */
+function legsAcross(values: Values): number[] {
+  const depth = positive(values, "depth");
+  if (values.racks !== DOUBLE) return [0, depth];
+  const gap = positive(values, "gap");
+  return [0, depth, depth + gap, 2 * depth + gap];
+}
+
+function positive(values: Values, key: string): number {
+  const found = lengthOf(values, key);
+  if (found <= 0) throw new Impossible(`${key}: found "${values[key]}", expected a length above 0`);
+  return found;
+}
+
+/** Return where the rows begin [m]. */
+function rowsOf(values: Values, across: readonly number[]): Point[] {
+  const width = (across.at(-1) ?? 0) + (hasAisle(values) ? positive(values, "aisle") : 0);
+  const turn = rotation(angleOf(values, "angle"), [0, 0]);
+  const [x, y] = [lengthOf(values, "x"), lengthOf(values, "y")];
+  return Array.from({ length: countOf(values, "rows") }, (_, n): Point => {
+    const [dx, dy] = applyTo(turn, [0, n * width]);
+    return [x + dx, y + dy];
+  });
+}
+
+function sizeOf(values: Values): Table {
+  return {
+    P: formatForce(forceOf(values, "P")),
+    width_x: formatLength(positive(values, "width_x"), "mm"),
+    width_y: formatLength(positive(values, "width_y"), "mm"),
+  };
+}
+
+/** Return the change that adds a pattern, and a place of it for each row. */
+function asPattern(data: Table, values: Values, across: readonly number[], loadCase: string): Additions {
+  const name = freeName(namesIn(listAt(data, ["patterns"])), "rack");
+  const { P, ...plate } = sizeOf(values);
+  const pattern: Table = {
+    kind: "rack",
+    name,
+    P: P!,
+    frames: countOf(values, "bays") + 1,
+    bay: formatLength(positive(values, "bay")),
+    rows: across.map((each): Json => formatLength(each)),
+    ...plate,
+  };
+  const turn = angleOf(values, "angle");
+  const moves = rowsOf(values, across).map(
+    (at): Table => ({
+      pattern: name,
+      case: loadCase,
+      points: [[formatLength(at[0]), formatLength(at[1])]],
+      ...(turn === 0 ? {} : { turn }),
+    }),
+  );
+  const first = listAt(data, ["moves"]).length;
+  const edits: Edit[] = [
+    { op: "add", path: ["patterns"], value: pattern },
+    ...moves.map((value): Edit => ({ op: "add", path: ["moves"], value })),
+  ];
+  return { change: { edits, text: "" }, paths: moves.map((_, n) => ["moves", first + n]) };
+}
+
+/** Return the change that adds a point load for each leg. */
+function asLoads(data: Table, values: Values, across: readonly number[], loadCase: string): Additions {
+  const turn = rotation(angleOf(values, "angle"), [0, 0]);
+  const [bay, frames, size] = [positive(values, "bay"), countOf(values, "bays") + 1, sizeOf(values)];
+  const places = rowsOf(values, across).flatMap(([x, y]) =>
+    Array.from({ length: frames }, (_, n) =>
+      across.map((leg): Point => {
+        const [dx, dy] = applyTo(turn, [n * bay, leg]);
+        return [x + dx, y + dy];
+      }),
+    ).flat(),
+  );
+  const first = listAt(data, ["loads"]).length;
+  const edits = places.map(([x, y]): Edit => {
+    const value = { kind: "point", case: loadCase, ...size, x: formatLength(x), y: formatLength(y) };
+    return { op: "add", path: ["loads"], value };
+  });
+  return { change: { edits, text: "" }, paths: places.map((_, n) => ["loads", first + n]) };
+}

@@ -1,0 +1,84 @@
+// A vehicle of two axles that moves along a path.
+import { Impossible } from "../../model/changes/transform";
+import { freeName, namesIn } from "../../model/names";
+import { listAt, type Table } from "../../model/paths";
+import { formatLength } from "../../model/quantities";
+import { force, forceOf, length, lengthOf, type Values } from "../actions/fields";
+import { CASE, chosenCase, formatForce, type Generator } from "./generator";
+
+export const VEHICLE: Generator = {
+  name: "vehicle",
+  label: "Vehicle",
+  key: "Q",
+  hint: "Add a vehicle, such as a forklift, that moves along a path",
+  fields: [
+    force("front", "front axle", "60 kN"),
+    force("rear", "rear axle", "10 kN"),
+    length("track", "wheels apart", "1 m"),
+    length("base", "axles apart", "1.6 m"),
+    length("width_x", "contact along", "200 mm"),
+    length("width_y", "contact across", "200 mm"),
+    { key: "factor", label: "dynamic factor", is: "number", initial: "1" },
+    length("x", "from x", "-5 m"),
+    length("y", "from y", "0 m"),
+    length("x2", "to x", "5 m"),
+    length("y2", "to y", "0 m"),
+    length("step", "step", "1 m"),
+    CASE,
+  ],
+  generate: (data, values) => {
+    const name = freeName(namesIn(listAt(data, ["patterns"])), "vehicle");
+    const found = chosenCase(data, values, name);
+    const [from, to] = [place(values, "x", "y"), place(values, "x2", "y2")];
+    const distance = Math.hypot(to[0] - from[0], to[1] - from[1]);
+    const step = lengthOf(values, "step");
+    if (step < 0.05) throw new Impossible(`step: found "${values.step}", expected at least 0.05 m`);
+    if (distance === 0) throw new Impossible("the path ends where it begins, expected another place");
+    const points = [from, to].map(([x, y]) => [formatLength(x), formatLength(y)]);
+    // several paths of one case need names
+    const paths = namesIn(listAt(data, ["moves"]));
+    const move = { name: freeName(paths, "path 1"), pattern: name, case: found.case, points, step: formatLength(step) };
+    const positions = Math.ceil(distance / step - 1e-9) + 1;
+    return {
+      change: {
+        edits: [
+          ...found.edits,
+          { op: "add", path: ["patterns"], value: { kind: "vehicle", name, wheels: wheelsOf(values) } },
+          { op: "add", path: ["moves"], value: move },
+        ],
+        text: `add ${name}`,
+      },
+      paths: [["moves", listAt(data, ["moves"]).length]],
+      note: `${positions} positions. Drag the middle of the path for a further corner.`,
+    };
+  },
+};
+
+function place(values: Values, x: string, y: string): [number, number] {
+  return [lengthOf(values, x), lengthOf(values, y)];
+}
+
+/** Return the wheels, those in front at the origin; an axle without a load has none. */
+function wheelsOf(values: Values): Table[] {
+  const factor = Number((values.factor ?? "").trim().replace(",", ".") || Number.NaN);
+  if (!(factor > 0)) throw new Impossible(`factor: found "${values.factor}", expected a number such as 1.4`);
+  const [half, base] = [lengthOf(values, "track") / 2, lengthOf(values, "base")];
+  if (half <= 0 || base <= 0) throw new Impossible("wheels and axles stand in one place, expected distances above 0");
+  const size = {
+    width_x: formatLength(lengthOf(values, "width_x"), "mm"),
+    width_y: formatLength(lengthOf(values, "width_y"), "mm"),
+  };
+  const axles = [
+    { load: forceOf(values, "front"), x: 0 },
+    { load: forceOf(values, "rear"), x: -base },
+  ].filter(({ load }) => load.value !== 0);
+  if (axles.length === 0) throw new Impossible("both axles are without load, expected a force");
+  return axles.flatMap(({ load, x }) =>
+    [-half, half].map((y) => ({
+      P: formatForce(load, factor / 2),
+      ...(x === 0 ? {} : { x: formatLength(x) }),
+      y: formatLength(y),
+      ...size,
+    })),
+  );
+}

@@ -1,0 +1,70 @@
+// The picture of a run that has not ended yet: on a coarser mesh, and marked as that.
+import { fieldsOf, isEnvelope } from "../../viewer/data/fields";
+import { decodeScene, type Scene } from "../../viewer/data/scene";
+import type { ResultView } from "../../viewer/panels/result-view";
+import { h, setText } from "../../viewer/shared/dom";
+import { type Api, Lost, Refused } from "../client/api";
+import type { Store } from "../client/store";
+
+export interface PreviewHooks {
+  /** A preview is shown in place of the last result. */
+  onShow(): void;
+  /** The run has ended without a result: the last one is to be shown again. */
+  onEnd(): void;
+  onLost(error: Lost): void;
+}
+
+/** Whether a preview has what is looked at: the same field, of the same combination or over all of them. */
+function hasShown(scene: Scene, view: ResultView): boolean {
+  if (!view.scene) return true;
+  const { combinations } = scene.head;
+  const now = view.scene.head.combinations;
+  const hasField = fieldsOf(scene).some((each) => each.name === view.field);
+  if (isEnvelope(view.choice)) return hasField && combinations.length === now.length;
+  const name = now[view.choice]?.name;
+  return hasField && combinations.some((each) => each.name === name && each.values);
+}
+
+/** Shows the previews that the store names, and says over the picture what they are. */
+export class Preview {
+  readonly label = h("p", { class: "preview-over", hidden: true });
+
+  constructor(
+    private readonly store: Store,
+    private readonly api: Pick<Api, "preview">,
+    private readonly view: ResultView,
+    private readonly hooks: PreviewHooks,
+  ) {
+    store.on(["preview"], () => void this.fetch());
+    store.on(["run"], () => {
+      const { kind } = store.run;
+      if (this.isShown && (kind === "refused" || kind === "cancelled")) this.hooks.onEnd();
+    });
+  }
+
+  get isShown(): boolean {
+    return !this.label.hidden;
+  }
+
+  /** Say no more that a preview is shown. */
+  end(): void {
+    this.label.hidden = true;
+  }
+
+  private async fetch(): Promise<void> {
+    const { preview } = this.store;
+    if (!preview) return;
+    try {
+      const scene = decodeScene(await this.api.preview(preview.run));
+      if (this.store.preview !== preview || !hasShown(scene, this.view)) return;
+      setText(this.label, `Preview ${preview.words}`);
+      this.label.hidden = false;
+      this.view.setScene(scene, this.view.field || "settlement");
+      this.hooks.onShow();
+    } catch (error) {
+      // a run that has ended meanwhile has no preview any more
+      if (error instanceof Lost) this.hooks.onLost(error);
+      else if (!(error instanceof Refused)) throw error;
+    }
+  }
+}
