@@ -1,4 +1,4 @@
-"""Builds the pages for the browser from web/ with Node.js, before groundslab is packed or installed."""
+"""Builds the pages for the browser and copies the help, before groundslab is packed or installed."""
 
 from __future__ import annotations
 
@@ -13,6 +13,19 @@ from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
 ROOT = Path(__file__).resolve().parent
 WEB = ROOT / "web"
+STATIC_HELP = ROOT / "src" / "groundslab" / "workbench" / "help" / "static"
+#: Files that the workbench shows as help: patterns below the repository, copied with their paths.
+HELP = (
+    "docs/*.md",
+    "docs/start/*.md",
+    "docs/howto/*.md",
+    "docs/tutorials/*.md",
+    "docs/images/*.*",
+    "docs/*.png",
+    "examples/*.toml",
+)
+#: Pages that are for developers, or made by running code.
+NO_HELP = ("api", "architecture", "changelog", "contributing", "gallery", "licenses", "performance", "releasing")
 HINT = (
     "The pages of the report and the workbench are made of web/ with Node.js and npm, which fetch their packages from "
     "the network. Without a network, install a wheel or an sdist of groundslab: they contain the pages."
@@ -54,6 +67,17 @@ def build_pages() -> None:
         raise RuntimeError(f"{error}\n{HINT}") from error
 
 
+def copy_help(target: Path = STATIC_HELP) -> None:
+    """Copy documentation and examples to where the workbench finds them; those of an sdist are there already."""
+    if (ROOT / "PKG-INFO").is_file() and target.is_dir():
+        return
+    shutil.rmtree(target, ignore_errors=True)
+    for file in (each for pattern in HELP for each in sorted(ROOT.glob(pattern)) if each.stem not in NO_HELP):
+        copy = target / file.relative_to(ROOT)
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(file, copy)
+
+
 class PagesHook(BuildHookInterface):  # type: ignore[type-arg]
     """Hatchling's hook for sdists, wheels and editable installs."""
 
@@ -65,9 +89,11 @@ class PagesHook(BuildHookInterface):  # type: ignore[type-arg]
         return list(project["dependency-groups"]["node"])
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:  # noqa: ARG002
-        """Build the pages."""
+        """Build the pages and copy the help."""
         build_pages()
+        copy_help()
 
 
 if __name__ == "__main__":
     build_pages()
+    copy_help()

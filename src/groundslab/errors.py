@@ -4,11 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Literal
 
 
 class GroundslabError(Exception):
     """Base of all exceptions that groundslab raises on purpose."""
+
+
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """An edit of a description at a path, indices from 0: set a value, add one to a list, remove or rename a key."""
+
+    op: Literal["set", "add", "remove", "rename"]
+    path: tuple[str | int, ...]
+    value: Any = None
+
+
+@dataclass(frozen=True, slots=True)
+class Repair:
+    """A way to repair an issue: in words, and as edits."""
+
+    label: str
+    edits: tuple[Edit, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,12 +42,15 @@ class Issue:
         What is expected there.
     hint : str
         How to correct it, where that is known.
+    repairs : tuple of Repair
+        Edits that correct it, to choose from, where they are known.
     """
 
     location: str
     found: str
     expected: str
     hint: str = ""
+    repairs: tuple[Repair, ...] = field(default=(), compare=False, repr=False)
 
     def __str__(self) -> str:
         """Return the issue on one line."""

@@ -53,6 +53,19 @@ def test_sdist_and_wheel_contain_the_pages(distributions: list[set[str]]) -> Non
         assert pages == {"report.js", "report.css", "index.html", "index.js", "index.css", "icon.svg"}
 
 
+@pytest.mark.slow
+def test_sdist_and_wheel_contain_the_help(distributions: list[set[str]]) -> None:
+    """Both contain the examples and the pages that the workbench shows, with their pictures, in less than 3 MB."""
+    folder = "groundslab/workbench/help/static/"
+    examples = {f"{folder}examples/{path.name}" for path in (ROOT / "examples").glob("*.toml")}
+    pages = {f"{folder}docs/{name}" for name in ("index.md", "input.md", "howto/draw_a_slab.md", "images/input.svg")}
+    for names in distributions:
+        assert examples | pages <= names
+        assert f"{folder}docs/architecture.md" not in names
+    copied = (ROOT / "src" / folder).rglob("*.*")
+    assert sum(path.stat().st_size for path in copied) < 3_000_000
+
+
 def test_citation_has_the_latest_release() -> None:
     """CITATION.cff, codemeta.json and the page on citing name it as the changelog does, with its date."""
     changes = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")

@@ -10,6 +10,7 @@ from groundslab.model.ground import POSITIVE
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Quantity, Text
 from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.repairs import remove
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
@@ -18,7 +19,10 @@ if TYPE_CHECKING:
 def check_footprint(width_x: float | None, width_y: float | None, diameter: float | None) -> Iterator[RelativeIssue]:
     """Find a footprint that is given by neither both widths nor a diameter."""
     if diameter is not None and (width_x is not None or width_y is not None):
-        yield RelativeIssue(("diameter",), "a diameter beside a width", "width_x and width_y, or diameter")
+        widths = [(key,) for key, width in (("width_x", width_x), ("width_y", width_y)) if width is not None]
+        repairs = (remove(("diameter",)), remove(*widths))
+        expected = "width_x and width_y, or diameter"
+        yield RelativeIssue(("diameter",), "a diameter beside a width", expected, repairs=repairs)
     if (width_x is None) != (width_y is None):
         missing = "width_x" if width_x is None else "width_y"
         yield RelativeIssue((missing,), "nothing", "width_x and width_y, both of them")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from groundslab.errors import Edit, Repair
 from groundslab.geometry.plan import MOST_ELEMENTS
 from groundslab.geometry.validity import TOO_CLOSE, find_issues
 from groundslab.model.columns import Column
@@ -30,6 +31,7 @@ from groundslab.model.supports import (
 )
 from groundslab.model.varying_ground import Borehole, SoilZone
 from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.repairs import remove, set_value, use_nearest
 from groundslab.schema.wording import describe, one_of, quote, suggestion
 
 MOST_SURFACES = 200  # each couples with all others at every node
@@ -87,7 +89,14 @@ def check_shear_of_layers(
             hint = 'beyond.kind = "margin" needs no shear'
             if isinstance(grounds[place], Winkler):
                 continue  # of another kind than the rest, an issue of its own
-            yield RelativeIssue((*place, *key), "0 N/m", "k1 above 0, as other ground has it and is infinite", hint)
+            expected, repairs = "k1 above 0, as other ground has it and is infinite", _end_ground(beyond)
+            yield RelativeIssue((*place, *key), "0 N/m", expected, hint, repairs)
+
+
+def _end_ground(beyond: Beyond) -> tuple[Repair, ...]:
+    """Return the repair that ends infinite ground with the plate."""
+    width = () if beyond.width is None else (Edit("remove", ("beyond", "width")),)
+    return (Repair('set beyond.kind to "none"', (Edit("set", ("beyond", "kind"), "none"), *width)),)
 
 
 def check_continuum(
@@ -101,11 +110,17 @@ def check_continuum(
     for name, given in varying:
         if given:
             hint = 'boreholes go with ground.kind = "constrained modulus" or "vlasov"'
-            yield RelativeIssue((name,), f"{name} in {quote(ground.kind)} ground", "no such", hint)
+            repairs = (remove((name,)),)
+            yield RelativeIssue((name,), f"{name} in {quote(ground.kind)} ground", "no such", hint, repairs)
     if beyond.kind == "margin" and (beyond.edge == "fixed" or beyond.sides != SIDES):
         found = "a margin that ends" if beyond.edge == "fixed" else "ground beyond some sides"
         expected = 'kind = "infinite", as this ground has no end on any side'
-        yield RelativeIssue(("beyond",), found, expected, "width says how much of it is shown")
+        edits = (
+            Edit("set", ("beyond", "kind"), "infinite"),
+            *(Edit("remove", ("beyond", key)) for key in ("edge", "sides")),
+        )
+        repairs = (Repair('set beyond.kind to "infinite"', edits),)
+        yield RelativeIssue(("beyond",), found, expected, "width says how much of it is shown", repairs)
 
 
 def check_contact_voids(plate: Plate, plates: tuple[FurtherPlate, ...], contact: Contact) -> Iterator[RelativeIssue]:
@@ -121,7 +136,7 @@ def check_mesh_counts(
     """Find counts of elements on what is not one plain rectangle."""
     if mesh.counts is not None and (plates or supports or not plate.plain):
         hint = "counts are for one rectangle without openings, zones and supports"
-        yield RelativeIssue(("mesh", "counts"), "counts", "a size", hint)
+        yield RelativeIssue(("mesh", "counts"), "counts", "a size", hint, (remove(("mesh", "counts")),))
 
 
 def check_load_cases(loads: tuple[AnyLoad, ...], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:
@@ -179,7 +194,8 @@ def check_settlement_loads(loads: tuple[AnyLoad, ...], supports: tuple[AnySuppor
         if isinstance(load, SettlementLoad) and load.support not in known:
             expected = one_of(names) if names else "a support, and [[supports]] that says where it is"
             place = ("loads", position, "support")
-            yield RelativeIssue(place, describe(load.support), expected, suggestion(load.support, names))
+            hint, repairs = suggestion(load.support, names), use_nearest(place, load.support, names)
+            yield RelativeIssue(place, describe(load.support), expected, hint, repairs)
 
 
 #: Fields of loads that are not all zero if anything acts.
@@ -204,7 +220,9 @@ def check_plate_of_loads(
         name = getattr(load, "plate", "")
         if name and name not in names:
             expected = one_of(names) if names else "no plate, as none has a name"
-            yield RelativeIssue(("loads", position, "plate"), describe(name), expected, suggestion(name, names))
+            place, hint = ("loads", position, "plate"), suggestion(name, names)
+            repairs = (*use_nearest(place, name, names), remove(place, label="remove plate"))
+            yield RelativeIssue(place, describe(name), expected, hint, repairs)
 
 
 def check_sections_with_plates(
@@ -222,7 +240,8 @@ def check_sections_with_plates(
         yield RelativeIssue(("ground", "selvadurai"), "soil that gives the k of one plate", "k", hint)
     for name, section in {"floor": floor, "soil_strength": soil_strength, "cracking": cracking}.items():
         if section is not None:
-            yield RelativeIssue((name,), f"{name} beside several plates", f"no {name}", "it is for a single plate")
+            found, repairs = f"{name} beside several plates", (remove((name,)),)
+            yield RelativeIssue((name,), found, f"no {name}", "it is for a single plate", repairs)
 
 
 def check_supports_on_joints(
@@ -258,4 +277,6 @@ def check_glued_joints(
         if joint.kind == "elastic":
             hint = "glued to the surface of ground that carries shear both sides settle as it does"
             expected = "a hinge, or contact.tensionless = true"
-            yield RelativeIssue(("joints", position, "kind"), "an elastic joint without effect", expected, hint)
+            repairs = (set_value(("contact", "tensionless"), True),)
+            found = "an elastic joint without effect"
+            yield RelativeIssue(("joints", position, "kind"), found, expected, hint, repairs)

@@ -11,6 +11,7 @@ from groundslab.schema.base import ByKind, Check, Section, Table
 from groundslab.schema.fields import Choice, Integer, Number, Quantity
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
+from groundslab.schema.repairs import remove
 from groundslab.schema.wording import describe, quote
 
 POSITIVE = Range(above=0)
@@ -44,7 +45,8 @@ class Selvadurai(Section):
 def _check_stiffness(k: float | None, selvadurai: Selvadurai | None) -> Iterator[RelativeIssue]:
     if (k is None) == (selvadurai is None):
         found = "neither k nor selvadurai" if k is None else "both k and selvadurai"
-        yield RelativeIssue((), found, "exactly one of k and selvadurai")
+        repairs = () if k is None else (remove(("selvadurai",)), remove(("k",)))
+        yield RelativeIssue((), found, "exactly one of k and selvadurai", repairs=repairs)
 
 
 class Winkler(Section):
@@ -67,7 +69,8 @@ class Pasternak(Section):
 
 def _check_variation(variation: str, E_bottom: float | None, given: set[str]) -> Iterator[RelativeIssue]:
     if "variation" in given and E_bottom is None:
-        yield RelativeIssue(("variation",), quote(variation), "no variation without E_bottom", "give E_bottom as well")
+        hint, repairs = "give E_bottom as well", (remove(("variation",)),)
+        yield RelativeIssue(("variation",), quote(variation), "no variation without E_bottom", hint, repairs)
 
 
 class SoilLayer(Section):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
+from groundslab.errors import Repair
 from groundslab.model.ground import POSITIVE
 from groundslab.model.shapes import Shape
 from groundslab.model.varying_ground import GapPoint, Void, check_gap_points
@@ -12,6 +13,7 @@ from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Boolean, Choice, Integer, ListOf, Quantity
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
+from groundslab.schema.repairs import remove, set_value
 from groundslab.schema.wording import describe, quote
 
 Reach = Literal["none", "margin", "infinite"]
@@ -31,14 +33,15 @@ def _check_width(kind: str, width: float | None) -> Iterator[RelativeIssue]:
     if kind == "margin" and width is None:
         yield RelativeIssue(("width",), "nothing", 'a length such as "5 m", as kind is "margin"')
     if kind == "none" and width is not None:
-        yield RelativeIssue(("width",), f"{width!r} m", 'no width, as kind is "none"', 'kind = "margin" has a width')
+        hint, margin = 'kind = "margin" has a width', set_value(("kind",), "margin")
+        repairs = (remove(("width",)), margin)
+        yield RelativeIssue(("width",), f"{width!r} m", 'no width, as kind is "none"', hint, repairs)
 
 
 def _check_edge(kind: str, edge: str, given: set[str]) -> Iterator[RelativeIssue]:
     if kind != "margin" and "edge" in given:
-        yield RelativeIssue(
-            ("edge",), quote(edge), f'no edge, as kind is "{kind}"', 'kind = "margin" has an outer edge'
-        )
+        hint, repairs = 'kind = "margin" has an outer edge', (remove(("edge",)),)
+        yield RelativeIssue(("edge",), quote(edge), f'no edge, as kind is "{kind}"', hint, repairs)
 
 
 class Beyond(Section):
@@ -67,24 +70,30 @@ class Beyond(Section):
     ] = SIDES
 
 
+def _without(key: str) -> tuple[Repair, ...]:
+    """Return the repairs of a key that is for plates which may lift off, where none may."""
+    return remove((key,)), set_value(("tensionless",), True)
+
+
 def _check_gap(tensionless: bool, gap: float) -> Iterator[RelativeIssue]:
     if not tensionless and gap > 0:
-        yield RelativeIssue(("gap",), f"{gap!r} m", "no gap, as tensionless is false")
+        yield RelativeIssue(("gap",), f"{gap!r} m", "no gap, as tensionless is false", repairs=_without("gap"))
 
 
 def _check_voids(tensionless: bool, voids: tuple[Void, ...]) -> Iterator[RelativeIssue]:
     if not tensionless and voids:
-        yield RelativeIssue(("voids",), describe(voids), "no voids, as tensionless is false")
+        yield RelativeIssue(("voids",), describe(voids), "no voids, as tensionless is false", repairs=_without("voids"))
 
 
 def _check_gaps(tensionless: bool, gaps: tuple[GapPoint, ...]) -> Iterator[RelativeIssue]:
     if not tensionless and gaps:
-        yield RelativeIssue(("gaps",), describe(gaps), "no gaps, as tensionless is false")
+        yield RelativeIssue(("gaps",), describe(gaps), "no gaps, as tensionless is false", repairs=_without("gaps"))
 
 
 def _check_limit_pressure(tensionless: bool, limit_pressure: float | None) -> Iterator[RelativeIssue]:
     if not tensionless and limit_pressure is not None:
-        yield RelativeIssue(("limit_pressure",), f"{limit_pressure!r} Pa", "no limit, as tensionless is false")
+        expected, repairs = "no limit, as tensionless is false", _without("limit_pressure")
+        yield RelativeIssue(("limit_pressure",), f"{limit_pressure!r} Pa", expected, repairs=repairs)
 
 
 class Contact(Section):
@@ -130,9 +139,11 @@ def _check_size(
     size: float | None, counts: tuple[int, int] | None, refine: tuple[Refinement, ...]
 ) -> Iterator[RelativeIssue]:
     if size is not None and counts is not None:
-        yield RelativeIssue((), "both size and counts", "at most one of size and counts")
+        repairs = (remove(("counts",)), remove(("size",)))
+        yield RelativeIssue((), "both size and counts", "at most one of size and counts", repairs=repairs)
     if refine and counts is not None:
-        yield RelativeIssue(("refine",), "refine beside counts", "no refine", "give a size instead of counts")
+        hint = "give a size instead of counts"
+        yield RelativeIssue(("refine",), "refine beside counts", "no refine", hint, (remove(("refine",)),))
 
 
 class Mesh(Section):

@@ -14,6 +14,7 @@ from groundslab.schema.base import ByKind, Check, Section, Table
 from groundslab.schema.fields import Choice, ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
+from groundslab.schema.repairs import remove, set_value, use_free_name
 from groundslab.schema.wording import describe, quote
 
 #: A pile is at least so many diameters long: formulas are those of slender ones.
@@ -31,15 +32,19 @@ GapKey = Annotated[
 
 def _check_one_sided(acts: str, gap: float, limit: float | None) -> Iterator[RelativeIssue]:
     hint = 'acts = "in compression" or "in tension"'
+    one_way = tuple(set_value(("acts",), word) for word in ("in compression", "in tension"))
     if acts == "both ways" and gap > 0:
-        yield RelativeIssue(("gap",), f"{gap!r} m", "no gap for a support that acts both ways", hint)
+        repairs = (remove(("gap",)), *one_way)
+        yield RelativeIssue(("gap",), f"{gap!r} m", "no gap for a support that acts both ways", hint, repairs)
     if acts == "both ways" and limit is not None:
-        yield RelativeIssue(("limit",), "a limit", "no limit for a support that acts both ways", hint)
+        repairs = (remove(("limit",)), *one_way)
+        yield RelativeIssue(("limit",), "a limit", "no limit for a support that acts both ways", hint, repairs)
 
 
 def _check_rotation(rotation: str, rotational_stiffness: float | None) -> Iterator[RelativeIssue]:
     if rotation == "fixed" and rotational_stiffness is not None:
-        yield RelativeIssue(("rotational_stiffness",), "a stiffness", 'none, as rotation is "fixed"')
+        repairs = (remove(("rotational_stiffness",)), set_value(("rotation",), "free"))
+        yield RelativeIssue(("rotational_stiffness",), "a stiffness", 'none, as rotation is "fixed"', repairs=repairs)
 
 
 class PointSupport(Section):
@@ -181,7 +186,8 @@ def check_names(part: str, names: list[str], needed: bool) -> Iterator[RelativeI
         if not name and needed:
             yield RelativeIssue((part, position, "name"), "no name", "a name")
         if name in seen:
-            yield RelativeIssue((part, position, "name"), f"{describe(name)} again", "a name of its own")
+            place, repairs = (part, position, "name"), use_free_name((part, position, "name"), name, names)
+            yield RelativeIssue(place, f"{describe(name)} again", "a name of its own", repairs=repairs)
         seen |= {name} - {""}
 
 

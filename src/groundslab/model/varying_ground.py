@@ -25,6 +25,7 @@ from groundslab.model.shapes import AnyShape, Shape
 from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.repairs import remove, set_value
 from groundslab.schema.wording import quote
 
 if TYPE_CHECKING:
@@ -116,14 +117,15 @@ def check_boreholes(
     layers = ground.layers if isinstance(ground, Vlasov | Layered | ConstrainedModulus) else ()
     if not layers or any(isinstance(layer, InterfaceLayer) for layer in layers):
         expected = "ground of layers given by E, nu and thickness"
-        yield RelativeIssue(("boreholes",), f"boreholes in {quote(ground.kind)} ground without soil layers", expected)
+        found, repairs = f"boreholes in {quote(ground.kind)} ground without soil layers", (remove(("boreholes",)),)
+        yield RelativeIssue(("boreholes",), found, expected, repairs=repairs)
         return
     if soil_zones:
-        yield RelativeIssue(
-            ("soil_zones",), "zones beside boreholes", "one of them", "a borehole says what the soil is there"
-        )
+        hint, either = "a borehole says what the soil is there", (remove(("soil_zones",)), remove(("boreholes",)))
+        yield RelativeIssue(("soil_zones",), "zones beside boreholes", "one of them", hint, either)
     if isinstance(ground, Vlasov) and ground.formulas == "as printed":
-        yield RelativeIssue(("ground", "formulas"), '"as printed" with boreholes', '"exact"')
+        repairs = (set_value(("ground", "formulas"), "exact"),)
+        yield RelativeIssue(("ground", "formulas"), '"as printed" with boreholes', '"exact"', repairs=repairs)
     seen: dict[tuple[float, float], int] = {}
     for position, hole in enumerate(boreholes):
         if len(hole.layers) != len(layers):

@@ -338,9 +338,6 @@ class GroundResult:
     def settlement_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> Array:
         """Return the settlement of a continuum at points anywhere in it, beside the plate too.
 
-        At the surface, within half a cell of the plate's edge, the pressures of cells, each even, let it waver by up to
-        a fifth; the plate's own settlement does not.
-
         Parameters
         ----------
         x, y, z : array_like of float
@@ -349,7 +346,7 @@ class GroundResult:
         Returns
         -------
         array of float
-            Settlement [m].
+            Settlement [m]; at the surface, half a cell about the plate's edge, it wavers by up to a fifth.
 
         Raises
         ------

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from typing import Annotated, Any, ClassVar, Self, get_args, get_origin
@@ -24,7 +24,8 @@ from pydantic_core import CoreSchema, core_schema
 from groundslab.errors import InputError
 from groundslab.schema.fields import MOST_ISSUES, FieldType, is_from_file
 from groundslab.schema.issues import FieldError, RelativeIssue
-from groundslab.schema.wording import describe, listed, quote, suggestion
+from groundslab.schema.repairs import remove, rename_key, set_value, use_nearest
+from groundslab.schema.wording import describe, find_nearest, listed, quote, suggestion
 
 MOST_KEYS = 1000  # of one table; of more they are not named one by one
 
@@ -174,7 +175,7 @@ class Section(BaseModel):
         try:
             made = handler(data)
         except ValidationError as error:
-            relative_issues = _translate(cls, error)
+            relative_issues = _translate(cls, error, data if isinstance(data, Mapping) else ())
             if not isinstance(data, Mapping):
                 raise FieldError(*relative_issues) from None
             broken = {str(line["loc"][0]) for line in error.errors(include_url=False) if line["loc"]}
@@ -262,8 +263,8 @@ def _adapter(cls: type[Section], name: str) -> TypeAdapter[Any]:
     return TypeAdapter(annotation)
 
 
-def _translate(cls: type[Section], error: ValidationError) -> list[RelativeIssue]:
-    """Return pydantic's errors of one section as issues."""
+def _translate(cls: type[Section], error: ValidationError, given: Collection[str] = ()) -> list[RelativeIssue]:
+    """Return pydantic's errors of one section, in which some keys are given, as issues."""
     relative_issues: list[RelativeIssue] = []
     # pydantic calls a list too short as well when none of its entries is right
     lines = [line for line in error.errors(include_url=False) if line["type"] != "too_short" or not line["input"]]
@@ -275,7 +276,7 @@ def _translate(cls: type[Section], error: ValidationError) -> list[RelativeIssue
         if isinstance(cause, FieldError):
             relative_issues += [relative.below(place) for relative in cause.relative_issues]
         else:
-            relative_issues.append(_to_issue(cls, place, line))
+            relative_issues.append(_to_issue(cls, place, line, given))
     if len(lines) > MOST_ISSUES:
         relative_issues.append(_too_many_issues(len(lines)))
     return relative_issues
@@ -299,13 +300,15 @@ def _not_a_table(place: tuple[str | int, ...], value: object) -> RelativeIssue:
     )
 
 
-def _to_issue(cls: type[Section], place: tuple[str | int, ...], line: Any) -> RelativeIssue:
+def _to_issue(cls: type[Section], place: tuple[str | int, ...], line: Any, given: Collection[str]) -> RelativeIssue:
     """Return one of pydantic's own errors as an issue."""
     kind, value = line["type"], line["input"]
     if kind in ("extra_forbidden", "invalid_key"):
-        known = list(cls.model_fields)
-        meant = suggestion(place[0], known)
-        return RelativeIssue(tuple(map(str, place)), "an unknown key", f"one of {', '.join(known)}", meant)
+        known, own = list(cls.model_fields), tuple(map(str, place))
+        meant, nearest = suggestion(place[0], known), find_nearest(place[0], known)
+        renames = () if nearest is None or nearest in given else (rename_key(own, nearest),)
+        repairs = (*renames, remove(own)) if own and own[0] in given else ()
+        return RelativeIssue(own, "an unknown key", f"one of {', '.join(known)}", meant, repairs)
     field = cls.model_fields.get(str(place[0])) if place else None
     if field is None:
         return _not_a_table(place, value)
@@ -318,11 +321,15 @@ def _to_issue(cls: type[Section], place: tuple[str | int, ...], line: Any) -> Re
         return RelativeIssue(place, describe(None if kind == "missing" else value), key.expected() if key else table)
     if kind in ("union_tag_invalid", "union_tag_not_found") and isinstance(value, Mapping):
         tags = [str(part.model_fields["kind"].default) for part in inner.parts if "kind" in part.model_fields]
-        given = value.get("kind")
-        return RelativeIssue((*place, "kind"), describe(given), listed(map(quote, tags)), suggestion(given, tags))
+        given_kind = value.get("kind")
+        tag_place, hint = (*place, "kind"), suggestion(given_kind, tags)
+        return RelativeIssue(
+            tag_place, describe(given_kind), listed(map(quote, tags)), hint, use_nearest(tag_place, given_kind, tags)
+        )
     if inner.many and len(place) == 1:
         hint = "write double brackets: [[...]]" if isinstance(value, Mapping) else ""
-        return RelativeIssue(place, describe(value), "a list of tables", hint)
+        repairs = (set_value(place, [dict(value)], "make it a list"),) if isinstance(value, Mapping) else ()
+        return RelativeIssue(place, describe(value), "a list of tables", hint, repairs)
     if inner.parts:
         return _not_a_table(place, value)
     if kind == "literal_error":

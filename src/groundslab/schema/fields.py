@@ -17,6 +17,7 @@ from pydantic_core import CoreSchema, core_schema
 from groundslab import units
 from groundslab.schema import ranges, toml_writer
 from groundslab.schema.issues import FieldError, RelativeIssue, field_error
+from groundslab.schema.repairs import add_unit, use_nearest
 from groundslab.schema.wording import describe, listed, quote, suggestion
 
 #: Validation context of files: units are mandatory there, and a key without effect is an issue.
@@ -100,10 +101,11 @@ class Quantity(FieldType):
             try:
                 number = units.parse(value, self.dimension)
             except units.QuantityError as error:
-                raise field_error(value, self.expected(), error.reason) from None
+                repairs = add_unit(value, self.dimension, self.range)
+                raise field_error(value, self.expected(), error.reason, repairs) from None
         elif from_file:
-            hint = "write number and unit in quotes" if isinstance(value, int | float) else ""
-            raise field_error(value, self.expected(), "" if isinstance(value, bool) else hint)
+            hint = "write number and unit in quotes" if type(value) in (int, float) else ""
+            raise field_error(value, self.expected(), hint, add_unit(value, self.dimension, self.range))
         else:
             si = units.DIMENSIONS[self.dimension].si.replace("%", "parts of 1")
             number = _number(value, f"{self.expected()}, or a number in {si}")
@@ -234,7 +236,7 @@ class Choice(FieldType):
     def read(self, value: Any, from_file: bool) -> str:  # noqa: ARG002
         """Return the word."""
         if not isinstance(value, str) or value not in self.words:
-            raise field_error(value, self.expected(), suggestion(value, self.words))
+            raise field_error(value, self.expected(), suggestion(value, self.words), use_nearest((), value, self.words))
         return value
 
     def expected(self) -> str:
@@ -299,10 +301,6 @@ def _read_each(
     if relative_issues:
         raise FieldError(*relative_issues[:MOST_ISSUES])
     return kept
-
-
-def _is_named(pair: object) -> bool:
-    return isinstance(pair, tuple) and len(pair) == 2 and isinstance(pair[0], str)
 
 
 @dataclass(frozen=True)
@@ -383,7 +381,8 @@ class Factors(FieldType):
     def read(self, value: Any, from_file: bool) -> tuple[tuple[str, float], ...]:
         """Return the pairs of name and number; a tuple of pairs is taken as well."""
         pairs = tuple(value.items()) if isinstance(value, Mapping) else value
-        if not isinstance(pairs, tuple) or not pairs or not all(map(_is_named, pairs)):
+        named = (isinstance(pair, tuple) and len(pair) == 2 and isinstance(pair[0], str) for pair in pairs or ())
+        if not isinstance(pairs, tuple) or not pairs or not all(named):
             raise field_error(value, self.expected())
         count = Counter(name for name, _ in pairs)
         twice = [

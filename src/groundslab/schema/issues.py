@@ -2,25 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
 
-from groundslab.errors import Issue
+from groundslab.errors import Issue, Repair
+from groundslab.schema.repairs import move_below
 from groundslab.schema.wording import describe
 
 
 @dataclass(frozen=True, slots=True)
 class RelativeIssue:
-    """An issue whose ``place`` holds keys and positions (from 0) below a section."""
+    """An issue whose ``place`` and repairs hold keys and positions (from 0) below a section."""
 
     place: tuple[str | int, ...]
     found: str
     expected: str
     hint: str = ""
+    repairs: tuple[Repair, ...] = field(default=(), compare=False, repr=False)
 
     def below(self, place: Sequence[str | int]) -> RelativeIssue:
         """Return the issue as seen from further up."""
-        return replace(self, place=(*place, *self.place))
+        repairs = tuple(move_below(place, repair) for repair in self.repairs)
+        return replace(self, place=(*place, *self.place), repairs=repairs)
 
     def issue(self, root: str) -> Issue:
         """Return the issue with its location below ``root`` (may be empty), positions counted from 1."""
@@ -32,7 +35,7 @@ class RelativeIssue:
                 bare = step and step.isascii() and step.replace("_", "").replace("-", "").isalnum()
                 key = step if bare and len(step) <= 60 else describe(step)
                 path += f".{key}" if path else key
-        return Issue(path or "the description", self.found, self.expected, self.hint)
+        return Issue(path or "the description", self.found, self.expected, self.hint, self.repairs)
 
 
 class FieldError(ValueError):
@@ -44,6 +47,6 @@ class FieldError(ValueError):
         self.relative_issues = relative_issues
 
 
-def field_error(value: object, expected: str, hint: str = "") -> FieldError:
-    """Return the error that says what a value should be."""
-    return FieldError(RelativeIssue((), describe(value), expected, hint))
+def field_error(value: object, expected: str, hint: str = "", repairs: Iterable[Repair] = ()) -> FieldError:
+    """Return the error that says what a value should be, and how to repair it where that is known."""
+    return FieldError(RelativeIssue((), describe(value), expected, hint, tuple(repairs)))

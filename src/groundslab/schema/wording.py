@@ -60,10 +60,16 @@ def one_of(names: Sequence[str]) -> str:
     return listed([*map(describe, names[:MOST_NAMES]), *more])
 
 
-def suggestion(word: object, known: Iterable[str]) -> str:
-    """Return ``did you mean "..."?`` for a word that resembles a known one, else nothing."""
+def find_nearest(word: object, known: Iterable[str]) -> str | None:
+    """Return the known word that a word resembles most, None if it resembles none."""
     if not isinstance(word, str) or len(word) > 40:
-        return ""
+        return None
     lower = {each.lower(): each for each in known}
     close = difflib.get_close_matches(word.lower(), lower, n=1)
-    return f"did you mean {quote(lower[close[0]])}?" if close else ""
+    return lower[close[0]] if close else None
+
+
+def suggestion(word: object, known: Iterable[str]) -> str:
+    """Return ``did you mean "..."?`` for a word that resembles a known one, else nothing."""
+    nearest = find_nearest(word, known)
+    return "" if nearest is None else f"did you mean {quote(nearest)}?"

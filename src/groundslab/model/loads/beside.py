@@ -14,6 +14,7 @@ from groundslab.model.plates.region import ROUNDING, PlateRegion
 from groundslab.model.settings import Beyond, Side
 from groundslab.model.varying_ground import SoilZone
 from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.repairs import set_value
 
 #: A load on the ground reaches no further off the plate than so many times its longer side, as all of it is meshed.
 FARTHEST = 20.0
@@ -51,7 +52,8 @@ def check_ground_loads(
                 yield RelativeIssue(on, '"ground" on ground without shear', "ground that carries shear", hint)
             elif beyond.kind == "none":
                 hint = 'beyond.kind = "infinite", or "margin" with a width'
-                yield RelativeIssue(on, '"ground", which ends with the plate', "ground beyond the plate", hint)
+                found, repairs = '"ground", which ends with the plate', (set_value(("beyond", "kind"), "infinite"),)
+                yield RelativeIssue(on, found, "ground beyond the plate", hint, repairs)
             else:
                 yield from _check_reach(get_plate_region(plate, plates), beyond, load, place)
 

@@ -7,11 +7,13 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import model_validator
 
+from groundslab.errors import Repair
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Boolean, Choice, Factors, ListOf, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
-from groundslab.schema.wording import describe, one_of, suggestion
+from groundslab.schema.repairs import add_item, remove, rename_key, use_nearest
+from groundslab.schema.wording import describe, find_nearest, one_of, suggestion
 
 Kind = Literal["permanent", "variable", "accidental", "seismic"]
 LimitState = Literal[
@@ -128,7 +130,8 @@ def _three_factors(symbol: str, state: str) -> ListOf:
 def _check_expression(expression: str, given: set[str]) -> Iterator[RelativeIssue]:
     for key in ("permanent", "variable", "xi", "separate"):
         if expression == "ACI 318" and key in given:
-            yield RelativeIssue((key,), f"{key} with ACI 318", f"no {key}", "the factors are those of ACI 318-19 5.3.1")
+            hint, repairs = "the factors are those of ACI 318-19 5.3.1", (remove((key,)),)
+            yield RelativeIssue((key,), f"{key} with ACI 318", f"no {key}", hint, repairs)
 
 
 class Combine(Section):
@@ -162,6 +165,15 @@ class Combine(Section):
     ] = "psi_1"
 
 
+def _add_case(name: str) -> tuple[Repair, ...]:
+    """Return the repairs that add a load case of a name; its action, on which combinations depend, is to be chosen."""
+    actions: tuple[Kind, ...] = ("permanent", "variable")
+    return tuple(
+        add_item(("cases",), {"name": name, "action": action}, f"add {action} load case {describe(name)}")
+        for action in actions
+    )
+
+
 def check_case_names(
     part: str, key: str, named: list[str | None], cases: tuple[LoadCase, ...]
 ) -> Iterator[RelativeIssue]:
@@ -174,21 +186,30 @@ def check_case_names(
         if name not in known:
             expected = one_of(names) if names else "no case, as there are no [[cases]]"
             found = describe(name) if name else "no case"
-            yield RelativeIssue((part, position, key), found, expected, suggestion(name, names))
+            place, hint = (part, position, key), suggestion(name, names)
+            repairs = use_nearest(place, name, names)
+            repairs += _add_case(name) if name else ()
+            repairs += () if names else (remove(place),)
+            yield RelativeIssue(place, found, expected, hint, repairs)
 
 
 def check_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:
     """Find factors of unknown cases, and combinations without any cases."""
     names = [case.name for case in cases]
     if combinations and not names:
-        yield RelativeIssue(("combinations",), describe(combinations), "none, as there are no [[cases]] to combine")
+        expected, repairs = "none, as there are no [[cases]] to combine", (remove(("combinations",)),)
+        yield RelativeIssue(("combinations",), describe(combinations), expected, repairs=repairs)
         return
     known = set(names)
     for position, combination in enumerate(combinations):
         for name, _ in combination.factors:
             if name not in known:
                 place = ("combinations", position, "factors", name)
-                yield RelativeIssue(place, "a case that is not there", one_of(names), suggestion(name, names))
+                hint, nearest = suggestion(name, names), find_nearest(name, names)
+                free = nearest is not None and nearest not in dict(combination.factors)
+                renames = (rename_key(place, str(nearest)),) if free else ()
+                repairs = (*renames, *_add_case(name), remove(place, label="remove the factor"))
+                yield RelativeIssue(place, "a case that is not there", one_of(names), hint, repairs)
 
 
 def has_ultimate_combination(combinations: tuple[Combination, ...], combine: Combine | None) -> bool:

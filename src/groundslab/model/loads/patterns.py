@@ -30,6 +30,7 @@ from groundslab.schema.base import ByKind, Check, Section, Table
 from groundslab.schema.fields import Integer, ListOf, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
+from groundslab.schema.repairs import remove, use_nearest
 from groundslab.schema.wording import describe, one_of, suggestion
 
 #: Patterns have no more forces than this, at all of their places together.
@@ -107,7 +108,8 @@ def _check_path(points: tuple[tuple[float, float], ...], step: float | None) -> 
     if len(points) > 1 and step is None:
         yield RelativeIssue(("step",), "nothing", 'a step along the path such as "0.5 m"', "one point is a fixed place")
     elif len(points) == 1 and step is not None:
-        yield RelativeIssue(("step",), f"{step!r} m", "no step where the pattern stands at one point")
+        expected, repairs = "no step where the pattern stands at one point", (remove(("step",)),)
+        yield RelativeIssue(("step",), f"{step!r} m", expected, repairs=repairs)
 
 
 class Move(Section):
@@ -274,8 +276,9 @@ def check_patterns(
     for number, move in enumerate(moves):
         if move.pattern not in known:
             expected = one_of(list(known)) if known else "a pattern, and [[patterns]] that says what it is"
-            hint = suggestion(move.pattern, list(known))
-            yield RelativeIssue(("moves", number, "pattern"), describe(move.pattern), expected, hint)
+            place, hint = ("moves", number, "pattern"), suggestion(move.pattern, list(known))
+            repairs = use_nearest(place, move.pattern, known)
+            yield RelativeIssue(place, describe(move.pattern), expected, hint, repairs)
             continue
         if move.travels and not cases:
             yield RelativeIssue(("moves", number, "case"), "a path without a case", "[[cases]], one of which moves")

@@ -13,6 +13,7 @@ from groundslab.model.plates.further import FurtherPlate
 from groundslab.model.plates.region import ROUNDING, PlateRegion
 from groundslab.model.shapes import CHORD
 from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.repairs import use_nearest
 from groundslab.schema.wording import describe, one_of, suggestion
 
 if TYPE_CHECKING:
@@ -93,4 +94,5 @@ def check_load_columns(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...]) 
         if isinstance(load, PointLoad) and load.column and load.column not in known:
             expected = one_of(names) if names else "a column, and [[columns]] that says where it is"
             place = ("loads", position, "column")
-            yield RelativeIssue(place, describe(load.column), expected, suggestion(load.column, names))
+            hint, repairs = suggestion(load.column, names), use_nearest(place, load.column, names)
+            yield RelativeIssue(place, describe(load.column), expected, hint, repairs)

@@ -14,6 +14,7 @@ from groundslab.model.shapes import CHORD, AnyShape, Shape
 from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.repairs import use_free_name
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -103,7 +104,9 @@ def check_plates(plate: Plate, plates: tuple[FurtherPlate, ...], joints: Sequenc
     for position, each in enumerate(plates):
         if not each.name or each.name in seen:
             found = f"{describe(each.name)} again" if each.name else "no name"
-            yield RelativeIssue(("plates", position, "name"), found, "a name of its own")
+            place, taken = ("plates", position, "name"), [plate.name, *(other.name for other in plates)]
+            repairs = use_free_name(place, each.name or "plate", taken)
+            yield RelativeIssue(place, found, "a name of its own", repairs=repairs)
         seen.add(each.name)
     if not plates:
         return

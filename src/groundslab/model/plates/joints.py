@@ -12,6 +12,7 @@ from groundslab.schema.base import ByKind, Check, Section, Table
 from groundslab.schema.fields import ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
+from groundslab.schema.repairs import remove, use_nearest
 from groundslab.schema.wording import describe, one_of, quote, suggestion
 
 #: A hinge is as stiff against shear as so many times Young's modulus of the softer plate [N/m per m of the joint].
@@ -92,15 +93,18 @@ def check_joints(
         unknown = [(side, name) for side, name in enumerate(joint.between) if name not in known]
         for side, name in unknown:
             expected = one_of(list(known)) if known else "a plate, and names of [plate] and [[plates]]"
-            hint = suggestion(name, list(known))
-            yield RelativeIssue(("joints", position, "between", side), describe(name), expected, hint)
+            plate_place, hint = ("joints", position, "between", side), suggestion(name, list(known))
+            others = [each for each in known if each not in joint.between]
+            repairs = (*use_nearest(plate_place, name, others), remove(("joints", position), label="remove the joint"))
+            yield RelativeIssue(plate_place, describe(name), expected, hint, repairs)
         pair = frozenset(joint.between)
         if unknown or len(pair) < 2:
             continue
         place = ("joints", position, "between")
         words = " and ".join(map(quote, joint.between))
         if pair in seen:
-            yield RelativeIssue(place, f"{words} again", "one joint between two plates")
+            repairs = (remove(("joints", position), label="remove the joint"),)
+            yield RelativeIssue(place, f"{words} again", "one joint between two plates", repairs=repairs)
         elif not shared_line(*(known[name] for name in joint.between)).length > TOO_CLOSE * size:
             yield RelativeIssue(place, f"{words}, which share no line", "plates whose outlines share a line")
         seen.add(pair)

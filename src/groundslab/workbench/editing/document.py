@@ -105,7 +105,9 @@ class Document:
             return self._add(editor, path, _get_value(edit), edit.get("at"))
         if op == "remove":
             return self._remove(editor, path)
-        raise InputError([Issue("the edit", describe(op), "one of set, length, add, remove, move, text")])
+        if op == "rename":
+            return self._rename(editor, path, _get_value(edit))
+        raise InputError([Issue("the edit", describe(op), "one of set, length, add, remove, rename, move, text")])
 
     def _with_text(self, value: Any) -> Document:
         """Return the document with another text."""
@@ -152,6 +154,16 @@ class Document:
         else:
             rest = [each for index, each in enumerate(parent) if index != step]
         return self._replace(editor.remove(path, rest), replace_value(editor.data, above, rest))
+
+    def _rename(self, editor: TomlEditor, path: Path, name: Any) -> Document:
+        """Return the document with another name for a key."""
+        table: Any = get_value(editor.data, path[:-1], MISSING)
+        if not path or not isinstance(table, Mapping) or path[-1] not in table:
+            raise InputError([Issue(format_path(path), "nothing", "a key to rename")])
+        if not isinstance(name, str) or name in table:
+            raise InputError([Issue(format_path(path), describe(name), "a name that is free")])
+        renamed = {name if key == path[-1] else key: each for key, each in table.items()}
+        return self._replace(editor.rename(path, name), replace_value(editor.data, path[:-1], renamed))
 
     def _replace(self, replacements: Sequence[Replacement], expected: Any) -> Document:
         """Return the document with some text replaced; raises InputError unless its data are then as expected."""

@@ -53,6 +53,21 @@ class TomlEditor:
         sources = [index for index in range(len(old)) if index != step]
         return [Replacement(found.start, found.end, rewrite_list(self.text, found, old, rest, sources))]
 
+    def rename(self, path: Path, name: str) -> list[Replacement]:
+        """Rename the key at a path that exists, wherever it stands; what it holds stays as it is written."""
+        above = path[:-1]
+        if self.layout.is_inline(above):
+            old = get_value(self.data, above)
+            return self._change(above, old, {name if key == path[-1] else key: each for key, each in old.items()})
+        replacements = []
+        for each in self.layout.find_statements(path):
+            section = () if each.value is None else each.section
+            index = len(_select_keys(above)) - len(_select_keys(section))
+            if index >= 0:  # else a header above it has the key
+                names = (*each.key.names[:index], name, *each.key.names[index + 1 :])
+                replacements.append(Replacement(each.key.start, each.key.end, ".".join(map(toml_writer.key, names))))
+        return replacements
+
     def _change(self, path: Path, old: Any, new: Any) -> list[Replacement]:
         """Change an old value into a new one, part by part."""
         if equal_values(old, new):

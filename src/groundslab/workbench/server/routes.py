@@ -20,6 +20,7 @@ from groundslab.model.model import json_schema
 from groundslab.workbench.editing import diagnostics
 from groundslab.workbench.persistence import files
 from groundslab.workbench.server.case_file import Conflict, OpenElsewhere
+from groundslab.workbench.server.help_routes import add_documentation_routes, add_example_routes
 from groundslab.workbench.server.security import Guard
 from groundslab.workbench.server.session import Session, State
 from groundslab.workbench.server.tickets import Tickets
@@ -90,12 +91,14 @@ def create_app(session: Session, tickets: Tickets, port: int, token: str, static
     _add_document_routes(app, session)
     _add_solver_routes(app, session)
     _add_table_routes(app, session)
+    add_example_routes(app, session)
     return guard_app(app, tickets, port, token, static)
 
 
 def guard_app(app: FastAPI, tickets: Tickets, port: int, token: str, static: Path = STATIC) -> Guard:
     """Return an application with the entrance and the files of the page, behind the guard."""
     _add_ticket_routes(app, tickets, token)
+    add_documentation_routes(app)
     for suffix, kind in TYPES.items():
         mimetypes.add_type(kind, suffix)
     app.mount("/", StaticFiles(directory=static, html=True, check_dir=False))
@@ -157,7 +160,7 @@ def _add_document_routes(app: FastAPI, session: Session) -> None:
     app.get("/api/state")(session.get_state)
     app.post("/api/undo")(session.undo)
     app.post("/api/redo")(session.redo)
-    app.post("/api/new")(session.new)
+    app.post("/api/new")(lambda: session.new())
     app.get("/api/files")(session.list_folder)
     add_schema_route(app)
 

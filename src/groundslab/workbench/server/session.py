@@ -154,12 +154,12 @@ class Session:
             self._begin(document, opened)
         return self.get_state()
 
-    def new(self) -> State:
-        """Begin a new document; the unsaved work on the previous one stays."""
+    def new(self, text: str | None = None) -> State:
+        """Begin a new document, with a text or the usual one; the unsaved work on the previous one stays."""
         with self._lock:
             self._autosave.release()
             self._case_file.close()
-            self._begin_new()
+            self._begin_new(text)
         return self.get_state()
 
     def survey_drawing(self, name: str) -> dict[str, Any]:
@@ -234,8 +234,8 @@ class Session:
             self._case_file.close()
             return "" if self._autosave.path is None else str(self._autosave.path)
 
-    def _begin_new(self) -> None:
-        document = Document(casefile.starter())
+    def _begin_new(self, text: str | None = None) -> None:
+        document = Document(casefile.starter() if text is None else text)
         self._begin(document, CaseFile(None, document.to_bytes()))
 
     def _begin(self, document: Document, file: CaseFile) -> None:

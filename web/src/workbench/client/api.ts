@@ -55,6 +55,14 @@ export interface OpenedDrawing {
   origin: [number, number];
 }
 
+/** An example that the server has, with what its picture shows. */
+export interface Example {
+  name: string;
+  title: string;
+  about: string;
+  data: Table;
+}
+
 export interface SummaryRow {
   label: string;
   symbol: string;
@@ -161,6 +169,8 @@ export class HttpApi {
   openDrawing = (file: string, choice: DrawingChoice) =>
     this.json<OpenedDrawing>("drawing", { file, ...choice }, READING);
   createCase = () => this.json<DocState>("new", {});
+  examples = () => this.json<Example[]>("examples");
+  openExample = (name: string) => this.json<DocState>("examples", { name });
   restore = (take: boolean) => this.json<DocState>("restore", { take });
   files = (folder: string | null) =>
     this.json<Folder>(folder === null ? "files" : `files?folder=${encodeURIComponent(folder)}`);

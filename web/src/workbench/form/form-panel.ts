@@ -67,7 +67,7 @@ export function formPanel(
   }
   const update = () => {
     for (const each of sections) each.update();
-    showIssues(messages, issuesOfPart(ctx.issues(), [], root));
+    showIssues(messages, issuesOfPart(ctx.issues(), [], root), ctx.change);
   };
   const reveal = (target: Path) => sections.some((each) => each.reveal(target));
   return { element, update, reveal };

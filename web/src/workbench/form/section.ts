@@ -41,7 +41,7 @@ export function partWidget(ctx: FormContext, path: Path, node: Node, without: re
     kinds?.update();
     for (const widget of widgets) widget.update();
     const issues = issuesOfPart(ctx.issues(), path, part);
-    showIssues(messages, kinds ? issues.filter((issue) => issue.path[path.length] !== "kind") : issues);
+    showIssues(messages, kinds ? issues.filter((issue) => issue.path[path.length] !== "kind") : issues, ctx.change);
   };
   const reveal = (target: Path) => {
     if (!startsWith(target, path)) return false;

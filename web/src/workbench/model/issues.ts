@@ -1,6 +1,13 @@
 // Issues of the case file: which field they belong to, and what they say.
+import type { Edit } from "./changes/edits";
 import { type Path, startsWith } from "./paths";
 import type { Part } from "./schema";
+
+/** A way to repair an issue: what it does, and the edits that do it. */
+export interface Repair {
+  label: string;
+  edits: Edit[];
+}
 
 /** Something wrong in the case file; the names of its parts are the server's. */
 export interface Issue {
@@ -9,6 +16,7 @@ export interface Issue {
   found: string;
   expected: string;
   hint: string;
+  repairs?: readonly Repair[];
   line?: number;
 }
 

@@ -4,6 +4,7 @@ import { type Api, type DocState, Lost, Refused } from "../client/api";
 import type { EditQueue } from "../client/edit-queue";
 import type { Store } from "../client/store";
 import { isDrawing, openDrawing } from "../drawing/open-drawing";
+import { chooseStart } from "../help/examples";
 import { ask } from "./dialogs";
 import { chooseFile } from "./file-dialog";
 
@@ -83,9 +84,13 @@ export class Commands {
     });
   }
 
+  /** Begin a new case, empty or from an example. */
   createCase = async (): Promise<void> => {
-    if (!(await this.confirmLeaving())) return;
-    if (await this.change(() => this.api.createCase())) this.resetResult();
+    const start = await chooseStart(this.api);
+    if (!start || !(await this.confirmLeaving())) return;
+    const { example } = start;
+    const make = () => (example === null ? this.api.createCase() : this.api.openExample(example));
+    if (await this.change(make)) this.resetResult();
   };
 
   solve = async (): Promise<void> => {

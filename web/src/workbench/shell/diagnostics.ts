@@ -1,6 +1,7 @@
 // All issues of the case file below the model; each leads to its field.
 import { fill, h } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
+import { type Push, repairButtons } from "../help/repairs";
 import type { Issue } from "../model/issues";
 import { issueCount, issueLine } from "../model/issues";
 
@@ -9,14 +10,22 @@ export interface IssueList {
   open(): void;
 }
 
-/** The line with the number of issues, and the list that it opens; `onChoose` is called with an issue that is clicked. */
-export function issueList(store: Store, onChoose: (issue: Issue) => void): IssueList {
+/** The line with the number of issues, and the list that it opens; `onChoose` is called with an issue that is clicked, `push` with a repair. */
+export function issueList(store: Store, onChoose: (issue: Issue) => void, push: Push): IssueList {
   const count = h("span", { class: "issue-count" });
   const rows = h("ul");
   const first = h("span", { class: "first-issue" });
-  const element = h("details", { class: "issue-list" }, h("summary", {}, count, first), rows);
-  const makeRow = (issue: Issue) =>
-    h("li", {}, h("button", { type: "button", onclick: () => onChoose(issue) }, issueLine(issue)));
+  const summary = h("summary", {}, count, first);
+  const element = h("details", { class: "issue-list" }, summary, rows);
+  const makeRow = (issue: Issue) => {
+    const text = h("button", { type: "button", class: "issue", onclick: () => onChoose(issue) }, issueLine(issue));
+    return h(
+      "li",
+      {},
+      text,
+      repairButtons(issue, push, () => summary.focus()),
+    );
+  };
   store.on(["doc"], () => {
     const issues = store.doc?.issues ?? [];
     element.classList.toggle("bad", issues.length > 0);

@@ -7,6 +7,10 @@ import type { EditQueue } from "../client/edit-queue";
 import type { Store } from "../client/store";
 import type { FormContext } from "../form/context";
 import { formPanel } from "../form/form-panel";
+import { openDocumentation, openFieldDocumentation } from "../help/documentation";
+import { fieldHelp } from "../help/field-help";
+import { asksForKeys, showKeys } from "../help/keys";
+import { isTourTaken, startTour } from "../help/tour";
 import type { Change } from "../model/changes/edits";
 import type { Issue } from "../model/issues";
 import type { Path } from "../model/paths";
@@ -19,7 +23,6 @@ import { TextPanel } from "../text/text-panel";
 import { banner, notices } from "./banner";
 import { Commands } from "./commands";
 import { issueList } from "./diagnostics";
-import { asksForKeys, showKeys } from "./help";
 import { splitter } from "./splitter";
 import { tabs } from "./tabs";
 import { topBar, viewBar } from "./top-bar";
@@ -51,15 +54,21 @@ export function buildPage(
     splitter(page, "--model-share", "x", 0.5, [0.25, 0.75], "width of the model"),
     result.element,
   );
-  const top = topBar(store, api, commands, () => showKeys(TOOLS));
+  const takeTour = () => startTour(model.show);
+  const help: Help = {
+    showKeys: () => showKeys(TOOLS, takeTour),
+    open: (target) => openFieldDocumentation(target, store.data),
+  };
+  const top = topBar(store, api, commands, help.showKeys);
   document.body.replaceChildren(
     top,
     banner(store, () => connection.retry()),
     page,
     notices(store),
   );
-  document.addEventListener("keydown", (event) => handleKey(event, commands));
+  document.addEventListener("keydown", (event) => handleKey(event, commands, help));
   store.emitAll();
+  if (!isTourTaken() && !document.querySelector("dialog[open]")) takeTour();
 }
 
 /** The page of results that are only looked at. */
@@ -94,9 +103,10 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
     push(continued ? { ...change, merge: true } : change);
   });
   const broken = h("p", { class: "broken", role: "alert", hidden: true }, BROKEN);
-  const planTab = h("div", { class: "panel" }, plan.element);
+  const planTab = h("div", { class: "panel plan-help" }, plan.element);
   const formTab = h("div", { class: "panel scrolls" }, form.element);
   const tablesTab = h("div", { class: "panel" }, sheets.element);
+  for (const panel of [planTab, formTab]) panel.append(fieldHelp(ctx, panel, openDocumentation));
   const textTab = h("div", { class: "panel" }, text.element);
   const views = tabs(
     [
@@ -122,7 +132,7 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
       form.reveal(issue.path);
     }
   };
-  const issues = issueList(store, reveal);
+  const issues = issueList(store, reveal, push);
   store.on(["data", "doc"], () => {
     // what is hidden is updated when it is shown
     if (views.current() === "form") form.update();
@@ -140,11 +150,17 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
     text.flush();
   };
   const element = h("section", { class: "model", "aria-label": "model" }, ...children);
-  return { element, flush, openIssues: issues.open };
+  return { element, flush, openIssues: issues.open, show: views.show };
+}
+
+/** Help by keys: the list of them, and the documentation of the field that has the focus. */
+interface Help {
+  showKeys(): void;
+  open(target: EventTarget | null): void;
 }
 
 /** Handle keys that hold everywhere. */
-function handleKey(event: KeyboardEvent, commands: Commands): void {
+function handleKey(event: KeyboardEvent, commands: Commands, help: Help): void {
   const isCommand = event.ctrlKey || event.metaKey;
   const key = event.key.toLowerCase();
   const inText = event.target instanceof HTMLTextAreaElement;
@@ -158,8 +174,11 @@ function handleKey(event: KeyboardEvent, commands: Commands): void {
   else if (event.key === "F9" || (isCommand && event.key === "Enter")) run(commands.solve);
   else if (isCommand && key === "z" && !inText) run(event.shiftKey ? commands.redo : commands.undo);
   else if (isCommand && key === "y" && !inText) run(commands.redo);
-  else if (asksForKeys(event)) {
+  else if (event.key === "F1") {
     event.preventDefault();
-    showKeys(TOOLS);
+    help.open(event.target);
+  } else if (asksForKeys(event)) {
+    event.preventDefault();
+    help.showKeys();
   }
 }

@@ -10,7 +10,7 @@ type Addresses = Pick<Api, "reportAddress" | "archiveAddress">;
 
 export function topBar(store: Store, api: Addresses, commands: Commands, showKeys: () => void): HTMLElement {
   const file = [
-    button("New", "Start a new case", () => void commands.createCase()),
+    button("New", "Start a new case, empty or from an example", () => void commands.createCase()),
     button("Open …", "Open a case file or a drawing (Ctrl+O)", () => void commands.open()),
     button("Save", "Save the case file (Ctrl+S)", () => void commands.save()),
     button("Save as …", "Save under another name (Ctrl+Shift+S)", () => void commands.saveAs()),

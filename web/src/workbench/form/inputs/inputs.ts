@@ -230,7 +230,7 @@ export function inputWidget(
     element.classList.toggle("faulty", issues.length > 0);
     if (issues.length > 0) input.focus.setAttribute("aria-invalid", "true");
     else input.focus.removeAttribute("aria-invalid");
-    showIssues(messages, issues);
+    showIssues(messages, issues, ctx.change);
   };
   const reveal = (target: Path) => {
     if (!startsWith(target, path)) return false;

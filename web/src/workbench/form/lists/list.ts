@@ -61,7 +61,7 @@ export function listWidget(
     count.textContent = items.length > 0 ? String(items.length) : "";
     given?.update();
     shown.update();
-    showIssues(messages, issuesOfList(ctx.issues(), path));
+    showIssues(messages, issuesOfList(ctx.issues(), path), ctx.change);
   };
   const reveal = (target: Path) => {
     if (!startsWith(target, path)) return false;

@@ -90,7 +90,7 @@ function tableRow(ctx: FormContext, path: Path, part: Part, columns: readonly Co
     const factors = issuesAt(ctx.issues(), [...path, "factors"]).filter(
       (issue) => issue.path.length === path.length + 1,
     );
-    showIssues(messages, [...issuesOfPart(ctx.issues(), path, part), ...factors]);
+    showIssues(messages, [...issuesOfPart(ctx.issues(), path, part), ...factors], ctx.change);
   };
   const reveal = (target: Path) => {
     if (cells.some((cell) => cell.reveal(target))) return true;

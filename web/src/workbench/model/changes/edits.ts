@@ -6,6 +6,7 @@ export type Edit =
   | { op: "length"; path: Path; value: number | readonly unknown[] }
   | { op: "add"; path: Path; value: Json; at?: number }
   | { op: "remove"; path: Path }
+  | { op: "rename"; path: Path; value: string }
   | { op: "move"; path: Path; by: readonly [number, number] }
   | { op: "text"; value: string };
 

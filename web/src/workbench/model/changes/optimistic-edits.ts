@@ -18,6 +18,12 @@ export function applyOptimistic(data: Table, edit: Edit): Table {
       return replaceAt(data, edit.path, (old) => (old === undefined ? undefined : moveTable(old, edit.by)));
     case "remove":
       return replaceAt(data, edit.path, () => undefined);
+    case "rename": {
+      const [above, value] = [edit.path.slice(0, -1), valueAt(data, edit.path)];
+      if (value === undefined) return data;
+      const without = replaceAt(data, edit.path, () => undefined);
+      return replaceAt(without, [...above, edit.value], () => value);
+    }
     case "add": {
       const list = valueAt(data, edit.path);
       const items = Array.isArray(list) ? [...list] : [];

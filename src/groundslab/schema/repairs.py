@@ -1,0 +1,74 @@
+"""Repairs of issues: edits of what is at a place, and the words of the button that makes them."""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+from groundslab import units
+from groundslab.errors import Edit, Repair
+from groundslab.schema import ranges
+from groundslab.schema.wording import describe, find_nearest, listed
+
+Place = tuple[str | int, ...]
+MOST_CHOICES = 4  # names that are offered one by one
+
+
+def move_below(place: Sequence[str | int], repair: Repair) -> Repair:
+    """Return a repair as seen from further up."""
+    return replace(repair, edits=tuple(replace(edit, path=(*place, *edit.path)) for edit in repair.edits))
+
+
+def set_value(place: Place, value: Any, label: str = "") -> Repair:
+    """Return the repair that sets a value."""
+    return Repair(label or f"set {_name(place)} to {describe(value)}", (Edit("set", place, value),))
+
+
+def remove(*places: Place, label: str = "") -> Repair:
+    """Return the repair that removes what is at some places."""
+    words = label or f"remove {listed(map(_name, places), 'and')}"
+    return Repair(words, tuple(Edit("remove", place) for place in places))
+
+
+def rename_key(place: Place, name: str) -> Repair:
+    """Return the repair that renames a key."""
+    return Repair(f"rename to {name}", (Edit("rename", place, name),))
+
+
+def add_item(place: Place, value: dict[str, Any], label: str) -> Repair:
+    """Return the repair that adds an item to a list."""
+    return Repair(label, (Edit("add", place, value),))
+
+
+def use_nearest(place: Place, word: object, known: Collection[str]) -> tuple[Repair, ...]:
+    """Return the repair that takes the known word which a word resembles; of few known ones it offers all."""
+    nearest = find_nearest(word, known)
+    few = tuple(known) if len(known) <= MOST_CHOICES else ()
+    names = few if nearest is None else (nearest,)
+    return tuple(set_value(place, name, f"use {describe(name)}") for name in names)
+
+
+def use_free_name(place: Place, name: str, taken: Collection[str]) -> tuple[Repair, ...]:
+    """Return the repair that makes a name its own: ``A1 2`` beside ``A1``."""
+    free = next(each for number in itertools.count(2) if (each := f"{name} {number}") not in taken)
+    return (set_value(place, free, f"rename to {describe(free)}"),)
+
+
+def add_unit(value: object, dimension: str, limits: ranges.Range) -> Iterator[Repair]:
+    """Yield repairs of a bare number: with each unit of its dimension that leaves it in the range, the usual first."""
+    text = value.strip() if isinstance(value, str) else "" if isinstance(value, bool) else str(value)
+    if not re.fullmatch(units.NUMBER, text):
+        return
+    known, limits = units.DIMENSIONS[dimension], ranges.quantity_range(limits, dimension)
+    usual = known.example.split(" ", 1)[1]
+    for size, unit in sorted(known.steps, key=lambda step: step[1] != usual):
+        if limits.holds(float(text) * size):
+            yield set_value((), f"{text} {unit}", f"{text} {unit}")
+
+
+def _name(place: Place) -> str:
+    """Return what a place is called on a button: ``beyond.kind``, ``loads[2]``."""
+    return "".join(f"[{step + 1}]" if isinstance(step, int) else f".{step}" for step in place).lstrip(".")
