@@ -9,6 +9,7 @@ import type { Store } from "../client/store";
 import { type Geometry, isClosed, type Point, rectangleCorners, ringOf } from "../model/geometry";
 import { boundsOfItems, footprintOf, type Item, itemsOf } from "../model/items";
 import { type Path, pathKey } from "../model/paths";
+import { drawDistances } from "./distances";
 import { type Preview, shownBy } from "./interaction/gestures";
 import { type Handle, handlesOf } from "./interaction/handles";
 import { itemsAt } from "./interaction/hit-testing";
@@ -167,7 +168,7 @@ export class Canvas {
     const selected = items.length === 1 ? items[0] : undefined;
     if (selected && selected.geometry.type !== "point")
       marks.push(...drawDimensions(camera, dimensionRing(selected), isClosed(selected.geometry)));
-    if (selected) marks.push(...this.drawHalo(selected));
+    if (selected) marks.push(...drawDistances(camera, selected, this.items), ...this.drawHalo(selected));
     if (selected && !preview) marks.push(...handlesOf(selected.geometry).map((handle) => this.drawHandle(handle)));
     if (preview && !preview.item) marks.push(...this.drawPreview(preview));
     if (this.guides) marks.push(...this.drawGuides(this.guides));
