@@ -1,0 +1,62 @@
+"""Places of generated loads picked in the plan, classes of forklifts, and distances, in a real browser."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from helpers.browsing import Bench, Server
+
+pytestmark = pytest.mark.slow
+
+DISTANCES = """() => [...document.querySelectorAll('svg.drawing .dimension')].map((each) => each.textContent).sort()"""
+
+
+def test_twelve_legs_take_few_actions_with_the_mouse(server: Server, bench: Bench, case: Path) -> None:
+    """Two fields, one click on the plan and one on the button; one undo takes all legs away."""
+    bench.open(server.start(case))
+    page = bench.page
+    page.get_by_role("button", name="Racks").click()
+    dialog = page.get_by_role("dialog", name="Racks")
+    dialog.get_by_label("width of a bay").fill("0,8")
+    dialog.get_by_role("button", name="Pick in plan").click()
+    bench.click(-2, -1)
+    bench.until(lambda: dialog.get_by_label("first leg x").input_value() == "-2 m")
+    assert dialog.get_by_label("first leg y").input_value() == "-1 m"
+    # nothing was selected by that click, and Enter makes what is shown
+    assert "12 legs." in dialog.inner_text()
+    page.keyboard.press("Enter")
+    bench.wait_text('pattern = "rack"', '"-2 m"', "frames = 6")
+    page.locator("svg.drawing").press("Control+z")
+    bench.until(lambda: "rack" not in bench.text(), bench.text)
+
+
+def test_a_forklift_of_a_class_drives_from_place_to_place(server: Server, bench: Bench, case: Path) -> None:
+    """A class fills in the fields, wrong values are marked, two clicks are the path, Escape ends picking and dialog."""
+    bench.open(server.start(case))
+    page = bench.page
+    page.get_by_role("button", name="Vehicle").click()
+    dialog = page.get_by_role("dialog", name="Vehicle")
+    forklift, front = dialog.get_by_label("forklift"), dialog.get_by_label("front axle")
+    forklift.select_option("FL2")
+    assert (front.input_value(), dialog.get_by_label("wheels apart").input_value()) == ("40 kN", "0.95 m")
+    front.fill("much")
+    assert forklift.input_value() == "own values"
+    assert front.get_attribute("aria-invalid") == "true"
+    assert 'front axle: found "much"' in dialog.inner_text()
+    forklift.select_option("FL2")
+    assert front.get_attribute("aria-invalid") == "false"
+    dialog.get_by_role("button", name="Pick in plan").click()
+    bench.click(-2, -1)
+    bench.click(2, 1)
+    bench.until(lambda: dialog.get_by_label("to y").input_value() == "1 m")
+    assert dialog.get_by_label("from x").input_value() == "-2 m"
+    dialog.get_by_role("button", name="Vehicle").click()
+    bench.wait_text('P = "20 kN"', 'y = "-0.475 m"', 'points = [["-2 m", "-1 m"], ["2 m", "1 m"]]')
+    page.get_by_role("button", name="Vehicle").click()
+    dialog.get_by_role("button", name="Pick in plan").click()
+    page.keyboard.press("Escape")
+    bench.until(lambda: not dialog.is_visible())
+    bench.click(-2, 1)
+    bench.until(lambda: page.evaluate(DISTANCES) == ["1 m", "1 m", "3 m", "5 m"], lambda: page.evaluate(DISTANCES))
