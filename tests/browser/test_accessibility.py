@@ -46,7 +46,7 @@ def test_axe_finds_what_is_wrong(bench: Bench) -> None:
 
 
 def test_no_violations_from_an_empty_case_to_a_result(server: Server, bench: Bench, case: Path) -> None:
-    """Plan, form and text, with and without a result, the dialogs, and the tabs of the result have no violation."""
+    """Plan, form, tables, text, with and without a result, the dialogs, the tabs of the result have no violation."""
     bench.open(server.start(None))
     assert find_violations(bench.page) == []
     bench.page.keyboard.press("Control+o")
@@ -55,7 +55,7 @@ def test_no_violations_from_an_empty_case_to_a_result(server: Server, bench: Ben
     server.stop()
     bench.open(server.start(case))
     bench.wait_solved()
-    for tab in ("Form", "Text", "Plan"):
+    for tab in ("Form", "Tables", "Text", "Plan"):
         bench.tab(tab)
         assert find_violations(bench.page) == []
     bench.page.locator("svg.drawing").press("?")

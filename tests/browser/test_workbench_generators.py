@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from helpers.browsing import Bench, Server
+from helpers.browsing import SMALL, Bench, Server
 
 pytestmark = pytest.mark.slow
 
@@ -37,10 +37,12 @@ def test_twelve_legs_are_one_step(server: Server, bench: Bench, case: Path) -> N
 
 
 def test_a_vehicle_moves_along_a_path(server: Server, bench: Bench, case: Path) -> None:
-    """Two axles on a path, each position solved; columns on axes stand where the slab is."""
+    """Two axles on a path, each position solved; columns on axes stand where the slab is, and the axes are drawn."""
+    start, end = SMALL.index("[[columns]]"), SMALL.index("[[loads]]")
+    case.write_text(SMALL[:start] + SMALL[end:].replace('column = "A1"', 'x = "-2 m"\ny = "1 m"'), encoding="utf-8")
     bench.open(server.start(case))
     page = bench.page
-    page.get_by_role("button", name="Vehicle").click()
+    bench.tool("vehicle")
     dialog = page.get_by_role("dialog", name="Vehicle")
     for label, value in (("from x", "-2"), ("to x", "2"), ("axles apart", "0.8"), ("step", "2")):
         dialog.get_by_label(label).fill(value)
@@ -51,7 +53,7 @@ def test_a_vehicle_moves_along_a_path(server: Server, bench: Bench, case: Path) 
     names = page.locator(".combination-choice").inner_text()
     assert "0.00 m" in names
     assert "4.00 m" in names
-    page.get_by_role("button", name="Columns").click()
+    bench.tool("columns")
     dialog = page.get_by_role("dialog", name="Columns")
     for label, value in (
         ("first x", "-2.5"),
@@ -63,4 +65,9 @@ def test_a_vehicle_moves_along_a_path(server: Server, bench: Bench, case: Path) 
     bench.until(lambda: "6 columns. 2 that would not stand" in dialog.inner_text(), dialog.inner_text)
     page.keyboard.press("Enter")
     bench.wait_text('name = "C2"')
+    # the axes on which they stand
+    names = "[...document.querySelectorAll('.axis-label')].map((each) => each.textContent)"
+    bench.until(lambda: page.evaluate(names) == ["A", "B", "C", "1", "2"], lambda: str(page.evaluate(names)))
+    page.locator("svg.drawing").press("z")
+    bench.until(lambda: page.evaluate(names) == [])
     bench.wait_solved()

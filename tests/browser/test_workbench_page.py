@@ -358,6 +358,19 @@ def test_the_report_is_saved_and_its_tools_work(server: Server, bench: Bench, ca
     page.locator(".gs-chart canvas").first.wait_for()
 
 
+def test_autosolve_is_switched_once(server: Server, bench: Bench, case: Path) -> None:
+    """A click on the switch is one request, although commands send first what the field with the focus holds."""
+    bench.open(server.start(case))
+    requests: list[str] = []
+    bench.page.on("request", lambda request: requests.append(request.url) if "autosolve" in request.url else None)
+    with bench.page.expect_response("**/api/autosolve"):
+        bench.page.locator(".switch").click()
+    bench.page.wait_for_function("() => !document.querySelector('.switch input').checked")
+    with bench.page.expect_response("**/api/autosolve"):
+        bench.page.locator(".switch").click()
+    assert len(requests) == 2
+
+
 def test_closed_lines_are_no_areas(server: Server, bench: Bench, case: Path) -> None:
     """A line load and a line support that end where they begin are drawn as lines; an area load is filled."""
     square = '[["0 m", "-1 m"], ["1 m", "-1 m"], ["1 m", "0 m"], ["0 m", "-1 m"]]'

@@ -32,6 +32,11 @@ const HEADINGS: Record<string, string> = {
 };
 const OPEN_AT_FIRST = ["plate", "ground"];
 
+/** Return the title of a key at the top of the file. */
+export function sectionTitle(key: string): string {
+  return HEADINGS[key] ?? heading(key);
+}
+
 /** The form, and how to get to one of its fields. */
 export function formPanel(
   ctx: FormContext,
@@ -79,7 +84,7 @@ function foldedSection(
   opened: (key: string, open: boolean) => void,
 ): Widget {
   const path: Path = [field.name];
-  const title = h("span", { class: "section-title" }, HEADINGS[field.name] ?? heading(field.name));
+  const title = h("span", { class: "section-title" }, sectionTitle(field.name));
   const digest = h("span", { class: "digest" });
   const makeBody = () => {
     const body = nodeWidget(ctx, path, field, true);

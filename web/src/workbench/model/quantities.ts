@@ -1,8 +1,9 @@
-// Lengths as the case file writes them, "200 mm", to meters and back: only what the drawing needs.
+// Quantities as the case file writes them: lengths, "200 mm", to meters and back, and what is typed as a value.
 // What is a good quantity is for the server to say.
 
 import { trimZeros } from "../../viewer/data/numbers";
 import type { Json } from "./paths";
+import type { Node } from "./schema";
 
 const METERS: Record<string, number> = {
   m: 1,
@@ -19,6 +20,11 @@ const METERS: Record<string, number> = {
   yard: 0.9144,
 };
 const LENGTH = /^\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)\s*([A-Za-z]+)\s*$/;
+const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/;
+/** How a number or a quantity begins. */
+export const NUMBER_START = /^[+-]?[.,]?\d/;
+const COMMA = /^([+-]?\d*),(\d+)((?:[eE][+-]?\d+)?)(?![\d.,])/;
+const QUANTITY = /^[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?(?:\s+(\S.*)|([^\d\s.,eE].*))$/;
 
 /** Return a length in meters, null if the text is none that the drawing knows. */
 export function parseLength(value: Json | undefined): number | null {
@@ -82,6 +88,44 @@ export function formatExact(value: number, old: Json | undefined): string {
 
 /** Return a typed length in meters, null if it is none: a comma may be the decimal point, and m may be left out. */
 export function parseTyped(text: string): number | null {
-  const point = text.trim().replace(/^([+-]?\d*),(\d+)/, "$1.$2");
+  const point = replaceDecimalComma(text.trim());
   return parseLength(point) ?? parseLength(`${point} m`);
+}
+
+/**
+ * Return a typed text with a decimal point in place of a decimal comma.
+ *
+ * "1,500" may be one and a half or fifteen hundred: what could be a separator of thousands stays as it is, and is
+ * refused as no number. "0,250" and "1500,250" can only be decimals.
+ */
+export function replaceDecimalComma(text: string): string {
+  return text.replace(COMMA, (whole, before: string, after: string, exponent: string) => {
+    const mayBeThousands = after.length === 3 && /^[+-]?[1-9]\d{0,2}$/.test(before);
+    return mayBeThousands ? whole : `${before}.${after}${exponent}`;
+  });
+}
+
+/** Return the unit of a quantity's text, empty where there is none. */
+export function unitIn(value: Json | undefined): string {
+  const match = typeof value === "string" ? QUANTITY.exec(value.trim()) : null;
+  return match?.[1] ?? match?.[2] ?? "";
+}
+
+/**
+ * Return the value of a typed text, undefined for none.
+ *
+ * What is no number stays text, which the server reports. A bare number takes `unit`, that of the value that stood in
+ * the field; without one it stays bare, and the server asks for a unit, since a guess could be a thousand times off.
+ */
+export function parseInput(node: Node, typed: string, unit = ""): Json | undefined {
+  const text = typed.trim();
+  if (text === "") return undefined;
+  if (node.is === "quantity") {
+    const value = replaceDecimalComma(text);
+    return unit !== "" && NUMBER.test(value) ? `${value} ${unit}` : value;
+  }
+  if (node.is !== "number" && node.is !== "integer") return text;
+  if (node.is === "number" && node.options.includes(text)) return text;
+  const value = replaceDecimalComma(text);
+  return NUMBER.test(value) ? Number(value) : text;
 }

@@ -5,10 +5,12 @@ import { Camera } from "../../viewer/plan/camera";
 import { drawGrid, drawRulers, RULER, stepOf } from "../../viewer/plan/rulers";
 import { drawPath, drawText } from "../../viewer/plan/symbols";
 import { svg } from "../../viewer/shared/dom";
+import { readStored, writeStored } from "../../viewer/shared/storage";
 import type { Store } from "../client/store";
 import { type Geometry, isClosed, type Point, rectangleCorners, ringOf } from "../model/geometry";
 import { boundsOfItems, footprintOf, type Item, itemsOf } from "../model/items";
 import { type Path, pathKey } from "../model/paths";
+import { drawAxes } from "./axes";
 import { drawDistances } from "./distances";
 import { type Preview, shownBy } from "./interaction/gestures";
 import { type Handle, handlesOf } from "./interaction/handles";
@@ -20,6 +22,9 @@ import { drawDimensions, drawItems } from "./rendering";
 const REACH = 9; // px: how near is near enough
 const HANDLE = 8; // px: side of a handle
 const NOTHING_MARKED = { selected: [], hovered: null, faulty: [], loadCase: "" };
+const MARGIN = 42; // px around what is shown entirely
+const MARGIN_OF_AXES = 58;
+const AXES = "groundslab-axes";
 const SNAP = 4.5; // px: least distance of round lengths to snap to
 
 /** Everything drawn, kept in step with the store's data. */
@@ -36,7 +41,10 @@ export class Canvas {
   hovered: Path | null = null;
   corner: number | null = null;
   loadCase = "";
+  /** Whether axes and dimensions are drawn. */
+  hasAxes = readStored(AXES) !== "no";
   private readonly grid = svg("g");
+  private readonly axes = svg("g");
   private readonly symbols = svg("g");
   private readonly marks = svg("g");
   private readonly rulers = svg("g");
@@ -52,7 +60,7 @@ export class Canvas {
       "aria-label": "drawing of the slab in plan",
       "aria-roledescription": "drawing",
     };
-    this.element = svg("svg", attributes, this.grid, this.symbols, this.marks, this.rulers);
+    this.element = svg("svg", attributes, this.grid, this.axes, this.symbols, this.marks, this.rulers);
   }
 
   /** The size of the element has changed. */
@@ -76,9 +84,22 @@ export class Canvas {
 
   /** Show everything. */
   fit(): void {
-    this.camera.fit(boundsOfItems(this.items) ?? [-6, -4, 6, 4], 42, RULER.left, RULER.bottom);
+    this.camera.fit(
+      boundsOfItems(this.items) ?? [-6, -4, 6, 4],
+      this.hasAxes ? MARGIN_OF_AXES : MARGIN,
+      RULER.left,
+      RULER.bottom,
+    );
     this.fitted = true;
     this.redraw();
+  }
+
+  /** Draw axes and dimensions, or not, also at the next visit. */
+  showAxes(on: boolean): void {
+    this.hasAxes = on;
+    writeStored(AXES, on ? "yes" : "no");
+    if (this.fitted) this.fit();
+    else this.redraw();
   }
 
   /** The user has moved or zoomed: from now on nothing is fitted by itself. */
@@ -156,6 +177,7 @@ export class Canvas {
       loadCase: this.loadCase,
     };
     this.grid.replaceChildren(...drawGrid(camera));
+    this.axes.replaceChildren(...(this.hasAxes ? drawAxes(camera, shown) : []));
     this.symbols.replaceChildren(...drawItems(camera, shown, highlights));
     const ghosts = svg("g", { class: "ghosts" }, ...drawItems(camera, this.ghosts, { ...NOTHING_MARKED }));
     this.marks.replaceChildren(ghosts, ...this.drawMarks(shown.filter((item) => store.isSelected(item.path))));

@@ -6,7 +6,7 @@ import { joinEdits } from "../model/changes/batches";
 import type { Change } from "../model/changes/edits";
 import { countItems } from "../model/items";
 import { type Path, startsWith, valueAt } from "../model/paths";
-import { actionButtons, generatorButtons } from "./actions/action-bar";
+import { actionButtons } from "./actions/action-bar";
 import { Actions } from "./actions/actions";
 import { useClipboard } from "./actions/clipboard";
 import { ActionDialog } from "./actions/dialog";
@@ -16,8 +16,10 @@ import { Pointer, whyFixed } from "./interaction/pointer";
 import { caseChoice, unplacedLoads } from "./loads";
 import { propertyPanel } from "./properties";
 import { toolBar } from "./tool-bar";
+import type { Tool } from "./tools";
 import "./plan-editor.css";
 
+const EMPTY = "Draw the slab: choose Slab (B), then drag a rectangle or click corner after corner.";
 const HOW_MANY = "Drag one of them or use the arrow keys to move them; Delete removes them.";
 
 export interface PlanEditor {
@@ -35,12 +37,13 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
   const actions = new Actions(canvas, store, push, showHint);
   const dialog = new ActionDialog(canvas, actions);
   const panel = propertyPanel(ctx, push, dialog.element, () => actionButtons(actions, dialog, store.selected));
-  const tools = toolBar((tool) => {
+  const takeTool = (tool: Tool) => {
     pointer.cancel();
     showHint(tool.hint);
     canvas.element.dataset.tool = tool.draws;
     canvas.element.focus({ preventScroll: true });
-  });
+  };
+  const tools = toolBar(takeTool, (generator) => dialog.open(generator));
   const pointer = new Pointer(canvas, store, {
     push,
     tool: () => tools.current(),
@@ -58,10 +61,9 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
     canvas.redraw();
   });
   const loads = unplacedLoads(store, push, () => canvas.loadCase);
-  const fit = button("Fit", "Show everything (0)", () => canvas.fit(), "small");
-  const emptyHint = "Draw the slab: choose Slab (B), then drag a rectangle or click corner after corner.";
-  const empty = h("p", { class: "drawing-empty" }, emptyHint);
-  const corner = h("div", { class: "drawing-corner" }, cases.element, generatorButtons(dialog), fit);
+  const empty = h("p", { class: "drawing-empty" }, EMPTY);
+  const view = viewButtons(canvas);
+  const corner = h("div", { class: "drawing-corner" }, cases.element, ...view);
   const box = h("div", { class: "drawing-box" }, canvas.element, corner, empty);
   const middle = h("div", { class: "plan-middle" }, box, loads.element, hint);
   const element = h("div", { class: "plan-editor" }, tools.element, middle, panel.element);
@@ -96,6 +98,21 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
     return panel.reveal(path);
   };
   return { element, reveal };
+}
+
+/** Make the buttons that show or hide axes and dimensions, and show everything. */
+function viewButtons(canvas: Canvas): HTMLButtonElement[] {
+  const toggle = () => {
+    canvas.showAxes(!canvas.hasAxes);
+    element.setAttribute("aria-pressed", String(canvas.hasAxes));
+  };
+  const element = button("Axes", "Show axes of columns, and dimensions (Z)", toggle, "small");
+  element.setAttribute("aria-pressed", String(canvas.hasAxes));
+  element.setAttribute("aria-keyshortcuts", "Z");
+  canvas.element.addEventListener("keydown", (event) => {
+    if (event.key.toLowerCase() === "z" && !event.ctrlKey && !event.metaKey && !event.altKey) toggle();
+  });
+  return [element, button("Fit", "Show everything (0)", () => canvas.fit(), "small")];
 }
 
 /** Return what is selected and what can be done with it, null if nothing is. */

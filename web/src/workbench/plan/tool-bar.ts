@@ -1,5 +1,7 @@
 // The tools beside the drawing, with names and keys.
 import { h } from "../../viewer/shared/dom";
+import type { Generator } from "./generators/generator";
+import { GENERATORS } from "./generators/generators";
 import { toolIcon } from "./tool-icons";
 import { type Tool, type ToolName, toolOf } from "./tools";
 
@@ -11,32 +13,21 @@ export interface ToolBar {
 
 const GROUPS: readonly (readonly ToolName[])[] = [
   ["select"],
-  ["slab", "opening", "zone", "column"],
-  ["plate", "joint"],
+  ["slab", "opening", "zone", "column", "plate", "joint"],
   ["point load", "line load", "area load"],
   ["support", "wall"],
   ["borehole", "soil zone", "void"],
   ["section line", "refinement"],
 ];
 
-/** Make the tool bar; `onChange` is called with every tool that is chosen. */
-export function toolBar(onChange: (tool: Tool) => void): ToolBar {
+/** Make the tool bar; `onChange` is called with every tool that is chosen, `onGenerate` with a generator. */
+export function toolBar(onChange: (tool: Tool) => void, onGenerate: (generator: Generator) => void): ToolBar {
   let current = toolOf("select");
-  const makeButton = ({ name, label, key, hint }: Tool) => {
-    const attributes = {
-      type: "button",
-      class: "tool",
-      title: `${label} (${key}). ${hint}`,
-      "aria-keyshortcuts": key,
-      "data-tool": name,
-      onclick: () => choose(name),
-    };
-    return h("button", attributes, toolIcon(name), h("span", {}, label), h("kbd", {}, key));
-  };
-  const groups = GROUPS.map((names) => names.map((name) => makeButton(toolOf(name))));
-  const buttons = groups.flat();
+  const groups = GROUPS.map((names) => names.map((name) => makeButton(toolOf(name), () => choose(name))));
+  const generators = GENERATORS.map((each) => makeButton(each, () => onGenerate(each)));
+  const buttons = [...groups.flat(), ...generators];
   const mark = () => {
-    for (const each of buttons) {
+    for (const each of groups.flat()) {
       const isCurrent = each.dataset.tool === current.name;
       each.setAttribute("aria-pressed", String(isCurrent));
       each.tabIndex = isCurrent ? 0 : -1;
@@ -48,8 +39,13 @@ export function toolBar(onChange: (tool: Tool) => void): ToolBar {
     onChange(current);
   };
   mark();
+  for (const each of generators) each.tabIndex = -1;
   const attributes = { class: "tools", role: "toolbar", "aria-label": "drawing tools", "aria-orientation": "vertical" };
-  const element = h("div", attributes, ...groups.map((group) => h("div", { class: "tool-group" }, ...group)));
+  const element = h(
+    "div",
+    attributes,
+    ...[...groups, generators].map((group) => h("div", { class: "tool-group" }, ...group)),
+  );
   element.addEventListener("keydown", (event) => {
     const by = event.key === "ArrowDown" ? 1 : event.key === "ArrowUp" ? -1 : 0;
     if (by === 0) return;
@@ -58,4 +54,16 @@ export function toolBar(onChange: (tool: Tool) => void): ToolBar {
     buttons[(now + by + buttons.length) % buttons.length]?.focus();
   });
   return { element, current: () => current, choose };
+}
+
+function makeButton({ name, label, key, hint }: Tool | Generator, choose: () => void): HTMLButtonElement {
+  const attributes = {
+    type: "button",
+    class: "tool",
+    title: `${label} (${key}). ${hint}`,
+    "aria-keyshortcuts": key,
+    "data-tool": name,
+    onclick: choose,
+  };
+  return h("button", attributes, toolIcon(name), h("span", {}, label), h("kbd", {}, key));
 }

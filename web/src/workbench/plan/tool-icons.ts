@@ -1,8 +1,9 @@
 // Icons of the tools.
 import { lineIcon } from "../shell/icons";
+import type { GeneratorName } from "./generators/generator";
 import type { ToolName } from "./tools";
 
-const PATHS: Record<ToolName, string> = {
+const PATHS: Record<ToolName | GeneratorName, string> = {
   select: "M4 2l8 7-4 .6L10.3 14l-1.8.8-2.2-4.3L4 13z",
   slab: "M2 4h12v8H2z",
   opening: "M2 3h12v10H2zM5.5 6h5v4h-5zM5.5 6l5 4M10.5 6l-5 4",
@@ -19,9 +20,12 @@ const PATHS: Record<ToolName, string> = {
   plate: "M1 5h6v6H1zM9 5h6v6H9z",
   joint: "M2 4h5v8H2zM9 4h5v8H9zM8 1v3M8 6.5v3M8 12v3",
   refinement: "M2 3h12v10H2zM8 3v10M2 8h12M8 5.5h6M11 3v5",
+  racks: "M2 4h2v2H2zM7 4h2v2H7zM12 4h2v2h-2zM2 10h2v2H2zM7 10h2v2H7zM12 10h2v2h-2z",
+  vehicle: "M2 5h7v6H2zM9 7h3l2 2v2H9zM5 11a1.5 1.5 0 1 0 .01 0M11.5 11a1.5 1.5 0 1 0 .01 0",
+  columns: "M4 1v14M12 1v14M1 5h14M1 11h14M3 4h2v2H3zM11 4h2v2h-2zM3 10h2v2H3zM11 10h2v2h-2z",
   "section line": "M2 12L14 4M1 10.5l2.2 3M12.8 2.5l2.2 3",
 };
 
-export function toolIcon(name: ToolName): SVGSVGElement {
+export function toolIcon(name: ToolName | GeneratorName): SVGSVGElement {
   return lineIcon(PATHS[name]);
 }

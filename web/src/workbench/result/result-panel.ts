@@ -266,6 +266,8 @@ export class ResultPanel {
     // of a preview there may be no summary yet, or that of the result before
     const one = summary?.combinations.find((each) => each.name === shown) ?? null;
     showSummary(this.summaryBox, one, summary);
+    if (!summary && this.preview.isShown)
+      fill(this.summaryBox, h("p", { class: "empty" }, "The figures follow with the result."));
     if (one && one.refused === null) this.summaryBox.prepend(this.reference.keepButton);
     this.reference.show(summary, one?.name ?? "");
     showCertificates(this.certificateBox, summary, (n) => view.show(n, view.field));

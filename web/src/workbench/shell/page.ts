@@ -9,10 +9,12 @@ import type { FormContext } from "../form/context";
 import { formPanel } from "../form/form-panel";
 import type { Change } from "../model/changes/edits";
 import type { Issue } from "../model/issues";
+import type { Path } from "../model/paths";
 import { Schema } from "../model/schema";
 import { planEditor } from "../plan/plan-editor";
 import { TOOLS } from "../plan/tools";
 import { ResultPanel } from "../result/result-panel";
+import { TablesPanel } from "../tables/tables-panel";
 import { TextPanel } from "../text/text-panel";
 import { banner, notices } from "./banner";
 import { Commands } from "./commands";
@@ -84,6 +86,7 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
   };
   const form = formPanel(ctx, openSections);
   const plan = planEditor(store, ctx, push);
+  const sheets = new TablesPanel(store, ctx);
   const text = new TextPanel(store, (value, continued) => {
     const change: Change = { edits: [{ op: "text", value }], text: "edit the text" };
     push(continued ? { ...change, merge: true } : change);
@@ -91,24 +94,28 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
   const broken = h("p", { class: "broken", role: "alert", hidden: true }, BROKEN);
   const planTab = h("div", { class: "panel" }, plan.element);
   const formTab = h("div", { class: "panel scrolls" }, form.element);
+  const tablesTab = h("div", { class: "panel" }, sheets.element);
   const textTab = h("div", { class: "panel" }, text.element);
   const views = tabs(
     [
       { name: "plan", label: "Plan", panel: planTab },
       { name: "form", label: "Form", panel: formTab },
+      { name: "tables", label: "Tables", panel: tablesTab },
       { name: "text", label: "Text", panel: textTab },
     ],
     "model",
     (name) => {
       if (name === "form") form.update();
+      if (name === "tables") sheets.show();
       if (name === "text") text.draw();
     },
   );
+  const shown: Partial<Record<string, { reveal(path: Path): boolean }>> = { plan, tables: sheets };
   const reveal = (issue: Issue) => {
     if (issue.path.length === 0 || views.current() === "text") {
       views.show("text");
       text.reveal(issue.line ?? 1);
-    } else if (views.current() !== "plan" || !plan.reveal(issue.path)) {
+    } else if (!shown[views.current()]?.reveal(issue.path)) {
       views.show("form");
       form.reveal(issue.path);
     }
@@ -117,14 +124,17 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
   store.on(["data", "doc"], () => {
     // what is hidden is updated when it is shown
     if (views.current() === "form") form.update();
+    if (views.current() === "tables") sheets.update();
     broken.hidden = !store.broken;
-    formTab.toggleAttribute("inert", store.broken);
+    for (const tab of [formTab, tablesTab]) tab.toggleAttribute("inert", store.broken);
   });
   const title = h("h2", { class: "unseen" }, "Model");
-  const children = [title, views.bar, broken, planTab, formTab, textTab, issues.element];
+  const children = [title, views.bar, broken, planTab, formTab, tablesTab, textTab, issues.element];
   const flush = () => {
     const { activeElement } = document;
-    if (activeElement instanceof HTMLInputElement) activeElement.dispatchEvent(new Event("change"));
+    // a box that is ticked has sent its value, and would send it again and again
+    const isTyped = activeElement instanceof HTMLInputElement && activeElement.type === "text";
+    if (isTyped) activeElement.dispatchEvent(new Event("change"));
     text.flush();
   };
   const element = h("section", { class: "model", "aria-label": "model" }, ...children);

@@ -5,11 +5,11 @@ import { debounce } from "../../client/debounce";
 import { referencedNames } from "../../model/changes/references";
 import { issuesAt } from "../../model/issues";
 import { type Json, type Path, pathKey, startsWith, valueAt } from "../../model/paths";
+import { parseInput, unitIn } from "../../model/quantities";
 import type { Field, Node } from "../../model/schema";
 import { type FormContext, isSentWhenComplete, setValue, type Widget } from "../context";
 import { showIssues } from "../errors";
 import { defaultText } from "../labels";
-import { parseInput, unitIn } from "./typed-values";
 
 export const QUIET = 350; // ms without a key until what was typed is sent
 
@@ -161,7 +161,7 @@ export function tupleInput(
 }
 
 /** Return the default of a tuple's value, with a unit. */
-function defaultElement(each: Node, standard: Json | undefined, n: number): Json {
+export function defaultElement(each: Node, standard: Json | undefined, n: number): Json {
   const own = Array.isArray(standard) ? standard[n] : undefined;
   if (own === undefined) return "";
   if (each.is !== "quantity" || typeof own !== "number") return own;
@@ -169,7 +169,7 @@ function defaultElement(each: Node, standard: Json | undefined, n: number): Json
 }
 
 /** Names of the values of a tuple: from its symbols, else by what it says. */
-function tupleLabels(field: Field, length: number): string[] {
+export function tupleLabels(field: Field, length: number): string[] {
   const symbols = field.symbol.split(", ");
   if (symbols.length === length) return symbols.map((symbol) => symbol.replace("_", ""));
   if (length === 2 && (field.name === "x" || field.name === "y")) return ["from", "to"];

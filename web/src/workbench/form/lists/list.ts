@@ -82,7 +82,7 @@ function isFlat(part: Part): boolean {
 }
 
 /** Return what a new item starts with. */
-function newItem(data: Table, path: Path, part: Part): Table {
+export function newItem(data: Table, path: Path, part: Part): Table {
   const kind = part.kind ? { kind: part.kind } : {};
   const value: Table = { ...kind, ...defaultsFor(part.name, data), ...defaultPlacement(data, [...path, 0], part) };
   const isNamed = part.fields.some((field) => field.name === "name" && field.needed);

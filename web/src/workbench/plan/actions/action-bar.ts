@@ -1,7 +1,6 @@
 // The buttons of the actions on what is selected.
-import { button, h } from "../../../viewer/shared/dom";
+import { button } from "../../../viewer/shared/dom";
 import type { Path } from "../../model/paths";
-import { GENERATORS } from "../generators/generators";
 import type { Actions } from "./actions";
 import type { ActionDialog } from "./dialog";
 import { FORMS } from "./forms";
@@ -20,15 +19,4 @@ export function actionButtons(actions: Actions, dialog: ActionDialog, paths: rea
     button("Duplicate", "Make a copy beside it (Ctrl+D)", () => actions.duplicate(), "small"),
     button("Remove", "Remove it (Delete)", () => actions.remove(), "small"),
   ];
-}
-
-/** Return the buttons that open the dialogs of the generators. */
-export function generatorButtons(dialog: ActionDialog): HTMLElement {
-  const buttons = GENERATORS.map((generator) => {
-    const { label, hint, key } = generator;
-    const each = button(`${label} …`, `${hint} (${key})`, () => dialog.open(generator), "small");
-    each.setAttribute("aria-keyshortcuts", key);
-    return each;
-  });
-  return h("div", { class: "generators", role: "group", "aria-label": "generate" }, ...buttons);
 }

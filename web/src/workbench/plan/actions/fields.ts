@@ -1,8 +1,7 @@
 // The fields that a dialog of the plan asks for, and what is read from them.
 
-import { replaceDecimalComma } from "../../form/inputs/typed-values";
 import { Impossible } from "../../model/changes/transform";
-import { parseTyped } from "../../model/quantities";
+import { parseTyped, replaceDecimalComma } from "../../model/quantities";
 
 export interface ActionField {
   key: string;

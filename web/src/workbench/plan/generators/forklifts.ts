@@ -40,6 +40,6 @@ function valuesOf(name: string): Values | null {
 /** Return what is to be known of the values of a class, empty for own values. */
 export function noteOnForklift(name: string | undefined): string {
   return valuesOf(name ?? "")
-    ? ` Axle load Q_k and wheels of ${name} by EN 1991-1-1, Tables 6.5 and 6.6, are quoted from memory: check them. The dynamic factor is 1.4 for pneumatic tires, 2 for solid ones.`
+    ? ` ${name} is quoted from memory of EN 1991-1-1, Tables 6.5 and 6.6: check it, and enter the dynamic factor.`
     : "";
 }

@@ -6,8 +6,10 @@ import { freeName, namesIn } from "../../model/names";
 import { isTable, listAt, type Table } from "../../model/paths";
 import type { ActionField, Force, Values } from "../actions/fields";
 
+export type GeneratorName = "racks" | "vehicle" | "columns";
+
 export interface Generator {
-  name: "racks" | "vehicle" | "columns";
+  name: GeneratorName;
   label: string;
   key: string;
   hint: string;

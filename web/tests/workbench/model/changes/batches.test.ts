@@ -18,9 +18,20 @@ describe("many edits of a list", () => {
     expect(apply(edits)).toEqual(apply([...many, opening]));
   });
   it("stay if they are few, or move and remove items", () => {
-    for (const edits of [many.slice(0, 3), [...many, { op: "remove", path: ["columns", 1] } as const]]) {
+    for (const edits of [many.slice(0, 3), [...many, { op: "remove", path: ["columns", 0] } as const]]) {
       const change = { edits, text: "" };
       expect(joinEdits(DATA, change)).toBe(change);
     }
+  });
+  it("that remove items are one for each run of them", () => {
+    const data: Table = { loads: "abcdefgh".split("").map((name) => ({ name })) };
+    const remove = (positions: number[]) => positions.map((n): Edit => ({ op: "remove", path: ["loads", n] }));
+    const apply = (all: readonly Edit[]) => all.reduce<Table>(applyOptimistic, data);
+    const some = remove([6, 5, 4, 1]);
+    const { edits } = joinEdits(data, { edits: some, text: "" });
+    expect(edits.map((edit) => edit.op)).toEqual(["set", "set"]);
+    expect(apply(edits)).toEqual(apply(some));
+    const all = joinEdits(data, { edits: remove([7, 6, 5, 4, 3, 2, 1, 0]), text: "" });
+    expect(all.edits).toEqual([{ op: "remove", path: ["loads"] }]);
   });
 });

@@ -55,7 +55,7 @@ describe("a forklift of a class", () => {
       { P: "31.5 kN", y: "-0.5 m", width_x: "200 mm", width_y: "200 mm" },
       { P: "31.5 kN", y: "0.5 m", width_x: "200 mm", width_y: "200 mm" },
     ]);
-    expect(note).toContain("check them");
+    expect(note).toContain("check it");
     expect(FORKLIFT.fills!("own values")).toBeNull();
     expect(make({}).note).not.toContain("EN 1991");
   });

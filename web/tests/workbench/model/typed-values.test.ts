@@ -1,6 +1,6 @@
 // Decimal commas and units of what is typed.
 import { expect, test } from "vitest";
-import { parseInput, replaceDecimalComma, unitIn } from "../../../../src/workbench/form/inputs/typed-values";
+import { parseInput, parseTyped, replaceDecimalComma, unitIn } from "../../../src/workbench/model/quantities";
 
 const LENGTH = { is: "quantity", dimension: "length", example: "0.2 m" } as const;
 const NUMBER = { is: "number", options: ["auto"] } as const;
@@ -45,4 +45,11 @@ test("numbers are numbers, and words stay words", () => {
   expect(parseInput(NUMBER, "1,500")).toBe("1,500");
   expect(parseInput(NUMBER, "auto")).toBe("auto");
   expect(parseInput({ is: "text" }, "Raft 1,5")).toBe("Raft 1,5");
+});
+
+test("a length that is typed in the plan reads the comma as fields do", () => {
+  expect(parseTyped("2,5")).toBe(2.5);
+  expect(parseTyped("0,250 m")).toBe(0.25);
+  expect(parseTyped("350 cm")).toBe(3.5);
+  expect(parseTyped("1,500")).toBeNull();
 });
