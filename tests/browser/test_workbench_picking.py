@@ -60,3 +60,21 @@ def test_a_forklift_of_a_class_drives_from_place_to_place(server: Server, bench:
     bench.until(lambda: not dialog.is_visible())
     bench.click(-2, 1)
     bench.until(lambda: page.evaluate(DISTANCES) == ["1 m", "1 m", "3 m", "5 m"], lambda: page.evaluate(DISTANCES))
+
+
+def test_a_length_is_typed_while_a_column_is_dragged(server: Server, bench: Bench, case: Path) -> None:
+    """The column goes by that length along x, since the pointer is nearly in line; releasing adds nothing to it."""
+    bench.open(server.start(case))
+    page = bench.page
+    page.mouse.move(*bench.pixel(-2, 1))
+    page.mouse.down()
+    page.mouse.move(*bench.pixel(-1, 1.02))
+    page.mouse.move(*bench.pixel(0, 1.05))
+    page.keyboard.type("3,25")
+    bench.wait_seen(".drawing-hint", "3,25 — Enter: move there")
+    page.keyboard.press("Enter")
+    bench.wait_text('x = "1.25 m"', 'y = "1 m"')
+    page.mouse.move(*bench.pixel(2, 0))
+    page.mouse.up()
+    page.locator("svg.drawing").press("Control+z")
+    bench.wait_text('x = "-2 m"', 'y = "1 m"')

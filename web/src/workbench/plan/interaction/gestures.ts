@@ -86,7 +86,8 @@ export interface DragGesture {
 
 /** Moving items: the corner by which the first is held goes to round lengths and other corners. */
 export class MoveGesture implements DragGesture {
-  private readonly held: Point;
+  /** Where the corner by which it is held was. */
+  readonly held: Point;
   private by: Point = [0, 0];
 
   readonly items: readonly Item[];
