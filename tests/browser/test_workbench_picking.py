@@ -10,6 +10,12 @@ from helpers.browsing import Bench, Server
 
 pytestmark = pytest.mark.slow
 
+POLYGON = """
+[[plate.openings]]
+kind = "polygon"
+points = [["1 m", "-0.5 m"], ["2 m", "-0.5 m"], ["2 m", "0.5 m"], ["1 m", "0.5 m"]]
+"""
+
 DISTANCES = """() => [...document.querySelectorAll('svg.drawing .dimension')].map((each) => each.textContent).sort()"""
 
 
@@ -78,3 +84,23 @@ def test_a_length_is_typed_while_a_column_is_dragged(server: Server, bench: Benc
     page.mouse.up()
     page.locator("svg.drawing").press("Control+z")
     bench.wait_text('x = "-2 m"', 'y = "1 m"')
+
+
+def test_an_edge_is_bent_into_an_arc(server: Server, bench: Bench, case: Path) -> None:
+    """With Ctrl the middle of an edge is dragged to a place of the arc; on the way back the edge is straight again."""
+    case.write_text(case.read_text() + POLYGON)
+    bench.open(server.start(case))
+    page = bench.page
+    bench.click(1.9, 0)
+    bench.until(lambda: page.locator(".handle.add").count() == 4)
+    page.keyboard.down("Control")
+    bench.drag((2, 0), (2.5, 0))
+    page.keyboard.up("Control")
+    # half the chord is 0.5 m, the arc rises by 0.5 m, counter-clockwise
+    bench.wait_text("bulges = [0, 1]")
+    bench.until(lambda: page.locator(".handle.bend").count() == 1)
+    bench.drag((2.5, 0), (2, 0))
+    bench.wait_text("bulges = [0, 0]")
+    page.locator("svg.drawing").press("Control+z")
+    page.locator("svg.drawing").press("Control+z")
+    bench.until(lambda: "bulges" not in bench.text(), bench.text)

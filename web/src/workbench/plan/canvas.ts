@@ -216,7 +216,7 @@ export class Canvas {
   private drawHandle(handle: Handle): SVGElement {
     const isChosen = handle.kind === "corner" && handle.index === this.corner;
     const name = `handle ${handle.kind}${isChosen ? " chosen" : ""}`;
-    if (handle.kind === "add") return this.drawCircle(handle.at, 3.5, name);
+    if (handle.kind === "add" || handle.kind === "bend") return this.drawCircle(handle.at, 3.5, name);
     const [x, y] = this.camera.toPixel(handle.at);
     return svg("rect", { class: name, x: x - HANDLE / 2, y: y - HANDLE / 2, width: HANDLE, height: HANDLE });
   }

@@ -168,6 +168,7 @@ export class Pointer {
     } else if (press?.kind === "band") this.stretchBand(press, pixel);
     else if (press) {
       const { gesture } = press;
+      if (gesture instanceof ReshapeGesture) gesture.bends = event.ctrlKey || event.metaKey;
       canvas.guides = canvas.snap(
         gesture.aim(canvas.camera.toPlan(pixel)),
         event.altKey,
