@@ -25,6 +25,7 @@ import { CASE, chosenCase, formatForce, type Generator } from "./generator";
 const DOUBLE = "back to back";
 const LOADS = "point loads";
 const MOST_LEGS = 2000;
+const MOST_FRAMES = 200; // of a pattern
 const hasAisle = ({ rows }: Values) => rows !== "1";
 
 const FIELDS: readonly ActionField[] = [
@@ -96,15 +97,28 @@ function legOf(values: Values): Table {
   };
 }
 
+/** Return a leg whose base plate lies in the rack's direction; as in patterns a circle of its area where that is askew. */
+function turnedLegOf(values: Values): Table {
+  const { P, width_x, width_y } = legOf(values);
+  const angle = Math.abs(angleOf(values, "angle")) % 180;
+  if (angle === 0) return { P: P!, width_x: width_x!, width_y: width_y! };
+  if (angle === 90) return { P: P!, width_x: width_y!, width_y: width_x! };
+  const area = sizeOf(values, "width_x") * sizeOf(values, "width_y");
+  return { P: P!, diameter: formatLength(Math.sqrt((4 * area) / Math.PI), "mm") };
+}
+
 /** Return the change that adds a pattern, and a place of it for each row. */
 function asPattern(data: Table, values: Values, across: readonly number[], loadCase: string): Additions {
   const name = freeName(namesIn(listAt(data, ["patterns"])), "rack");
+  const frames = countOf(values, "bays") + 1;
+  if (frames > MOST_FRAMES)
+    throw new Impossible(`bays: found "${values.bays}", expected at most ${MOST_FRAMES - 1} of a pattern`);
   const { P, ...plate } = legOf(values);
   const pattern: Table = {
     kind: "rack",
     name,
     P: P!,
-    frames: countOf(values, "bays") + 1,
+    frames,
     bay: formatLength(sizeOf(values, "bay")),
     rows: across.map((each): Json => formatLength(each)),
     ...plate,
@@ -129,7 +143,7 @@ function asPattern(data: Table, values: Values, across: readonly number[], loadC
 /** Return the change that adds a point load for each leg. */
 function asLoads(data: Table, values: Values, across: readonly number[], loadCase: string): Additions {
   const turn = rotation(angleOf(values, "angle"), [0, 0]);
-  const [bay, frames, size] = [sizeOf(values, "bay"), countOf(values, "bays") + 1, legOf(values)];
+  const [bay, frames, size] = [sizeOf(values, "bay"), countOf(values, "bays") + 1, turnedLegOf(values)];
   const places = rowsOf(values, across).flatMap(([x, y]) =>
     Array.from({ length: frames }, (_, n) =>
       across.map((leg): Point => {
