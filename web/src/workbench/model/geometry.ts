@@ -119,6 +119,23 @@ function arcPoints(from: Point, to: Point, bulge: number): Point[] {
   return angles.map((angle) => pointOnCircle(center, radius, angle));
 }
 
+/** Return the middle of the arc between two corners. */
+export function arcMiddle(from: Point, to: Point, bulge: number): Point {
+  const [x, y] = pointBetween(from, to);
+  // the arc rises by bulge times half the chord, to the right of a counter-clockwise one's chord
+  return [x + (bulge / 2) * (to[1] - from[1]), y - (bulge / 2) * (to[0] - from[0])];
+}
+
+/** Return the bulge of the arc between two corners through a third place; 0 for a straight edge. */
+export function bulgeThrough(from: Point, to: Point, place: Point): number {
+  const [a, b] = [from, to].map((end): Point => [end[0] - place[0], end[1] - place[1]]) as [Point, Point];
+  const cross = a[0] * b[1] - a[1] * b[0];
+  // the ends are seen from any place of the arc under pi less half the arc's angle
+  const seen = Math.atan2(Math.abs(cross), a[0] * b[0] + a[1] * b[1]);
+  const bulge = Math.tan((Math.PI - seen) / 2);
+  return Number((-Math.sign(cross) * bulge).toFixed(6)) + 0;
+}
+
 /** Whether a geometry encloses an area. */
 export function isClosed(geometry: Geometry): boolean {
   return geometry.type === "fixed" ? geometry.closed : !["point", "line", "segment"].includes(geometry.type);

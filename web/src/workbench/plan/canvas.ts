@@ -13,6 +13,7 @@ import { type Geometry, isClosed, type Point, rectangleCorners, ringOf } from ".
 import { boundsOfItems, footprintOf, type Item, itemsOf } from "../model/items";
 import { type Path, pathKey } from "../model/paths";
 import { drawAxes } from "./axes";
+import { drawDistances } from "./distances";
 import { type Preview, shownBy } from "./interaction/gestures";
 import { type Handle, handlesOf } from "./interaction/handles";
 import { itemsAt } from "./interaction/hit-testing";
@@ -204,7 +205,7 @@ export class Canvas {
     const selected = items.length === 1 ? items[0] : undefined;
     if (selected && selected.geometry.type !== "point")
       marks.push(...drawDimensions(camera, dimensionRing(selected), isClosed(selected.geometry)));
-    if (selected) marks.push(...this.drawHalo(selected));
+    if (selected) marks.push(...drawDistances(camera, selected, this.items), ...this.drawHalo(selected));
     if (selected && !preview) marks.push(...handlesOf(selected.geometry).map((handle) => this.drawHandle(handle)));
     if (preview && !preview.item) marks.push(...this.drawPreview(preview));
     if (this.guides) marks.push(...this.drawGuides(this.guides));
@@ -230,7 +231,7 @@ export class Canvas {
   private drawHandle(handle: Handle): SVGElement {
     const isChosen = handle.kind === "corner" && handle.index === this.corner;
     const name = `handle ${handle.kind}${isChosen ? " chosen" : ""}`;
-    if (handle.kind === "add") return this.drawCircle(handle.at, 3.5, name);
+    if (handle.kind === "add" || handle.kind === "bend") return this.drawCircle(handle.at, 3.5, name);
     const [x, y] = this.camera.toPixel(handle.at);
     return svg("rect", { class: name, x: x - HANDLE / 2, y: y - HANDLE / 2, width: HANDLE, height: HANDLE });
   }

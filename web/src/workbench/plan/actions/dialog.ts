@@ -2,15 +2,21 @@
 import { button, fill, h, newId } from "../../../viewer/shared/dom";
 import type { Additions } from "../../model/changes/copies";
 import { Impossible } from "../../model/changes/transform";
+import type { Point } from "../../model/geometry";
+import { formatLength } from "../../model/quantities";
 import type { Canvas } from "../canvas";
 import type { Generator } from "../generators/generator";
+import { pickPlaces } from "../generators/picking";
 import type { Actions } from "./actions";
 import type { ActionField, Values } from "./fields";
 import type { ActionForm } from "./forms";
 
+const PICK = "Click the place or the places on the plan, which fill in x and y";
+
 export class ActionDialog {
   readonly element = h("form", { class: "action-dialog", role: "dialog", hidden: true });
   private form: ActionForm | Generator | null = null;
+  private stopPicking = () => {};
   private readonly typed = new Map<string, string>(); // what was entered last, by form and field
 
   constructor(
@@ -21,7 +27,10 @@ export class ActionDialog {
       event.preventDefault();
       this.apply();
     });
-    this.element.addEventListener("input", () => this.update());
+    this.element.addEventListener("input", (event) => {
+      this.fillIn(event.target as HTMLInputElement);
+      this.update();
+    });
     this.element.addEventListener("keydown", (event) => {
       event.stopPropagation();
       if (event.key === "Escape") this.close();
@@ -30,13 +39,16 @@ export class ActionDialog {
 
   /** Ask for the numbers of an action or a generator. */
   open(form: ActionForm | Generator): void {
+    this.stopPicking();
     this.form = form;
     const id = newId("action");
     const rows = form.fields.map((field) => this.makeRow(form, field));
-    const message = h("p", { class: "action-message", role: "status" });
+    const message = h("p", { class: "action-message", role: "status", id: `${id}-message` });
     const apply = h("button", { type: "submit", class: "main" }, form.label);
     const cancel = button("Cancel", "", () => this.close());
-    fill(this.element, h("h3", { id }, form.label), ...rows, h("div", { class: "answers" }, apply, cancel, message));
+    const pick = "places" in form ? [button("Pick in plan", PICK, () => this.pick(form), "pick")] : [];
+    const answers = h("div", { class: "answers" }, apply, ...pick, cancel, message);
+    fill(this.element, h("h3", { id }, form.label), ...rows, answers);
     this.element.setAttribute("aria-labelledby", id);
     this.element.hidden = false;
     this.element.querySelector<HTMLElement>("label:not([hidden]) :is(input, select)")?.focus();
@@ -46,6 +58,7 @@ export class ActionDialog {
 
   close(): void {
     if (!this.form) return;
+    this.stopPicking();
     this.form = null;
     this.element.hidden = true;
     this.canvas.ghosts = [];
@@ -67,8 +80,49 @@ export class ActionDialog {
     this.canvas.redraw();
     const message = this.element.querySelector(".action-message")!;
     message.classList.toggle("bad", !isMade);
-    fill(message, isMade ? (made.note ?? "") : made);
+    fill(message, isMade ? (made.note ?? "") : this.markFault(made));
+    if (isMade) this.markFault("");
     this.element.querySelector<HTMLButtonElement>("[type=submit]")!.disabled = !isMade;
+  }
+
+  /** Mark the field that a fault begins with; returns the fault with the field's label. */
+  private markFault(fault: string): string {
+    const [, key = "", rest = ""] = /^(\w+): (.*)$/s.exec(fault) ?? [];
+    for (const input of this.inputs) input.setAttribute("aria-invalid", String(input.name === key));
+    const field = this.form!.fields.find((each) => each.key === key);
+    return field ? `${field.label}: ${rest}` : fault;
+  }
+
+  /** Fill in what a choice stands for; a choice that no longer holds becomes the first one. */
+  private fillIn(changed: HTMLInputElement | HTMLSelectElement): void {
+    const inputs = new Map(this.inputs.map((input) => [input.name, input]));
+    for (const { key, fills, options } of this.form?.fields ?? []) {
+      const choice = inputs.get(key)!;
+      for (const [name, value] of Object.entries(fills?.(choice.value) ?? {})) {
+        const input = inputs.get(name)!;
+        if (changed === choice) input.value = value;
+        else if (input.value !== value) choice.value = options![0]!;
+      }
+    }
+  }
+
+  /** Take the places of a generator from clicks on the plan. */
+  private pick({ places }: Generator): void {
+    this.stopPicking();
+    const take = (at: Point, n: number) => {
+      for (const input of this.inputs) {
+        const coordinate = places[n]!.indexOf(input.name);
+        if (coordinate >= 0) input.value = formatLength(at[coordinate]!);
+      }
+      this.update();
+    };
+    this.stopPicking = pickPlaces(this.canvas, places.length, take, () =>
+      this.element.querySelector<HTMLElement>("[type=submit]")?.focus(),
+    );
+  }
+
+  private get inputs(): (HTMLInputElement | HTMLSelectElement)[] {
+    return [...this.element.querySelectorAll<HTMLInputElement | HTMLSelectElement>("input, select")];
   }
 
   private apply(): void {
@@ -104,9 +158,8 @@ export class ActionDialog {
   }
 
   private read(): Values {
-    const inputs = [...this.element.querySelectorAll<HTMLInputElement | HTMLSelectElement>("input, select")];
     const valueIn = (input: HTMLInputElement | HTMLSelectElement) =>
       input instanceof HTMLInputElement && input.type === "checkbox" ? (input.checked ? "yes" : "") : input.value;
-    return Object.fromEntries(inputs.map((input) => [input.name, valueIn(input)]));
+    return Object.fromEntries(this.inputs.map((input) => [input.name, valueIn(input)]));
   }
 }

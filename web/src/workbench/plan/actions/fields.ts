@@ -6,14 +6,28 @@ import { parseTyped, replaceDecimalComma } from "../../model/quantities";
 export interface ActionField {
   key: string;
   label: string;
-  is: "length" | "lengths" | "force" | "angle" | "number" | "count" | "choice" | "case" | "flag";
+  is: "length" | "lengths" | "force" | "pressure" | "angle" | "number" | "count" | "choice" | "case" | "flag";
   initial: string;
   options?: readonly string[];
   /** Whether it is asked for with the present values. */
   shown?: (values: Values) => boolean;
+  /** Values of other fields that a choice fills in, null if it leaves them. */
+  fills?: (value: string) => Values | null;
 }
 
 export type Values = Readonly<Record<string, string>>;
+
+//: units of forces [N] and of pressures [Pa]
+const NEWTONS: Record<string, number> = { N: 1, kN: 1e3, MN: 1e6, lbf: 4.4482216152605, kip: 4448.2216152605 };
+const PASCALS: Record<string, number> = {
+  Pa: 1,
+  kPa: 1e3,
+  MPa: 1e6,
+  "N/mm2": 1e6,
+  "kN/m2": 1e3,
+  bar: 1e5,
+  psi: 6894.757293168,
+};
 
 export function length(key: string, label: string, initial: string): ActionField {
   return { key, label, is: "length", initial };
@@ -35,6 +49,13 @@ export function lengthOf(values: Values, key: string): number {
   const text = values[key] ?? "";
   const found = parseTyped(text);
   if (found === null) throw new Impossible(`${key}: found "${text}", expected a length such as "1.5 m"`);
+  return found;
+}
+
+/** Return a length above 0 [m]. */
+export function sizeOf(values: Values, key: string): number {
+  const found = lengthOf(values, key);
+  if (found <= 0) throw new Impossible(`${key}: found "${values[key]}", expected a length above 0`);
   return found;
 }
 
@@ -80,4 +101,20 @@ export function forceOf(values: Values, key: string): Force {
   const value = Number(replaceDecimalComma(number) || Number.NaN);
   if (!Number.isFinite(value)) throw new Impossible(`${key}: found "${text}", expected a force such as "60 kN"`);
   return { value, unit: unit || "kN" };
+}
+
+/** Return a force in newtons. */
+export function newtonsOf({ value, unit }: Force): number {
+  const size = NEWTONS[unit];
+  if (size === undefined) throw new Impossible(`found a force in ${unit}, expected N, kN, MN, lbf or kip`);
+  return value * size;
+}
+
+/** Return a pressure in pascals; without a unit it is in MPa. */
+export function pressureOf(values: Values, key: string): number {
+  const text = values[key] ?? "";
+  const [, number = "", unit = ""] = /^([\d.,]*\d)\s*([A-Za-z]*(?:\/mm2|\/m2)?)$/.exec(text.trim()) ?? [];
+  const pressure = Number(replaceDecimalComma(number) || Number.NaN) * (PASCALS[unit || "MPa"] ?? Number.NaN);
+  if (!(pressure > 0)) throw new Impossible(`${key}: found "${text}", expected a pressure such as "0.8 MPa"`);
+  return pressure;
 }

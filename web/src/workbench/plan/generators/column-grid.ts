@@ -6,7 +6,7 @@ import { itemsOf } from "../../model/items";
 import { freeName, namesIn } from "../../model/names";
 import { listAt, type Path, type Table } from "../../model/paths";
 import { formatLength } from "../../model/quantities";
-import { force, forceOf, length, lengthOf, lengthsOf } from "../actions/fields";
+import { force, forceOf, length, lengthOf, lengthsOf, sizeOf } from "../actions/fields";
 import { CASE, chosenCase, formatForce, type Generator } from "./generator";
 
 const MOST = 1000;
@@ -26,6 +26,7 @@ export const COLUMN_GRID: Generator = {
     force("P", "load of each", "500 kN"),
     CASE,
   ],
+  places: [["x", "y"]],
   generate: (data, values) => {
     const [xs, ys] = [
       axes(lengthOf(values, "x"), lengthsOf(values, "spacing_x")),
@@ -40,8 +41,8 @@ export const COLUMN_GRID: Generator = {
     const P = forceOf(values, "P");
     const found = P.value === 0 ? { edits: [], case: "" } : chosenCase(data, values, "columns");
     const size = {
-      width_x: formatLength(lengthOf(values, "width_x"), "mm"),
-      width_y: formatLength(lengthOf(values, "width_y"), "mm"),
+      width_x: formatLength(sizeOf(values, "width_x"), "mm"),
+      width_y: formatLength(sizeOf(values, "width_y"), "mm"),
     };
     const taken = namesIn(listAt(data, ["columns"]));
     const edits: Edit[] = [...found.edits];

@@ -14,6 +14,8 @@ export interface Generator {
   key: string;
   hint: string;
   fields: readonly ActionField[];
+  /** The fields of x and y of the places that can be picked in the plan. */
+  places: readonly (readonly [string, string])[];
   /** Return what the values make, as one change; throws Impossible. */
   generate(data: Table, values: Values): Additions;
 }

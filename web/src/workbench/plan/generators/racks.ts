@@ -17,6 +17,7 @@ import {
   forceOf,
   length,
   lengthOf,
+  sizeOf,
   type Values,
 } from "../actions/fields";
 import { CASE, chosenCase, formatForce, type Generator } from "./generator";
@@ -24,6 +25,7 @@ import { CASE, chosenCase, formatForce, type Generator } from "./generator";
 const DOUBLE = "back to back";
 const LOADS = "point loads";
 const MOST_LEGS = 2000;
+const MOST_FRAMES = 200; // of a pattern
 const hasAisle = ({ rows }: Values) => rows !== "1";
 
 const FIELDS: readonly ActionField[] = [
@@ -50,6 +52,7 @@ export const RACKS: Generator = {
   key: "K",
   hint: "Add the legs of racks in rows",
   fields: FIELDS,
+  places: [["x", "y"]],
   generate: (data, values) => {
     const across = legsAcross(values);
     const frames = countOf(values, "bays") + 1;
@@ -69,21 +72,15 @@ export const RACKS: Generator = {
 
 /** Return the places of a frame's legs across the rack [m]. */
 function legsAcross(values: Values): number[] {
-  const depth = positive(values, "depth");
+  const depth = sizeOf(values, "depth");
   if (values.racks !== DOUBLE) return [0, depth];
-  const gap = positive(values, "gap");
+  const gap = sizeOf(values, "gap");
   return [0, depth, depth + gap, 2 * depth + gap];
-}
-
-function positive(values: Values, key: string): number {
-  const found = lengthOf(values, key);
-  if (found <= 0) throw new Impossible(`${key}: found "${values[key]}", expected a length above 0`);
-  return found;
 }
 
 /** Return where the rows begin [m]. */
 function rowsOf(values: Values, across: readonly number[]): Point[] {
-  const width = (across.at(-1) ?? 0) + (hasAisle(values) ? positive(values, "aisle") : 0);
+  const width = (across.at(-1) ?? 0) + (hasAisle(values) ? sizeOf(values, "aisle") : 0);
   const turn = rotation(angleOf(values, "angle"), [0, 0]);
   const [x, y] = [lengthOf(values, "x"), lengthOf(values, "y")];
   return Array.from({ length: countOf(values, "rows") }, (_, n): Point => {
@@ -92,24 +89,37 @@ function rowsOf(values: Values, across: readonly number[]): Point[] {
   });
 }
 
-function sizeOf(values: Values): Table {
+function legOf(values: Values): Table {
   return {
     P: formatForce(forceOf(values, "P")),
-    width_x: formatLength(positive(values, "width_x"), "mm"),
-    width_y: formatLength(positive(values, "width_y"), "mm"),
+    width_x: formatLength(sizeOf(values, "width_x"), "mm"),
+    width_y: formatLength(sizeOf(values, "width_y"), "mm"),
   };
+}
+
+/** Return a leg whose base plate lies in the rack's direction; as in patterns a circle of its area where that is askew. */
+function turnedLegOf(values: Values): Table {
+  const { P, width_x, width_y } = legOf(values);
+  const angle = Math.abs(angleOf(values, "angle")) % 180;
+  if (angle === 0) return { P: P!, width_x: width_x!, width_y: width_y! };
+  if (angle === 90) return { P: P!, width_x: width_y!, width_y: width_x! };
+  const area = sizeOf(values, "width_x") * sizeOf(values, "width_y");
+  return { P: P!, diameter: formatLength(Math.sqrt((4 * area) / Math.PI), "mm") };
 }
 
 /** Return the change that adds a pattern, and a place of it for each row. */
 function asPattern(data: Table, values: Values, across: readonly number[], loadCase: string): Additions {
   const name = freeName(namesIn(listAt(data, ["patterns"])), "rack");
-  const { P, ...plate } = sizeOf(values);
+  const frames = countOf(values, "bays") + 1;
+  if (frames > MOST_FRAMES)
+    throw new Impossible(`bays: found "${values.bays}", expected at most ${MOST_FRAMES - 1} of a pattern`);
+  const { P, ...plate } = legOf(values);
   const pattern: Table = {
     kind: "rack",
     name,
     P: P!,
-    frames: countOf(values, "bays") + 1,
-    bay: formatLength(positive(values, "bay")),
+    frames,
+    bay: formatLength(sizeOf(values, "bay")),
     rows: across.map((each): Json => formatLength(each)),
     ...plate,
   };
@@ -133,7 +143,7 @@ function asPattern(data: Table, values: Values, across: readonly number[], loadC
 /** Return the change that adds a point load for each leg. */
 function asLoads(data: Table, values: Values, across: readonly number[], loadCase: string): Additions {
   const turn = rotation(angleOf(values, "angle"), [0, 0]);
-  const [bay, frames, size] = [positive(values, "bay"), countOf(values, "bays") + 1, sizeOf(values)];
+  const [bay, frames, size] = [sizeOf(values, "bay"), countOf(values, "bays") + 1, turnedLegOf(values)];
   const places = rowsOf(values, across).flatMap(([x, y]) =>
     Array.from({ length: frames }, (_, n) =>
       across.map((leg): Point => {

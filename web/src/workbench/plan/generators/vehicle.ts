@@ -3,8 +3,22 @@ import { Impossible } from "../../model/changes/transform";
 import { freeName, namesIn } from "../../model/names";
 import { listAt, type Table } from "../../model/paths";
 import { formatLength } from "../../model/quantities";
-import { force, forceOf, length, lengthOf, type Values } from "../actions/fields";
+import {
+  type Force,
+  force,
+  forceOf,
+  length,
+  lengthOf,
+  newtonsOf,
+  pressureOf,
+  sizeOf,
+  type Values,
+} from "../actions/fields";
+import { FORKLIFT, noteOnForklift } from "./forklifts";
 import { CASE, chosenCase, formatForce, type Generator } from "./generator";
+
+const TIRE = "tire pressure";
+const hasWidths = ({ contact }: Values) => contact !== TIRE;
 
 export const VEHICLE: Generator = {
   name: "vehicle",
@@ -12,12 +26,21 @@ export const VEHICLE: Generator = {
   key: "Q",
   hint: "Add a vehicle, such as a forklift, that moves along a path",
   fields: [
+    FORKLIFT,
     force("front", "front axle", "60 kN"),
     force("rear", "rear axle", "10 kN"),
     length("track", "wheels apart", "1 m"),
     length("base", "axles apart", "1.6 m"),
-    length("width_x", "contact along", "200 mm"),
-    length("width_y", "contact across", "200 mm"),
+    { key: "contact", label: "contact by", is: "choice", initial: "widths", options: ["widths", TIRE] },
+    { ...length("width_x", "contact along", "200 mm"), shown: hasWidths },
+    { ...length("width_y", "contact across", "200 mm"), shown: hasWidths },
+    {
+      key: "pressure",
+      label: "tire pressure",
+      is: "pressure",
+      initial: "0.8 MPa",
+      shown: ({ contact }) => contact === TIRE,
+    },
     { key: "factor", label: "dynamic factor", is: "number", initial: "1" },
     length("x", "from x", "-5 m"),
     length("y", "from y", "0 m"),
@@ -25,6 +48,10 @@ export const VEHICLE: Generator = {
     length("y2", "to y", "0 m"),
     length("step", "step", "1 m"),
     CASE,
+  ],
+  places: [
+    ["x", "y"],
+    ["x2", "y2"],
   ],
   generate: (data, values) => {
     const name = freeName(namesIn(listAt(data, ["patterns"])), "vehicle");
@@ -49,7 +76,7 @@ export const VEHICLE: Generator = {
         text: `add ${name}`,
       },
       paths: [["moves", listAt(data, ["moves"]).length]],
-      note: `${positions} positions. Drag the middle of the path for a further corner.`,
+      note: `${positions} positions. Drag the middle of the path for a further corner.${noteOnForklift(values.class)}`,
     };
   },
 };
@@ -62,15 +89,10 @@ function place(values: Values, x: string, y: string): [number, number] {
 function wheelsOf(values: Values): Table[] {
   const factor = Number((values.factor ?? "").trim().replace(",", ".") || Number.NaN);
   if (!(factor > 0)) throw new Impossible(`factor: found "${values.factor}", expected a number such as 1.4`);
-  const [half, base] = [lengthOf(values, "track") / 2, lengthOf(values, "base")];
-  if (half <= 0 || base <= 0) throw new Impossible("wheels and axles stand in one place, expected distances above 0");
-  const size = {
-    width_x: formatLength(lengthOf(values, "width_x"), "mm"),
-    width_y: formatLength(lengthOf(values, "width_y"), "mm"),
-  };
+  const [half, base] = [sizeOf(values, "track") / 2, sizeOf(values, "base")];
   const axles = [
-    { load: forceOf(values, "front"), x: 0 },
-    { load: forceOf(values, "rear"), x: -base },
+    { load: axleLoadOf(values, "front"), x: 0 },
+    { load: axleLoadOf(values, "rear"), x: -base },
   ].filter(({ load }) => load.value !== 0);
   if (axles.length === 0) throw new Impossible("both axles are without load, expected a force");
   return axles.flatMap(({ load, x }) =>
@@ -78,7 +100,20 @@ function wheelsOf(values: Values): Table[] {
       P: formatForce(load, factor / 2),
       ...(x === 0 ? {} : { x: formatLength(x) }),
       y: formatLength(y),
-      ...size,
+      ...contactOf(values, load),
     })),
   );
+}
+
+function axleLoadOf(values: Values, key: string): Force {
+  const load = forceOf(values, key);
+  if (load.value < 0) throw new Impossible(`${key}: found "${values[key]}", expected a force from 0`);
+  return load;
+}
+
+/** Return the widths of a wheel's contact; under a tire, the square on which its static load has the tire's pressure. */
+function contactOf(values: Values, axle: Force): Table {
+  const side = () => Math.sqrt(newtonsOf(axle) / 2 / pressureOf(values, "pressure"));
+  const [x, y] = hasWidths(values) ? [sizeOf(values, "width_x"), sizeOf(values, "width_y")] : [side(), side()];
+  return { width_x: formatLength(x, "mm"), width_y: formatLength(y, "mm") };
 }

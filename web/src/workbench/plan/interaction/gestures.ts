@@ -19,7 +19,7 @@ import { countItems, type Item } from "../../model/items";
 import type { Table } from "../../model/paths";
 import { formatDecimals, formatLength } from "../../model/quantities";
 import type { Tool } from "../tools";
-import { dragHandle, type Handle } from "./handles";
+import { canBend, dragHandle, type Handle } from "./handles";
 import type { Snapped } from "./snapping";
 
 /** What the drawing becomes if the pointer is released now. */
@@ -86,7 +86,8 @@ export interface DragGesture {
 
 /** Moving items: the corner by which the first is held goes to round lengths and other corners. */
 export class MoveGesture implements DragGesture {
-  private readonly held: Point;
+  /** Where the corner by which it is held was. */
+  readonly held: Point;
   private by: Point = [0, 0];
 
   readonly items: readonly Item[];
@@ -118,6 +119,8 @@ export class MoveGesture implements DragGesture {
 
 /** Dragging one handle of an item. */
 export class ReshapeGesture implements DragGesture {
+  /** Whether a straight edge is bent instead of getting a corner. */
+  bends = false;
   readonly items: readonly Item[];
   private after: Geometry;
 
@@ -134,14 +137,17 @@ export class ReshapeGesture implements DragGesture {
   }
 
   moveTo({ at }: Snapped): Preview {
-    this.after = dragHandle(this.item.geometry, this.handle, at) ?? this.after;
+    const bends = this.bends && this.handle.kind === "add" && canBend(this.item.geometry);
+    const handle: Handle = bends ? { ...this.handle, kind: "bend" } : this.handle;
+    this.after = dragHandle(this.item.geometry, handle, at) ?? this.after;
     return { geometry: this.after, item: this.item, text: `${formatPoint(at)}   ${measureText(this.after)}` };
   }
 
   change(): Change | null {
     const edits = editsBetween(this.item.geometry, this.after);
     if (edits.length === 0) return null;
-    const verb = this.handle.kind === "add" ? "add a corner to" : "reshape";
+    const corners = (geometry: Geometry) => ("points" in geometry ? geometry.points.length : 0);
+    const verb = corners(this.after) > corners(this.item.geometry) ? "add a corner to" : "reshape";
     return { edits, text: `${verb} ${this.item.title}` };
   }
 }

@@ -2,6 +2,8 @@
 
 import { distanceBetween, pointBetween } from "../../../viewer/data/points";
 import {
+  arcMiddle,
+  bulgeThrough,
   type Geometry,
   type Point,
   quarterPoints,
@@ -11,7 +13,7 @@ import {
 } from "../../model/geometry";
 
 export interface Handle {
-  kind: "corner" | "edge" | "add" | "radius" | "end";
+  kind: "corner" | "edge" | "add" | "bend" | "radius" | "end";
   /** Which of its kind. */
   index: number;
   at: Point;
@@ -41,13 +43,26 @@ export function handlesOf(geometry: Geometry): Handle[] {
   }
 }
 
-/** Handles that add a corner; none on an arc, whose bulge would be lost. */
+const FLATTEST = 0.005; // an edge that is bent less is straight
+const ROUNDEST = 20;
+
+/** Whether the edges of a geometry can be arcs. */
+export function canBend({ type, at }: Geometry): boolean {
+  return type === "polygon" || (type === "line" && at[0] === "loads");
+}
+
+/** Handles that add a corner to a straight edge, or bend an arc further. */
 function edgeHandles(points: Ring, closed: boolean, bulges: readonly number[]): Handle[] {
   const last = closed ? points.length : points.length - 1;
   return points.slice(0, last).flatMap((a, index): Handle[] => {
     const b = points[(index + 1) % points.length];
-    if (!b || bulges[index]) return [];
-    return [{ kind: "add", index, at: pointBetween(a, b) }];
+    if (!b) return [];
+    const bulge = bulges[index] ?? 0;
+    return [
+      bulge === 0
+        ? { kind: "add", index, at: pointBetween(a, b) }
+        : { kind: "bend", index, at: arcMiddle(a, b, bulge) },
+    ];
   });
 }
 
@@ -87,6 +102,7 @@ export function dragHandle(geometry: Geometry, handle: Handle, to: Point): Geome
       return handle.index === 0 ? { ...geometry, start: to } : { ...geometry, end: to };
     case "line":
     case "polygon": {
+      if (handle.kind === "bend") return bendEdge(geometry, handle.index, to);
       if (handle.kind !== "add") return { ...geometry, points: geometry.points.with(handle.index, to) };
       // the edges beside a new corner are straight
       const next = handle.index + 1;
@@ -96,6 +112,15 @@ export function dragHandle(geometry: Geometry, handle: Handle, to: Point): Geome
     default:
       return geometry;
   }
+}
+
+/** Return a geometry with the edge after a corner bent through a place; null where that is hardly an arc any more. */
+function bendEdge<G extends { points: Ring; bulges: readonly number[] }>(geometry: G, index: number, to: Point) {
+  const { points } = geometry;
+  const bulge = bulgeThrough(points[index]!, points[(index + 1) % points.length]!, to);
+  if (Math.abs(bulge) > ROUNDEST) return null;
+  const bulges = Array.from({ length: Math.max(geometry.bulges.length, index + 1) }, (_, n) => geometry.bulges[n] ?? 0);
+  return { ...geometry, bulges: bulges.with(index, Math.abs(bulge) < FLATTEST ? 0 : bulge) };
 }
 
 function dragBox(x: Range, y: Range, handle: Handle, to: Point): { x: Range; y: Range } {

@@ -91,7 +91,7 @@ export class Keyboard {
   /** Take a key as part of a length or a place while something is drawn; returns whether it is one. */
   private type(key: string): boolean {
     const { pointer, tools } = this;
-    if (tools.current().draws === "nothing" || this.store.broken) return false;
+    if ((tools.current().draws === "nothing" && !pointer.isMoving) || this.store.broken) return false;
     if (this.typed && (key === "Enter" || key === "Escape")) {
       const isPlaced = key === "Escape" || pointer.placeTyped(this.typed);
       this.showTyped(
@@ -108,7 +108,8 @@ export class Keyboard {
   private showTyped(typed: string, hint = ""): void {
     this.typed = typed;
     const { current } = this.tools;
-    this.showHint(hint || (typed ? `${typed} — Enter: draw up to there` : current().hint));
+    const what = this.pointer.isMoving ? "move there" : "draw up to there";
+    this.showHint(hint || (typed ? `${typed} — Enter: ${what}` : current().hint));
   }
 
   /** Open the dialog of a key; returns whether there is one, an action only if something is selected. */

@@ -9,7 +9,7 @@ import type { Canvas } from "../canvas";
 import type { Tool } from "../tools";
 import { type DragGesture, DrawGesture, MoveGesture, ReshapeGesture } from "./gestures";
 import { itemsInBand } from "./rubber-band";
-import { typedPlace } from "./typed-input";
+import { alongAxis, typedPlace } from "./typed-input";
 
 const TYPED_REACH = 1e-9; // m: typed places are the same only if they are equal
 
@@ -67,8 +67,15 @@ export class Pointer {
     if (this.drawing && this.drawing.points.length >= 2) this.complete();
   }
 
-  /** Go on drawing at a place or by a length that was typed; returns whether it was one. */
+  /** Whether items are being moved. */
+  get isMoving(): boolean {
+    return this.press?.kind === "drag" && this.press.gesture instanceof MoveGesture;
+  }
+
+  /** Go on drawing or moving at a place or by a length that was typed; returns whether it was one. */
   placeTyped(text: string): boolean {
+    if (this.press?.kind === "drag" && this.press.gesture instanceof MoveGesture)
+      return this.dropTyped(this.press.gesture, text);
     const drawing = this.drawing ?? new DrawGesture(this.hooks.tool());
     const place = typedPlace(text, drawing.points.at(-1) ?? null, this.place);
     if (!place) return false;
@@ -79,6 +86,24 @@ export class Pointer {
     else this.canvas.preview = drawing.preview({ at: place, fromX: null, fromY: null, onPoint: false });
     this.canvas.redraw();
     return true;
+  }
+
+  /** End a move at a place, or after a length towards the pointer. */
+  private dropTyped(gesture: MoveGesture, text: string): boolean {
+    const pointer = this.canvas.guides?.at;
+    const place = typedPlace(text, gesture.held, pointer ? alongAxis(gesture.held, pointer) : null);
+    if (!place) return false;
+    gesture.moveTo({ at: place, fromX: null, fromY: null, onPoint: false });
+    this.press = null;
+    this.drop(gesture);
+    return true;
+  }
+
+  private drop(gesture: DragGesture): void {
+    const change = gesture.change();
+    this.canvas.preview = this.canvas.guides = null;
+    if (change) this.hooks.push(change);
+    this.canvas.redraw();
   }
 
   /** Abandon what is being done; returns whether there was anything. */
@@ -143,6 +168,7 @@ export class Pointer {
     } else if (press?.kind === "band") this.stretchBand(press, pixel);
     else if (press) {
       const { gesture } = press;
+      if (gesture instanceof ReshapeGesture) gesture.bends = event.ctrlKey || event.metaKey;
       canvas.guides = canvas.snap(
         gesture.aim(canvas.camera.toPlan(pixel)),
         event.altKey,
@@ -231,13 +257,8 @@ export class Pointer {
     this.touches.delete(event.pointerId);
     this.press = null;
     if (this.drawing?.up(this.snapDrawing(this.drawing, pixel, event).at, canvas.reach)) this.complete();
-    if (press?.kind === "drag") {
-      const change = press.gesture.change();
-      canvas.preview = null;
-      canvas.guides = null;
-      if (change) this.hooks.push(change);
-      canvas.redraw();
-    } else if (press?.kind === "band") {
+    if (press?.kind === "drag") this.drop(press.gesture);
+    else if (press?.kind === "band") {
       canvas.band = null;
       canvas.redraw();
     } else if (press?.kind === "item" && press.adds) this.store.toggle(press.item.path);

@@ -56,6 +56,8 @@ describe("racks", () => {
       angle: "90",
       as: "point loads",
       P: "10 kip",
+      width_x: "100 mm",
+      width_y: "200 mm",
     });
     const legs = tables(after, "loads").slice(1);
     expect(legs.map(({ x, y }) => [x, y])).toEqual([
@@ -70,6 +72,12 @@ describe("racks", () => {
     ]);
     expect(new Set(legs.map(({ P }) => P))).toEqual(new Set(["10 kip"]));
     expect(change.text).toBe("add 8 legs of racks");
+    // the side of 100 mm lies along the rack, which runs along y
+    expect(legs[0]).toMatchObject({ width_x: "200 mm", width_y: "100 mm" });
+    // askew: 100 mm x 200 mm = pi (159.6 mm)^2 / 4
+    const askew = make("K", { angle: "30", as: "point loads", width_x: "100 mm", width_y: "200 mm" }).after;
+    expect(tables(askew, "loads")[1]).toMatchObject({ diameter: "159.6 mm" });
+    expect(tables(askew, "loads")[1]).not.toHaveProperty("width_x");
   });
   it("are in a load case of their own where none is chosen; loads that had none before get one, too", () => {
     const bare = { ...FLOOR, cases: [], loads: [{ kind: "self weight" }] };
@@ -83,13 +91,14 @@ describe("racks", () => {
   it("are refused with words where a number means nothing", () => {
     for (const [key, value] of Object.entries({
       P: "much",
-      bays: "0",
       bay: "-1 m",
       depth: "",
       angle: "x",
       rows: "999",
+      bays: "200",
     }))
       expect(() => make("k", { [key]: value }), key).toThrow(/found|too many/);
+    expect(() => make("k", { bays: "0" })).toThrow(/^bays: found "0"/);
   });
 });
 

@@ -4,7 +4,7 @@ import { describe, expect, it } from "vitest";
 import { editsBetween, readGeometry, readSides, ringOf, signedArea } from "../../../../src/workbench/model/geometry";
 import { itemsOf } from "../../../../src/workbench/model/items";
 import type { Table } from "../../../../src/workbench/model/paths";
-import { dragHandle, handlesOf, removeCorner } from "../../../../src/workbench/plan/interaction/handles";
+import { canBend, dragHandle, handlesOf, removeCorner } from "../../../../src/workbench/plan/interaction/handles";
 
 describe("handles", () => {
   it("keeps a rectangle by its sides about the origin: the opposite edge moves the other way", () => {
@@ -19,6 +19,36 @@ describe("handles", () => {
     const corner = handlesOf(box)[0]!;
     expect(dragHandle(box, corner, [3, 0.5])).toMatchObject({ x: [2, 3], y: [0.5, 1] });
     expect(dragHandle(box, corner, [2, 0.5])).toBeNull();
+  });
+
+  it("bends an edge through a place, and straightens it again", () => {
+    const points = ["0 m", "4 m"].map((x) => [x, "1 m"]);
+    const line = readGeometry({ loads: [{ kind: "line", points }] }, ["loads", 0])!;
+    expect(canBend(line)).toBe(true);
+    // below the chord, which runs along x: a half circle counter-clockwise; its top is 2 m from the chord
+    const bend = { kind: "bend", index: 0, at: [2, 1] } as const;
+    const half = dragHandle(line, { ...bend, at: [2, 1] }, [2, -1])!;
+    expect(half).toMatchObject({ bulges: [1] });
+    // a quarter of a circle rises by (1 - cos 45 degrees) r, r being 4 m / 2 / sin 45 degrees; to the left is clockwise
+    const quarter = dragHandle(line, { ...bend, at: [2, 1] }, [2, 1 + 2 * (Math.SQRT2 - 1)])!;
+    expect("bulges" in quarter && quarter.bulges[0]).toBeCloseTo(-Math.tan(Math.PI / 8), 6);
+    // another place of the half circle gives the same arc, whose middle is the handle
+    const [x, y] = [2 + 2 * Math.cos(-0.4), 1 + 2 * Math.sin(-0.4)];
+    expect(dragHandle(line, { ...bend, at: [2, 1] }, [x, y])).toMatchObject({ bulges: [1] });
+    expect(handlesOf(half).find(({ kind }) => kind === "bend")!.at).toEqual([2, -1]);
+    expect(ringOf(half).some(([px, py]) => Math.hypot(px - 2, py + 1) < 1e-9)).toBe(true);
+    expect(dragHandle(half, { ...bend, at: [2, -1] }, [2, 1.005])).toMatchObject({ bulges: [0] });
+    expect(dragHandle(half, { ...bend, at: [2, -1] }, [-30, 1])).toMatchObject({ bulges: [0] });
+  });
+  it("bends what has arcs only", () => {
+    const path = {
+      pattern: "p",
+      points: [
+        ["0 m", "0 m"],
+        ["4 m", "0 m"],
+      ],
+    };
+    expect(canBend(readGeometry({ moves: [path] }, ["moves", 0])!)).toBe(false);
   });
 
   it("adds and removes corners of a polygon together with their bulges", () => {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 
-import { typedPlace, typeKey } from "../../../../src/workbench/plan/interaction/typed-input";
+import { alongAxis, typedPlace, typeKey } from "../../../../src/workbench/plan/interaction/typed-input";
 
 describe("what is typed while drawing", () => {
   it("is a place, with a point or a comma as decimal sign", () => {
@@ -16,6 +16,12 @@ describe("what is typed while drawing", () => {
     expect(typedPlace("3.5", null, [1, 5])).toBeNull();
     expect(typedPlace("3.5", [1, 1], [1, 1])).toBeNull();
     for (const text of ["", "-2", "0", "1;2;3", "2 kN", ";"]) expect(typedPlace(text, [0, 0], [1, 0]), text).toBeNull();
+  });
+  it("goes along an axis where the pointer is nearly in line, else towards it", () => {
+    expect(alongAxis([1, 2], [6, 2.4])).toEqual([6, 2]);
+    expect(alongAxis([1, 2], [0.9, -3])).toEqual([1, -3]);
+    expect(alongAxis([1, 2], [4, 6])).toEqual([4, 6]);
+    expect(alongAxis([1, 2], [1, 2])).toEqual([1, 2]);
   });
   it("starts with a number, so that letters choose tools", () => {
     expect(typeKey("", "c")).toBeNull();
