@@ -328,7 +328,8 @@ def _to_issue(cls: type[Section], place: tuple[str | int, ...], line: Any, given
         )
     if inner.many and len(place) == 1:
         hint = "write double brackets: [[...]]" if isinstance(value, Mapping) else ""
-        repairs = (set_value(place, [dict(value)], "make it a list"),) if isinstance(value, Mapping) else ()
+        is_flat = isinstance(value, Mapping) and all(isinstance(each, str | int | float) for each in value.values())
+        repairs = (set_value(place, [dict(value)], "make it a list"),) if is_flat else ()
         return RelativeIssue(place, describe(value), "a list of tables", hint, repairs)
     if inner.parts:
         return _not_a_table(place, value)

@@ -59,7 +59,9 @@ def use_free_name(place: Place, name: str, taken: Collection[str]) -> tuple[Repa
 
 def add_unit(value: object, dimension: str, limits: ranges.Range) -> Iterator[Repair]:
     """Yield repairs of a bare number: with each unit of its dimension that leaves it in the range, the usual first."""
-    text = value.strip() if isinstance(value, str) else "" if isinstance(value, bool) else str(value)
+    if isinstance(value, bool) or not isinstance(value, str | int | float):
+        return
+    text = str(value).strip()
     if not re.fullmatch(units.NUMBER, text):
         return
     known, limits = units.DIMENSIONS[dimension], ranges.quantity_range(limits, dimension)

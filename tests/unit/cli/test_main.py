@@ -552,7 +552,7 @@ class TestDxf:
         assert case["title"] == "plan"
         assert case["plate"]["outline"]["points"][2] == ["4 m", "4 m"]
         assert len(case["plate"]["openings"]) == 1
-        assert case["loads"][0]["P"] == "50000.0 N"
+        assert case["loads"][0]["P"] == "50 kN"
         assert "outline: 4 m x 4 m" in err
 
     @pytest.mark.slow
