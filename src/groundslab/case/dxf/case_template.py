@@ -105,13 +105,12 @@ def to_case(drawing: Drawing, title: str = "") -> str:
         '# E = "30 GPa"                # fill in',
         "# nu = 0.2                    # fill in",
         "",
-        "[plate.outline]",
-        *_polygon_lines(drawing.outline),
+        *_shape_lines("[plate.outline]", drawing.outline),
     ]
     for opening in drawing.openings:
-        text += ["", "[[plate.openings]]", *_polygon_lines(opening)]
+        text += ["", *_shape_lines("[[plate.openings]]", opening)]
     for number, zone in enumerate(drawing.zones, 1):
-        shape = ["[plate.zones.shape]", *_polygon_lines(zone)]
+        shape = _shape_lines("[plate.zones.shape]", zone)
         text += ["", f"# Zone {number} of the drawing.", *_ZONE, *(f"# {line}" for line in shape)]
     columns, lines = _column_lines(drawing)
     text += lines

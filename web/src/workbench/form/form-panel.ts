@@ -9,7 +9,7 @@ import { showIssues } from "./errors";
 import { heading, shortValue } from "./labels";
 import { foldedWidget } from "./lists/folded-rows";
 import "./form.css";
-import { nodeWidget } from "./section";
+import { doesNothingUnlessThere, nodeWidget } from "./section";
 
 /** The sections: what there is, what acts, what is output, how it is computed. */
 const GROUPS: readonly { title: string; keys: readonly string[] }[] = [
@@ -100,7 +100,7 @@ function foldedSection(
 
 /** Whether a section does nothing unless it is there. */
 function isOptional(ctx: FormContext, { needed, node }: Field): boolean {
-  return !needed && node.is === "part" && ctx.schema.part(node.part).fields.some((each) => each.needed);
+  return !needed && node.is === "part" && doesNothingUnlessThere(ctx.schema.part(node.part));
 }
 
 /** What a section holds, in a few words; `optional` is one that does nothing unless it is there. */

@@ -1,7 +1,7 @@
 // A table of the case file: its fields, and the tables and lists in it.
 import { button, fill, h, newId } from "../../viewer/shared/dom";
 import { defaultPlacement } from "../model/changes/variants";
-import { defaultsFor } from "../model/defaults";
+import { defaultsFor, hasDefaults } from "../model/defaults";
 import { issuesOfPart } from "../model/issues";
 import { type Path, pathKey, startsWith, tableAt, valueAt } from "../model/paths";
 import type { Field, Node, Part } from "../model/schema";
@@ -72,12 +72,17 @@ function isLong(field: Field): boolean {
   return ["list", "part", "kinds", "points"].includes(field.node.is);
 }
 
+/** Whether a part does nothing unless it is there: one with values that are needed, or that people start from. */
+export function doesNothingUnlessThere(part: Part): boolean {
+  return part.fields.some((each) => each.needed) || hasDefaults(part.name);
+}
+
 /** A part inside another one, which can be added and removed if it is optional; `bare` without its title. */
 function subPart(ctx: FormContext, path: Path, field: Field, node: Node, bare: boolean): Widget {
   const inner = partWidget(ctx, path, node);
   const first = node.is === "kinds" ? node.parts[0] : node.is === "part" ? node.part : undefined;
   const part = first === undefined ? null : ctx.schema.part(first);
-  const optional = !field.needed && (node.is === "kinds" || part?.fields.some((each) => each.needed) === true);
+  const optional = !field.needed && (node.is === "kinds" || (part !== null && doesNothingUnlessThere(part)));
   const name = labelOf(field) || field.name;
   const insert = () => {
     if (!part) return;

@@ -41,6 +41,9 @@ const DEFAULTS: Record<string, Table> = {
   Void: { depth: "10 mm" },
 };
 
+/** Whether a new part of a definition starts with usual values. */
+export const hasDefaults = (definition: string) => definition in DEFAULTS;
+
 /** What a new part of a definition starts with; an empty table where nothing can be guessed. */
 export function defaultsFor(definition: string, data: Table): Table {
   if (definition === "Zone") return { thickness: thickenedPlate(data) };

@@ -72,7 +72,7 @@ export function countOf(values: Values, key: string): number {
   return Number(text);
 }
 
-/** Return lengths that are listed, [6, 6, 5.4] of "2x6 5,4": a number and x repeat one. */
+/** Return lengths that are listed, [6, 6, 5.4] of "2x6 5,4": a number and x repeat one; none of an empty text. */
 export function lengthsOf(values: Values, key: string): number[] {
   const text = values[key] ?? "";
   const parts = text
@@ -83,7 +83,7 @@ export function lengthsOf(values: Values, key: string): number[] {
     const [, times = "1", one = part] = /^(\d{1,3})[x×*](.+)$/.exec(part) ?? [];
     return Array<number>(Number(times)).fill(parseTyped(one) ?? Number.NaN);
   });
-  if (found.length === 0 || !found.every((each) => each > 0))
+  if (!found.every((each) => each > 0) || (found.length === 0 && text.trim() !== ""))
     throw new Impossible(`${key}: found "${text}", expected distances such as 6 6 5.4, or 3x6`);
   return found;
 }
