@@ -241,7 +241,7 @@ def test_texts_that_are_nested_or_long_without_end(text: str) -> None:
 
 def test_dots_in_texts_are_no_keys() -> None:
     """Dots in names, in comments and in places do not count as keys, however a file is written."""
-    text = starter().replace('"A slab of 6 x 4 m on two layers"', '"1.2.3.4.5 see a.b.c.d.e.f"')
+    text = starter().replace('# title = "A slab of 6 x 4 m on two layers"', 'title = "1.2.3.4.5 see a.b.c.d.e.f"')
     assert loads(text + "# 1.2.3.4.5.6.7.8.9\n").title == "1.2.3.4.5 see a.b.c.d.e.f"
 
 
