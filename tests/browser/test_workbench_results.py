@@ -148,4 +148,14 @@ def test_a_reference_stands_beside_the_next_result(server: Server, bench: Bench,
         page.locator(".certificates:visible tr", has_text="largest settlement").first.locator("td").all_inner_texts()
     )
     assert [float(text) for text in cells[:2]] == [before, after]
+    # the picture of the reference has its own scale
+    picture = page.get_by_role("button", name="Show its picture")
+    largest = "parseFloat(document.querySelector('.gs-scale').textContent.match(/max ([\\d.]+)/)[1])"
+    now = page.evaluate(largest)
+    picture.click()
+    bench.until(lambda: page.evaluate(largest) != now)
+    assert page.evaluate(largest) == pytest.approx(before, rel=1e-3)
+    assert page.locator(".preview-over:visible").inner_text() == "Reference"
+    picture.click()
+    bench.until(lambda: page.evaluate(largest) == now)
     assert cells[3] == f"{100 * (after - before) / before:+.1f} %".replace("-", "\N{MINUS SIGN}")

@@ -83,7 +83,7 @@ class Solver:
         self._failed_starts = 0
         self._results: dict[int, Result] = {}
         self._progress: dict[str, Any] | None = None
-        self._preview: tuple[int, bytes] | None = None  # run and scene
+        self._preview: tuple[dict[str, Any], bytes] | None = None  # its event and its scene
         #: The combination that is looked at, of which a run shows a preview; None if several are.
         self.shown: str | None = ""
         self._wake_receiver, self._wake_sender = Pipe(duplex=False)
@@ -141,7 +141,7 @@ class Solver:
     def get_preview(self, run: int) -> bytes | None:
         """Return the latest scene of a run that has not ended yet, None if there is none."""
         with self._lock:
-            return self._preview[1] if self._preview is not None and self._preview[0] == run else None
+            return self._preview[1] if self._preview is not None and self._preview[0]["run"] == run else None
 
     @property
     def current(self) -> Job | None:
@@ -159,6 +159,8 @@ class Solver:
                 events.append(("solving", self._running.to_json()))
                 if self._progress is not None:
                     events.append(("progress", self._progress))
+                if self._preview is not None:
+                    events.append(("preview", self._preview[0]))
             return events
 
     def make_view(self, view: View, timeout: float = 600.0) -> bytes:
@@ -286,8 +288,8 @@ class Solver:
                 self._notify("progress", self._progress)
         elif kind == "preview":
             if self._kill_at is None and not self._requests.cancel:
-                self._preview = job.run, content
-                self._notify("preview", job.to_json() | {"words": rest[0]})
+                self._preview = job.to_json() | {"words": rest[0]}, content
+                self._notify("preview", self._preview[0])
         elif self._kill_at is not None:
             self._finish_run()
         elif self._requests.cancel:  # it ended before it could be stopped

@@ -114,6 +114,8 @@ def test_a_preview_is_there_until_the_run_ends(make: Make, events: Events, tmp_p
     run = submit(solver, f"preview {release}", 7)
     assert events.wait("preview", run) == {"run": run, "version": 7, "words": "of ULS 1"}
     assert (solver.get_preview(run), solver.get_preview(run + 1)) == (b"coarse", None)
+    # a page that comes later sees it, too
+    assert solver.get_current_events()[-1] == ("preview", events.wait("preview", run))
     release.touch()
     events.wait("solved", run)
     assert solver.get_preview(run) is None

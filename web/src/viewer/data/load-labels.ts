@@ -2,6 +2,8 @@
 import { formatShort } from "./numbers";
 import type { Load } from "./scene";
 
+/** Kinds of loads without a place of their own. */
+const EVERYWHERE: ReadonlySet<string> = new Set(["uniform", "self weight", "temperature", "shrinkage"]);
 const round = (value: number) => formatShort(value, 5);
 
 /** A load that is drawn, and its label; empty where the label of another load at the same place includes it. */
@@ -26,6 +28,14 @@ export function labelLoads(loads: readonly Load[], factors: ReadonlyMap<string, 
     const group = groups.get(placeKey(load))!;
     return { load, text: group[0] === load ? labelOf(group, factorOf) : "" };
   });
+}
+
+/** Return what acts on the entire slab under the factors of a combination, empty if nothing does. */
+export function labelEverywhere(loads: readonly Load[], factors: ReadonlyMap<string, number>): string {
+  const everywhere = loads.filter(({ kind, on }) => EVERYWHERE.has(kind) && on !== "ground");
+  return labelLoads(everywhere, factors)
+    .flatMap(({ text }) => text || [])
+    .join(", ");
 }
 
 /** Return a key that loads of one kind at one place share. */

@@ -12,13 +12,14 @@ import {
   isEnvelope,
   parseChoice,
 } from "../data/fields";
+import { labelEverywhere } from "../data/load-labels";
 import { formatNumber, withMinus } from "../data/numbers";
 import { Locator } from "../data/point-location";
 import type { Combination, Point, Scene } from "../data/scene";
 import type { ScaleRange, ShownField } from "../data/shown-field";
 import { PlanView, type Tool } from "../plan/plan-view";
 import { button, fill, h, press, setText } from "../shared/dom";
-import { symbolText } from "../shared/symbols";
+import { plainSymbols, symbolText } from "../shared/symbols";
 import { onThemeChange } from "../shared/theme";
 import { SpaceView } from "../space/space-view";
 import { Legend } from "./legend";
@@ -58,6 +59,7 @@ export class ResultView {
   readonly element: HTMLElement;
   private readonly planBox = h("div", { class: "gs-box" });
   private readonly spaceBox = h("div", { class: "gs-box", hidden: true });
+  private readonly everywhere = h("div", { class: "gs-everywhere" });
   private readonly reading = h("div", { class: "gs-reading", "aria-hidden": "true" });
   private readonly legend: Legend;
   private readonly tools: Record<Tool, HTMLButtonElement>;
@@ -84,7 +86,7 @@ export class ResultView {
     };
     this.toolGroup = h("div", { class: "gs-group", role: "group", "aria-label": "Tool" }, ...Object.values(this.tools));
     this.modeGroup = h("div", { class: "gs-group", role: "group", "aria-label": "View" }, ...Object.values(this.modes));
-    this.element = h("div", { class: "gs-stage" }, this.planBox, this.spaceBox, this.reading);
+    this.element = h("div", { class: "gs-stage" }, this.planBox, this.spaceBox, this.everywhere, this.reading);
     this.plan = new PlanView(this.planBox);
     this.legend = new Legend(this.scaleBox);
     this.plan.onShow = (shown) => this.showLegend(shown);
@@ -127,6 +129,7 @@ export class ResultView {
     this.plan.mark("pick", null);
     this.plan.mark("section", null);
     this.space?.setScene(null);
+    setText(this.everywhere, "");
   }
 
   /** Show a field of a combination or an envelope. */
@@ -141,6 +144,10 @@ export class ResultView {
     this.fields.title = fieldOf(scene, field).meaning;
     this.combinations.title = choiceName(scene, choice);
     if (isEnvelope(choice) || scene.head.combinations[choice]?.values) this.view().show(choice, field);
+    const factors = isEnvelope(choice) ? null : new Map(scene.head.combinations[choice]?.factors ?? []);
+    const { plan } = scene.head;
+    const acting = factors && !plan.plates?.length ? labelEverywhere(plan.loads, factors) : "";
+    setText(this.everywhere, acting && `Entire slab: ${plainSymbols(acting)}`);
     this.hooks.onShow();
   }
 

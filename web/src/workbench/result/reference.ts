@@ -1,5 +1,6 @@
 // A result that was kept as reference: its figures beside those of the result shown, with differences.
 import { withMinus } from "../../viewer/data/numbers";
+import type { Scene } from "../../viewer/data/scene";
 import { button, fill, h } from "../../viewer/shared/dom";
 import { symbolElement } from "../../viewer/shared/symbols";
 import type { CombinationSummary, Summary } from "../client/api";
@@ -52,19 +53,38 @@ function figuresOf({ combinations, design }: Summary, name: string): Map<string,
   return found;
 }
 
+export interface ReferenceHooks {
+  /** A reference has been kept; returns its scene. */
+  onKeep(): Scene | null;
+  /** The picture of the reference is to be shown, null: that of the result. */
+  onPicture(scene: Scene | null): void;
+}
+
 /** The button that keeps a result as reference, and the table of both. */
 export class Reference {
   readonly keepButton = button("Keep as reference", "Compare results of later changes with this one", () =>
     this.keep(),
   );
+  /** Shows the picture of the reference in place of that of the result, at the same zoom. */
+  readonly pictureButton = button("Show its picture", "The picture of the reference, at the same zoom", () =>
+    this.setPicture(this.pictureButton.getAttribute("aria-pressed") !== "true"),
+  );
   readonly panel = h("div", { class: "lower-panel" });
+  private scene: Scene | null = null;
   private summary: Summary | null = null;
   private shown: Summary | null = null;
   private combination = "";
 
-  /** `onKeep` is called when a reference has been kept. */
-  constructor(private readonly onKeep: () => void) {
-    this.keepButton.classList.add("small");
+  constructor(private readonly hooks: ReferenceHooks) {
+    for (const each of [this.keepButton, this.pictureButton]) each.classList.add("small");
+    this.setPicture(false);
+  }
+
+  /** Show the picture of the reference, or that of the result. */
+  setPicture(on: boolean): void {
+    const before = this.pictureButton.getAttribute("aria-pressed");
+    this.pictureButton.setAttribute("aria-pressed", String(on));
+    if (before === String(!on)) this.hooks.onPicture(on ? this.scene : null);
   }
 
   /** Show a result of a combination beside the reference; null: none is shown. */
@@ -82,18 +102,18 @@ export class Reference {
       h("tbody", {}, ...figures.map(makeRow)),
     );
     const words = `Combination ${combination}: the reference has none of this name, or neither has figures.`;
-    fill(this.panel, figures.length > 0 ? table : h("p", { class: "empty" }, words));
+    fill(this.panel, this.pictureButton, figures.length > 0 ? table : h("p", { class: "empty" }, words));
   }
 
   /** Forget the reference, which belongs to another document. */
   forget(): void {
-    this.summary = this.shown = null;
+    this.scene = this.summary = this.shown = null;
   }
 
   private keep(): void {
     this.summary = this.shown;
+    this.scene = this.hooks.onKeep();
     this.show(this.shown, this.combination);
-    this.onKeep();
   }
 }
 

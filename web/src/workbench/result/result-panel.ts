@@ -1,6 +1,6 @@
 // The right half of the page: the result as a picture, its summary, values at points and along lines.
 import { fieldsOf, isEnvelope } from "../../viewer/data/fields";
-import { decodeScene, type Point, SceneError } from "../../viewer/data/scene";
+import { decodeScene, type Point, type Scene, SceneError } from "../../viewer/data/scene";
 import { ResultView } from "../../viewer/panels/result-view";
 import { SectionPanel } from "../../viewer/panels/section-panel";
 import { ValuePanel } from "../../viewer/panels/value-panel";
@@ -42,10 +42,16 @@ export class ResultPanel {
   private readonly certificateBox = h("div", { class: "lower-panel" });
   private readonly refusedBox = h("div", { class: "refused-over", role: "alert", hidden: true });
   private readonly tables: ResultTables;
-  private readonly reference = new Reference(() => {
-    this.lower.offer("reference", true);
-    this.lower.show("reference");
+  private readonly reference = new Reference({
+    onKeep: () => {
+      this.lower.offer("reference", true);
+      this.lower.show("reference");
+      return this.result;
+    },
+    onPicture: (scene) => this.showReference(scene),
   });
+  private readonly referenceLabel = h("p", { class: "preview-over", hidden: true }, "Reference");
+  private result: Scene | null = null;
   private readonly lower: Tabs;
   private readonly empty;
   private readonly full = h("div", { class: "result-full", hidden: true });
@@ -101,7 +107,15 @@ export class ResultPanel {
     this.empty = emptyResult(store, model?.solve ?? null);
     this.full.append(
       this.makeToolbar(),
-      h("div", { class: "stage-place" }, view.element, view.scaleBox, this.preview.label, this.refusedBox),
+      h(
+        "div",
+        { class: "stage-place" },
+        view.element,
+        view.scaleBox,
+        this.preview.label,
+        this.referenceLabel,
+        this.refusedBox,
+      ),
       splitter(this.full, "--stage-share", "y", 0.62, [0.25, 0.85], "height of the picture"),
       h(
         "div",
@@ -140,6 +154,8 @@ export class ResultPanel {
       onShow: () => {
         this.fetching += 1; // the last result, if it is on its way, comes too late
         this.shownRun = null;
+        this.referenceLabel.hidden = true;
+        this.reference.pictureButton.setAttribute("aria-pressed", "false");
         this.full.hidden = false;
         this.empty.element.hidden = true;
       },
@@ -191,7 +207,9 @@ export class ResultPanel {
       this.full.hidden = false;
       this.empty.element.hidden = true;
       this.preview.end();
-      this.view.setScene(decodeScene(buffer), this.view.field || "settlement");
+      this.reference.setPicture(false);
+      this.result = decodeScene(buffer);
+      this.view.setScene(this.result, this.view.field || "settlement");
       this.markSelected();
       this.shownRun = run;
       this.offerTables(run, names);
@@ -247,6 +265,8 @@ export class ResultPanel {
 
   private clear(): void {
     this.preview.end();
+    this.reference.setPicture(false);
+    this.result = null;
     this.shownRun = this.summary = this.pick = null;
     this.full.hidden = true;
     this.empty.element.hidden = false;
@@ -284,6 +304,13 @@ export class ResultPanel {
     if (!this.canCompare || name === this.shownName) return;
     this.shownName = name;
     this.api.setShown(name).catch((error: unknown) => this.handleError(error));
+  }
+
+  /** Show the picture of the reference, null: that of the result again. */
+  private showReference(scene: Scene | null): void {
+    this.referenceLabel.hidden = !scene;
+    const shown = scene ?? this.result;
+    if (shown) this.view.setScene(shown);
   }
 
   /** Mark the item of the model that is selected. */

@@ -1,6 +1,6 @@
 // What loads are called: what acts at a place in a combination, or a single load with its case.
 import { describe, expect, it } from "vitest";
-import { labelLoads } from "../../../src/viewer/data/load-labels";
+import { labelEverywhere, labelLoads } from "../../../src/viewer/data/load-labels";
 import type { Load } from "../../../src/viewer/data/scene";
 
 const point = (of: string, P: number, M_x = 0, x = 1): Load => ({
@@ -83,5 +83,32 @@ describe("loads where no one combination is shown", () => {
 
   it("act together where there are no cases", () => {
     expect(words([point("", 200), point("", -50)], null)).toEqual(["P = 150 kN", ""]);
+  });
+});
+
+describe("what acts on the entire slab", () => {
+  const everywhere = (kind: string, of: string, value: number, unit: string, symbol = "q"): Load => ({
+    path: "",
+    name: "",
+    kind,
+    case: of,
+    parts: [[symbol, value, unit]],
+  });
+
+  it("is the sum of loads of a kind, factors included; loads with a place and on the ground are left out", () => {
+    const loads = [
+      everywhere("self weight", "G", 25, "kN/m^3", "gamma_c"),
+      everywhere("uniform", "G", 1.5, "kPa"),
+      everywhere("uniform", "Q", 2, "kPa"),
+      { ...everywhere("uniform", "Q", 9, "kPa"), on: "ground" },
+      point("G", 200),
+    ];
+    const factors = new Map([
+      ["G", 1.35],
+      ["Q", 1.5],
+    ]);
+    expect(labelEverywhere(loads, factors)).toBe("gamma_c = 33.75 kN/m^3, q = 5.025 kPa");
+    expect(labelEverywhere(loads, new Map([["Q", 1.5]]))).toBe("q = 3 kPa");
+    expect(labelEverywhere([point("G", 200)], factors)).toBe("");
   });
 });
