@@ -6,7 +6,8 @@ TRIAL  := .venv-dist
 BILL   := .venv-bill
 SCRIPTS := $(if $(filter Windows_NT,$(OS)),Scripts,bin)
 BIN    := $(VENV)/$(SCRIPTS)
-JOBS   ?= 2
+# one more than the cores of a small machine: tests in a browser and with processes of their own wait a lot
+JOBS   ?= 3
 # options for the bench, such as BENCH=--resume
 BENCH  ?=
 

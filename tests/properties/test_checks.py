@@ -25,7 +25,7 @@ def refusal(work: object, model: Model) -> set[str]:
 
 
 @pytest.mark.slow
-@settings(FUZZ, max_examples=120)
+@settings(FUZZ, max_examples=80)
 @given(st.one_of(models(), rich_models(), rich_models(whole=True)))
 def test_what_is_refused_in_solving_is_refused_in_checking(model: Model) -> None:
     """Of random models of every kind, check names the same issues as the making of the arrays to be solved."""

@@ -140,7 +140,7 @@ def varying(draw: st.DrawFn) -> Model:
     return model.replace(soil_zones=zones)
 
 
-@settings(max_examples=120, deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=80, deadline=None, derandomize=True, database=None, suppress_health_check=list(HealthCheck))
 @given(varying())
 def test_varying_ground_ends_in_a_certified_result_or_a_clear_error(model: Model) -> None:
     """Zones and boreholes anywhere, of any layers, neither crash nor warn nor give an uncertified result."""

@@ -85,7 +85,7 @@ def ends_well(case: dict[str, Any]) -> None:
     assert len(said) > 15
 
 
-@settings(max_examples=80, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+@settings(max_examples=50, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 @given(cases(SHAPES, SHAPES))
 def test_any_drawing_ends_well(case: dict[str, Any]) -> None:
     """Outlines that cross themselves, openings outside, zones of no size: an error, never a crash."""
