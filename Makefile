@@ -6,8 +6,7 @@ TRIAL  := .venv-dist
 BILL   := .venv-bill
 SCRIPTS := $(if $(filter Windows_NT,$(OS)),Scripts,bin)
 BIN    := $(VENV)/$(SCRIPTS)
-# one more than the cores of a small machine: tests in a browser and with processes of their own wait a lot
-JOBS   ?= 3
+JOBS   ?= 2
 # options for the bench, such as BENCH=--resume
 BENCH  ?=
 

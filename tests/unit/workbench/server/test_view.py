@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -126,4 +127,6 @@ def test_the_events_are_a_stream(solved: groundslab.Results) -> None:
         finally:
             await stream.aclose()  # type: ignore[attr-defined]
 
-    assert asyncio.run(first()).startswith(b"event: solved\n")
+    # in a thread of its own, since a browser of other tests keeps a loop running in this one
+    with ThreadPoolExecutor(1) as pool:
+        assert pool.submit(lambda: asyncio.run(first())).result().startswith(b"event: solved\n")
