@@ -31,6 +31,7 @@ def obey(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
             time.sleep(0.005)
     elif word == "stuck":
         progress("sticks", None)
+        Path(f"{file}.stuck").touch()  # from now on it does not listen
         while not Path(file).exists():
             time.sleep(0.005)
     elif word == "die":

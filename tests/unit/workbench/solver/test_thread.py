@@ -88,6 +88,14 @@ def submit(solver: Solver, text: str, version: int = 1, delay: float = 0.0, forc
     return solver.submit(text, version, text, delay, force)
 
 
+def wait_until_stuck(file: Path) -> None:
+    """Wait until a run that is stuck until there is a file listens no more."""
+    end = time.monotonic() + PATIENCE
+    while not Path(f"{file}.stuck").exists():
+        assert time.monotonic() < end
+        time.sleep(0.005)
+
+
 def test_a_run_is_reported_from_beginning_to_end(make: Make, events: Events) -> None:
     """Solving, progress, solved, in this order; scene and summary are there; results of two runs are kept."""
     solver = make()
@@ -150,7 +158,7 @@ def test_a_run_that_does_not_listen_is_ended(
     monkeypatch.setattr(solvers, "GRACE", 0.2)
     solver = make()
     first = submit(solver, f"stuck {tmp_path / 'never'}")
-    events.wait("progress", first)  # before that it would still listen
+    wait_until_stuck(tmp_path / "never")
     start = time.monotonic()
     second = submit(solver, "go 2")
     events.wait("solved", second)
@@ -165,7 +173,7 @@ def test_cancelling_is_reported_at_once(
     monkeypatch.setattr(solvers, "GRACE", PATIENCE)
     solver, release_file = make(), tmp_path / "release"
     run = submit(solver, f"stuck {release_file}")
-    events.wait("progress", run)
+    wait_until_stuck(release_file)
     start = time.monotonic()
     solver.cancel()
     events.wait("cancelled", run)
@@ -362,7 +370,7 @@ def _stop(_words: str, _share: float | None) -> None:
     raise process.Stopped
 
 
-def test_reports_of_runs_that_are_gone(make: Make, events: Events) -> None:
+def test_reports_of_runs_that_are_gone(make: Make, events: Events, tmp_path: Path) -> None:
     """A report on what the process does not know any more is refused, as is one whose process ends."""
     solver = make()
     first, second = submit(solver, "go 1"), 0
@@ -371,7 +379,7 @@ def test_reports_of_runs_that_are_gone(make: Make, events: Events) -> None:
     events.wait("solved", second)
     with pytest.raises(InputError, match="solve again"):
         solver.make_view(("report", first, "x"))
-    waits = submit(solver, "stuck nowhere")
+    waits = submit(solver, f"stuck {tmp_path / 'never'}")
     events.wait("solving", waits)
     refused = threading.Event()
 
