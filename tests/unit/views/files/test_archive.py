@@ -14,27 +14,7 @@ from groundslab.case import casefile
 from groundslab.errors import InputError
 from groundslab.results.results import Results
 from groundslab.views.files import archive, results_folder
-
-TEXT = """\
-# The comment of the user.
-[plate]
-length_x = "4 m"
-length_y = "3 m"
-thickness = "250 mm"
-E = "30 GPa"
-nu = 0.2
-
-[ground]
-kind = "winkler"
-k = "20 MPa/m"
-
-[[loads]]
-kind = "uniform"
-q = "10 kPa"
-
-[mesh]
-counts = [4, 3]
-"""
+from helpers.small_case import TEXT
 
 
 @pytest.fixture(scope="module")

@@ -18,6 +18,7 @@ from groundslab.views.scene.fields import scene_of
 from groundslab.workbench.solver.summary import build_summary
 from helpers import asgi
 from helpers.asgi import Headers
+from helpers.small_case import TEXT
 
 pytest.importorskip("fastapi")
 from groundslab.workbench.server.security import HEADERS
@@ -27,26 +28,6 @@ from groundslab.workbench.server.view import ResultsView, create_view_app
 PORT, TOKEN = 8765, "secret"
 HOST = ("host", f"127.0.0.1:{PORT}")
 GOOD = [HOST, ("x-groundslab-token", TOKEN)]
-TEXT = """\
-# The comment of the user.
-[plate]
-length_x = "4 m"
-length_y = "3 m"
-thickness = "250 mm"
-E = "30 GPa"
-nu = 0.2
-
-[ground]
-kind = "winkler"
-k = "20 MPa/m"
-
-[[loads]]
-kind = "uniform"
-q = "10 kPa"
-
-[mesh]
-counts = [4, 3]
-"""
 
 
 @pytest.fixture(scope="module")
