@@ -8,7 +8,7 @@ import numpy as np
 
 from groundslab.fem.mesh import Mesh, locate_nearest
 from groundslab.fem.shape_functions import areas
-from groundslab.model.loads.load_types import PointLoad
+from groundslab.model.loads.acting import PointForce
 from groundslab.results.results import CombinationResult
 
 #: A footprint is resolved by elements up to so many times as long as its shorter side.
@@ -29,15 +29,15 @@ def find_unresolved(results: CombinationResult) -> Unresolved | None:
 
     Without a footprint they count as if they had one of a thickness, over which moments are means.
     """
-    model, mesh = results.model, Mesh(results.plate.nodes, results.plate.elements)
-    found, least = [], min(plate.thickness for plate in model.every_plate)
-    for load in (each.on(model.columns) for each in model.loads if isinstance(each, PointLoad)):
-        sides = [side for side in (load.width_x, load.width_y, load.diameter) if side]
-        found.append((load.x, load.y, min(sides, default=least)))
-    found += [(each.x, each.y, least) for each in model.supports if each.kind != "line"]
-    if not found:
+    model = results.model
+    mesh = Mesh(results.plate.nodes, results.plate.elements)
+    thinnest = min(plate.thickness for plate in model.every_plate)
+    forces = [shape for _, shape in model.acting if isinstance(shape, PointForce)]
+    footprints = [(*force.place, min(force.ring.sides) if force.ring else thinnest) for force in forces]
+    footprints += [(support.x, support.y, thinnest) for support in model.supports if support.kind != "line"]
+    if not footprints:
         return None
-    x, y, side = np.array(found, dtype=float).T
+    x, y, side = np.array(footprints, dtype=float).T
     element = np.sqrt(areas(mesh.xy[locate_nearest(mesh, np.column_stack([x, y]))[0]]))
     worst = int(np.argmax(element / side))
     if element[worst] <= RESOLVED * side[worst]:

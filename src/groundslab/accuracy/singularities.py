@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Memo
-from groundslab.discretize.load_borders import load_borders
+from groundslab.discretize.load_borders import borders_of
 from groundslab.discretize.singular_places import corners_of, near_places, near_singular
 from groundslab.geometry.plan import Segment
 from groundslab.model.ground import ContinuousGround
+from groundslab.model.loads.acting import PointForce
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
@@ -58,7 +59,7 @@ def find_limits(model: Model, nodes: Array, in_contact: Flags) -> Limits:
 def _without_contact(model: Model, nodes: Array) -> Limits:
     """Return at which nodes (n, 2) shear forces and pressures are judged where nothing has lifted off."""
     reach = AWAY * max(plate.thickness for plate in model.every_plate)
-    footprints = [edge for load in model.loads if load.kind == "point" for edge in load_borders(load, model)]
+    footprints = [edge for _, shape in model.acting if isinstance(shape, PointForce) for edge in borders_of(shape)]
     within = np.full(len(nodes), reach)
     singular = near_singular(model, nodes, within)
     if model.ground_reaches:
@@ -87,8 +88,8 @@ def _near(nodes: Array, edges: list[Segment], reach: float) -> Flags:
 
 def _creases(model: Model) -> Iterator[Segment]:
     """Yield the lines along which the pressure of ground with shear jumps or has no limit."""
-    for load in model.loads:
-        yield from load_borders(load, model)
+    for _, shape in model.acting:
+        yield from borders_of(shape)
     for support in model.supports:
         if support.kind == "line":
             yield from (Segment(start, end) for start, end in pairwise(support.points))

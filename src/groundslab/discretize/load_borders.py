@@ -9,10 +9,16 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, assert_never
 
 from groundslab.discretize.borders import MOST_BORDERS, add_borders
-from groundslab.geometry.plan import FLAT, SAME_PLACE, Place, Plan, Ring, Segment, rectangle
+from groundslab.geometry.plan import FLAT, SAME_PLACE, Place, Plan, Ring, Segment
 from groundslab.geometry.validity import find_issues
-from groundslab.model.columns import footprint
-from groundslab.model.loads import load_types as loads
+from groundslab.model.loads.acting import (
+    Acting,
+    AreaPressure,
+    LineForce,
+    PlateAction,
+    PointForce,
+    SupportSettlement,
+)
 from groundslab.model.model import Model
 
 if TYPE_CHECKING:
@@ -26,28 +32,21 @@ CLEAR = 0.25
 Line = tuple[Place, Place]
 
 
-def load_borders(load: loads.AnyLoad, model: Model) -> Iterator[Segment]:
-    """Yield the lines along which a load begins, ends or stands."""
-    if isinstance(load, loads.LineLoad):
-        yield from load.segments()
-    yield from (edge for ring in load_rings(load, model) for edge in ring.segments())
+def borders_of(shape: Acting) -> Iterator[Segment]:
+    """Yield the lines along which a shape begins, ends or stands."""
+    if isinstance(shape, LineForce):
+        yield from shape.edges
+    yield from (edge for ring in rings_of(shape) for edge in ring.segments())
 
 
-def load_rings(load: loads.AnyLoad, model: Model) -> tuple[Ring, ...]:
-    """Return the curves around what a load acts on, nothing for one all over the plate, on a line or at a point."""
-    if isinstance(load, loads.PatchLoad):
-        return (rectangle(*load.x, *load.y),)
-    if isinstance(load, loads.AreaLoad):
-        return tuple(shape.ring() for shape in (load.shape, *load.holes))
-    if isinstance(load, loads.PointLoad):
-        own = load.on(model.columns)
-        assert own.x is not None
-        assert own.y is not None
-        ring = footprint(own.x, own.y, own.width_x, own.width_y, own.diameter)
-        return () if ring is None else (ring,)
-    everywhere = loads.UniformLoad | loads.SelfWeight | loads.TemperatureLoad | loads.ShrinkageLoad
-    if not isinstance(load, loads.LineLoad | everywhere | loads.SettlementLoad):
-        assert_never(load)
+def rings_of(shape: Acting) -> tuple[Ring, ...]:
+    """Return the curves around what a shape acts on, none of one all over the plate, on a line or at a point."""
+    if isinstance(shape, AreaPressure):
+        return shape.rings
+    if isinstance(shape, PointForce):
+        return () if shape.ring is None else (shape.ring,)
+    if not isinstance(shape, LineForce | PlateAction | SupportSettlement):
+        assert_never(shape)
     return ()
 
 
@@ -60,11 +59,12 @@ def follow_loads(plan: Plan, model: Model) -> Plan:
 
     if not meshing.available():
         return plan
-    rings = [ring for load in model.loads for ring in load_rings(load, model)]
-    edges = [edge for load in model.loads if isinstance(load, loads.LineLoad) for edge in load.segments()]
-    lines = [(edge.start, edge.end) for edge in edges if edge.straight]
-    some, straight = (tuple(dict.fromkeys(found))[:MOST_BORDERS] for found in (rings, lines))
-    return _follow(plan, some, straight, min(each.thickness for each in model.every_plate))
+    shapes = [shape for _, shape in model.acting]
+    rings = dict.fromkeys(ring for shape in shapes for ring in rings_of(shape))
+    edges = [edge for shape in shapes if isinstance(shape, LineForce) for edge in shape.edges]
+    lines = dict.fromkeys((edge.start, edge.end) for edge in edges if edge.straight)
+    thinnest = min(plate.thickness for plate in model.every_plate)
+    return _follow(plan, tuple(rings)[:MOST_BORDERS], tuple(lines)[:MOST_BORDERS], thinnest)
 
 
 @functools.lru_cache(maxsize=64)
@@ -82,11 +82,7 @@ def _follow(plan: Plan, rings: tuple[Ring, ...], lines: tuple[Line, ...], thickn
             there.append(own)
         return clear
 
-    def side(ring: Ring) -> float:
-        x0, x1, y0, y1 = ring.bounds
-        return min(x1 - x0, y1 - y0)
-
-    followed = [ring for ring in rings if is_clear(ring.polygon(chord).exterior, CLEAR * side(ring))]
+    followed = [ring for ring in rings if is_clear(ring.polygon(chord).exterior, CLEAR * min(ring.sides))]
     straight = [line for line in lines if is_clear(LineString(line), CLEAR * thickness)]
     return _add_lines(add_borders(plan, (*plan.borders, *followed)), tuple(straight))
 

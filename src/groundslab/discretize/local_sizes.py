@@ -9,14 +9,14 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.discretize.ground import grounds_of
-from groundslab.discretize.load_borders import load_rings
+from groundslab.discretize.load_borders import rings_of
 from groundslab.discretize.singular_places import forces_without_footprint
 from groundslab.fem.foundation import Column
 from groundslab.fem.plate import bending_rigidity
 from groundslab.geometry.plan import Ring, circle
 from groundslab.meshing.sizing import LocalExtents, along
 from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
-from groundslab.model.loads.load_types import PatchLoad, PointLoad
+from groundslab.model.loads.acting import AreaPressure, PointForce
 from groundslab.model.model import Model
 from groundslab.model.plates.further import AnyPlate
 
@@ -44,7 +44,7 @@ def local_sizes(model: Model) -> LocalExtents | None:
     if model.mesh.adaptive:
         for plate in model.every_plate:
             found += _sizes_on(plate, model)
-        found += [(_raster(ring.bounds, 3, 3), min(_sides(ring)) / ACROSS) for ring in _footprints(model)]
+        found += [(_raster(ring.bounds, 3, 3), min(ring.sides) / ACROSS) for ring in _footprints(model)]
     if not found:
         return None
     places = np.concatenate([where for where, _ in found])
@@ -86,7 +86,7 @@ def _places(ring: Ring, size: float) -> Array:
     """Return places (p, 2) all over what a ring encloses, and along it."""
     import shapely
 
-    a, b = _sides(ring)
+    a, b = ring.sides
     spacing = max(size / PLACES_PER_SIDE, float(np.sqrt(a * b / MOST_PLACES)))
     raster = _raster(ring.bounds, math.ceil(a / spacing) + 1, math.ceil(b / spacing) + 1)
     inside = shapely.intersects_xy(ring.polygon(1e-3 * spacing), *raster.T)
@@ -99,17 +99,11 @@ def _raster(bounds: tuple[float, float, float, float], nx: int, ny: int) -> Arra
     return np.column_stack([X.ravel(), Y.ravel()])
 
 
-def _sides(ring: Ring) -> tuple[float, float]:
-    """Return the sides of the rectangle around a ring [m]."""
-    x0, x1, y0, y1 = ring.bounds
-    return x1 - x0, y1 - y0
-
-
 def _footprints(model: Model) -> Iterator[Ring]:
     """Yield the footprints of forces, a thickness wide where there are none, and rectangles under pressure."""
-    t = min(each.thickness for each in model.every_plate)
-    for load in model.loads:
-        if isinstance(load, PointLoad | PatchLoad):
-            yield from load_rings(load, model)
+    t = min(plate.thickness for plate in model.every_plate)
+    for _, shape in model.acting:
+        if isinstance(shape, PointForce) or (isinstance(shape, AreaPressure) and shape.rings[0].is_rectangle):
+            yield from rings_of(shape)
     yield from (circle(place, t / 2) for place in forces_without_footprint(model))
-    yield from (circle((each.x, each.y), t / 2) for each in model.supports if each.kind != "line")
+    yield from (circle((support.x, support.y), t / 2) for support in model.supports if support.kind != "line")

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from groundslab.arrays import Array
@@ -13,8 +11,15 @@ from groundslab.fem.assembly import scatter
 from groundslab.fem.problem import BETA_X, TOP, Loading, W
 from groundslab.geometry.plan import FLAT, SAME_PLACE
 from groundslab.model.ground import ContinuousGround
-from groundslab.model.loads import load_types as loads
-from groundslab.model.loads.clipping import clip_line_load, get_plate_region
+from groundslab.model.loads.acting import (
+    Acting,
+    AreaPressure,
+    LineForce,
+    PlateAction,
+    PointForce,
+    SupportSettlement,
+)
+from groundslab.model.loads.clipping import clip_line, get_plate_region
 from groundslab.model.model import Model
 
 #: Points each way by which a load beside the plate acts on an elastic continuum.
@@ -23,9 +28,10 @@ POINTS = 100
 
 def loadings(model: Model, plan: Layout, element: plate.PlateElement, fields: int) -> tuple[Loading, ...]:
     """Return the loading of each case of a model, of a nameless one if it has no cases; fields is F."""
-    names = [case.name for case in model.cases] or [""]
-    return tuple(_loading([load for load in model.loads if load.case == name], model, plan, element, fields)
-                 for name in names)  # fmt: skip
+    acting: dict[str, list[Acting]] = {name: [] for name in [case.name for case in model.cases] or [""]}
+    for load, shape in model.acting:
+        acting[load.case].append(shape)
+    return tuple(_loading(shapes, model, plan, element, fields) for shapes in acting.values())
 
 
 def materials(model: Model) -> list[tuple[float, float, float]]:
@@ -39,42 +45,37 @@ def materials(model: Model) -> list[tuple[float, float, float]]:
     return found
 
 
-def _loading(
-    acting: list[loads.AnyLoad], model: Model, plan: Layout, element: plate.PlateElement, fields: int
-) -> Loading:
-    """Return the loading of some loads; distributed ones are integrated exactly over the meshed part of the plate."""
-    mesh, elements = plan.mesh, plan.plate_elements
+def _loading(acting: list[Acting], model: Model, plan: Layout, element: plate.PlateElement, fields: int) -> Loading:
+    """Return the loading of some shapes; distributed ones are integrated exactly over the meshed part of the plate."""
+    mesh = plan.mesh
+    elements = plan.plate_elements
     n = len(mesh.nodes)
-    forces, couples, size = np.zeros((len(elements), 9)), np.zeros((2, len(elements), 9)), 0.0
-    beside, pressing = np.zeros(n), [np.zeros((0, 3))]
+    forces = np.zeros((len(elements), 9))
+    couples = np.zeros((2, len(elements), 9))
+    size = 0.0
+    beside = np.zeros(n)
+    pressing = [np.zeros((0, 3))]
+    warp = np.zeros(len(elements))
+    settlement = np.zeros(len(model.supports))
     length = np.ptp(mesh.nodes[plan.plate_nodes], axis=0).max()
-    warp, settlement = np.zeros(len(elements)), np.zeros(len(model.supports))
-    thickness = np.array([t for _, _, t in materials(model)])[plan.section]
-    expansion = np.array([each.thermal_expansion for each in model.every_plate])[plan.plate]
-    for load in acting:
-        if isinstance(load, loads.TemperatureLoad):
-            # u = -z beta_x, and the bottom, z = t/2, is warmer by the difference
-            warp -= _on_plate(load, model, plan) * expansion * load.difference / thickness
-        elif isinstance(load, loads.ShrinkageLoad):
-            # as if the top were colder by the difference over the thermal expansion
-            warp -= _on_plate(load, model, plan) * (load.top - load.bottom) / thickness
-        elif isinstance(load, loads.SettlementLoad):
-            settlement[[support.name for support in model.supports].index(load.support)] += load.w
-        elif isinstance(load, loads.PointLoad):
-            force, couple = _at_point(load.on(model.columns), model, plan)
-            forces, couples = forces + force, couples + couple
-            size += float(np.abs(force).sum() + np.abs(couple).sum() / length)
-        elif loads.presses_ground(load):
-            beside += _on_ground(load, plan)
-            pressing.append(_points_on_ground(load, model))
+    for shape in acting:
+        if isinstance(shape, SupportSettlement):
+            settlement[[support.name for support in model.supports].index(shape.support)] += shape.w
+        elif isinstance(shape, AreaPressure) and shape.on == "ground":
+            beside += _on_ground(shape, plan)
+            pressing.append(_points_on_ground(shape, model))
         else:
-            force = _spread(load, model, plan, thickness)
+            force, couple = _on_plate(shape, model, plan)
             forces += force
-            size += float(np.abs(force).sum())
+            couples += couple
+            size += float(np.abs(force).sum() + np.abs(couple).sum() / length)
+            if isinstance(shape, PlateAction):
+                warp += _warp(shape, model, plan)
     if not element.center_w:
         forces = np.einsum("ea,eab->eb", forces, element.w_functions(mesh.xy[elements]))
     table = np.zeros((n, fields))
-    table[:, W], table[:, TOP] = scatter(mesh.elements[elements], forces, n), beside
+    table[:, W] = scatter(mesh.elements[elements], forces, n)
+    table[:, TOP] = beside
     # under the edge of the plate, too, the ground's surface settles by the sum of both
     if not isinstance(model.ground, ContinuousGround):
         table[plan.plate_nodes, W] += beside[plan.plate_nodes]
@@ -87,93 +88,100 @@ def _loading(
     return Loading(table, np.column_stack([warp, warp]), settlement, size, np.vstack(pressing))
 
 
-def _on_ground(load: loads.OnGround, plan: Layout) -> Array:
-    """Return the nodal forces (n,) [N] of a load on the meshed ground beside the plate."""
+def _on_ground(area: AreaPressure, plan: Layout) -> Array:
+    """Return the nodal forces (n,) [N] of a pressure on the meshed ground beside the plate."""
     mesh = plan.mesh
     elements = np.setdiff1d(np.arange(len(mesh.elements)), plan.plate_elements)
-    pressure, area = loads.pressure_function(load), load.to_shapely(math.inf)
-    forces = load_vectors.integrate_over_polygon(mesh, elements, area, pressure)
+    forces = load_vectors.integrate_over_polygon(mesh, elements, area.to_shapely(), area.pressure)
     return scatter(mesh.elements[elements], forces, len(mesh.nodes))
 
 
-def _points_on_ground(load: loads.OnGround, model: Model) -> Array:
-    """Return places x, y [m] and forces [N] (f, 3) that together make a load on an elastic continuum."""
+def _points_on_ground(area: AreaPressure, model: Model) -> Array:
+    """Return places x, y [m] and forces [N] (f, 3) that together make a pressure on an elastic continuum."""
     if not isinstance(model.ground, ContinuousGround):
         return np.zeros((0, 3))
     from shapely import contains_xy
 
-    shape = load.to_shapely(math.inf).difference(get_plate_region(model.plate, model.plates).grown)
+    shape = area.to_shapely().difference(get_plate_region(model.plate, model.plates).grown)
     x0, y0, x1, y1 = shape.bounds
     steps = np.arange(0.5, POINTS) / POINTS
     x, y = np.meshgrid(x0 + (x1 - x0) * steps, y0 + (y1 - y0) * steps)
     within = contains_xy(shape, x, y)
     places = np.column_stack([x[within], y[within]])
-    return np.column_stack([places, loads.pressure_function(load)(places) * shape.area / len(places)])
+    return np.column_stack([places, area.pressure(places) * shape.area / len(places)])
 
 
-def _spread(
-    load: loads.UniformLoad | loads.PatchLoad | loads.AreaLoad | loads.LineLoad | loads.SelfWeight,
-    model: Model,
-    plan: Layout,
-    thickness: Array,
-) -> Array:
-    """Return the nodal forces (mp, 9) [N] of a distributed load on the meshed part of the plate."""
-    mesh, elements = plan.mesh, plan.plate_elements
-    if isinstance(load, loads.SelfWeight):
-        weight = _on_plate(load, model, plan) * load.unit_weight * thickness
-        return weight[:, None] * load_vectors.integrate_over_elements(mesh, elements)
-    if isinstance(load, loads.LineLoad):
-        total = np.zeros((len(elements), 9))
-        for piece in clip_line_load(model.plate, load, model.plates):
-            total += load_vectors.integrate_along_line(mesh, elements, piece.edge, piece.q)
-        return total
-    pressure = loads.pressure_function(load)
-    if isinstance(load, loads.UniformLoad):
-        return _on_plate(load, model, plan)[:, None] * load_vectors.integrate_over_elements(mesh, elements, pressure)
-    return load_vectors.integrate_over_polygon(mesh, elements, load.to_shapely(math.inf), pressure)
+def _on_plate(
+    shape: PointForce | LineForce | AreaPressure | PlateAction, model: Model, plan: Layout
+) -> tuple[Array, Array]:
+    """Return nodal forces (mp, 9) [N] and couples (2, mp, 9) [N m] on the meshed part of the plate."""
+    mesh = plan.mesh
+    elements = plan.plate_elements
+    no_couples = np.zeros((2, len(elements), 9))
+    if isinstance(shape, PointForce):
+        return _at_point(shape, model, plan)
+    if isinstance(shape, LineForce):
+        forces = np.zeros((len(elements), 9))
+        for piece in clip_line(model.plate, shape, model.plates):
+            forces += load_vectors.integrate_along_line(mesh, elements, piece.edge, piece.q)
+        return forces, no_couples
+    if isinstance(shape, AreaPressure):
+        return load_vectors.integrate_over_polygon(mesh, elements, shape.to_shapely(), shape.pressure), no_couples
+    forces = load_vectors.integrate_over_elements(mesh, elements, shape.pressure)
+    if shape.unit_weight:
+        weight = shape.unit_weight * _thickness(model, plan)
+        forces += weight[:, None] * load_vectors.integrate_over_elements(mesh, elements)
+    return _takes_part(shape, model, plan)[:, None] * forces, no_couples
 
 
-def _on_plate(load: loads.OnEveryPlate, model: Model, plan: Layout) -> Array:
-    """Return 1.0 for the elements of the plate that a load names, of all plates if it names none, else 0.0, (mp,)."""
+def _takes_part(action: PlateAction, model: Model, plan: Layout) -> Array:
+    """Return 1.0 for the elements of the plate that an action names, or of all plates, else 0.0, (mp,)."""
     names = np.array([plate.name for plate in model.every_plate])
-    return np.where((load.plate == "") | (names == load.plate)[plan.plate], 1.0, 0.0)
+    return np.where((action.plate == "") | (names == action.plate)[plan.plate], 1.0, 0.0)
 
 
-def _at_point(load: loads.PointLoad, model: Model, plan: Layout) -> tuple[Array, Array]:
-    """Return nodal forces (mp, 9) [N] and couples (2, mp, 9) [N m] of a load at a point or on its footprint.
+def _thickness(model: Model, plan: Layout) -> Array:
+    """Return the thickness of the elements of the plate (mp,) [m]."""
+    return np.array([t for _, _, t in materials(model)])[plan.section]
 
-    On a footprint a force is a uniform pressure, a moment one that grows linearly from the middle.
+
+def _warp(action: PlateAction, model: Model, plan: Layout) -> Array:
+    """Return the free curvature of the elements of the plate (mp,) [1/m], the same along x and y."""
+    expansion = np.array([plate.thermal_expansion for plate in model.every_plate])[plan.plate]
+    # u = -z beta_x, and the bottom, z = t/2, is warmer; shrinkage is as if the top were colder
+    strain = expansion * action.temperature + action.shrinkage
+    return -_takes_part(action, model, plan) * strain / _thickness(model, plan)
+
+
+def _at_point(force: PointForce, model: Model, plan: Layout) -> tuple[Array, Array]:
+    """Return nodal forces (mp, 9) [N] and couples (2, mp, 9) [N m] of a force at a point or on its footprint.
+
+    On a footprint a force is a uniform pressure, a couple one that grows linearly from the middle.
     """
-    mesh, elements = plan.mesh, plan.plate_elements
-    place = load.to_shapely(FLAT * max(model.sides))
-    none = np.zeros((2, len(elements), 9))
-    if place.geom_type == "Point":
-        N = _share(load, plan) * load_vectors.integrate_at_point(mesh, elements, _on_meshed_side(load, plan))
-        return load.P * N, np.array([load.M_x * N, load.M_y * N])
-    centre, inertia = load_vectors.inertia(place)
-    slope = np.array([load.M_x, load.M_y]) @ np.linalg.inv(inertia)
-
-    def pressure(places: Array) -> Array:
-        q: Array = load.P / place.area + (places - centre) @ slope
-        return q
-
-    return load_vectors.integrate_over_polygon(mesh, elements, place, pressure), none
+    mesh = plan.mesh
+    elements = plan.plate_elements
+    place = force.to_shapely(FLAT * max(model.sides))
+    if force.ring is None:
+        N = _share(force, plan) * load_vectors.integrate_at_point(mesh, elements, _on_meshed_side(force, plan))
+        M_x, M_y = force.M
+        return force.P * N, np.array([M_x * N, M_y * N])
+    forces = load_vectors.integrate_over_polygon(mesh, elements, place, force.pressure(place))
+    return forces, np.zeros((2, len(elements), 9))
 
 
-def _share(load: loads.PointLoad, plan: Layout) -> float:
-    """Return the share of a point load that the meshed part takes: none beyond a mirror, half on it, else all."""
+def _share(force: PointForce, plan: Layout) -> float:
+    """Return the share of a force that the meshed part takes: none beyond a mirror, half on it, else all."""
     near = SAME_PLACE * np.ptp(plan.mesh.nodes, axis=0).max()
     share = 1.0
-    for value, mirrored in zip((load.x, load.y), plan.symmetry, strict=True):
-        assert value is not None
+    for value, mirrored in zip(force.place, plan.symmetry, strict=True):
         if mirrored:
             share *= 0.0 if value < -near else 0.5 if value <= near else 1.0
     return share
 
 
-def _on_meshed_side(load: loads.PointLoad, plan: Layout) -> Array:
-    """Return the place (2,) of a point load or of its meshed mirror image, on the plate to the last digit."""
-    given = np.array([load.x, load.y])
+def _on_meshed_side(force: PointForce, plan: Layout) -> Array:
+    """Return the place (2,) of a force or of its meshed mirror image, on the plate to the last digit."""
+    given = np.array(force.place)
     place = np.where(plan.symmetry, np.abs(given), given)
     nodes = plan.mesh.nodes[plan.mesh.elements[plan.plate_elements]]
     return np.clip(place, nodes.min(axis=(0, 1)), nodes.max(axis=(0, 1)))

@@ -8,7 +8,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags
 from groundslab.geometry.plan import Place, Ring
-from groundslab.model.loads.load_types import LineLoad, PointLoad
+from groundslab.model.loads.acting import LineForce, PointForce
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 
@@ -52,8 +52,8 @@ def singular_places(model: Model) -> dict[str, list[Place]]:
     point into the plate, those of zones of other thickness or material, and those between a clamped and a free edge
     (Williams 1952).
     """
-    plates, lines = model.every_plate, [load for load in model.loads if isinstance(load, LineLoad)]
-    ends = [place for line in lines for place in line.points or ()]
+    plates = model.every_plate
+    ends = [place for _, shape in model.acting if isinstance(shape, LineForce) for place in shape.corners]
     ends += [place for support in model.supports if support.kind == "line" for place in support.points]
     corners = [*_between_edges(model.plate)]
     for plate in plates:
@@ -71,13 +71,9 @@ def singular_places(model: Model) -> dict[str, list[Place]]:
 
 def forces_without_footprint(model: Model) -> Iterator[Place]:
     """Yield where forces without a footprint act."""
-    for load in model.loads:
-        if isinstance(load, PointLoad):
-            own = load.on(model.columns)
-            if own.width_x is None and own.diameter is None:
-                assert own.x is not None
-                assert own.y is not None
-                yield own.x, own.y
+    for _, shape in model.acting:
+        if isinstance(shape, PointForce) and shape.ring is None:
+            yield shape.place
 
 
 def _between_edges(plate: Plate) -> Iterator[Place]:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 
+from groundslab.geometry.plan import Ring
 from groundslab.model.ground import ContinuousGround
-from groundslab.model.loads import load_types as loads
+from groundslab.model.loads.acting import Acting, AreaPressure, PlateAction, PointForce
 from groundslab.model.model import Model
 
 Interval = tuple[float, float]
@@ -30,7 +31,7 @@ def _symmetric(model: Model, axis: int) -> bool:
         return False
     if model.mesh.counts is not None and model.mesh.counts[axis] % 2:
         return False
-    items = [_locate(load, model) for load in model.loads if not _is_everywhere(load)]
+    items = [_locate(load.case, shape) for load, shape in model.acting if not _is_everywhere(shape)]
     items += [(("void", each.depth), (each.x, each.y)) if each.x and each.y else None for each in model.contact.voids]
     here, there = Counter[object](), Counter[object]()
     for item in items:
@@ -48,22 +49,26 @@ def _round(place: tuple[Interval, ...], model: Model) -> tuple[float, ...]:
     return tuple(round(value / max(model.plate.sides), 9) + 0.0 for interval in place for value in interval)
 
 
-def _is_everywhere(load: loads.AnyLoad) -> bool:
-    """Return whether a load is the same at every place of the plate."""
-    if isinstance(load, loads.UniformLoad):
-        return (load.slope, load.bend) == (loads.NO_SLOPE, loads.NO_BEND)
-    return isinstance(load, loads.SelfWeight | loads.TemperatureLoad | loads.ShrinkageLoad)
+def _is_everywhere(shape: Acting) -> bool:
+    """Return whether a shape is the same at every place of the plate."""
+    return isinstance(shape, PlateAction) and shape.pressure.constant
 
 
-def _locate(load: loads.AnyLoad, model: Model) -> tuple[tuple[object, ...], tuple[Interval, ...]] | None:
-    """Return what a load is and its place along x and y; None if symmetry is not to be expected of it."""
-    if isinstance(load, loads.PointLoad):
-        own = load.on(model.columns)
-        if not own.M_x and not own.M_y:
-            assert own.x is not None
-            assert own.y is not None
-            what = ("point", own.case, own.P, own.width_x, own.width_y, own.diameter)
-            return what, ((own.x, own.x), (own.y, own.y))
-    if isinstance(load, loads.PatchLoad) and (load.slope, load.bend) == (loads.NO_SLOPE, loads.NO_BEND):
-        return ("patch", load.case, load.on, load.q), (load.x, load.y)
+def _locate(case: str, shape: Acting) -> tuple[tuple[object, ...], tuple[Interval, ...]] | None:
+    """Return what acts, and its place along x and y; None if symmetry is not to be expected of it."""
+    if isinstance(shape, PointForce) and not any(shape.M):
+        if shape.ring is None:
+            return ("force", case, shape.P), tuple((value, value) for value in shape.place)
+        if shape.ring.is_rectangle or not shape.ring.straight:
+            return ("force", case, shape.P, shape.ring.straight), _extents(shape.ring)
+    if isinstance(shape, AreaPressure) and shape.pressure.constant and len(shape.rings) == 1:
+        (ring,) = shape.rings
+        if ring.is_rectangle:
+            return ("pressure", case, shape.on, shape.pressure.q), _extents(ring)
     return None
+
+
+def _extents(ring: Ring) -> tuple[Interval, ...]:
+    """Return the intervals along x and along y that a curve covers."""
+    x0, x1, y0, y1 = ring.bounds
+    return (x0, x1), (y0, y1)

@@ -42,20 +42,6 @@ def one(places: Array) -> Array:
     return np.ones(places.shape[:-1])
 
 
-def inertia(part: Polygon) -> tuple[Array, Array]:
-    """Return the center (2,) [m] of a polygon and its second moments of area about it (2, 2) [m4]."""
-    from shapely import get_coordinates
-
-    centre = get_coordinates(part.centroid)[0]
-    x = get_coordinates(part.exterior) - centre
-    a, b = x[:-1], x[1:]
-    cross = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
-    # each edge makes a triangle with the center, whose moments its corners give
-    total = np.einsum("e,ei,ej->ij", cross, a + b, a + b)
-    total += np.einsum("e,ei,ej->ij", cross, a, a) + np.einsum("e,ei,ej->ij", cross, b, b)
-    return centre, total / 24 * np.sign(cross.sum())
-
-
 def integrate_over_elements(mesh: Mesh, elements: Integers, pressure: Pressure = one) -> Array:
     """Return int q N dA (m, 9) over whole elements: [m2], or [N] for a pressure q [Pa] of places (..., 2)."""
     points, weights = gauss(3)

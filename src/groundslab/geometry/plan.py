@@ -29,9 +29,6 @@ FLAT = 1e-6
 DRAWN_CHORD = 2e-4
 #: However small an arc is, its chords turn by no more than this, so that it looks round [rad].
 ROUND = math.radians(4.0)
-#: A loaded area has its arcs replaced by chords of this angle [rad] at most, ARC_CHORDS of them at least.
-ARC_STEP = 2 * math.pi / 512
-ARC_CHORDS = 8
 #: Arcs are cut into this many chords at most, which are off by 3e-9 of the radius of a quarter circle.
 MOST_CHORDS = 10_000
 #: Largest bulge of an arc, which is then nearly a whole circle.
@@ -246,6 +243,12 @@ class Ring:
         return get_bounds(self.segments())
 
     @property
+    def sides(self) -> tuple[float, float]:
+        """Return the sides along x and y of the rectangle around the curve [m]."""
+        x0, x1, y0, y1 = self.bounds
+        return x1 - x0, y1 - y0
+
+    @property
     def straight(self) -> bool:
         """Return whether no edge is an arc."""
         return all(abs(bulge) < FLAT for bulge in self.bulges)
@@ -254,6 +257,11 @@ class Ring:
     def rectilinear(self) -> bool:
         """Return whether all edges run along x or y."""
         return self.straight and all(edge.along_axis for edge in self.segments())
+
+    @property
+    def is_rectangle(self) -> bool:
+        """Return whether it is a rectangle along x and y."""
+        return len(self.points) == 4 and self.rectilinear
 
 
 def circle(centre: Place, radius: float) -> Ring:
@@ -368,31 +376,6 @@ def sections(plan: Plan, places: Array) -> Integers:
         cut = inside(ring)
         section[cut] = empty[cut]
     return section
-
-
-def equal_area_polygon(ring: Ring) -> Polygon:
-    """Return the polygon inside a ring, its arcs replaced by chords that enclose the same area.
-
-    The points between the ends of an arc lie a little off it, all as far: a uniform pressure keeps its force.
-    """
-    import shapely
-
-    return shapely.Polygon(np.concatenate([_equal_area_points(edge)[:-1] for edge in ring.segments()]))
-
-
-def _equal_area_points(edge: Segment) -> Array:
-    """Return places (p, 2) from start to end of an edge, the area below their chords being that below the arc."""
-    if edge.straight:
-        return np.array([edge.start, edge.end])
-    n = max(ARC_CHORDS, math.ceil(abs(edge.sweep) / ARC_STEP))
-    step = abs(edge.sweep) / n
-    places = edge.at(np.arange(n + 1) / n)
-    # triangles with the centre: r and c r span the first and the last of them, c r and c r the n - 2 between; with
-    # n step / sin(step) for the sectors' area, (n - 2) c^2 + 2 c equals it
-    c = (math.sqrt(1 + (n - 2) * n * step / math.sin(step)) - 1) / (n - 2)
-    centre = np.array(edge.centre)
-    places[1:-1] = centre + c * (places[1:-1] - centre)
-    return places
 
 
 def format_place(place: Place) -> str:

@@ -17,11 +17,12 @@ from groundslab.model.design.floors import Floor, check_floor
 from groundslab.model.design.limits import Limits, SoilStrength
 from groundslab.model.design.reinforcement import Reinforcement, check_bar_distances, check_bar_zones
 from groundslab.model.ground import Ground, carry_shear
+from groundslab.model.loads.acting import Acting
 from groundslab.model.loads.beside import check_ground_loads
 from groundslab.model.loads.clipping import check_distributed_loads
 from groundslab.model.loads.en1990 import check_combine
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations
-from groundslab.model.loads.load_types import Load
+from groundslab.model.loads.load_types import AnyLoad, Load, PointLoad
 from groundslab.model.loads.patterns import Move, Pattern, check_patterns, check_positions
 from groundslab.model.loads.placement import check_load_columns, check_point_loads
 from groundslab.model.outputs import Output, Project, Report, check_output
@@ -152,6 +153,15 @@ class Model(Section):
     def every_plate(self) -> tuple[AnyPlate, ...]:
         """Return the first plate and the further ones."""
         return list_plates(self.plate, self.plates)
+
+    def shapes(self, load: AnyLoad) -> tuple[Acting, ...]:
+        """Return what acts of a load, at the place of its column if it names one."""
+        return (load.on(self.columns) if isinstance(load, PointLoad) else load).acts
+
+    @property
+    def acting(self) -> tuple[tuple[AnyLoad, Acting], ...]:
+        """Return what acts, each shape with the load that it belongs to."""
+        return tuple((load, shape) for load in self.loads for shape in self.shapes(load))
 
     @property
     def bounds(self) -> tuple[float, float, float, float]:

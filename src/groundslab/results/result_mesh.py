@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.discretize.load_borders import load_borders
+from groundslab.discretize.load_borders import borders_of
 from groundslab.discretize.singular_places import near_places, singular_places
 from groundslab.fem import plate
 from groundslab.fem.assembly import find_congruent
@@ -149,7 +149,7 @@ def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
     at_loads = sides_along(
         problem.mesh,
         elements,
-        [(edge.start, edge.end) for load in model.loads for edge in load_borders(load, model) if edge.straight],
+        [(edge.start, edge.end) for _, shape in model.acting for edge in borders_of(shape) if edge.straight],
     )
     mesh, node = split_by_section(problem, at_supports, depth)
     smooth, _ = split_by_section(problem, np.concatenate([at_supports, at_loads]))

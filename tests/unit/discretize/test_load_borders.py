@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from groundslab.discretize.discretize import discretize
-from groundslab.discretize.load_borders import load_rings
+from groundslab.discretize.load_borders import rings_of
 from groundslab.discretize.plan_layout import plan_of
 from groundslab.fem.mesh import sides_along
 from groundslab.geometry.plan import Plan
@@ -36,7 +36,7 @@ def test_footprints_areas_and_lines_are_followed() -> None:
     area = {"kind": "area", "q": 1e4, "shape": {"kind": "rectangle", "x": (2.0, 4.0), "y": (-2.5, -0.5)}, "holes": hole}
     found = plan(COLUMN, WALL, area, {"kind": "uniform", "q": 1e3})
     model = slab(COLUMN, area)
-    assert found.borders == tuple(ring for load in model.loads for ring in load_rings(load, model))
+    assert found.borders == tuple(ring for _, shape in model.acting for ring in rings_of(shape))
     assert found.lines == (((-4.0, -1.0), (0.0, -1.0)),)
     given = plan(COLUMN, WALL, area, size=0.5)
     assert not given.borders
@@ -67,7 +67,7 @@ def test_elements_end_at_the_borders_of_loads() -> None:
     """All along them there are sides of elements."""
     model = slab(COLUMN, WALL)
     mesh = discretize(model).mesh
-    (ring,) = load_rings(model.loads[0], model)
+    (ring,) = rings_of(model.acting[0][1])
     for line in (*((edge.start, edge.end) for edge in ring.segments()), ((-4.0, -1.0), (0.0, -1.0))):
         sides = sides_along(mesh, mesh.elements, [line])
         covered = np.ptp(mesh.nodes[sides[:, :2]], axis=1).sum()

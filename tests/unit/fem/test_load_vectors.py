@@ -10,7 +10,8 @@ from shapely import Point, Polygon, box
 
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh, grid
-from groundslab.geometry.plan import Ring, circle, equal_area_polygon, segment
+from groundslab.geometry.areas import equal_area_polygon
+from groundslab.geometry.plan import Ring, circle, segment
 
 SQUARE = grid(np.linspace(0, 2, 4), np.linspace(0, 1.5, 3))
 

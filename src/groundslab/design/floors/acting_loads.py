@@ -14,16 +14,9 @@ from groundslab.arrays import Array, Integers
 from groundslab.design.floors.yield_lines import Location
 from groundslab.design.punching import RectangularColumn, RoundColumn
 from groundslab.geometry.plan import FLAT
-from groundslab.model.loads.clipping import clip_line_load
-from groundslab.model.loads.load_types import (
-    AreaLoad,
-    LineLoad,
-    PatchLoad,
-    PointLoad,
-    UniformLoad,
-    presses_ground,
-    pressure_function,
-)
+from groundslab.model.loads.acting import AreaPressure, LineForce, PlateAction
+from groundslab.model.loads.clipping import clip_line
+from groundslab.model.loads.load_types import PointLoad
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult
 
@@ -177,10 +170,11 @@ def line_loads(results: CombinationResult, borders: Borders) -> Iterator[tuple[f
     """Yield each line load of a combination: its largest q [N/m], its distance from edges [m], its middle [m]."""
     from shapely import LineString
 
-    model, factors = results.model, factors_of(results)
-    for load in model.loads:
-        if isinstance(load, LineLoad) and factors.get(load.case):
-            for piece in clip_line_load(model.plate, load, model.plates):
+    model = results.model
+    factors = factors_of(results)
+    for load, shape in model.acting:
+        if isinstance(shape, LineForce) and factors.get(load.case):
+            for piece in clip_line(model.plate, shape, model.plates):
                 line = LineString(piece.edge.at(np.linspace(0, 1, piece.edge.chords(borders.chord) + 1)))
                 away = min(edge.distance(line) for edge in (borders.ring.exterior, *borders.openings))
                 x, y = line.interpolate(0.5, normalized=True).coords[0]
@@ -192,23 +186,23 @@ def pressures(results: CombinationResult) -> Iterator[tuple[float, tuple[float, 
 
     A pressure on the whole plate counts where its case is variable: goods are not everywhere all the time.
     """
-    model, factors = results.model, factors_of(results)
+    model = results.model
+    factors = factors_of(results)
     variable = {case.name for case in model.cases if case.action == "variable"}
-    everywhere, parts = 0.0, list[tuple[float, "BaseGeometry"]]()
-    for load in model.loads:
+    everywhere = 0.0
+    parts: list[tuple[float, BaseGeometry]] = []
+    for load, shape in model.acting:
         factor = factors.get(load.case, 0.0)
-        if not factor or presses_ground(load) or not isinstance(load, UniformLoad | PatchLoad | AreaLoad):
-            continue
-        if isinstance(load, UniformLoad):
-            everywhere += factor * load.q if load.case in variable else 0.0
-            continue
-        shape = load.to_shapely(math.inf)
-        corners = np.array(shape.convex_hull.exterior.coords)
-        parts.append((factor * float(pressure_function(load)(corners).max()), shape))
+        if isinstance(shape, PlateAction) and load.case in variable:
+            everywhere += factor * shape.pressure.q
+        elif factor and isinstance(shape, AreaPressure) and shape.on == "plate":
+            area = shape.to_shapely()
+            corners = np.array(area.convex_hull.exterior.coords)
+            parts.append((factor * float(shape.pressure(corners).max()), area))
     if everywhere > 0:
         x0, x1, y0, y1 = model.bounds
         yield everywhere, ((x0 + x1) / 2, (y0 + y1) / 2)
-    for n, (q, shape) in enumerate(parts):
-        over = sum(other for m, (other, area) in enumerate(parts) if m != n and other > 0 and shape.intersects(area))
-        place = shape.representative_point()
+    for n, (q, area) in enumerate(parts):
+        over = sum(other for m, (other, at) in enumerate(parts) if m != n and other > 0 and area.intersects(at))
+        place = area.representative_point()
         yield q + over + everywhere, (place.x, place.y)

@@ -13,7 +13,16 @@ from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
 from groundslab.geometry.plan import FLAT
 from groundslab.model.loads import load_types
-from groundslab.model.loads.clipping import clip_line_load
+from groundslab.model.loads.acting import (
+    Acting,
+    AreaPressure,
+    LineForce,
+    PlateAction,
+    PointForce,
+    Pressure,
+    SupportSettlement,
+)
+from groundslab.model.loads.clipping import clip_line
 from groundslab.model.model import Model
 from groundslab.model.plates.further import first_sections
 from groundslab.results.results import CombinationResult
@@ -44,35 +53,41 @@ def moments_of_column(model: Model, name: str) -> tuple[dict[str, float], dict[s
 
 def sum_of_others(results: CombinationResult, part: Polygon, column: str) -> dict[str, float]:
     """Return the sum of all loads on a part of the plate but those that name a column [N], by load case."""
-    model, plate = results.model, results.plate
-    mesh, chord = Mesh(plate.nodes, plate.elements), FLAT * max(model.sides)
+    model = results.model
+    mesh = Mesh(results.plate.nodes, results.plate.elements)
     elements = load_vectors.find_elements_near(mesh, part)
     force: dict[str, float] = defaultdict(float)
     for load in model.loads:
-        if load_types.presses_ground(load):
-            continue
-        if isinstance(load, load_types.UniformLoad):
-            own = _of_plate(results, elements, load.plate)
-            force[load.case] += float(
-                load_vectors.integrate_over_polygon(mesh, own, part, load_types.pressure_function(load)).sum()
-            )
-        elif isinstance(load, load_types.PatchLoad | load_types.AreaLoad):
-            for piece in _pieces(part, load.to_shapely(chord)):
-                force[load.case] += float(
-                    load_vectors.integrate_over_polygon(mesh, elements, piece, load_types.pressure_function(load)).sum()
-                )
-        elif isinstance(load, load_types.SelfWeight):
-            own = _of_plate(results, elements, load.plate)
-            area = load_vectors.integrate_over_polygon(mesh, own, part).sum(axis=1)
-            force[load.case] += float(load.unit_weight * (area @ results.elements.thickness[own]))
-        elif isinstance(load, load_types.LineLoad):
-            force[load.case] += _on_line(load, model, part, chord)
-        elif isinstance(load, load_types.PointLoad):
-            if load.column != column and _may_meet(load, model, part):
-                force[load.case] += _on_footprint(load.on(model.columns), part, chord)
-        elif not isinstance(load, load_types.TemperatureLoad | load_types.ShrinkageLoad | load_types.SettlementLoad):
-            assert_never(load)
+        on_column = getattr(load, "column", "")
+        if not on_column or (on_column != column and _stands_near(on_column, model, part)):
+            for shape in model.shapes(load):
+                force[load.case] += _force_on(shape, part, results, mesh, elements)
     return force
+
+
+def _force_on(shape: Acting, part: Polygon, results: CombinationResult, mesh: Mesh, elements: Integers) -> float:
+    """Return the force [N] of a shape on a part of the plate, near which some elements of the mesh lie."""
+    chord = FLAT * max(results.model.sides)
+    if isinstance(shape, AreaPressure):
+        pieces = [] if shape.on == "ground" else _pieces(part, shape.to_shapely())
+        return sum(_pressure_force(mesh, elements, piece, shape.pressure) for piece in pieces)
+    if isinstance(shape, LineForce):
+        return _on_line(shape, results.model, part, chord)
+    if isinstance(shape, PointForce):
+        return _on_footprint(shape, part, chord)
+    if isinstance(shape, PlateAction):
+        loaded = _of_plate(results, elements, shape.plate)
+        area = load_vectors.integrate_over_polygon(mesh, loaded, part).sum(axis=1)
+        weight = shape.unit_weight * float(area @ results.elements.thickness[loaded])
+        return weight + (_pressure_force(mesh, loaded, part, shape.pressure) if shape.presses else 0.0)
+    if not isinstance(shape, SupportSettlement):
+        assert_never(shape)
+    return 0.0
+
+
+def _pressure_force(mesh: Mesh, elements: Integers, part: Polygon, pressure: Pressure) -> float:
+    """Return the force [N] of a pressure on the part of some elements that lies in a polygon."""
+    return float(load_vectors.integrate_over_polygon(mesh, elements, part, pressure).sum())
 
 
 def _of_plate(results: CombinationResult, elements: Integers, name: str) -> Integers:
@@ -95,12 +110,12 @@ def _pieces(part: Polygon, area: BaseGeometry) -> list[Polygon]:
     return [piece for piece in get_parts(intersection(part, area)) if piece.geom_type == "Polygon" and piece.area > 0]
 
 
-def _on_line(load: load_types.LineLoad, model: Model, part: Polygon, chord: float) -> float:
-    """Return the force [N] of a line load on a part of the plate."""
+def _on_line(line: LineForce, model: Model, part: Polygon, chord: float) -> float:
+    """Return the force [N] of a line force on a part of the plate."""
     from shapely import LineString, Point, get_coordinates, get_parts, intersection
 
     force = 0.0
-    for piece in clip_line_load(model.plate, load, model.plates):
+    for piece in clip_line(model.plate, line, model.plates):
         n = piece.edge.chords(chord)
         places = np.arange(n + 1) / n
         flat = LineString(piece.edge.at(places))
@@ -113,21 +128,18 @@ def _on_line(load: load_types.LineLoad, model: Model, part: Polygon, chord: floa
     return float(force)
 
 
-def _may_meet(load: load_types.PointLoad, model: Model, part: Polygon) -> bool:
-    """Return whether a load that names a column may stand on a part of the plate, by the column's place."""
-    named = [each for each in model.columns if each.name == load.column]
-    return not named or bool(named[0].to_shapely(FLAT * max(model.sides)).intersects(part))
+def _stands_near(name: str, model: Model, part: Polygon) -> bool:
+    """Return whether a column stands on a part of the plate."""
+    column = next(column for column in model.columns if column.name == name)
+    return bool(column.to_shapely(FLAT * max(model.sides)).intersects(part))
 
 
-def _on_footprint(load: load_types.PointLoad, part: Polygon, chord: float) -> float:
-    """Return the force [N] of a point load on a part of the plate, by its pressure where it has a footprint."""
-    place = load.to_shapely(chord)
-    if place.geom_type == "Point":
-        return load.P if part.covers(place) else 0.0
-    center, inertia = load_vectors.inertia(place)
-    slope = np.array([load.M_x, load.M_y]) @ np.linalg.inv(inertia)
-    force = 0.0
-    for piece in _pieces(part, place):
-        lever = np.array(piece.centroid.coords[0]) - center
-        force += float((load.P / place.area + lever @ slope) * piece.area)
-    return force
+def _on_footprint(point: PointForce, part: Polygon, chord: float) -> float:
+    """Return the force [N] of a point force on a part of the plate, by its pressure where it has a footprint."""
+    place = point.to_shapely(chord)
+    if point.ring is None:
+        return point.P if part.covers(place) else 0.0
+    pressure = point.pressure(place)
+    # a linear pressure is that at the center times the area
+    forces = [pressure(np.array(piece.centroid.coords[0])) * piece.area for piece in _pieces(part, place)]
+    return float(sum(forces))

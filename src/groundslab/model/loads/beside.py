@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 
 from groundslab.model.ground import AnyGround, carry_shear
 from groundslab.model.loads.clipping import NO_PART, get_plate_region
-from groundslab.model.loads.load_types import AnyLoad, OnGround, PatchLoad, presses_ground
+from groundslab.model.loads.load_types import AnyLoad, OnGround, presses_ground
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, bounds_of
 from groundslab.model.plates.region import ROUNDING, PlateRegion
@@ -25,7 +24,7 @@ def distances_beyond(
 ) -> dict[Side, float]:
     """Return how far loads on the ground reach beyond each side of the rectangle around the plates [m]."""
     x0, x1, y0, y1 = bounds_of(plate, plates)
-    boxes = [_bounds(load) for load in loads if presses_ground(load)]
+    boxes = [load.acts[0].rings[0].bounds for load in loads if presses_ground(load)]
     return {
         "left": max((x0 - box[0] for box in boxes), default=0.0),
         "right": max((box[1] - x1 for box in boxes), default=0.0),
@@ -77,11 +76,6 @@ def _check_reach(
             hint = "beyond says how far the ground goes" if ends else "what lies so far away has no effect"
             yield RelativeIssue(place, found, expected, hint)
             return
-    shape = load.to_shapely(math.inf)
+    shape = load.acts[0].to_shapely()
     if shape.difference(region.grown).area <= NO_PART * shape.area:
         yield RelativeIssue(place, "a load on the ground that lies under the plate", "some of it beside the plate")
-
-
-def _bounds(load: OnGround) -> tuple[float, float, float, float]:
-    """Return the rectangle x0, x1, y0, y1 around a load [m]."""
-    return (*load.x, *load.y) if isinstance(load, PatchLoad) else load.shape.ring().bounds

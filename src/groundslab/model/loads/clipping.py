@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING
@@ -18,15 +18,8 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.geometry.intersections import find_crossings
 from groundslab.geometry.plan import Segment, bounding_box
-from groundslab.model.loads.load_types import (
-    AnyLoad,
-    AreaLoad,
-    LineLoad,
-    PatchLoad,
-    Spread,
-    presses_ground,
-    pressure_function,
-)
+from groundslab.model.loads.acting import AreaPressure, LineForce, Pressure
+from groundslab.model.loads.load_types import AnyLoad, Spread
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate
 from groundslab.model.plates.region import PlateRegion
@@ -44,9 +37,6 @@ NO_PART = 1e-9
 FAR = 1e3
 #: The tangents around an arc span this angle [rad] at most.
 TANGENT = 2 * math.pi / 256
-
-#: A pressure [Pa] as a function of places (..., 2).
-Pressure = Callable[[Array], Array]
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,10 +62,11 @@ class Clipped:
 
 @dataclass(frozen=True, slots=True)
 class LinePiece:
-    """A part of a line load that lies on the plate; q [N/m] at its start and its end, linear between."""
+    """A part of a line force that lies on the plate, all along one edge."""
 
     edge: Segment
-    q: tuple[float, float]
+    q: tuple[float, float]  # at its start and its end, linear between [N/m]
+    m: tuple[float, float]  # couple per length [N m/m]
 
     @property
     def force(self) -> float:
@@ -91,9 +82,10 @@ def find_clipped_loads(
     plate: Plate, loads: Sequence[AnyLoad], plates: tuple[FurtherPlate, ...] = ()
 ) -> tuple[Clipped, ...]:
     """Return the parts of loads that lie off all plates, of loads on the ground those under one."""
-    drawn, region = _distributed_shapes(loads), get_plate_region(plate, plates)
-    found = [*_find_clipped(region, drawn), *_find_covered(region, drawn)]
-    return tuple(sorted(found, key=lambda each: each.number))
+    drawn = _drawn_shapes(loads)
+    region = get_plate_region(plate, plates)
+    clipped = [*_find_clipped(region, drawn), *_find_covered(region, drawn)]
+    return tuple(sorted(clipped, key=lambda part: part.number))
 
 
 def check_distributed_loads(
@@ -103,96 +95,118 @@ def check_distributed_loads(
     import shapely
 
     expected = "a load of which some lies on the plate, not in an opening nor beside the outline"
-    drawn = [each for each in _distributed_shapes(loads) if not presses_ground(each[1])]
+    drawn = [part for part in _drawn_shapes(loads) if not part.on_ground]
     if not drawn:
         return
     region = get_plate_region(plate, plates)
     (x0, x1, y0, y1), far = region.bounds, FAR * region.size
-    reach = shapely.bounds([shape for _, _, shape in drawn])
+    reach = shapely.bounds([part.covered for part in drawn])
     near = (reach[:, :2] >= (x0 - far, y0 - far)).all(axis=1) & (reach[:, 2:] <= (x1 + far, y1 + far)).all(axis=1)
     for k in np.flatnonzero(~near):
-        yield RelativeIssue(("loads", drawn[int(k)][0]), "a load that reaches far off the plate", expected)
-    for found in _find_clipped(region, [drawn[int(k)] for k in np.flatnonzero(near)]):
-        if found.share >= 1 - NO_PART:
-            yield RelativeIssue(("loads", found.number - 1), "a load off the plate", expected)
+        yield RelativeIssue(("loads", drawn[int(k)].position), "a load that reaches far off the plate", expected)
+    for clipped in _find_clipped(region, [drawn[int(k)] for k in np.flatnonzero(near)]):
+        if clipped.share >= 1 - NO_PART:
+            yield RelativeIssue(("loads", clipped.number - 1), "a load off the plate", expected)
 
 
-def clip_line_load(plate: Plate, load: LineLoad, plates: tuple[FurtherPlate, ...] = ()) -> list[LinePiece]:
-    """Return the parts of a line load that lie on a plate."""
-    return _clip_line(get_plate_region(plate, plates), load)
+def clip_line(plate: Plate, line: LineForce, plates: tuple[FurtherPlate, ...] = ()) -> list[LinePiece]:
+    """Return the parts of a line force that lie on a plate."""
+    return _clip_line(get_plate_region(plate, plates), line)
 
 
-def _clip_line(region: PlateRegion, load: LineLoad) -> list[LinePiece]:
-    """Return the parts of a line load that lie in a region."""
-    edges = load.segments()
-    ways = np.concatenate([[0.0], np.cumsum([edge.length for edge in edges])])
-    end = load.q if load.q_end is None else load.q_end
+def _clip_line(region: PlateRegion, line: LineForce) -> list[LinePiece]:
+    """Return the parts of a line force that lie in a region."""
+    ways = np.concatenate([[0.0], np.cumsum([edge.length for edge in line.edges])])
 
-    def q(way: float) -> float:
-        return load.q + (end - load.q) * way / float(ways[-1])
+    def between(ends: tuple[float, float], edge: Segment, start: float, low: float, high: float) -> tuple[float, float]:
+        growth = (ends[1] - ends[0]) / float(ways[-1])
+        return ends[0] + growth * (start + low * edge.length), ends[0] + growth * (start + high * edge.length)
 
     return [
-        LinePiece(_cut_segment(edge, low, high), (q(start + low * edge.length), q(start + high * edge.length)))
-        for edge, start in zip(edges, ways.tolist(), strict=False)
+        LinePiece(
+            _cut_segment(edge, low, high),
+            between(line.q, edge, start, low, high),
+            between(line.m, edge, start, low, high),
+        )
+        for edge, start in zip(line.edges, ways.tolist(), strict=False)
         for low, high in _parts_on_plate(region, edge)
     ]
 
 
-def _distributed_shapes(loads: Sequence[AnyLoad]) -> list[tuple[int, Spread, BaseGeometry]]:
-    """Return areas and lines of loads, each with its position and what it covers; for arcs a box around them."""
+@dataclass(frozen=True, slots=True)
+class _Drawn:
+    """An area or a line as drawn, with the load that it belongs to."""
+
+    position: int  # of the load, from 0
+    load: AnyLoad
+    shape: AreaPressure | LineForce
+    covered: BaseGeometry  # what it covers; of arcs of lines a box around them
+
+    @property
+    def on_ground(self) -> bool:
+        """Whether it presses on the ground beside the plate."""
+        return isinstance(self.shape, AreaPressure) and self.shape.on == "ground"
+
+
+def _drawn_shapes(loads: Sequence[AnyLoad]) -> list[_Drawn]:
+    """Return the areas and lines of loads."""
     return [
-        (
-            n,
+        _Drawn(
+            position,
             load,
-            load.to_shapely(math.inf)
-            if not isinstance(load, LineLoad) or load.straight
-            else bounding_box(load.segments()),
+            shape,
+            shape.to_shapely(math.inf)
+            if not isinstance(shape, LineForce) or shape.straight
+            else bounding_box(shape.edges),
         )
-        for n, load in enumerate(loads)
+        for position, load in enumerate(loads)
         if isinstance(load, Spread)
+        for shape in load.acts
     ]
 
 
-def _find_clipped(region: PlateRegion, drawn: Sequence[tuple[int, Spread, BaseGeometry]]) -> Iterator[Clipped]:
+def _find_clipped(region: PlateRegion, drawn: Sequence[_Drawn]) -> Iterator[Clipped]:
     """Yield what lies off the plate of loads on it."""
     import shapely
 
-    drawn = [each for each in drawn if not presses_ground(each[1])]
-    if not drawn:
+    on_plate = [part for part in drawn if not part.on_ground]
+    if not on_plate:
         return
-    for k in np.flatnonzero(~shapely.covers(region.grown, [shape for _, _, shape in drawn])):
-        position, load, shape = drawn[int(k)]
-        found = _off_line(region, load) if isinstance(load, LineLoad) else _off_area(region, load, shape)
-        if found is not None:
-            share, force, total = found
-            yield Clipped(position + 1, load.name, load.case, share, force, total, "off the plate")
+    for k in np.flatnonzero(~shapely.covers(region.grown, [part.covered for part in on_plate])):
+        part = on_plate[int(k)]
+        shape = part.shape
+        off = _off_line(region, shape) if isinstance(shape, LineForce) else _off_area(region, shape, part.covered)
+        if off is not None:
+            share, force, total = off
+            yield Clipped(part.position + 1, part.load.name, part.load.case, share, force, total, "off the plate")
 
 
-def _find_covered(region: PlateRegion, drawn: Sequence[tuple[int, Spread, BaseGeometry]]) -> Iterator[Clipped]:
+def _find_covered(region: PlateRegion, drawn: Sequence[_Drawn]) -> Iterator[Clipped]:
     """Yield what lies under the plate of loads on the ground."""
-    for position, load, shape in drawn:
-        if presses_ground(load):
-            pressure, under = pressure_function(load), shape.intersection(region.area)
-            share = under.area / shape.area
+    for part in drawn:
+        if isinstance(part.shape, AreaPressure) and part.on_ground:
+            pressure = part.shape.pressure
+            under = part.covered.intersection(region.area)
+            share = under.area / part.covered.area
             if share > NO_PART:
-                force, total = integral(under, pressure), integral(shape, pressure)
-                yield Clipped(position + 1, load.name, load.case, share, force, total, "under the plate")
+                force = integral(under, pressure)
+                total = integral(part.covered, pressure)
+                yield Clipped(part.position + 1, part.load.name, part.load.case, share, force, total, "under the plate")
 
 
-def _off_area(region: PlateRegion, load: PatchLoad | AreaLoad, drawn: BaseGeometry) -> tuple[float, float, float]:
+def _off_area(region: PlateRegion, area: AreaPressure, drawn: BaseGeometry) -> tuple[float, float, float]:
     """Return the share of an area that lies off the plate, the force there and in all [N]."""
-    off, pressure = drawn.difference(region.area), pressure_function(load)
-    return off.area / drawn.area, integral(off, pressure), integral(drawn, pressure)
+    off = drawn.difference(region.area)
+    return off.area / drawn.area, integral(off, area.pressure), integral(drawn, area.pressure)
 
 
-def _off_line(region: PlateRegion, load: LineLoad) -> tuple[float, float, float] | None:
+def _off_line(region: PlateRegion, line: LineForce) -> tuple[float, float, float] | None:
     """Return the share of a line that lies off the plate, the force there and in all [N]; None if all is on it."""
-    pieces = _clip_line(region, load)
-    length = sum(edge.length for edge in load.segments())
-    share = 1 - sum(piece.edge.length for piece in pieces) / length
+    pieces = _clip_line(region, line)
+    share = 1 - sum(piece.edge.length for piece in pieces) / line.length
     if share <= NO_PART:
         return None
-    total = length * (load.q + (load.q if load.q_end is None else load.q_end)) / 2
+    total = line.length * sum(line.q) / 2
     return share, total - sum(piece.force for piece in pieces), total
 
 

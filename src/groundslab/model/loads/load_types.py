@@ -4,15 +4,23 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, TypeGuard
 
-import numpy as np
-
-from groundslab.arrays import Array
-from groundslab.geometry.plan import Segment, equal_area_polygon, make_segments
+from groundslab.geometry.areas import equal_area_polygon
+from groundslab.geometry.plan import Segment, make_segments, rectangle
 from groundslab.model.columns import Column, check_footprint, footprint
 from groundslab.model.ground import POSITIVE
+from groundslab.model.loads.acting import (
+    AreaPressure,
+    LineForce,
+    PlateAction,
+    PointForce,
+    Pressure,
+    SupportSettlement,
+    Surface,
+    loaded_parts,
+)
 from groundslab.model.shapes import BULGE, AcrossX, AcrossY, AnyShape, Place, Shape
 from groundslab.schema.base import ByKind, Check, Section, Table
 from groundslab.schema.fields import Choice, ListOf, Number, Quantity, Text, list_quantities
@@ -27,10 +35,10 @@ NO_LENGTH = 1e-9  # m: lines shorter than this go nowhere
 
 STRAIN = Range(at_least=-0.01, at_most=0.01)
 
-Surface = Literal["plate", "ground"]
 PlateKey = Annotated[str, Text("the one of several plates that it acts on, by its name; by default on all of them")]
 
-NO_SLOPE, NO_BEND, ORIGIN = (0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0)
+#: How large a load is: symbol, value in SI units without factors, dimension.
+Magnitude = tuple[str, float, str]
 
 
 class _Load(Section):
@@ -48,15 +56,25 @@ class _Pressure(_Load):
     slope: Annotated[
         tuple[float, float],
         list_quantities("pressure per length", "q_x, q_y", "growth of the pressure along x and along y", 2),
-    ] = NO_SLOPE
+    ] = (0.0, 0.0)
     bend: Annotated[
         tuple[float, float, float],
         list_quantities("pressure per area", "q_xx, q_xy, q_yy", "second derivatives of the pressure", 3),
-    ] = NO_BEND
+    ] = (0.0, 0.0, 0.0)
     about: Annotated[
         tuple[float, float],
         list_quantities("length", "x_0, y_0", "place where the pressure is q; matters if it varies", 2),
-    ] = ORIGIN
+    ] = (0.0, 0.0)
+
+    @property
+    def magnitudes(self) -> tuple[Magnitude, ...]:
+        """How large it is."""
+        return (("q", self.q, "pressure"),)
+
+    @property
+    def pressure(self) -> Pressure:
+        """The pressure, a function of places."""
+        return Pressure(self.q, self.slope, self.bend, self.about)
 
 
 class UniformLoad(_Pressure):
@@ -64,6 +82,11 @@ class UniformLoad(_Pressure):
 
     kind: Annotated[Literal["uniform"], Table("pressure on the whole plate")] = "uniform"
     plate: PlateKey = ""
+
+    @property
+    def acts(self) -> tuple[PlateAction]:
+        """The pressure all over the plate."""
+        return (PlateAction(self.plate, pressure=self.pressure),)
 
 
 class _PressureOnPart(_Pressure):
@@ -82,11 +105,10 @@ class PatchLoad(_PressureOnPart):
     x: AcrossX
     y: AcrossY
 
-    def to_shapely(self, chord: float) -> BaseGeometry:  # noqa: ARG002
-        """Return the rectangle."""
-        from shapely import box
-
-        return box(self.x[0], self.y[0], self.x[1], self.y[1])
+    @property
+    def acts(self) -> tuple[AreaPressure]:
+        """The pressure on the rectangle."""
+        return (AreaPressure((rectangle(*self.x, *self.y),), self.pressure, self.on),)
 
 
 def _check_holes(shape: AnyShape, holes: tuple[AnyShape, ...]) -> Iterator[RelativeIssue]:
@@ -96,17 +118,8 @@ def _check_holes(shape: AnyShape, holes: tuple[AnyShape, ...]) -> Iterator[Relat
     for position, hole in enumerate(holes):
         if not around.intersects(equal_area_polygon(hole.ring())):
             yield RelativeIssue(("holes", position), "a hole beside the shape", "a part of the shape", "leave it out")
-    if not _loaded_parts(shape, holes):
+    if not loaded_parts(shape.ring(), *(hole.ring() for hole in holes)):
         yield RelativeIssue(("holes",), "holes that leave nothing of the shape", "a part of the shape that is loaded")
-
-
-def _loaded_parts(shape: AnyShape, holes: tuple[AnyShape, ...]) -> list[BaseGeometry]:
-    """Return the polygons of a shape without its holes."""
-    from shapely import get_parts, union_all
-
-    cut = union_all([equal_area_polygon(hole.ring()) for hole in holes])
-    left = equal_area_polygon(shape.ring()).difference(cut)
-    return [part for part in get_parts(left) if part.geom_type == "Polygon" and part.area > 0]
 
 
 class AreaLoad(_PressureOnPart):
@@ -118,11 +131,11 @@ class AreaLoad(_PressureOnPart):
     shape: Annotated[Shape, Table("where; what lies off the surface that it presses on does not act, and is reported")]
     holes: Annotated[tuple[Shape, ...], Table("parts of the shape that are not loaded, as in a ring")] = ()
 
-    def to_shapely(self, chord: float) -> BaseGeometry:  # noqa: ARG002
-        """Return the loaded area, its arcs as chords that enclose the same area."""
-        from shapely import union_all
-
-        return union_all(_loaded_parts(self.shape, self.holes))
+    @property
+    def acts(self) -> tuple[AreaPressure]:
+        """The pressure on the area."""
+        rings = (self.shape.ring(), *(hole.ring() for hole in self.holes))
+        return (AreaPressure(rings, self.pressure, self.on),)
 
 
 def _check_points_or_shape(
@@ -194,21 +207,15 @@ class LineLoad(_Load):
         return make_segments(self.points, self.bulges)
 
     @property
-    def straight(self) -> bool:
-        """Return whether no piece is an arc."""
-        return all(edge.straight for edge in self.segments())
+    def magnitudes(self) -> tuple[Magnitude, ...]:
+        """How large it is at its start and at its end."""
+        q_end = self.q if self.q_end is None else self.q_end
+        return (("q", self.q, "force per length"), ("q_end", q_end, "force per length"))
 
-    def flat(self, chord: float) -> Array:
-        """Return places (p, 2) along the line from its start to its end, arcs as chords at most so far off [m]."""
-        edges = self.segments()
-        parts = [edge.at(np.arange(n) / n) for edge in edges for n in (edge.chords(chord),)]
-        return np.concatenate([*parts, [edges[-1].end]])
-
-    def to_shapely(self, chord: float) -> BaseGeometry:
-        """Return the line, arcs as chords at most so far off [m]."""
-        from shapely import LineString
-
-        return LineString(self.flat(chord))
+    @property
+    def acts(self) -> tuple[LineForce]:
+        """The force along the line."""
+        return (LineForce(self.segments(), (self.q, self.q if self.q_end is None else self.q_end)),)
 
 
 class SelfWeight(_Load):
@@ -219,6 +226,16 @@ class SelfWeight(_Load):
     )
     unit_weight: Annotated[float, Quantity("weight per volume", "gamma_c", "weight of the material", POSITIVE)]
     plate: PlateKey = ""
+
+    @property
+    def magnitudes(self) -> tuple[Magnitude, ...]:
+        """How large it is."""
+        return (("gamma_c", self.unit_weight, "weight per volume"),)
+
+    @property
+    def acts(self) -> tuple[PlateAction]:
+        """The weight of the plate."""
+        return (PlateAction(self.plate, unit_weight=self.unit_weight),)
 
 
 def _check_position(
@@ -277,21 +294,29 @@ class PointLoad(_Load):
     ] = None
     column: Annotated[str, Text("column that it acts on and is spread over, one of [[columns]]")] = ""
 
-    def to_shapely(self, chord: float) -> BaseGeometry:
-        """Return the footprint, or the point; arcs as chords at most so far off [m]."""
-        from shapely import Point
+    @property
+    def magnitudes(self) -> tuple[Magnitude, ...]:
+        """How large its force and its moments are."""
+        return (("P", self.P, "force"), ("M_x", self.M_x, "moment"), ("M_y", self.M_y, "moment"))
 
+    @property
+    def acts(self) -> tuple[PointForce]:
+        """The force with its couples."""
         assert self.x is not None
         assert self.y is not None
         ring = footprint(self.x, self.y, self.width_x, self.width_y, self.diameter)
-        return Point(self.x, self.y) if ring is None else ring.polygon(chord)
+        return (PointForce((self.x, self.y), self.P, (self.M_x, self.M_y), ring),)
+
+    def to_shapely(self, chord: float) -> BaseGeometry:
+        """Return the footprint, or the point; arcs as chords at most so far off [m]."""
+        return self.acts[0].to_shapely(chord)
 
     def on(self, columns: tuple[Column, ...]) -> PointLoad:
         """Return the load with place and footprint of its column, itself if it stands on none."""
         if not self.column:
             return self
-        own = next(each for each in columns if each.name == self.column)
-        place = {name: getattr(own, name) for name in ("x", "y", "width_x", "width_y", "diameter")}
+        column = next(column for column in columns if column.name == self.column)
+        place = {name: getattr(column, name) for name in ("x", "y", "width_x", "width_y", "diameter")}
         # nothing is checked again: a column's place and widths are valid for a load, too
         return self.model_copy(update={"column": "", **place})
 
@@ -305,6 +330,16 @@ class TemperatureLoad(_Load):
     ]
     plate: PlateKey = ""
 
+    @property
+    def magnitudes(self) -> tuple[Magnitude, ...]:
+        """How large it is."""
+        return (("dT", self.difference, "temperature difference"),)
+
+    @property
+    def acts(self) -> tuple[PlateAction]:
+        """The difference of temperature all over the plate."""
+        return (PlateAction(self.plate, temperature=self.difference),)
+
 
 class ShrinkageLoad(_Load):
     """Shrinkage that differs between the faces of the plate; of a uniform one friction makes tension, no bending."""
@@ -314,6 +349,16 @@ class ShrinkageLoad(_Load):
     bottom: Annotated[float, Number("eps_bottom", "strain by which the bottom face shortens", STRAIN)] = 0.0
     plate: PlateKey = ""
 
+    @property
+    def magnitudes(self) -> tuple[Magnitude, ...]:
+        """How large it is at both faces."""
+        return (("eps_top", self.top, "strain"), ("eps_bottom", self.bottom, "strain"))
+
+    @property
+    def acts(self) -> tuple[PlateAction]:
+        """The difference of shrinkage all over the plate."""
+        return (PlateAction(self.plate, shrinkage=self.top - self.bottom),)
+
 
 class SettlementLoad(_Load):
     """A settlement that is forced on a support."""
@@ -322,21 +367,15 @@ class SettlementLoad(_Load):
     support: Annotated[str, Text("name of the support, one of [[supports]]")]
     w: Annotated[float, Quantity("length", "w_s", "its settlement, downwards positive")]
 
+    @property
+    def magnitudes(self) -> tuple[Magnitude, ...]:
+        """How large it is."""
+        return (("w_s", self.w, "length"),)
 
-def pressure_function(load: UniformLoad | PatchLoad | AreaLoad) -> Callable[[Array], Array]:
-    """Return the pressure [Pa] of a load as a function of places (..., 2) [m]."""
-    if load.slope == NO_SLOPE and load.bend == NO_BEND:
-        return lambda places: np.full(places.shape[:-1], load.q)
-    slope, about = np.array(load.slope), np.array(load.about)
-    xx, xy, yy = load.bend
-
-    def pressure(places: Array) -> Array:
-        r = places - about
-        x, y = r[..., 0], r[..., 1]
-        q: Array = load.q + r @ slope + (xx * x * x + 2 * xy * x * y + yy * y * y) / 2
-        return q
-
-    return pressure
+    @property
+    def acts(self) -> tuple[SupportSettlement]:
+        """The settlement of the support."""
+        return (SupportSettlement(self.support, self.w),)
 
 
 AnyLoad = (
@@ -350,12 +389,11 @@ AnyLoad = (
     | ShrinkageLoad
     | SettlementLoad
 )
-#: Loads that act on all of a plate.
-OnEveryPlate = UniformLoad | SelfWeight | TemperatureLoad | ShrinkageLoad
+#: Loads of a size given by area or length, which may reach over the plate's edge, where they are cut off; others with a
+#: place must lie on the plate.
+Spread = PatchLoad | AreaLoad | LineLoad
 #: Loads that may press on the ground beside the plate.
 OnGround = PatchLoad | AreaLoad
-#: Loads that may reach over the plate's edge, where they are cut off; others with a place must lie on the plate.
-Spread = PatchLoad | AreaLoad | LineLoad
 Load = Annotated[AnyLoad, ByKind()]
 
 

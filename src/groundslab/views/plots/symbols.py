@@ -14,6 +14,7 @@ import numpy as np
 from groundslab.design.bar_layout import bar_sets
 from groundslab.fem.mesh import SIDES
 from groundslab.geometry.plan import DRAWN_CHORD
+from groundslab.model.loads.acting import AreaPressure, LineForce, PlateAction, PointForce
 from groundslab.views.plots.contours import MOST_ELEMENTS
 from groundslab.views.plots.style import GREY, GROUND, INK, LOAD, SUPPORT
 
@@ -131,29 +132,36 @@ def draw_voids(axes: Axes, model: Model) -> Entries:
     return entries
 
 
-def draw_loads(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) -> Entries:
-    """Outline the loaded areas, draw line loads and mark point loads beside columns, those that take part."""
+def draw_loads(
+    axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool] = lambda _: True, everywhere: bool = True
+) -> Entries:
+    """Outline the loaded areas, draw line loads and mark point loads beside columns, those that take part.
+
+    With `everywhere` a plate that is loaded all over is outlined, too.
+    """
     entries: Entries = {}
     chord = DRAWN_CHORD * max(model.sides)
-    for load in filter(takes_part, model.loads):
-        if load.kind == "point" and load.x is not None and load.y is not None:
-            (mark,) = axes.plot(load.x, load.y, "v", color=LOAD, markeredgecolor="white", markersize=6.5, zorder=5.5)
+    for load, shape in model.acting:
+        if not takes_part(load):
+            continue
+        if isinstance(shape, PointForce) and not getattr(load, "column", ""):
+            (mark,) = axes.plot(*shape.place, "v", color=LOAD, markeredgecolor="white", markersize=6.5, zorder=5.5)
             mark.set(linestyle="none", clip_on=False, markeredgewidth=0.5)
             entries["point load"] = mark
-        elif load.kind == "line":
-            (line,) = axes.plot(*load.flat(chord).T, color=LOAD, linewidth=1.6, clip_on=False, zorder=5)
+        elif isinstance(shape, LineForce):
+            (line,) = axes.plot(*shape.flat(chord).T, color=LOAD, linewidth=1.6, clip_on=False, zorder=5)
             line.set(path_effects=white_outline(2.6))
             entries["line load"] = line
-        elif load.kind == "uniform":
+        elif isinstance(shape, PlateAction) and shape.presses and everywhere:
             look = {"edgecolor": LOAD, "linewidth": 0.9, "linestyle": (0, (3, 5)), "zorder": 4.5}
-            for plate in (each for each in model.every_plate if load.plate in ("", each.name)):
+            for plate in (plate for plate in model.every_plate if shape.plate in ("", plate.name)):
                 entries["load on the entire plate"] = draw_ring(axes, np.array(plate.ring().flat(chord)), **look)
-        elif load.kind == "patch" or load.kind == "area":
+        elif isinstance(shape, AreaPressure):
             # on the ground, which may reach far, as much as there is room for
             look = {"edgecolor": LOAD, "linewidth": 1.2, "linestyle": (0, (4, 2)), "zorder": 4.5}
-            look |= {"edgecolor": GROUND, "clip_on": True} if load.on == "ground" else {}
-            for ring in _borders(load.to_shapely(chord)):
-                words = "load on the ground" if load.on == "ground" else "loaded area"
+            look |= {"edgecolor": GROUND, "clip_on": True} if shape.on == "ground" else {}
+            for ring in _borders(shape.to_shapely()):
+                words = "load on the ground" if shape.on == "ground" else "loaded area"
                 entries[words] = draw_ring(axes, ring, **look)
     return entries
 

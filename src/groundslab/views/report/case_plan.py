@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, get_args
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from groundslab.model.combinations import place_patterns
-from groundslab.model.loads.load_types import AnyLoad
 from groundslab.views.plots import style, symbols
 from groundslab.views.plots.annotations import LabelPlacement, Point
 from groundslab.views.scene.plan import plan_of
@@ -30,8 +29,6 @@ REACH = 0.5
 LEAST_DIMENSION, CHAIN = 8.0, 5.0
 #: Of more loads than these none is labeled.
 MOST_LABELS = 60
-#: Kinds of loads that have a place in plan; the others act on the plate everywhere or at a support.
-PLACED = tuple(kind.model_fields["kind"].default for kind in get_args(AnyLoad) if hasattr(kind, "to_shapely"))
 #: The sides of a place on which its label may stand, the better ones first.
 SIDES: tuple[Point, ...] = ((1, 0), (-1, 0), (1, -1), (-1, -1), (1, 1), (-1, 1), (0, 1), (0, -1))
 
@@ -53,7 +50,7 @@ def draw_case_plan(model: Model) -> Figure:
     legend = _draw_ground(axes, plan, labels) | symbols.draw_plate(axes, model, fill=style.PANEL)
     legend |= symbols.draw_voids(axes, model) | symbols.draw_supports(axes, model)
     legend |= symbols.draw_columns(axes, model, lambda _: True)
-    legend |= symbols.draw_loads(axes, place_patterns(model), lambda load: load.kind != "uniform")
+    legend |= symbols.draw_loads(axes, place_patterns(model), everywhere=False)
     legend |= _draw_outputs(axes, plan, labels)
     _label_parts(plan, labels)
     _label_loads(axes, plan, labels)
@@ -67,7 +64,7 @@ def describe_omissions(model: Model) -> tuple[str, ...]:
     plan = plan_of(model)
     labels = "L and a number: the load of that number in the case; loads on columns have no label."
     notes = ["Dimensions in meters.", labels]
-    everywhere = [f"L{n} ({load['kind']})" for n, load in enumerate(plan["loads"], 1) if load["kind"] not in PLACED]
+    everywhere = [f"L{n} ({load['kind']})" for n, load in enumerate(plan["loads"], 1) if "everywhere" in load]
     if model.moves:
         notes.append("Forces of patterns have no label; those on a path are drawn at all of its positions.")
     if everywhere:
@@ -173,17 +170,16 @@ def _label_loads(axes: Axes, plan: Data, labels: Labels) -> None:
     for number, load in enumerate(plan["loads"], 1):
         if "footprint" in load:
             symbols.draw_ring(axes, np.array(load["footprint"]), edgecolor=style.LOAD, linewidth=0.6, zorder=5)
-        if load["kind"] in PLACED:
+        if "everywhere" not in load:
             curves = [load.get("ring") or load["points"], *load.get("holes", ())]
-            key = (load["kind"], *(tuple(tuple(place) for place in curve) for curve in curves))
+            key = ("ring" in load, *(tuple(tuple(place) for place in curve) for curve in curves))
             groups.setdefault(key, []).append(number)
     if len(groups) > MOST_LABELS:
         return
-    for (kind, places, *_), numbers in groups.items():
-        if kind != "point" or places[0] not in columns:
+    for (is_area, places, *_), numbers in groups.items():
+        if len(places) > 1 or places[0] not in columns:
             name = ", ".join(f"L{number}" for number in numbers[:3]) + (" ..." if len(numbers) > 3 else "")
-            place = places[0] if kind == "point" else middle(places) if kind == "line" else upper_left(places)
-            labels.add(place, name, style.LOAD)
+            labels.add(upper_left(places) if is_area else middle(places), name, style.LOAD)
 
 
 def _draw_dimensions(axes: Axes, model: Model, corner: Point, per_meter: float) -> None:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from groundslab.model.combinations import place_patterns
 from groundslab.model.loads.patterns import position_names
 from groundslab.views.plots import style, symbols
-from groundslab.views.report.case_plan import MOST_LABELS, PLACED, Labels, middle, nearby, upper_left
+from groundslab.views.report.case_plan import MOST_LABELS, Labels, middle, nearby, upper_left
 from groundslab.views.scene.plan import load_parts, plan_of
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ def draw_load_plan(model: Model, case: LoadCase | None) -> Figure:
     symbols.draw_columns(axes, placed, belongs)
     for path in _paths(model, case):
         axes.plot(*zip(*path.points, strict=True), color=style.LOAD, linewidth=0.6, linestyle=(0, (6, 3)))
-    symbols.draw_loads(axes, placed, lambda load: belongs(load) and load.kind != "uniform")
+    symbols.draw_loads(axes, placed, belongs, everywhere=False)
     texts, _ = _split_repeated(_values(model, case))
     if len(texts) <= MOST_LABELS:
         labels = Labels(axes, per_meter, (x0, x1, y0, y1))
@@ -64,8 +64,7 @@ def draw_load_plan(model: Model, case: LoadCase | None) -> Figure:
 
 def describe_loads(model: Model, case: LoadCase | None) -> str:
     """Return the name of a case, its action, what of it acts everywhere or often, and whether values are missing."""
-    belongs, loads = takes_part(model, case), place_patterns(model).loads
-    everywhere = [_on_plate(load) for load in loads if belongs(load) and load.kind not in PLACED]
+    everywhere = [_on_plate(load) for load, about in _loads_of(model, case) if "everywhere" in about]
     forces = [] if case is None else [("H_x", case.H_x), ("H_y", case.H_y)]
     everywhere += [f"{symbol.replace('_', '')} {value / 1e3:.5g} kN" for symbol, value in forces if value]
     texts, repeated = _split_repeated(_values(model, case))
@@ -74,6 +73,14 @@ def describe_loads(model: Model, case: LoadCase | None) -> str:
     hidden = " Values are listed under loads." if len(texts) > MOST_LABELS else ""
     moves = " It moves along the dashed path; drawn at the first position." if _paths(model, case) else ""
     return f"{name}{': ' if everywhere else ''}{'; '.join(everywhere)}.{hidden}{moves}"
+
+
+def _loads_of(model: Model, case: LoadCase | None) -> list[tuple[AnyLoad, dict[str, Any]]]:
+    """Return the loads of a case, each with what the plan says of it."""
+    placed = place_patterns(model)
+    belongs = takes_part(model, case)
+    pairs = zip(placed.loads, plan_of(placed)["loads"], strict=True)
+    return [(load, about) for load, about in pairs if belongs(load)]
 
 
 def _on_plate(load: AnyLoad) -> str:
@@ -90,8 +97,8 @@ def _paths(model: Model, case: LoadCase | None) -> list[Move]:
 def load_text(load: AnyLoad) -> str:
     """Return how large a load is, without factors, such as "321 kN" or "10 to 20 kN/m"."""
     parts = load_parts(load)
-    if load.kind == "line":
-        return f"{' to '.join(dict.fromkeys(f'{value:.5g}' for _, value, _ in parts))} kN/m"
+    if parts[-1][0].endswith("_end"):
+        return f"{' to '.join(dict.fromkeys(f'{value:.5g}' for _, value, _ in parts))} {parts[0][2]}"
     # a force or a pressure needs no symbol, moments do
     named = [
         (f"{symbol.replace('_', '')} " if symbol.startswith("M") else "", f"{value:.5g} {unit.replace('^3', '³')}")
@@ -114,9 +121,8 @@ def _split_repeated(
 def _values(model: Model, case: LoadCase | None) -> dict[tuple[float, float], list[str]]:
     """Return how large the loads of a case are, by the places at which that is written."""
     found: dict[tuple[float, float], list[str]] = {}
-    placed, belongs = place_patterns(model), takes_part(model, case)
-    for load, about in zip(placed.loads, plan_of(placed)["loads"], strict=True):
-        if belongs(load) and load.kind in PLACED:
+    for load, about in _loads_of(model, case):
+        if "everywhere" not in about:
             place = upper_left(about["ring"]) if "ring" in about else middle(about["points"])
             found.setdefault(place, []).append(load_text(load))
     return found

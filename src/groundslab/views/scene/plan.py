@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.geometry.plan import DRAWN_CHORD
-from groundslab.model.loads.load_types import SettlementLoad, presses_ground
+from groundslab.model.loads.acting import AreaPressure, LineForce, PlateAction, PointForce
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
     from groundslab.geometry.plan import Place, Ring
     from groundslab.model.columns import Column
+    from groundslab.model.loads.acting import Acting, Pressure
     from groundslab.model.loads.load_types import AnyLoad
     from groundslab.model.model import Model
     from groundslab.model.outputs import OutputLine, OutputPoint, OutputStrip
@@ -24,6 +25,18 @@ if TYPE_CHECKING:
 
 #: Digits after the point of a length in meters.
 DIGITS = 9
+
+#: The units that loads are shown in: their sizes in SI units, their names.
+MAGNITUDES = {
+    "force": (1e3, "kN"),
+    "moment": (1e3, "kNm"),
+    "force per length": (1e3, "kN/m"),
+    "pressure": (1e3, "kPa"),
+    "weight per volume": (1e3, "kN/m^3"),
+    "temperature difference": (1.0, "K"),
+    "strain": (1.0, ""),
+    "length": (1e-3, "mm"),
+}
 
 Data = dict[str, Any]
 
@@ -75,24 +88,10 @@ def plan_of(model: Model) -> Data:
 
 def load_parts(load: AnyLoad) -> list[list[Any]]:
     """Return how large a load is, without factors: symbol, value and unit of each of its parts."""
-    if load.kind == "point":
-        return [["P", _kilo(load.P), "kN"], ["M_x", _kilo(load.M_x), "kNm"], ["M_y", _kilo(load.M_y), "kNm"]]
-    if load.kind == "line":
-        end = load.q if load.q_end is None else load.q_end
-        return [["q", _kilo(load.q), "kN/m"], ["q_end", _kilo(end), "kN/m"]]
-    if load.kind == "self weight":
-        return [["gamma_c", _kilo(load.unit_weight), "kN/m^3"]]
-    if load.kind == "temperature":
-        return [["dT", load.difference, "K"]]
-    if load.kind == "shrinkage":
-        return [["eps_top", load.top, ""], ["eps_bottom", load.bottom, ""]]
-    if load.kind == "settlement":
-        return [["w_s", _tidied(load.w * 1e3), "mm"]]
-    return [["q", _kilo(load.q), "kPa"]]
-
-
-def _kilo(value: float) -> float:
-    return _tidied(value / 1e3)
+    return [
+        [symbol, _tidied(value / MAGNITUDES[dimension][0]), MAGNITUDES[dimension][1]]
+        for symbol, value, dimension in load.magnitudes
+    ]
 
 
 def _tidied(value: float) -> float:
@@ -117,41 +116,41 @@ def _places(support: AnySupport) -> Sequence[Place]:
 
 
 def _load(load: AnyLoad, model: Model, chord: float) -> Data:
-    """Return a load with points or a ring, whichever it has; self-weight and temperature have neither."""
+    """Return a load with what it acts on: points, a ring, or nothing where it acts on all of a plate."""
     about: Data = {"name": load.name, "kind": load.kind, "case": load.case}
-    if load.kind == "point":
-        placed = load.on(model.columns)
-        assert placed.x is not None
-        assert placed.y is not None
-        about["points"] = _rounded([(placed.x, placed.y)])
-        own = _footprint(load)
-        if own is not None:
-            about["footprint"] = _rounded(own.flat(chord))
-    elif load.kind == "line":
-        about["points"] = _rounded(load.flat(chord))
-    elif isinstance(load, SettlementLoad):
-        support = next(each for each in model.supports if each.name == load.support)
-        about["points"] = _rounded(_places(support))
-    elif load.kind == "uniform":
-        about["ring"] = _rounded(model.plate.ring().flat(chord))
-    elif load.kind == "patch":
-        about["ring"] = _rounded(_box(load.x, load.y).flat(chord))
-    elif load.kind == "area":
-        about["ring"] = _rounded(load.shape.ring().flat(chord))
-        if load.holes:
-            about["holes"] = [_rounded(hole.ring().flat(chord)) for hole in load.holes]
-    if presses_ground(load):
-        about["on"] = "ground"
-    if any(getattr(load, "slope", ())) or any(getattr(load, "bend", ())):
-        about["varies"] = True
+    for shape in model.shapes(load):
+        about |= _place_of(shape, model, chord)
+    if getattr(load, "column", ""):
+        # the column is drawn
+        about.pop("footprint", None)
     return about | {"parts": load_parts(load)}
 
 
-def _footprint(load: Any) -> Ring | None:
-    """Return the curve around a point load's own footprint; one on a column has the column's."""
-    from groundslab.model.columns import footprint
+def _place_of(shape: Acting, model: Model, chord: float) -> Data:
+    """Return what a shape acts on."""
+    if isinstance(shape, PointForce):
+        footprint = {} if shape.ring is None else {"footprint": _rounded(shape.ring.flat(chord))}
+        return {"points": _rounded([shape.place])} | footprint
+    if isinstance(shape, LineForce):
+        return {"points": _rounded(shape.flat(chord))}
+    if isinstance(shape, AreaPressure):
+        around, *holes = [_rounded(ring.flat(chord)) for ring in shape.rings]
+        about: Data = {"ring": around}
+        if holes:
+            about["holes"] = holes
+        if shape.on == "ground":
+            about["on"] = "ground"
+        return about | _varies(shape.pressure)
+    if isinstance(shape, PlateAction):
+        around_plate = {"ring": _rounded(model.plate.ring().flat(chord))} if shape.presses else {}
+        return {"everywhere": True} | around_plate | _varies(shape.pressure)
+    support = next(support for support in model.supports if support.name == shape.support)
+    return {"everywhere": True, "points": _rounded(_places(support))}
 
-    return None if load.column else footprint(load.x, load.y, load.width_x, load.width_y, load.diameter)
+
+def _varies(pressure: Pressure) -> Data:
+    """Return the mark of a pressure that varies."""
+    return {} if pressure.constant else {"varies": True}
 
 
 def _void(void: Void) -> Ring:

@@ -30,7 +30,7 @@ from groundslab import (
 from groundslab.case.casefile import loads
 from groundslab.cli import main
 from groundslab.design.tables import column_loads
-from groundslab.model.loads.clipping import clip_line_load, find_clipped_loads
+from groundslab.model.loads.clipping import clip_line, find_clipped_loads
 from groundslab.views.plots import symbols
 from groundslab.views.scene.plan import plan_of
 from groundslab.views.summary import sections
@@ -167,7 +167,9 @@ def test_remarks_name_the_load_the_share_and_the_force() -> None:
         PLAIN, (PatchLoad(q=1e3, x=(0, 1), y=(0, 1)), LineLoad(name="wall", q=1e4, points=[(0, 0), (4, 0)]))
     )
     assert clipped.words() == 'loads[2] "wall": 25 % of it lies off the plate; 10 kN of 40 kN do not act'
-    assert [piece.edge.end for piece in clip_line_load(PLAIN, LineLoad(q=1e4, points=[(0, 0), (4, 0)]))] == [(3.0, 0.0)]
+    assert [piece.edge.end for piece in clip_line(PLAIN, LineLoad(q=1e4, points=[(0, 0), (4, 0)]).acts[0])] == [
+        (3.0, 0.0)
+    ]
 
 
 CASE = """
