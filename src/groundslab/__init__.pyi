@@ -43,6 +43,7 @@ from .model.loads.load_cases import Combine as Combine
 from .model.loads.load_cases import LoadCase as LoadCase
 from .model.loads.load_types import AreaLoad as AreaLoad
 from .model.loads.load_types import LineLoad as LineLoad
+from .model.loads.load_types import LineMoment as LineMoment
 from .model.loads.load_types import PatchLoad as PatchLoad
 from .model.loads.load_types import PointLoad as PointLoad
 from .model.loads.load_types import SelfWeight as SelfWeight

@@ -122,9 +122,13 @@ def _on_plate(
         return _at_point(shape, model, plan)
     if isinstance(shape, LineForce):
         forces = np.zeros((len(elements), 9))
+        couples = no_couples
         for piece in clip_line(model.plate, shape, model.plates):
-            forces += load_vectors.integrate_along_line(mesh, elements, piece.edge, piece.q)
-        return forces, no_couples
+            if any(piece.q):
+                forces += load_vectors.integrate_along_line(mesh, elements, piece.edge, piece.q)
+            if any(piece.m):
+                couples = couples + load_vectors.integrate_couple_along_line(mesh, elements, piece.edge, piece.m)
+        return forces, couples
     if isinstance(shape, AreaPressure):
         return load_vectors.integrate_over_polygon(mesh, elements, shape.to_shapely(), shape.pressure), no_couples
     forces = load_vectors.integrate_over_elements(mesh, elements, shape.pressure)

@@ -105,13 +105,34 @@ def integrate_along_line(mesh: Mesh, elements: Integers, edge: Segment, q: tuple
     q changes linearly from the start to the end. The line is cut where it enters another element; a line along common
     sides goes to one element each. Along a curved edge of the plate it may lie a little outside the elements.
     """
+    s, ds = _points_along(mesh, elements, edge)
+    return _integrate_at_points(mesh, elements, edge.at(s), ds * _linear(q, s), ALONG_EDGE)
+
+
+def integrate_couple_along_line(mesh: Mesh, elements: Integers, edge: Segment, m: tuple[float, float]) -> Array:
+    """Return int m n_x N ds and int m n_y N ds (2, m, 9) [N m] along a line, n to its left, of a couple m [N m/m].
+
+    Along the line as in `integrate_along_line`.
+    """
+    s, ds = _points_along(mesh, elements, edge)
+    weights = (ds * _linear(m, s))[:, None] * edge.left(s)
+    return np.array([_integrate_at_points(mesh, elements, edge.at(s), weight, ALONG_EDGE) for weight in weights.T])
+
+
+def _linear(ends: tuple[float, float], s: Array) -> Array:
+    """Return values that change linearly from the first to the second, after parts s (p,) of the way."""
+    return ends[0] + (ends[1] - ends[0]) * s
+
+
+def _points_along(mesh: Mesh, elements: Integers, edge: Segment) -> tuple[Array, Array]:
+    """Return points of integration along an edge as parts of it (p,), and their weights (p,) [m]."""
     n = 1 if edge.straight else max(ARC_PIECES, math.ceil(abs(edge.sweep) / ARC_PIECE))
     at = np.unique(np.concatenate([np.arange(n + 1) / n, _find_crossings(mesh.xy[elements], edge, n)]))
     x, weights = gauss_line(4)
-    low, high = at[:-1, None], at[1:, None]
+    low = at[:-1, None]
+    high = at[1:, None]
     s = ((low + high) / 2 + (high - low) / 2 * x).ravel()
-    ds = ((high - low) / 2 * weights * edge.length).ravel()
-    return _integrate_at_points(mesh, elements, edge.at(s), ds * (q[0] + (q[1] - q[0]) * s), ALONG_EDGE)
+    return s, ((high - low) / 2 * weights * edge.length).ravel()
 
 
 def _find_crossings(xy: Array, edge: Segment, chords: int) -> Array:

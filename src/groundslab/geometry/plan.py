@@ -93,6 +93,14 @@ class Segment:
             return math.atan2(self.end[1] - self.start[1], self.end[0] - self.start[0])
         return self.angle + part * self.sweep + math.copysign(math.pi / 2, self.sweep)
 
+    def left(self, part: Array) -> Array:
+        """Return unit vectors (p, 2) to the left of the direction of travel after parts (p,) of the edge."""
+        if self.straight:
+            angle = np.full(len(part), self.direction(0.0))
+        else:
+            angle = self.angle + part * self.sweep + math.copysign(math.pi / 2, self.sweep)
+        return np.column_stack([-np.sin(angle), np.cos(angle)])
+
     def part(self, place: Place) -> float:
         """Return after which part of the edge a place on it comes."""
         if self.straight:

@@ -12,7 +12,7 @@ from groundslab.model.design.floors import AnyFloor
 from groundslab.model.design.limits import SoilStrength
 from groundslab.model.ground import AnyGround, ContinuousGround, Continuum, Layered, SoilLayer, Winkler, carry_shear
 from groundslab.model.loads.load_cases import Combination, LoadCase, check_case_names, check_factors
-from groundslab.model.loads.load_types import AnyLoad, SettlementLoad
+from groundslab.model.loads.load_types import AnyLoad, SettlementLoad, is_zero
 from groundslab.model.loads.patterns import Move
 from groundslab.model.loads.placement import on_plate
 from groundslab.model.plate import Plate
@@ -198,14 +198,9 @@ def check_settlement_loads(loads: tuple[AnyLoad, ...], supports: tuple[AnySuppor
             yield RelativeIssue(place, describe(load.support), expected, hint, repairs)
 
 
-#: Fields of loads that are not all zero if anything acts.
-_ACTING = ("q", "q_end", "P", "M_x", "M_y", "unit_weight", "difference", "top", "bottom", "w", "slope", "bend")
-
-
 def check_some_load_acts(loads: tuple[AnyLoad, ...], moves: tuple[Move, ...]) -> Iterator[RelativeIssue]:
     """Find loads that are all zero, where no pattern stands anywhere."""
-    given = (getattr(load, name, None) for load in loads for name in _ACTING)
-    if not moves and not any(any(value) if isinstance(value, tuple) else value for value in given):
+    if not moves and all(map(is_zero, loads)):
         yield RelativeIssue(
             ("loads",), "loads that are all zero", "at least one load that is not", "nothing would settle"
         )

@@ -78,7 +78,7 @@ class LineForce:
     """A force and a couple per length along edges, one after the other, both linear from the start to the end."""
 
     edges: tuple[Segment, ...]
-    q: tuple[float, float]  # at start and end [N/m], downwards positive
+    q: tuple[float, float] = (0.0, 0.0)  # at start and end [N/m], downwards positive
     m: tuple[float, float] = (0.0, 0.0)  # [N m/m], positive if it presses what lies to the left down
 
     @property

@@ -47,16 +47,17 @@ class Clipped:
     name: str
     case: str
     share: float  # of its area or length
-    force: float  # [N]
-    drawn: float  # force of all that is drawn [N]
+    force: float  # [N], of a line moment its couples [N m]
+    drawn: float  # of all that is drawn
     where: str  # "off the plate", or "under the plate"
+    dimension: str = "force"
 
     def words(self) -> str:
         """Return a remark for the report."""
         name = f" {quote(self.name)}" if self.name else ""
         return (
             f"loads[{self.number}]{name}: {100 * self.share:.3g} % of it lies {self.where}; "
-            f"{show(self.force, 'force')} of {show(self.drawn, 'force')} do not act"
+            f"{show(self.force, self.dimension)} of {show(self.drawn, self.dimension)} do not act"
         )
 
 
@@ -71,7 +72,12 @@ class LinePiece:
     @property
     def force(self) -> float:
         """Return the force [N]."""
-        return self.edge.length * (self.q[0] + self.q[1]) / 2
+        return self.edge.length * sum(self.q) / 2
+
+    @property
+    def couple(self) -> float:
+        """Return the sum of its couples [N m], whatever their directions."""
+        return self.edge.length * sum(self.m) / 2
 
 
 #: That of plates, kept for its loads.
@@ -178,7 +184,9 @@ def _find_clipped(region: PlateRegion, drawn: Sequence[_Drawn]) -> Iterator[Clip
         off = _off_line(region, shape) if isinstance(shape, LineForce) else _off_area(region, shape, part.covered)
         if off is not None:
             share, force, total = off
-            yield Clipped(part.position + 1, part.load.name, part.load.case, share, force, total, "off the plate")
+            dimension = "moment" if isinstance(shape, LineForce) and not any(shape.q) else "force"
+            number = part.position + 1
+            yield Clipped(number, part.load.name, part.load.case, share, force, total, "off the plate", dimension)
 
 
 def _find_covered(region: PlateRegion, drawn: Sequence[_Drawn]) -> Iterator[Clipped]:
@@ -201,13 +209,19 @@ def _off_area(region: PlateRegion, area: AreaPressure, drawn: BaseGeometry) -> t
 
 
 def _off_line(region: PlateRegion, line: LineForce) -> tuple[float, float, float] | None:
-    """Return the share of a line that lies off the plate, the force there and in all [N]; None if all is on it."""
+    """Return the share of a line that lies off the plate, the force there and in all [N]; None if all is on it.
+
+    Of a line without a force its couples [N m] count.
+    """
     pieces = _clip_line(region, line)
     share = 1 - sum(piece.edge.length for piece in pieces) / line.length
     if share <= NO_PART:
         return None
-    total = line.length * sum(line.q) / 2
-    return share, total - sum(piece.force for piece in pieces), total
+    if any(line.q):
+        total = line.length * sum(line.q) / 2
+        return share, total - sum(piece.force for piece in pieces), total
+    total = line.length * sum(line.m) / 2
+    return share, total - sum(piece.couple for piece in pieces), total
 
 
 def integral(area: BaseGeometry, pressure: Pressure) -> float:

@@ -1,4 +1,4 @@
-"""Types of loads: pressures, line and point loads, self-weight, temperature, imposed settlements."""
+"""Types of loads: pressures, line loads and moments, point loads, self-weight, temperature, imposed settlements."""
 
 from __future__ import annotations
 
@@ -138,21 +138,36 @@ class AreaLoad(_PressureOnPart):
         return (AreaPressure(rings, self.pressure, self.on),)
 
 
+def _check_line(
+    points: tuple[tuple[float, float], ...] | None, shape: AnyShape | None, along: dict[str, object], value: str
+) -> Iterator[RelativeIssue]:
+    """Find a line that is given by neither points nor a shape, or by both; `along` holds what only points can have."""
+    if points is None and shape is None:
+        yield RelativeIssue(("points",), "nothing", "the line's points, or a shape whose edge is loaded")
+    if shape is None:
+        return
+    for name, given in {"points": points, **along}.items():
+        if given is not None:
+            hint = f"all of a shape's edge bears the same {value}"
+            yield RelativeIssue((name,), f"{name} beside a shape", "one of them", hint)
+
+
 def _check_points_or_shape(
     points: tuple[tuple[float, float], ...] | None,
     bulges: tuple[float, ...],
     shape: AnyShape | None,
     q_end: float | None,
 ) -> Iterator[RelativeIssue]:
-    if points is None and shape is None:
-        yield RelativeIssue(("points",), "nothing", "the line's points, or a shape whose edge is loaded")
-    if shape is None:
-        return
-    for name, given in (("points", points), ("bulges", bulges or None), ("q_end", q_end)):
-        if given is not None:
-            yield RelativeIssue(
-                (name,), f"{name} beside a shape", "one of them", "all of a shape's edge bears the same q"
-            )
+    yield from _check_line(points, shape, {"bulges": bulges or None, "q_end": q_end}, "q")
+
+
+def _check_moment_points_or_shape(
+    points: tuple[tuple[float, float], ...] | None,
+    bulges: tuple[float, ...],
+    shape: AnyShape | None,
+    m_end: float | None,
+) -> Iterator[RelativeIssue]:
+    yield from _check_line(points, shape, {"bulges": bulges or None, "m_end": m_end}, "m")
 
 
 def _check_line_length(
@@ -171,6 +186,33 @@ def _check_line_length(
             yield RelativeIssue(("points", position), found, "another place than the one before")
 
 
+LinePoints = Annotated[
+    tuple[tuple[float, float], ...] | None,
+    ListOf(Place, "x, y", "the line's points, joined one after the other"),
+]
+LineBulges = Annotated[
+    tuple[float, ...],
+    ListOf(
+        BULGE,
+        "b",
+        "for the piece after each point, tan of a quarter of its arc's angle, positive if it runs "
+        "counter-clockwise; 0 for a straight piece",
+        least=0,
+    ),
+]
+LineShape = Annotated[Shape | None, Table("closed curve that the load stands on, such as a circle; not with points")]
+
+
+def _line_segments(
+    points: tuple[tuple[float, float], ...] | None, bulges: tuple[float, ...], shape: AnyShape | None
+) -> tuple[Segment, ...]:
+    """Return the straight pieces and arcs of a line, one after the other."""
+    if shape is not None:
+        return shape.ring().segments()
+    assert points is not None
+    return make_segments(points, bulges)
+
+
 class LineLoad(_Load):
     """A force per length along a line of straight pieces and arcs, or along the edge of a shape."""
 
@@ -181,30 +223,9 @@ class LineLoad(_Load):
     q_end: Annotated[
         float | None, Quantity("force per length", "q_e", "at the end, linear from q at the start; q by default")
     ] = None
-    points: Annotated[
-        tuple[tuple[float, float], ...] | None,
-        ListOf(Place, "x, y", "the line's points, joined one after the other"),
-    ] = None
-    bulges: Annotated[
-        tuple[float, ...],
-        ListOf(
-            BULGE,
-            "b",
-            "for the piece after each point, tan of a quarter of its arc's angle, positive if it runs "
-            "counter-clockwise; 0 for a straight piece",
-            least=0,
-        ),
-    ] = ()
-    shape: Annotated[Shape | None, Table("closed curve that the load stands on, such as a circle; not with points")] = (
-        None
-    )
-
-    def segments(self) -> tuple[Segment, ...]:
-        """Return the straight pieces and arcs that the load stands on, one after the other."""
-        if self.shape is not None:
-            return self.shape.ring().segments()
-        assert self.points is not None
-        return make_segments(self.points, self.bulges)
+    points: LinePoints = None
+    bulges: LineBulges = ()
+    shape: LineShape = None
 
     @property
     def magnitudes(self) -> tuple[Magnitude, ...]:
@@ -215,7 +236,45 @@ class LineLoad(_Load):
     @property
     def acts(self) -> tuple[LineForce]:
         """The force along the line."""
-        return (LineForce(self.segments(), (self.q, self.q if self.q_end is None else self.q_end)),)
+        edges = _line_segments(self.points, self.bulges, self.shape)
+        return (LineForce(edges, q=(self.q, self.q if self.q_end is None else self.q_end)),)
+
+
+class LineMoment(_Load):
+    """A moment per length along a line of straight pieces and arcs, or along the edge of a shape."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_check_moment_points_or_shape, _check_line_length)
+
+    kind: Annotated[
+        Literal["line moment"], Table("moment per length about a line, as of a wall that is fixed in the plate")
+    ] = "line moment"
+    m: Annotated[
+        float,
+        Quantity(
+            "moment per length",
+            "m",
+            "moment about the line, positive if it presses the side down that lies to the left on the way along the "
+            "line; of a circle that is its inside",
+        ),
+    ]
+    m_end: Annotated[
+        float | None, Quantity("moment per length", "m_e", "at the end, linear from m at the start; m by default")
+    ] = None
+    points: LinePoints = None
+    bulges: LineBulges = ()
+    shape: LineShape = None
+
+    @property
+    def magnitudes(self) -> tuple[Magnitude, ...]:
+        """How large it is at its start and at its end."""
+        m_end = self.m if self.m_end is None else self.m_end
+        return (("m", self.m, "moment per length"), ("m_end", m_end, "moment per length"))
+
+    @property
+    def acts(self) -> tuple[LineForce]:
+        """The couple along the line."""
+        edges = _line_segments(self.points, self.bulges, self.shape)
+        return (LineForce(edges, m=(self.m, self.m if self.m_end is None else self.m_end)),)
 
 
 class SelfWeight(_Load):
@@ -383,6 +442,7 @@ AnyLoad = (
     | PatchLoad
     | AreaLoad
     | LineLoad
+    | LineMoment
     | PointLoad
     | SelfWeight
     | TemperatureLoad
@@ -391,10 +451,16 @@ AnyLoad = (
 )
 #: Loads of a size given by area or length, which may reach over the plate's edge, where they are cut off; others with a
 #: place must lie on the plate.
-Spread = PatchLoad | AreaLoad | LineLoad
+Spread = PatchLoad | AreaLoad | LineLoad | LineMoment
 #: Loads that may press on the ground beside the plate.
 OnGround = PatchLoad | AreaLoad
 Load = Annotated[AnyLoad, ByKind()]
+
+
+def is_zero(load: AnyLoad) -> bool:
+    """Return whether nothing of a load acts anywhere."""
+    varies = isinstance(load, _Pressure) and not load.pressure.constant
+    return not varies and not any(value for _, value, _ in load.magnitudes)
 
 
 def presses_ground(load: AnyLoad) -> TypeGuard[OnGround]:

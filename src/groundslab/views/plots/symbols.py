@@ -151,7 +151,7 @@ def draw_loads(
         elif isinstance(shape, LineForce):
             (line,) = axes.plot(*shape.flat(chord).T, color=LOAD, linewidth=1.6, clip_on=False, zorder=5)
             line.set(path_effects=white_outline(2.6))
-            entries["line load"] = line
+            entries["line load" if any(shape.q) else "line moment"] = line
         elif isinstance(shape, PlateAction) and shape.presses and everywhere:
             look = {"edgecolor": LOAD, "linewidth": 0.9, "linestyle": (0, (3, 5)), "zorder": 4.5}
             for plate in (plate for plate in model.every_plate if shape.plate in ("", plate.name)):

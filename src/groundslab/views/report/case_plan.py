@@ -64,7 +64,7 @@ def describe_omissions(model: Model) -> tuple[str, ...]:
     plan = plan_of(model)
     labels = "L and a number: the load of that number in the case; loads on columns have no label."
     notes = ["Dimensions in meters.", labels]
-    everywhere = [f"L{n} ({load['kind']})" for n, load in enumerate(plan["loads"], 1) if "everywhere" in load]
+    everywhere = [f"L{n} ({load['kind']})" for n, load in enumerate(plan["loads"], 1) if not stands_in_plan(load)]
     if model.moves:
         notes.append("Forces of patterns have no label; those on a path are drawn at all of its positions.")
     if everywhere:
@@ -75,6 +75,11 @@ def describe_omissions(model: Model) -> tuple[str, ...]:
         names = ", ".join(f"{hole['name']} at ({_meters(hole['x'])}, {_meters(hole['y'])})" for hole in far)
         notes.append(f"Too far away to be drawn: {names}.")
     return tuple(notes)
+
+
+def stands_in_plan(load: Data) -> bool:
+    """Return whether a load of a plan acts at a place of its own, not all over a plate or at a support."""
+    return "everywhere" not in load and "support" not in load
 
 
 def nearby(plan: Data) -> Any:
@@ -170,7 +175,7 @@ def _label_loads(axes: Axes, plan: Data, labels: Labels) -> None:
     for number, load in enumerate(plan["loads"], 1):
         if "footprint" in load:
             symbols.draw_ring(axes, np.array(load["footprint"]), edgecolor=style.LOAD, linewidth=0.6, zorder=5)
-        if "everywhere" not in load:
+        if stands_in_plan(load):
             curves = [load.get("ring") or load["points"], *load.get("holes", ())]
             key = ("ring" in load, *(tuple(tuple(place) for place in curve) for curve in curves))
             groups.setdefault(key, []).append(number)

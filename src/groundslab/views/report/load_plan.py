@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from groundslab.model.combinations import place_patterns
 from groundslab.model.loads.patterns import position_names
 from groundslab.views.plots import style, symbols
-from groundslab.views.report.case_plan import MOST_LABELS, Labels, middle, nearby, upper_left
+from groundslab.views.report.case_plan import MOST_LABELS, Labels, middle, nearby, stands_in_plan, upper_left
 from groundslab.views.scene.plan import load_parts, plan_of
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ def draw_load_plan(model: Model, case: LoadCase | None) -> Figure:
 
 def describe_loads(model: Model, case: LoadCase | None) -> str:
     """Return the name of a case, its action, what of it acts everywhere or often, and whether values are missing."""
-    everywhere = [_on_plate(load) for load, about in _loads_of(model, case) if "everywhere" in about]
+    everywhere = [_on_plate(load) for load, about in _loads_of(model, case) if not stands_in_plan(about)]
     forces = [] if case is None else [("H_x", case.H_x), ("H_y", case.H_y)]
     everywhere += [f"{symbol.replace('_', '')} {value / 1e3:.5g} kN" for symbol, value in forces if value]
     texts, repeated = _split_repeated(_values(model, case))
@@ -101,7 +101,7 @@ def load_text(load: AnyLoad) -> str:
         return f"{' to '.join(dict.fromkeys(f'{value:.5g}' for _, value, _ in parts))} {parts[0][2]}"
     # a force or a pressure needs no symbol, moments do
     named = [
-        (f"{symbol.replace('_', '')} " if symbol.startswith("M") else "", f"{value:.5g} {unit.replace('^3', '³')}")
+        (f"{symbol.replace('_', '')} " if symbol.startswith("M") else "", f"{value:.5g} {unit.replace('^3', '³')}".rstrip())
         for symbol, value, unit in parts
         if value
     ]
@@ -122,7 +122,7 @@ def _values(model: Model, case: LoadCase | None) -> dict[tuple[float, float], li
     """Return how large the loads of a case are, by the places at which that is written."""
     found: dict[tuple[float, float], list[str]] = {}
     for load, about in _loads_of(model, case):
-        if "everywhere" not in about:
+        if stands_in_plan(about):
             place = upper_left(about["ring"]) if "ring" in about else middle(about["points"])
             found.setdefault(place, []).append(load_text(load))
     return found

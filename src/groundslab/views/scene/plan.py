@@ -31,6 +31,7 @@ MAGNITUDES = {
     "force": (1e3, "kN"),
     "moment": (1e3, "kNm"),
     "force per length": (1e3, "kN/m"),
+    "moment per length": (1e3, "kNm/m"),
     "pressure": (1e3, "kPa"),
     "weight per volume": (1e3, "kN/m^3"),
     "temperature difference": (1.0, "K"),
@@ -145,7 +146,7 @@ def _place_of(shape: Acting, model: Model, chord: float) -> Data:
         around_plate = {"ring": _rounded(model.plate.ring().flat(chord))} if shape.presses else {}
         return {"everywhere": True} | around_plate | _varies(shape.pressure)
     support = next(support for support in model.supports if support.name == shape.support)
-    return {"everywhere": True, "points": _rounded(_places(support))}
+    return {"support": support.name, "points": _rounded(_places(support))}
 
 
 def _varies(pressure: Pressure) -> Data:

@@ -2,8 +2,8 @@
 import { formatShort } from "./numbers";
 import type { Load } from "./scene";
 
-/** Kinds of loads without a place of their own. */
-const EVERYWHERE: ReadonlySet<string> = new Set(["uniform", "self weight", "temperature", "shrinkage"]);
+/** What the symbol of a value at the end of a line ends with. */
+const END = "_end";
 const round = (value: number) => formatShort(value, 5);
 
 /** A load that is drawn, and its label; empty where the label of another load at the same place includes it. */
@@ -32,7 +32,7 @@ export function labelLoads(loads: readonly Load[], factors: ReadonlyMap<string, 
 
 /** Return what acts on the entire slab under the factors of a combination, empty if nothing does. */
 export function labelEverywhere(loads: readonly Load[], factors: ReadonlyMap<string, number>): string {
-  const everywhere = loads.filter(({ kind, on }) => EVERYWHERE.has(kind) && on !== "ground");
+  const everywhere = loads.filter((load) => load.everywhere);
   return labelLoads(everywhere, factors)
     .flatMap(({ text }) => text || [])
     .join(", ");
@@ -51,11 +51,10 @@ function labelOf(loads: readonly Load[], factorOf: (load: Load) => number): stri
       sums.set(symbol, { value: (sums.get(symbol)?.value ?? 0) + factorOf(load) * value, unit });
     }
   }
-  const end = sums.get("q_end");
-  sums.delete("q_end");
-  const all = [...sums];
+  const all = [...sums].filter(([symbol]) => !symbol.endsWith(END));
   const some = all.filter(([, { value }]) => round(value) !== "0");
   const words = (some.length > 0 ? some : all.slice(0, 1)).map(([symbol, { value, unit }]) => {
+    const end = sums.get(symbol + END);
     const to = end && round(end.value) !== round(value) ? ` to ${round(end.value)}` : "";
     return `${symbol} = ${round(value)}${to} ${unit}`;
   });

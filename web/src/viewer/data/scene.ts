@@ -50,6 +50,7 @@ export interface Load extends Named {
   footprint?: Ring; // of a point load that has one
   parts: [string, number, string][]; // symbol, value without factor, unit
   on?: string; // "ground" if it presses on the ground beside the slab
+  everywhere?: boolean; // whether it acts all over a slab
   varies?: boolean; // whether the pressure varies over the area
 }
 export interface Line extends Named {

@@ -62,10 +62,10 @@ export function symbolsOf(plan: Plan, layers: Layers, factors: ReadonlyMap<strin
 }
 
 /** Return the symbol of a load, none if it acts on the entire slab. */
-function loadSymbol({ kind, points, ring, holes, footprint }: Load, text: string): PlanSymbol[] {
+function loadSymbol({ everywhere, points, ring, holes, footprint }: Load, text: string): PlanSymbol[] {
   const texts = text ? [plainSymbols(text)] : [];
   const load = { kind: "load", texts } as const;
-  if (kind === "uniform") return [];
+  if (everywhere) return [];
   if (ring) return [{ ...load, shape: "area", points: ring, holes: holes ?? [] }];
   if (!points?.length) return [];
   if (points.length > 1) return [{ ...load, shape: "line", points }];

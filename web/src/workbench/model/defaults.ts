@@ -21,6 +21,7 @@ const DEFAULTS: Record<string, Table> = {
   PatchLoad: { kind: "patch", q: "20 kPa" },
   AreaLoad: { kind: "area", q: "20 kPa" },
   LineLoad: { kind: "line", q: "20 kN/m" },
+  LineMoment: { kind: "line moment", m: "20 kNm/m" },
   PointLoad: { kind: "point", P: "100 kN" },
   SelfWeight: { kind: "self weight", unit_weight: "25 kN/m^3" },
   TemperatureLoad: { kind: "temperature", difference: "10 K" },

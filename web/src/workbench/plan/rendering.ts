@@ -54,7 +54,7 @@ function symbolOf(item: Item, loads: readonly Item[], highlights: Highlights): P
   const { kind, table, geometry, foot } = item;
   const ring = ringOf(geometry);
   const closed = isClosed(geometry);
-  const isWall = kind === "load" && table.kind === "line";
+  const isWall = kind === "load" && /^line/.test(String(table.kind));
   const texts = kind === "load" ? loadTexts(item, loads, highlights) : textsOf(item);
   return {
     kind,
@@ -107,7 +107,8 @@ function loadTexts(item: Item, here: readonly Item[], { selected, hovered, loadC
 /** Return a load's name and size. */
 function loadText(item: Item): string {
   const { table } = item;
-  if (table.kind !== "point") return withMinus([nameOf(item), String(table.q ?? "")].filter(Boolean).join("  "));
+  if (table.kind !== "point")
+    return withMinus([nameOf(item), String(table.q ?? table.m ?? "")].filter(Boolean).join("  "));
   const moments = ["M_x", "M_y"].flatMap((key) =>
     table[key] === undefined ? [] : [`, ${key.replace("_", "")} ${String(table[key])}`],
   );

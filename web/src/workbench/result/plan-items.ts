@@ -34,7 +34,7 @@ export function itemsIn(plan: Plan, list: string): PlanItem[] {
   const lists: Record<string, readonly Source[]> = {
     columns: plan.columns,
     supports: plan.supports,
-    loads: plan.loads.filter((load) => load.kind !== "uniform"),
+    loads: plan.loads.filter((load) => !load.everywhere),
     boreholes: plan.boreholes,
     "output.points": plan.points,
     "output.lines": plan.lines,

@@ -91,16 +91,16 @@ describe("what acts on the entire slab", () => {
     path: "",
     name: "",
     kind,
+    everywhere: true,
     case: of,
     parts: [[symbol, value, unit]],
   });
 
-  it("is the sum of loads of a kind, factors included; loads with a place and on the ground are left out", () => {
+  it("is the sum of loads of a kind, factors included; loads with a place are left out", () => {
     const loads = [
       everywhere("self weight", "G", 25, "kN/m^3", "gamma_c"),
       everywhere("uniform", "G", 1.5, "kPa"),
       everywhere("uniform", "Q", 2, "kPa"),
-      { ...everywhere("uniform", "Q", 9, "kPa"), on: "ground" },
       point("G", 200),
     ];
     const factors = new Map([

@@ -23,7 +23,7 @@ const PLAN = {
       elastic: false,
     },
   ],
-  loads: [{ path: "loads[1]", name: "", kind: "uniform", case: "", ring: RING, parts: [] }],
+  loads: [{ path: "loads[1]", name: "", kind: "uniform", everywhere: true, case: "", ring: RING, parts: [] }],
   boreholes: [],
   points: [],
   lines: [],
