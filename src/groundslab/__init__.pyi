@@ -38,12 +38,12 @@ from .model.ground import Selvadurai as Selvadurai
 from .model.ground import SoilLayer as SoilLayer
 from .model.ground import Vlasov as Vlasov
 from .model.ground import Winkler as Winkler
+from .model.loads.lines import LineLoad as LineLoad
+from .model.loads.lines import LineMoment as LineMoment
 from .model.loads.load_cases import Combination as Combination
 from .model.loads.load_cases import Combine as Combine
 from .model.loads.load_cases import LoadCase as LoadCase
 from .model.loads.load_types import AreaLoad as AreaLoad
-from .model.loads.load_types import LineLoad as LineLoad
-from .model.loads.load_types import LineMoment as LineMoment
 from .model.loads.load_types import PatchLoad as PatchLoad
 from .model.loads.load_types import PointLoad as PointLoad
 from .model.loads.load_types import SelfWeight as SelfWeight

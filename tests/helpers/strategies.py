@@ -10,10 +10,10 @@ from groundslab.model.columns import Column
 from groundslab.model.design.bars import MESHES, Bars, BarZone
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, Selvadurai, SoilLayer, Vlasov, Winkler
+from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, has_ultimate_combination
 from groundslab.model.loads.load_types import (
     AreaLoad,
-    LineLoad,
     PatchLoad,
     PointLoad,
     SelfWeight,
@@ -293,7 +293,18 @@ def columns(draw: st.DrawFn, plate: Plate, names: list[str]) -> list[Column]:
 @st.composite
 def any_load(draw: st.DrawFn, plate: Plate, case: str, columns: list[Column], supports: list[Any]) -> Any:
     """Return a load of any kind, of either sign."""
-    kinds = ["uniform", "patch", "area", "line", "point", "footprint", "self weight", "temperature", "shrinkage"]
+    kinds = [
+        "uniform",
+        "patch",
+        "area",
+        "line",
+        "line moment",
+        "point",
+        "footprint",
+        "self weight",
+        "temperature",
+        "shrinkage",
+    ]
     kinds += ["column"] * bool(columns) + ["settlement"] * bool(supports)
     kind = draw(st.sampled_from(kinds))
     size = min(plate.sides)
@@ -312,13 +323,15 @@ def any_load(draw: st.DrawFn, plate: Plate, case: str, columns: list[Column], su
         shape = draw(shapes(plate))
         holes = [Circle(centre=shape.centre, radius=shape.radius / 2)] if isinstance(shape, Circle) else []
         return AreaLoad(q=q, shape=shape, holes=draw(st.sampled_from([[], holes])), **varying, **keys)
-    if kind == "line":
+    if kind in {"line", "line moment"}:
         far = tuple(draw(SHARES) * side for side in plate.sides)
         start = inside_x, inside_y
         if start == far:
             far = plate.length_x / 2, plate.length_y / 2
         bulges = draw(st.just(()) | st.tuples(numbers(-1.5, 1.5)))
         q_end = draw(st.none() | st.sampled_from([0.0, 2e4, -5e3]))
+        if kind == "line moment":
+            return LineMoment(m=q * size / 4, m_end=q_end, points=[start, far], bulges=bulges, **keys)
         return LineLoad(q=q, q_end=q_end, points=[start, far], bulges=bulges, **keys)
     moments = {"M_x": draw(st.just(0) | SHARES) * q * size / 2,
                "M_y": draw(st.just(0) | SHARES) * q * size / 2}  # fmt: skip

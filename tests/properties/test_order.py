@@ -19,7 +19,7 @@ from groundslab.fem.foundation import Column
 from groundslab.fem.problem import Problem
 from groundslab.fem.system import build_system, current_bearings, nodal_table, right_hand_side, stiffness
 from groundslab.model.combinations import list_combinations
-from groundslab.model.loads.load_types import LineLoad
+from groundslab.model.loads.lines import LineLoad
 from groundslab.model.model import Model
 from groundslab.model.supports import LineSupport
 from groundslab.results.results import Results

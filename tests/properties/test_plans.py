@@ -9,7 +9,8 @@ import pytest
 
 from groundslab.analysis.driver import solve
 from groundslab.model.ground import Pasternak
-from groundslab.model.loads.load_types import AreaLoad, LineLoad, PatchLoad, PointLoad, SelfWeight, UniformLoad
+from groundslab.model.loads.lines import LineLoad
+from groundslab.model.loads.load_types import AreaLoad, PatchLoad, PointLoad, SelfWeight, UniformLoad
 from groundslab.model.model import Model
 from groundslab.model.plate import Zone
 from groundslab.model.settings import Beyond, Mesh

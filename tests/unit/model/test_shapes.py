@@ -10,7 +10,8 @@ import pytest
 from groundslab.case.casefile import loads, to_toml
 from groundslab.errors import InputError
 from groundslab.model.ground import Winkler
-from groundslab.model.loads.load_types import AreaLoad, LineLoad, PointLoad, SelfWeight, UniformLoad
+from groundslab.model.loads.lines import LineLoad
+from groundslab.model.loads.load_types import AreaLoad, PointLoad, SelfWeight, UniformLoad
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate, Zone
 from groundslab.model.settings import Mesh

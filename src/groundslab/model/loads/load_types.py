@@ -1,19 +1,16 @@
-"""Types of loads: pressures, line loads and moments, point loads, self-weight, temperature, imposed settlements."""
+"""Kinds of loads: pressures, point loads, self-weight, temperature, imposed settlements."""
 
 from __future__ import annotations
 
-import itertools
-import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, TypeGuard
 
 from groundslab.geometry.areas import equal_area_polygon
-from groundslab.geometry.plan import Segment, make_segments, rectangle
+from groundslab.geometry.plan import rectangle
 from groundslab.model.columns import Column, check_footprint, footprint
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.acting import (
     AreaPressure,
-    LineForce,
     PlateAction,
     PointForce,
     Pressure,
@@ -21,9 +18,11 @@ from groundslab.model.loads.acting import (
     Surface,
     loaded_parts,
 )
-from groundslab.model.shapes import BULGE, AcrossX, AcrossY, AnyShape, Place, Shape
-from groundslab.schema.base import ByKind, Check, Section, Table
-from groundslab.schema.fields import Choice, ListOf, Number, Quantity, Text, list_quantities
+from groundslab.model.loads.base import LoadBase, Magnitude
+from groundslab.model.loads.lines import LineLoad, LineMoment
+from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Shape
+from groundslab.schema.base import ByKind, Check, Table
+from groundslab.schema.fields import Choice, Number, Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 
@@ -31,25 +30,12 @@ if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
 
-NO_LENGTH = 1e-9  # m: lines shorter than this go nowhere
-
 STRAIN = Range(at_least=-0.01, at_most=0.01)
 
 PlateKey = Annotated[str, Text("the one of several plates that it acts on, by its name; by default on all of them")]
 
-#: How large a load is: symbol, value in SI units without factors, dimension.
-Magnitude = tuple[str, float, str]
 
-
-class _Load(Section):
-    """What all loads have."""
-
-    kind: str
-    name: Annotated[str, Text("name of the load, for people")] = ""
-    case: Annotated[str, Text("load case that it belongs to, one of [[cases]]; none where there are no cases")] = ""
-
-
-class _Pressure(_Load):
+class _Pressure(LoadBase):
     """A pressure, constant or up to quadratic in x and y."""
 
     q: Annotated[float, Quantity("pressure", "q", "pressure, downwards positive")]
@@ -138,146 +124,7 @@ class AreaLoad(_PressureOnPart):
         return (AreaPressure(rings, self.pressure, self.on),)
 
 
-def _check_line(
-    points: tuple[tuple[float, float], ...] | None, shape: AnyShape | None, along: dict[str, object], value: str
-) -> Iterator[RelativeIssue]:
-    """Find a line that is given by neither points nor a shape, or by both; `along` holds what only points can have."""
-    if points is None and shape is None:
-        yield RelativeIssue(("points",), "nothing", "the line's points, or a shape whose edge is loaded")
-    if shape is None:
-        return
-    for name, given in {"points": points, **along}.items():
-        if given is not None:
-            hint = f"all of a shape's edge bears the same {value}"
-            yield RelativeIssue((name,), f"{name} beside a shape", "one of them", hint)
-
-
-def _check_points_or_shape(
-    points: tuple[tuple[float, float], ...] | None,
-    bulges: tuple[float, ...],
-    shape: AnyShape | None,
-    q_end: float | None,
-) -> Iterator[RelativeIssue]:
-    yield from _check_line(points, shape, {"bulges": bulges or None, "q_end": q_end}, "q")
-
-
-def _check_moment_points_or_shape(
-    points: tuple[tuple[float, float], ...] | None,
-    bulges: tuple[float, ...],
-    shape: AnyShape | None,
-    m_end: float | None,
-) -> Iterator[RelativeIssue]:
-    yield from _check_line(points, shape, {"bulges": bulges or None, "m_end": m_end}, "m")
-
-
-def _check_line_length(
-    points: tuple[tuple[float, float], ...] | None, bulges: tuple[float, ...]
-) -> Iterator[RelativeIssue]:
-    if points is None:
-        return
-    if len(points) < 2:
-        yield RelativeIssue(("points",), f"{len(points)} point", "at least two")
-    elif len(bulges) >= len(points):
-        expected = f"at most {len(points) - 1}, one for each of the line's pieces"
-        yield RelativeIssue(("bulges",), f"{len(bulges)} bulges", expected)
-    for position, (a, b) in enumerate(itertools.pairwise(points), start=1):
-        if math.dist(a, b) < NO_LENGTH:
-            found = f"({b[0]!r}, {b[1]!r}) m twice"
-            yield RelativeIssue(("points", position), found, "another place than the one before")
-
-
-LinePoints = Annotated[
-    tuple[tuple[float, float], ...] | None,
-    ListOf(Place, "x, y", "the line's points, joined one after the other"),
-]
-LineBulges = Annotated[
-    tuple[float, ...],
-    ListOf(
-        BULGE,
-        "b",
-        "for the piece after each point, tan of a quarter of its arc's angle, positive if it runs "
-        "counter-clockwise; 0 for a straight piece",
-        least=0,
-    ),
-]
-LineShape = Annotated[Shape | None, Table("closed curve that the load stands on, such as a circle; not with points")]
-
-
-def _line_segments(
-    points: tuple[tuple[float, float], ...] | None, bulges: tuple[float, ...], shape: AnyShape | None
-) -> tuple[Segment, ...]:
-    """Return the straight pieces and arcs of a line, one after the other."""
-    if shape is not None:
-        return shape.ring().segments()
-    assert points is not None
-    return make_segments(points, bulges)
-
-
-class LineLoad(_Load):
-    """A force per length along a line of straight pieces and arcs, or along the edge of a shape."""
-
-    checks: ClassVar[tuple[Check, ...]] = (_check_points_or_shape, _check_line_length)
-
-    kind: Annotated[Literal["line"], Table("force per length along a line of straight pieces and arcs")] = "line"
-    q: Annotated[float, Quantity("force per length", "q", "force per length, downwards positive")]
-    q_end: Annotated[
-        float | None, Quantity("force per length", "q_e", "at the end, linear from q at the start; q by default")
-    ] = None
-    points: LinePoints = None
-    bulges: LineBulges = ()
-    shape: LineShape = None
-
-    @property
-    def magnitudes(self) -> tuple[Magnitude, ...]:
-        """How large it is at its start and at its end."""
-        q_end = self.q if self.q_end is None else self.q_end
-        return (("q", self.q, "force per length"), ("q_end", q_end, "force per length"))
-
-    @property
-    def acts(self) -> tuple[LineForce]:
-        """The force along the line."""
-        edges = _line_segments(self.points, self.bulges, self.shape)
-        return (LineForce(edges, q=(self.q, self.q if self.q_end is None else self.q_end)),)
-
-
-class LineMoment(_Load):
-    """A moment per length along a line of straight pieces and arcs, or along the edge of a shape."""
-
-    checks: ClassVar[tuple[Check, ...]] = (_check_moment_points_or_shape, _check_line_length)
-
-    kind: Annotated[
-        Literal["line moment"], Table("moment per length about a line, as of a wall that is fixed in the plate")
-    ] = "line moment"
-    m: Annotated[
-        float,
-        Quantity(
-            "moment per length",
-            "m",
-            "moment about the line, positive if it presses the side down that lies to the left on the way along the "
-            "line; of a circle that is its inside",
-        ),
-    ]
-    m_end: Annotated[
-        float | None, Quantity("moment per length", "m_e", "at the end, linear from m at the start; m by default")
-    ] = None
-    points: LinePoints = None
-    bulges: LineBulges = ()
-    shape: LineShape = None
-
-    @property
-    def magnitudes(self) -> tuple[Magnitude, ...]:
-        """How large it is at its start and at its end."""
-        m_end = self.m if self.m_end is None else self.m_end
-        return (("m", self.m, "moment per length"), ("m_end", m_end, "moment per length"))
-
-    @property
-    def acts(self) -> tuple[LineForce]:
-        """The couple along the line."""
-        edges = _line_segments(self.points, self.bulges, self.shape)
-        return (LineForce(edges, m=(self.m, self.m if self.m_end is None else self.m_end)),)
-
-
-class SelfWeight(_Load):
+class SelfWeight(LoadBase):
     """The self-weight of the plate."""
 
     kind: Annotated[Literal["self weight"], Table("self-weight of the plate, by its thickness in each zone")] = (
@@ -315,7 +162,7 @@ def _check_position(
             yield RelativeIssue((name,), "nothing", 'a position such as "1.5 m", or the name of a column')
 
 
-class PointLoad(_Load):
+class PointLoad(LoadBase):
     """A force and moments at a point, on a footprint or on a column."""
 
     checks: ClassVar[tuple[Check, ...]] = (_check_position, check_footprint)
@@ -380,7 +227,7 @@ class PointLoad(_Load):
         return self.model_copy(update={"column": "", **place})
 
 
-class TemperatureLoad(_Load):
+class TemperatureLoad(LoadBase):
     """A difference of temperature between the faces of the plate."""
 
     kind: Annotated[Literal["temperature"], Table("difference of temperature over the thickness")] = "temperature"
@@ -400,7 +247,7 @@ class TemperatureLoad(_Load):
         return (PlateAction(self.plate, temperature=self.difference),)
 
 
-class ShrinkageLoad(_Load):
+class ShrinkageLoad(LoadBase):
     """Shrinkage that differs between the faces of the plate; of a uniform one friction makes tension, no bending."""
 
     kind: Annotated[Literal["shrinkage"], Table("shrinkage that differs over the thickness")] = "shrinkage"
@@ -419,7 +266,7 @@ class ShrinkageLoad(_Load):
         return (PlateAction(self.plate, shrinkage=self.top - self.bottom),)
 
 
-class SettlementLoad(_Load):
+class SettlementLoad(LoadBase):
     """A settlement that is forced on a support."""
 
     kind: Annotated[Literal["settlement"], Table("settlement forced on a support")] = "settlement"

@@ -18,8 +18,9 @@ from groundslab.errors import InputError
 from groundslab.model.columns import check_footprint
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.en1990 import MOST_COMBINATIONS, make_combinations
+from groundslab.model.loads.lines import NO_LENGTH
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_case_names
-from groundslab.model.loads.load_types import NO_LENGTH, PointLoad
+from groundslab.model.loads.load_types import PointLoad
 from groundslab.model.loads.placement import on_plate
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate

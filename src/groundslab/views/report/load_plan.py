@@ -101,7 +101,10 @@ def load_text(load: AnyLoad) -> str:
         return f"{' to '.join(dict.fromkeys(f'{value:.5g}' for _, value, _ in parts))} {parts[0][2]}"
     # a force or a pressure needs no symbol, moments do
     named = [
-        (f"{symbol.replace('_', '')} " if symbol.startswith("M") else "", f"{value:.5g} {unit.replace('^3', '³')}".rstrip())
+        (
+            f"{symbol.replace('_', '')} " if symbol.startswith("M") else "",
+            f"{value:.5g} {unit.replace('^3', '³')}".rstrip(),
+        )
         for symbol, value, unit in parts
         if value
     ]

@@ -27,7 +27,8 @@ from groundslab.case.dxf.drawing import Drawing
 from groundslab.case.dxf.loads.labelling import find_quantity
 from groundslab.errors import InputError
 from groundslab.geometry.plan import Ring
-from groundslab.model.loads.load_types import AreaLoad, LineLoad, PointLoad, UniformLoad
+from groundslab.model.loads.lines import LineLoad
+from groundslab.model.loads.load_types import AreaLoad, PointLoad, UniformLoad
 from groundslab.model.shapes import Circle, Polygon
 
 SQUARE = [(0, 0), (4, 0), (4, 3), (0, 3)]

@@ -25,8 +25,9 @@ from groundslab.fem.mesh import Mesh
 from groundslab.fem.vlasov import Soil
 from groundslab.model.columns import Column
 from groundslab.model.ground import InterfaceLayer, Layered, SoilLayer, Vlasov
+from groundslab.model.loads.lines import LineLoad
 from groundslab.model.loads.load_cases import Combination
-from groundslab.model.loads.load_types import LineLoad, PointLoad
+from groundslab.model.loads.load_types import PointLoad
 from groundslab.model.outputs import Output, OutputLine
 from groundslab.model.plate import Edges, Plate, Zone
 from groundslab.model.settings import Contact

@@ -1,0 +1,19 @@
+"""What all loads have."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from groundslab.schema.base import Section
+from groundslab.schema.fields import Text
+
+#: How large a load is: symbol, value in SI units without factors, dimension.
+Magnitude = tuple[str, float, str]
+
+
+class LoadBase(Section):
+    """What all loads have."""
+
+    kind: str
+    name: Annotated[str, Text("name of the load, for people")] = ""
+    case: Annotated[str, Text("load case that it belongs to, one of [[cases]]; none where there are no cases")] = ""

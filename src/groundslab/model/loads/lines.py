@@ -1,0 +1,158 @@
+"""Forces and moments along lines."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator
+from typing import Annotated, ClassVar, Literal
+
+from groundslab.geometry.plan import Segment, make_segments
+from groundslab.model.loads.acting import LineForce
+from groundslab.model.loads.base import LoadBase, Magnitude
+from groundslab.model.shapes import BULGE, AnyShape, Place, Shape
+from groundslab.schema.base import Check, Table
+from groundslab.schema.fields import ListOf, Quantity
+from groundslab.schema.issues import RelativeIssue
+
+#: Lines shorter than this [m] go nowhere.
+NO_LENGTH = 1e-9
+
+
+def _check_line(
+    points: tuple[tuple[float, float], ...] | None, shape: AnyShape | None, along: dict[str, object], value: str
+) -> Iterator[RelativeIssue]:
+    """Find a line that is given by neither points nor a shape, or by both; `along` holds what only points can have."""
+    if points is None and shape is None:
+        yield RelativeIssue(("points",), "nothing", "the line's points, or a shape whose edge is loaded")
+    if shape is None:
+        return
+    for name, given in {"points": points, **along}.items():
+        if given is not None:
+            hint = f"all of a shape's edge bears the same {value}"
+            yield RelativeIssue((name,), f"{name} beside a shape", "one of them", hint)
+
+
+def _check_points_or_shape(
+    points: tuple[tuple[float, float], ...] | None,
+    bulges: tuple[float, ...],
+    shape: AnyShape | None,
+    q_end: float | None,
+) -> Iterator[RelativeIssue]:
+    yield from _check_line(points, shape, {"bulges": bulges or None, "q_end": q_end}, "q")
+
+
+def _check_moment_points_or_shape(
+    points: tuple[tuple[float, float], ...] | None,
+    bulges: tuple[float, ...],
+    shape: AnyShape | None,
+    m_end: float | None,
+) -> Iterator[RelativeIssue]:
+    yield from _check_line(points, shape, {"bulges": bulges or None, "m_end": m_end}, "m")
+
+
+def _check_line_length(
+    points: tuple[tuple[float, float], ...] | None, bulges: tuple[float, ...]
+) -> Iterator[RelativeIssue]:
+    if points is None:
+        return
+    if len(points) < 2:
+        yield RelativeIssue(("points",), f"{len(points)} point", "at least two")
+    elif len(bulges) >= len(points):
+        expected = f"at most {len(points) - 1}, one for each of the line's pieces"
+        yield RelativeIssue(("bulges",), f"{len(bulges)} bulges", expected)
+    for position, (a, b) in enumerate(itertools.pairwise(points), start=1):
+        if math.dist(a, b) < NO_LENGTH:
+            found = f"({b[0]!r}, {b[1]!r}) m twice"
+            yield RelativeIssue(("points", position), found, "another place than the one before")
+
+
+LinePoints = Annotated[
+    tuple[tuple[float, float], ...] | None,
+    ListOf(Place, "x, y", "the line's points, joined one after the other"),
+]
+LineBulges = Annotated[
+    tuple[float, ...],
+    ListOf(
+        BULGE,
+        "b",
+        "for the piece after each point, tan of a quarter of its arc's angle, positive if it runs "
+        "counter-clockwise; 0 for a straight piece",
+        least=0,
+    ),
+]
+LineShape = Annotated[Shape | None, Table("closed curve that the load stands on, such as a circle; not with points")]
+
+
+def _line_segments(
+    points: tuple[tuple[float, float], ...] | None, bulges: tuple[float, ...], shape: AnyShape | None
+) -> tuple[Segment, ...]:
+    """Return the straight pieces and arcs of a line, one after the other."""
+    if shape is not None:
+        return shape.ring().segments()
+    assert points is not None
+    return make_segments(points, bulges)
+
+
+class LineLoad(LoadBase):
+    """A force per length along a line of straight pieces and arcs, or along the edge of a shape."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_check_points_or_shape, _check_line_length)
+
+    kind: Annotated[Literal["line"], Table("force per length along a line of straight pieces and arcs")] = "line"
+    q: Annotated[float, Quantity("force per length", "q", "force per length, downwards positive")]
+    q_end: Annotated[
+        float | None, Quantity("force per length", "q_e", "at the end, linear from q at the start; q by default")
+    ] = None
+    points: LinePoints = None
+    bulges: LineBulges = ()
+    shape: LineShape = None
+
+    @property
+    def magnitudes(self) -> tuple[Magnitude, ...]:
+        """How large it is at its start and at its end."""
+        q_end = self.q if self.q_end is None else self.q_end
+        return (("q", self.q, "force per length"), ("q_end", q_end, "force per length"))
+
+    @property
+    def acts(self) -> tuple[LineForce]:
+        """The force along the line."""
+        edges = _line_segments(self.points, self.bulges, self.shape)
+        return (LineForce(edges, q=(self.q, self.q if self.q_end is None else self.q_end)),)
+
+
+class LineMoment(LoadBase):
+    """A moment per length along a line of straight pieces and arcs, or along the edge of a shape."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_check_moment_points_or_shape, _check_line_length)
+
+    kind: Annotated[
+        Literal["line moment"], Table("moment per length about a line, as of a wall that is fixed in the plate")
+    ] = "line moment"
+    m: Annotated[
+        float,
+        Quantity(
+            "moment per length",
+            "m",
+            "moment about the line, positive if it presses the side down that lies to the left on the way along the "
+            "line; of a circle that is its inside",
+        ),
+    ]
+    m_end: Annotated[
+        float | None, Quantity("moment per length", "m_e", "at the end, linear from m at the start; m by default")
+    ] = None
+    points: LinePoints = None
+    bulges: LineBulges = ()
+    shape: LineShape = None
+
+    @property
+    def magnitudes(self) -> tuple[Magnitude, ...]:
+        """How large it is at its start and at its end."""
+        m_end = self.m if self.m_end is None else self.m_end
+        return (("m", self.m, "moment per length"), ("m_end", m_end, "moment per length"))
+
+    @property
+    def acts(self) -> tuple[LineForce]:
+        """The couple along the line."""
+        edges = _line_segments(self.points, self.bulges, self.shape)
+        return (LineForce(edges, m=(self.m, self.m if self.m_end is None else self.m_end)),)
