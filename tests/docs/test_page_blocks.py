@@ -44,7 +44,7 @@ def test_cases_of_the_page_on_input_load() -> None:
     smallest, *others = blocks("input.md", "toml")
     assert len(others) == 7
     shapes, checks, aci, cracks, combinations, moves, floor = others
-    assert len(casefile.loads(f"{smallest}\n{shapes}").loads) == 4
+    assert len(casefile.loads(f"{smallest}\n{shapes}").loads) == 5
     named = smallest.replace('q = "10 kPa"', 'q = "10 kPa"\ncase = "design loads"')
     assert len(casefile.loads(f"{named}\n{combinations}").combinations) == 1
     assert casefile.loads(f"{named}\n{combinations}\n{checks}").limits is not None

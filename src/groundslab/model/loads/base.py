@@ -11,7 +11,7 @@ from groundslab.schema.fields import Text
 Magnitude = tuple[str, float, str]
 
 
-class LoadBase(Section):
+class _Load(Section):
     """What all loads have."""
 
     kind: str

@@ -9,7 +9,7 @@ from typing import Annotated, ClassVar, Literal
 
 from groundslab.geometry.plan import Segment, make_segments
 from groundslab.model.loads.acting import LineForce
-from groundslab.model.loads.base import LoadBase, Magnitude
+from groundslab.model.loads.base import Magnitude, _Load
 from groundslab.model.shapes import BULGE, AnyShape, Place, Shape
 from groundslab.schema.base import Check, Table
 from groundslab.schema.fields import ListOf, Quantity
@@ -94,7 +94,7 @@ def _line_segments(
     return make_segments(points, bulges)
 
 
-class LineLoad(LoadBase):
+class LineLoad(_Load):
     """A force per length along a line of straight pieces and arcs, or along the edge of a shape."""
 
     checks: ClassVar[tuple[Check, ...]] = (_check_points_or_shape, _check_line_length)
@@ -121,7 +121,7 @@ class LineLoad(LoadBase):
         return (LineForce(edges, q=(self.q, self.q if self.q_end is None else self.q_end)),)
 
 
-class LineMoment(LoadBase):
+class LineMoment(_Load):
     """A moment per length along a line of straight pieces and arcs, or along the edge of a shape."""
 
     checks: ClassVar[tuple[Check, ...]] = (_check_moment_points_or_shape, _check_line_length)

@@ -18,7 +18,7 @@ from groundslab.model.loads.acting import (
     Surface,
     loaded_parts,
 )
-from groundslab.model.loads.base import LoadBase, Magnitude
+from groundslab.model.loads.base import Magnitude, _Load
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Shape
 from groundslab.schema.base import ByKind, Check, Table
@@ -35,7 +35,7 @@ STRAIN = Range(at_least=-0.01, at_most=0.01)
 PlateKey = Annotated[str, Text("the one of several plates that it acts on, by its name; by default on all of them")]
 
 
-class _Pressure(LoadBase):
+class _Pressure(_Load):
     """A pressure, constant or up to quadratic in x and y."""
 
     q: Annotated[float, Quantity("pressure", "q", "pressure, downwards positive")]
@@ -124,7 +124,7 @@ class AreaLoad(_PressureOnPart):
         return (AreaPressure(rings, self.pressure, self.on),)
 
 
-class SelfWeight(LoadBase):
+class SelfWeight(_Load):
     """The self-weight of the plate."""
 
     kind: Annotated[Literal["self weight"], Table("self-weight of the plate, by its thickness in each zone")] = (
@@ -162,7 +162,7 @@ def _check_position(
             yield RelativeIssue((name,), "nothing", 'a position such as "1.5 m", or the name of a column')
 
 
-class PointLoad(LoadBase):
+class PointLoad(_Load):
     """A force and moments at a point, on a footprint or on a column."""
 
     checks: ClassVar[tuple[Check, ...]] = (_check_position, check_footprint)
@@ -227,7 +227,7 @@ class PointLoad(LoadBase):
         return self.model_copy(update={"column": "", **place})
 
 
-class TemperatureLoad(LoadBase):
+class TemperatureLoad(_Load):
     """A difference of temperature between the faces of the plate."""
 
     kind: Annotated[Literal["temperature"], Table("difference of temperature over the thickness")] = "temperature"
@@ -247,7 +247,7 @@ class TemperatureLoad(LoadBase):
         return (PlateAction(self.plate, temperature=self.difference),)
 
 
-class ShrinkageLoad(LoadBase):
+class ShrinkageLoad(_Load):
     """Shrinkage that differs between the faces of the plate; of a uniform one friction makes tension, no bending."""
 
     kind: Annotated[Literal["shrinkage"], Table("shrinkage that differs over the thickness")] = "shrinkage"
@@ -266,7 +266,7 @@ class ShrinkageLoad(LoadBase):
         return (PlateAction(self.plate, shrinkage=self.top - self.bottom),)
 
 
-class SettlementLoad(LoadBase):
+class SettlementLoad(_Load):
     """A settlement that is forced on a support."""
 
     kind: Annotated[Literal["settlement"], Table("settlement forced on a support")] = "settlement"
