@@ -34,7 +34,7 @@ def find_unresolved(results: CombinationResult) -> Unresolved | None:
     thinnest = min(plate.thickness for plate in model.every_plate)
     forces = [shape for _, shape in model.acting if isinstance(shape, PointForce)]
     footprints = [(*force.place, min(force.ring.sides) if force.ring else thinnest) for force in forces]
-    footprints += [(support.x, support.y, thinnest) for support in model.supports if support.kind != "line"]
+    footprints += [(*support.points[0], thinnest) for support in model.supports if not support.edges]
     if not footprints:
         return None
     x, y, side = np.array(footprints, dtype=float).T

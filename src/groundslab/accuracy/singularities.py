@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -91,8 +90,7 @@ def _creases(model: Model) -> Iterator[Segment]:
     for _, shape in model.acting:
         yield from borders_of(shape)
     for support in model.supports:
-        if support.kind == "line":
-            yield from (Segment(start, end) for start, end in pairwise(support.points))
+        yield from support.edges
     zones = [zone for plate in model.every_plate for zone in plate.zones]
     soil, voids = model.soil_zones, model.contact.voids
     # under the edges of a plate the pressure of an elastic continuum has no limit

@@ -71,8 +71,7 @@ def _columns_and_supports(model: Model) -> list[str]:
             size = f"{column.width_x:g} m x {column.width_y:g} m"
         lines.append(f"  column {column.name}: {size} at ({column.x:g}, {column.y:g}) m")
     for number, support in enumerate(model.supports, 1):
-        places = support.points if support.kind == "line" else [(support.x, support.y)]
-        where = " to ".join(f"({x:g}, {y:g})" for x, y in places)
+        where = " to ".join(f"({x:g}, {y:g})" for x, y in support.points)
         firm = "elastic" if support.elastic else "rigid"
         lines.append(f"  support {support.name or number}: {support.kind}, {firm}, acts {support.acts}, at {where} m")
     return lines

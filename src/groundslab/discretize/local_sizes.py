@@ -106,4 +106,4 @@ def _footprints(model: Model) -> Iterator[Ring]:
         if isinstance(shape, PointForce) or (isinstance(shape, AreaPressure) and shape.rings[0].is_rectangle):
             yield from rings_of(shape)
     yield from (circle(place, t / 2) for place in forces_without_footprint(model))
-    yield from (circle((support.x, support.y), t / 2) for support in model.supports if support.kind != "line")
+    yield from (circle(support.points[0], t / 2) for support in model.supports if not support.edges)

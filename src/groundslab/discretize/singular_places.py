@@ -54,7 +54,7 @@ def singular_places(model: Model) -> dict[str, list[Place]]:
     """
     plates = model.every_plate
     ends = [place for _, shape in model.acting if isinstance(shape, LineForce) for place in shape.corners]
-    ends += [place for support in model.supports if support.kind == "line" for place in support.points]
+    ends += [place for support in model.supports if support.edges for place in support.points]
     corners = [*_between_edges(model.plate)]
     for plate in plates:
         corners += corners_of(plate.ring(), 1)
@@ -62,7 +62,7 @@ def singular_places(model: Model) -> dict[str, list[Place]]:
         corners += [place for zone in plate.zones for place in corners_of(zone.shape.ring(), None)]
     found = {
         "forces without a footprint": [*forces_without_footprint(model)],
-        "point supports": [(support.x, support.y) for support in model.supports if support.kind != "line"],
+        "point supports": [support.points[0] for support in model.supports if not support.edges],
         "ends and bends of lines": ends,
         "corners": corners,
     }

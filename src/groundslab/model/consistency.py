@@ -23,7 +23,6 @@ from groundslab.model.serviceability.cracking import Cracking
 from groundslab.model.settings import SIDES, Beyond, Contact, Mesh
 from groundslab.model.supports import (
     AnySupport,
-    LineSupport,
     check_line_supports,
     check_names,
     check_support_distances,
@@ -171,8 +170,8 @@ def check_supports(
     yield from far
     if not supports or far or any(check_line_supports(supports)):
         return
-    points = [n for n, support in enumerate(supports) if not isinstance(support, LineSupport)]
-    lines = [n for n, support in enumerate(supports) if isinstance(support, LineSupport)]
+    points = [n for n, support in enumerate(supports) if not support.edges]
+    lines = [n for n, support in enumerate(supports) if support.edges]
     called = {f"plate.points[{n}]": number for n, number in enumerate(points, start=1)}
     called |= {f"plate.lines[{n}]": number for n, number in enumerate(lines, start=1)}
     for issue in find_issues(plan_of_plate(plate, supports, plates=plates)):
@@ -252,10 +251,10 @@ def check_supports_on_joints(
             continue
         line = shared_line(*(known[name] for name in joint.between)).buffer(near)
         for position, support in enumerate(supports):
-            if not isinstance(support, LineSupport):
-                held = line.intersects(Point(support.x, support.y))
+            if support.edges:
+                held = line.intersection(LineString(support.points)).length > 4 * near
             else:
-                held = len(support.points) > 1 and line.intersection(LineString(support.points)).length > 4 * near
+                held = line.intersects(Point(support.points[0]))
             if held:
                 hint = "two supports, one on either side, hold both plates"
                 found = f"a support on the joint {quote(joint.title)}"

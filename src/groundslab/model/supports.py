@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import Annotated, ClassVar, Literal
 
-from groundslab.geometry.plan import Plan, Ring
+from groundslab.geometry.plan import Plan, Ring, Segment
 from groundslab.model.ground import POSITIVE, AnyGround, ContinuousGround
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, first_sections, list_plates
@@ -71,6 +72,16 @@ class PointSupport(Section):
     ] = None
 
     @property
+    def points(self) -> tuple[tuple[float, float]]:
+        """Its only place."""
+        return ((self.x, self.y),)
+
+    @property
+    def edges(self) -> tuple[Segment, ...]:
+        """No lines."""
+        return ()
+
+    @property
     def elastic(self) -> bool:
         """Whether it gives way."""
         return self.stiffness is not None
@@ -102,6 +113,11 @@ class LineSupport(Section):
         float | None, Quantity("force per length", "r_max", "largest force per length; with it it yields", POSITIVE)
     ] = None
     rotation: Annotated[Turning, Choice(Turning, "whether the plate may turn across the line")] = "free"
+
+    @property
+    def edges(self) -> tuple[Segment, ...]:
+        """The pieces of the line, one after the other."""
+        return tuple(Segment(start, end) for start, end in pairwise(self.points))
 
     @property
     def elastic(self) -> bool:
@@ -137,6 +153,16 @@ class Pile(Section):
     ] = None  # fmt: skip
 
     @property
+    def points(self) -> tuple[tuple[float, float]]:
+        """Its only place."""
+        return ((self.x, self.y),)
+
+    @property
+    def edges(self) -> tuple[Segment, ...]:
+        """No lines."""
+        return ()
+
+    @property
     def acts(self) -> Acts:
         """How the pile acts."""
         return "in compression" if self.limit_tension == 0 else "both ways"
@@ -170,8 +196,7 @@ def check_support_distances(
     x0, x1, y0, y1 = bounds
     far = max(x1 - x0, y1 - y0)
     for position, support in enumerate(supports):
-        places = support.points if isinstance(support, LineSupport) else ((support.x, support.y),)
-        for x, y in places:
+        for x, y in support.points:
             if not (x0 - far <= x <= x1 + far and y0 - far <= y <= y1 + far):
                 yield RelativeIssue(
                     ("supports", position), f"a place far off the plate, ({x:.6g}, {y:.6g}) m", "one on it"
@@ -209,8 +234,8 @@ def plan_of_plate(
             for number, zone in enumerate(each.zones, start=start + 1)
         ),
         beyond,
-        tuple((support.x, support.y) for support in supports if not isinstance(support, LineSupport)),
-        tuple(support.points for support in supports if isinstance(support, LineSupport)),
+        tuple(support.points[0] for support in supports if not support.edges),
+        tuple(support.points for support in supports if support.edges),
         others=tuple((each.ring(), start) for each, start in zip(plates, starts[1:], strict=True)),
     )
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,7 +19,6 @@ from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import gauss, jacobian, q9, unique_integers
 from groundslab.geometry.plan import Place
 from groundslab.model.model import Model
-from groundslab.model.supports import LineSupport
 from groundslab.results import patch_recovery
 from groundslab.results.edge_forces import EdgeSides, edge_lengths, edge_sides
 from groundslab.results.patch_recovery import Patches
@@ -144,7 +142,7 @@ class ResultMesh:
 def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
     """Return the mesh for the results of a model."""
     elements, depth = problem.mesh.elements[problem.plate_elements], problem.depths.dominant
-    supports = [piece for each in model.supports if isinstance(each, LineSupport) for piece in pairwise(each.points)]
+    supports = [(edge.start, edge.end) for support in model.supports for edge in support.edges]
     at_supports = sides_along(problem.mesh, elements, supports)
     at_loads = sides_along(
         problem.mesh,

@@ -195,8 +195,8 @@ def draw_supports(axes: Axes, model: Model) -> Entries:
     """Mark supports at points by triangles, those along lines and held edges by thick lines."""
     entries: Entries = {}
     for support in model.supports:
-        if support.kind != "line":
-            (mark,) = axes.plot(support.x, support.y, "^", color=SUPPORT, markeredgecolor="white", markersize=6.5)
+        if not support.edges:
+            (mark,) = axes.plot(*support.points[0], "^", color=SUPPORT, markeredgecolor="white", markersize=6.5)
             mark.set(linestyle="none", clip_on=False, zorder=5.4, markeredgewidth=0.5)
             entries["support"] = mark
         else:

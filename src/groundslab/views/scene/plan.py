@@ -105,15 +105,10 @@ def _support(support: AnySupport) -> Data:
     return {
         "name": support.name,
         "kind": support.kind,
-        "points": _rounded(_places(support)),
+        "points": _rounded(support.points),
         "acts": support.acts,
         "elastic": support.elastic,
     }
-
-
-def _places(support: AnySupport) -> Sequence[Place]:
-    """Return the points of a support."""
-    return ((support.x, support.y),) if support.kind != "line" else support.points
 
 
 def _load(load: AnyLoad, model: Model, chord: float) -> Data:
@@ -146,7 +141,7 @@ def _place_of(shape: Acting, model: Model, chord: float) -> Data:
         around_plate = {"ring": _rounded(model.plate.ring().flat(chord))} if shape.presses else {}
         return {"everywhere": True} | around_plate | _varies(shape.pressure)
     support = next(support for support in model.supports if support.name == shape.support)
-    return {"support": support.name, "points": _rounded(_places(support))}
+    return {"support": support.name, "points": _rounded(support.points)}
 
 
 def _varies(pressure: Pressure) -> Data:
