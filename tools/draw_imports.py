@@ -11,8 +11,6 @@ import sys
 import grimp
 
 PACKAGE = "groundslab"
-#: The only import that goes up: a method for convenience.
-UP = ("results", "views")
 #: Imported by nearly everything; their arrows would hide the others.
 COMMON = ("_version", "arrays", "errors")
 
@@ -44,7 +42,6 @@ def levels(below: dict[str, set[str]]) -> dict[str, int]:
 def direct_imports() -> tuple[dict[str, int], dict[str, set[str]]]:
     """Return the level of each folder, and what it imports less what a longer way leads to."""
     below = imports()
-    below[UP[0]].discard(UP[1])
     level, reached = levels(below), dict[str, set[str]]()
     for top in sorted(level, key=level.__getitem__):
         reached[top] = below[top].union(*(reached[each] for each in below[top]))
@@ -58,8 +55,7 @@ def diagram() -> str:
     lines = ["```mermaid", "graph TD"]
     for top, imported in direct_imports()[1].items():
         lines += [f"    {top} --> {each}" for each in sorted(imported)] or [f"    {top}"]
-    lines += [f"    {UP[0]} -. Results.plot .-> {UP[1]}", "```"]
-    return "\n".join(lines) + "\n"
+    return "\n".join([*lines, "```"]) + "\n"
 
 
 def draw(path: str) -> None:
@@ -75,10 +71,9 @@ def draw(path: str) -> None:
     axes = figure.add_subplot()
     axes.set(xlim=(-2, 2), ylim=(min(rows) - 0.5, max(rows) + 0.5))
     axes.axis("off")
-    upwards = [(*UP, "dashed")]
-    for start, end, line in [(top, each, "solid") for top, found in direct.items() for each in found] + upwards:
+    for start, end in [(top, below) for top, imported in direct.items() for below in imported]:
         bend = 0.25 if abs(at[start][1] - at[end][1]) > 1 else 0.0
-        style = {"arrowstyle": "-|>", "color": "#777777", "linestyle": line, "shrinkA": 9, "shrinkB": 9}
+        style = {"arrowstyle": "-|>", "color": "#777777", "shrinkA": 9, "shrinkB": 9}
         axes.annotate("", at[end], at[start], arrowprops={**style, "connectionstyle": f"arc3,rad={bend}"})
     for top, (x, y) in at.items():
         box = {"boxstyle": "round,pad=0.35", "facecolor": "#eef2f7", "edgecolor": "#456"}
@@ -89,9 +84,8 @@ def draw(path: str) -> None:
 if __name__ == "__main__" and len(sys.argv) > 1:
     draw(sys.argv[1])
 elif __name__ == "__main__":
-    found = imports()
-    found[UP[0]].discard(UP[1])
-    arrows = sum(map(len, found.values()))
+    below = imports()
+    arrows = sum(map(len, below.values()))
     print(
-        diagram(), f"{len(found)} folders and modules, {max(levels(found).values())} levels, {arrows} arrows", sep="\n"
+        diagram(), f"{len(below)} folders and modules, {max(levels(below).values())} levels, {arrows} arrows", sep="\n"
     )

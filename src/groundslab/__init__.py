@@ -9,9 +9,21 @@ The public names are listed in ``__init__.pyi``. Each loads when it is first use
 nothing.
 """
 
+import importlib
+import sys
+from typing import Any
+
 import lazy_loader
 
 from groundslab._version import __version__ as __version__
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+_load, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 __all__ += ["__version__"]
+
+
+def __getattr__(name: str) -> Any:
+    """Return a public name; with results come their methods that draw them."""
+    value = _load(name)
+    if "groundslab.results.results" in sys.modules:
+        importlib.import_module("groundslab.views.methods")
+    return value

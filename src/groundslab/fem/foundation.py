@@ -167,16 +167,6 @@ def mass_and_slope(xy: Array) -> tuple[Array, Array]:
     return mass, slope
 
 
-def interface_stiffness(k0: Array, k1: Array, xy: Array) -> Array:
-    """Return the paper's 18-node interface element (m, 18, 18): top nodes first, then bottom nodes (paper (2.8)).
-
-    k0 (m,) [Pa/m] and k1 (m,) [Pa m]; xy (m, 9, 2) [m].
-    """
-    mass, slope = mass_and_slope(xy)
-    K = k0[:, None, None] * mass + k1[:, None, None] * slope
-    return np.block([[K, -K], [-K, K]])
-
-
 #: Mass and stiffness of a three-node edge (end, end, middle) of unit length.
 EDGE_MASS = np.array([[4.0, -1.0, 2.0], [-1.0, 4.0, 2.0], [2.0, 2.0, 16.0]]) / 30
 EDGE_SLOPE = np.array([[7.0, 1.0, -8.0], [1.0, 7.0, -8.0], [-8.0, -8.0, 16.0]]) / 3

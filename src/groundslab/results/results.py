@@ -83,26 +83,6 @@ class Increment:
     ground: GroundResult
 
 
-def plot_results(self: CombinationResult | Results, *fields: str, **options: Any) -> Figure:  # noqa: D417
-    """Draw the results, see `groundslab.plot`.
-
-    Parameters
-    ----------
-    *fields : str
-        Names or symbols of fields, such as "settlement".
-    **options
-        Options of `groundslab.plot`.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
-    from groundslab.views.plots import plot
-
-    return plot(self, *fields, **options)
-
-
 class OnlyPart(Generic[Part]):
     """A part of the results of the only combination, as `CombinationResult` documents it."""
 
@@ -218,7 +198,10 @@ class CombinationResult:
             comparison=None,
         )
 
-    plot = plot_results
+    if TYPE_CHECKING:
+
+        def plot(self, *fields: str, **options: Any) -> Figure:
+            """Draw the results; `views.methods` has it."""
 
     def __repr__(self) -> str:
         """Return the first figures on one line."""
@@ -298,7 +281,10 @@ class Results(Mapping[str, CombinationResult]):
     supports = OnlyPart[tuple[SupportResult, ...]]()
     increments = OnlyPart[tuple[Increment, ...]]()
     steps = OnlyPart[tuple[Step, ...]]()
-    plot = plot_results
+    if TYPE_CHECKING:
+
+        def plot(self, *fields: str, **options: Any) -> Figure:
+            """Draw the results; `views.methods` has it."""
 
     def __repr__(self) -> str:
         """Return the title and the first figures of each combination, one a line."""

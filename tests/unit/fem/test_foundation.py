@@ -13,7 +13,6 @@ from groundslab.fem.foundation import (
     consistent_stack,
     edge_decay,
     interface_stack,
-    interface_stiffness,
     mass_and_slope,
     single,
 )
@@ -42,23 +41,14 @@ def tensor(first: np.ndarray, second: np.ndarray) -> np.ndarray:
     return first[np.ix_(COLUMN, COLUMN)] * second[np.ix_(ROW, ROW)]
 
 
-def test_interface_element_on_a_rectangle() -> None:
-    """The 18-node element is k0 int N N + k1 int grad N grad N on w_top - w_bottom: products of line integrals."""
-    a, b, k0, k1 = 1.7, 0.6, 3e7, 2e7
-    K = interface_stiffness(np.array([k0]), np.array([k1]), rectangle(a, b))[0]
-    mass = a * b * tensor(MASS, MASS)
-    slope = b / a * tensor(SLOPE, MASS) + a / b * tensor(MASS, SLOPE)
-    part = k0 * mass + k1 * slope
-    np.testing.assert_allclose(K, np.block([[part, -part], [-part, part]]), rtol=1e-12, atol=1e-13 * np.abs(K).max())
-
-
-def test_interface_element_carries_nothing_when_both_faces_move_alike() -> None:
-    """Any settlement that top and bottom share, however it varies, strains nothing; equal and opposite ones do."""
-    K = interface_stiffness(np.array([3e7]), np.array([2e7]), quadrilateral())[0]
-    w = np.random.default_rng(0).standard_normal(9)
-    np.testing.assert_allclose(K @ np.r_[w, w], 0, atol=1e-6)
-    assert np.linalg.eigvalsh(K)[:9] == pytest.approx(np.zeros(9), abs=1e-6)
-    assert np.linalg.eigvalsh(K)[9] > 1.0
+def test_mass_and_slope_on_a_rectangle() -> None:
+    """On a rectangle the integrals are products of line integrals."""
+    a, b = 1.7, 0.6
+    mass, slope = mass_and_slope(rectangle(a, b))
+    np.testing.assert_allclose(mass[0], a * b * tensor(MASS, MASS), rtol=1e-12, atol=1e-15)
+    np.testing.assert_allclose(
+        slope[0], b / a * tensor(SLOPE, MASS) + a / b * tensor(MASS, SLOPE), rtol=1e-12, atol=1e-14
+    )
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])

@@ -79,17 +79,3 @@ def pack(scene: Scene) -> bytes:
     head = json.dumps(scene.head, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode()
     padding = -(_LENGTH.size + len(head)) % 8
     return b"".join([_LENGTH.pack(len(head)), head, bytes(padding), scene.data])
-
-
-def unpack(content: bytes) -> Scene:
-    """Return the scene that ``packed`` made bytes of."""
-    (length,) = _LENGTH.unpack_from(content)
-    end = _LENGTH.size + length
-    return Scene(json.loads(content[_LENGTH.size : end].decode()), content[end + -end % 8 :])
-
-
-def values_of(scene: Scene, block: dict[str, Any]) -> Array:
-    """Return the numbers of a block as floats."""
-    count = int(np.prod(block["shape"]))
-    raw = np.frombuffer(scene.data, TYPES[block["type"]], count, block["offset"]).reshape(block["shape"])
-    return np.asarray(raw * block["scale"] + block["shift"], dtype=float)

@@ -17,9 +17,9 @@ from groundslab.results.results import Results
 from groundslab.views import plots
 from groundslab.views.plots.panels import build_panels
 from groundslab.views.plots.request import parse_request
-from groundslab.views.scene.binary import values_of
 from groundslab.views.scene.fields import scene_of
 from helpers import synthetic
+from helpers.scenes import values_of
 
 BARS = {"diameter": 0.012, "spacing": 0.15}
 LAID: dict[str, Any] = dict.fromkeys(("bottom_x", "bottom_y", "top_x", "top_y"), BARS)

@@ -16,10 +16,11 @@ from groundslab.model.model import Model
 from groundslab.results.contact_zone import contact_function
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.results import Results, results_of
-from groundslab.views.scene.binary import LEVELS, Blocks, Scene, pack, unpack, values_of
+from groundslab.views.scene.binary import LEVELS, Blocks, Scene, pack
 from groundslab.views.scene.fields import scene_of
 from groundslab.views.scene.plan import plan_of
 from helpers import synthetic
+from helpers.scenes import unpack, values_of
 
 RAFT: dict[str, Any] = {
     "title": 'A raft </script><b>"&',

@@ -19,7 +19,7 @@ import pytest
 
 from groundslab.case import casefile
 from groundslab.cli import main
-from groundslab.views.scene.binary import unpack
+from helpers.scenes import unpack
 
 pytestmark = pytest.mark.slow
 

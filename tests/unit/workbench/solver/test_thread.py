@@ -11,13 +11,13 @@ from typing import Any
 import pytest
 
 from groundslab.errors import InputError
-from groundslab.views.scene.binary import unpack
 from groundslab.workbench.events import Event
 from groundslab.workbench.solver import process
 from groundslab.workbench.solver import thread as solvers
 from groundslab.workbench.solver.process import Progress
 from groundslab.workbench.solver.thread import Solver
 from helpers import workers
+from helpers.scenes import unpack
 
 pytestmark = pytest.mark.slow
 
