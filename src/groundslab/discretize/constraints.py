@@ -20,7 +20,7 @@ from groundslab.fem.mesh import sides_along, sides_on_boundary
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Bearing, Depths, W
 from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
-from groundslab.geometry.plan import SAME_PLACE
+from groundslab.geometry.plan import SAME_PLACE, format_place
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_types import SettlementLoad
 from groundslab.model.model import Model
@@ -250,7 +250,8 @@ def node_at(plan: Layout, x: float, y: float) -> int:
     distance = np.linalg.norm(plan.mesh.nodes[under] - [x, y], axis=1)
     nearest = int(np.argmin(distance))
     if distance[nearest] > 10 * SAME_PLACE * np.ptp(plan.mesh.nodes, axis=0).max():
-        raise InputError([Issue("supports", f"no node at ({x:g}, {y:g}) m", "a mesh that meets every support")])
+        found = f"no node at {format_place((x, y), plan.origin)} m"
+        raise InputError([Issue("supports", found, "a mesh that meets every support")])
     return int(under[nearest])
 
 

@@ -91,6 +91,7 @@ def discretize(
         edges=edges,
         corners=corners,
         symmetry=plan.symmetry,
+        origin=model.origin,
         elastic=elastic_ground(model, plan, element, coarsening, bearing, cases),
         cracking=cracked_sections(model, plan.section, plan.mesh.nodes[plan.mesh.elements[plan.plate_elements, -1]]),
     )

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
+from groundslab.units import coordinate
 
 if TYPE_CHECKING:
     from shapely import MultiPolygon, Polygon
@@ -34,6 +35,8 @@ ARC_STEP = 2 * math.pi / 512
 ARC_CHORDS = 8
 #: Arcs are cut into this many chords at most, which are off by 3e-9 of the radius of a quarter circle.
 MOST_CHORDS = 10_000
+#: Coordinates from here on [m] are printed in millimeters, as six digits would not tell where they are.
+WHOLE = 1e5
 #: Largest bulge of an arc, which is then nearly a whole circle.
 LARGEST_BULGE = 100.0
 #: Most elements of a mesh.
@@ -287,6 +290,7 @@ class Plan:
     lines: tuple[tuple[Place, ...], ...] = ()
     borders: tuple[Ring, ...] = ()
     others: tuple[tuple[Ring, int], ...] = ()
+    origin: Place = (0.0, 0.0)  # where x = y = 0 lies in the plan that was given, for messages
 
     @property
     def outlines(self) -> tuple[Ring, ...]:
@@ -395,6 +399,14 @@ def _equal_area_points(edge: Segment) -> Array:
     return places
 
 
-def format_place(place: Place) -> str:
-    """Return a place as issues name it."""
-    return f"({place[0]:.6g}, {place[1]:.6g})"
+def format_coordinate(value: float) -> str:
+    """Return a coordinate [m] in six digits, one of a national grid in millimeters."""
+    if abs(value) < WHOLE:
+        return f"{coordinate(value):.6g}"
+    return f"{coordinate(value):.3f}".rstrip("0").rstrip(".")
+
+
+def format_place(place: Place | Array, origin: Place = (0.0, 0.0)) -> str:
+    """Return a place as issues name it; of a plan that was moved, with where its x = y = 0 lies in the one given."""
+    x, y = (format_coordinate(float(value) + start) for value, start in zip(place, origin, strict=True))
+    return f"({x}, {y})"

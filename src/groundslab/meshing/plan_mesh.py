@@ -47,14 +47,14 @@ def too_many_elements() -> Issue:
     return Issue("mesh.size", f"more than {MOST_ELEMENTS} elements", "fewer", "make the elements larger")
 
 
-def finish(nodes: Array, elements: Integers, section: Integers) -> PlanMesh:
-    """Return a mesh without the nodes that no element uses, and refuse one with elements inverted."""
+def finish(plan: Plan, nodes: Array, elements: Integers, section: Integers) -> PlanMesh:
+    """Return a mesh of a plan without the nodes that no element uses, and refuse one with elements inverted."""
     if len(elements) > MOST_ELEMENTS:
         raise InputError([too_many_elements()])
     used, number = np.unique(elements, return_inverse=True)
     found = quality(nodes[elements])
     if not found.worst > 0:
-        inverted = f"a mesh with an element turned inside out at {format_place(found.worst_place)}"
+        inverted = f"a mesh with an element turned inside out at {format_place(found.worst_place, plan.origin)}"
         raise InputError(
             [Issue("plan", inverted, "elements that can be used", "simplify the plan there or mesh it finer")]
         )
