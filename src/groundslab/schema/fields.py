@@ -65,8 +65,8 @@ class FieldType:
         """Return the JSON schema of the value in a file."""
         return self.SCHEMA
 
-    def move(self, value: Any, by: tuple[float, float]) -> Any:  # noqa: ARG002
-        """Return the value where the plan is moved along x and y [m]: another one if it is a place in plan."""
+    def move(self, value: Any, by: tuple[float, float], digits: int) -> Any:  # noqa: ARG002
+        """Return the value where the plan is moved along x and y [m]; coordinates keep so many decimals."""
         return value
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
@@ -102,9 +102,9 @@ class Quantity(FieldType):
     range: ranges.Range = ranges.ANY
     axis: int | None = None  # of a coordinate in plan: 0 along x, 1 along y
 
-    def move(self, value: float | None, by: tuple[float, float]) -> float | None:
+    def move(self, value: float | None, by: tuple[float, float], digits: int) -> float | None:
         """Return a coordinate in the moved plan, any other quantity as it is."""
-        return value if value is None or self.axis is None else value + by[self.axis]
+        return value if value is None or self.axis is None else round(value + by[self.axis], digits)
 
     def read(self, value: Any, from_file: bool) -> float:
         """Return the quantity in SI units."""
@@ -328,13 +328,13 @@ class ListOf(FieldType):
     most: int = MOST_VALUES
     place: bool = False  # whether it is a place x, y in plan
 
-    def move(self, value: tuple[Any, ...] | None, by: tuple[float, float]) -> tuple[Any, ...] | None:
+    def move(self, value: tuple[Any, ...] | None, by: tuple[float, float], digits: int) -> tuple[Any, ...] | None:
         """Return a place, or what holds coordinates or places, in the moved plan."""
         if value is None:
             return None
         if self.place:
-            return value[0] + by[0], value[1] + by[1]
-        return tuple(self.each.move(item, by) for item in value)
+            return round(value[0] + by[0], digits), round(value[1] + by[1], digits)
+        return tuple(self.each.move(item, by, digits) for item in value)
 
     @property
     def _most(self) -> int:
