@@ -20,7 +20,7 @@ from groundslab.fem import load_vectors
 from groundslab.fem.line_traversal import interpolation, pieces
 from groundslab.fem.mesh import Mesh, sides_on_boundary
 from groundslab.fem.shape_functions import lagrange
-from groundslab.geometry.plan import SAME_PLACE
+from groundslab.geometry.plan import format_place, same_place
 from groundslab.results.mesh_results import PlateResult
 
 if TYPE_CHECKING:
@@ -165,8 +165,8 @@ def perimeter(
     plan = outline(plate)
     footprint = column.footprint()
     x0, y0, x1, y1 = plan.bounds
-    near = SAME_PLACE * max(x1 - x0, y1 - y0)
-    where = f"a column at ({column.x:g}, {column.y:g}) m"
+    near = same_place(x0, x1, y0, y1)
+    where = f"a column at {format_place((column.x, column.y))} m"
     if footprint.area == 0 or not plan.buffer(near).covers(footprint):
         raise InputError([Issue("column", where, "a footprint that lies on the plate")])
     join: Literal["mitre", "round"] = "mitre" if square else "round"

@@ -79,11 +79,14 @@ def largest_tilt(results: CombinationResult) -> Tilt:
 def tilt(plate: PlateResult) -> Tilt:
     """Return the plane that fits the settlement best: least squares, each node weighed by its share of the area."""
     area = plate.area / plate.area.sum()
-    center = area @ plate.nodes
-    arm = plate.nodes - center
+    # places from one of the nodes, and settlements from their mean: the sums keep their digits far from x = y = 0
+    near = plate.nodes - plate.nodes[0]
+    arm = near - area @ near
+    center = plate.nodes[0] + area @ near
     mean = float(area @ plate.settlement)
-    slope = np.linalg.solve(arm.T @ (area[:, None] * arm), arm.T @ (area * plate.settlement))
-    off = plate.settlement - mean - arm @ slope
+    bent = plate.settlement - mean
+    slope = np.linalg.solve(arm.T @ (area[:, None] * arm), arm.T @ (area * bent))
+    off = bent - arm @ slope
     most = int(np.argmax(np.abs(off)))
     x, y = plate.nodes[most]
     return Tilt(

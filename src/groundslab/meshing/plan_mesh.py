@@ -10,7 +10,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.errors import InputError, Issue
 from groundslab.fem.shape_functions import gauss, jacobian, q9
-from groundslab.geometry.plan import MOST_ELEMENTS, NOTHING, SAME_PLACE, Plan, format_place
+from groundslab.geometry.plan import MOST_ELEMENTS, NOTHING, Plan, format_place
 from groundslab.geometry.validity import find_issues
 from groundslab.meshing.quality import Quality, quality
 
@@ -64,7 +64,7 @@ def finish(plan: Plan, nodes: Array, elements: Integers, section: Integers) -> P
 def on_bounds(plan: Plan, nodes: Array) -> Array:
     """Return nodes (n, 2), those next to the rectangle around a plan exactly on it: there further ground begins."""
     low, high = np.reshape(plan.bounds, (2, 2))
-    near = SAME_PLACE * plan.extent
+    near = plan.same_place
     found: Array = np.where(np.abs(nodes - low) < near, low, np.where(np.abs(nodes - high) < near, high, nodes))
     return found
 

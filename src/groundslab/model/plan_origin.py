@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from groundslab.model.model import Model
 
 
-
 def plan_origin(model: Model) -> Place:
     """Return where x = y = 0 is to lie for the analysis of a model [m]: at its middle, but for a tenth of its size."""
     if model.plate.outline is None:  # a rectangle about x = y = 0

@@ -10,7 +10,7 @@ from groundslab.model.columns import Column
 from groundslab.model.loads.load_types import AnyLoad, PointLoad, Spread
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate
-from groundslab.model.plates.region import ROUNDING, PlateRegion
+from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import CHORD
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.repairs import use_nearest
@@ -30,7 +30,7 @@ class Placed(Protocol):
 
 def on_plate(covered: PlateRegion, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
     """Find a part that does not lie on the plate."""
-    (x0, x1, y0, y1), near, plate = covered.bounds, ROUNDING * covered.size, covered.plate
+    (x0, x1, y0, y1), near, plate = covered.bounds, covered.rounding, covered.plate
     about_origin = plate.outline is None and not covered.plates
     hint = "the center of the plate is the origin" if about_origin else "places are those of the outline"
     outside = False
