@@ -13,6 +13,7 @@ from groundslab.design.by_plate import results_by_plate
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import Mesh, locate
 from groundslab.fem.shape_functions import q9
+from groundslab.geometry.plan import format_place
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult
 
@@ -130,7 +131,7 @@ def settlement_differences(plate: PlateResult, points: Mapping[str, tuple[float,
     mesh = Mesh(plate.nodes, plate.elements)
     element, local = locate(mesh, places)
     issues = [
-        Issue(f"points[{name!r}]", f"({x:g}, {y:g}) m", "a point on the plate")
+        Issue(f"points[{name!r}]", f"{format_place((x, y))} m", "a point on the plate")
         for name, (x, y), where in zip(names, places, element, strict=True)
         if where < 0
     ]

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.units import coordinate
+from groundslab.units import format_coordinate
 
 if TYPE_CHECKING:
     from shapely import MultiPolygon, Polygon
@@ -37,8 +37,6 @@ ARC_STEP = 2 * math.pi / 512
 ARC_CHORDS = 8
 #: Arcs are cut into this many chords at most, which are off by 3e-9 of the radius of a quarter circle.
 MOST_CHORDS = 10_000
-#: Coordinates from here on [m] are printed in millimeters, as six digits would not tell where they are.
-WHOLE = 1e5
 #: Largest bulge of an arc, which is then nearly a whole circle.
 LARGEST_BULGE = 100.0
 #: Most elements of a mesh.
@@ -414,13 +412,6 @@ def same_place(x0: float, x1: float, y0: float, y1: float) -> float:
     """
     rounding = math.ulp(max(map(abs, (x0, x1, y0, y1))))
     return max(SAME_PLACE * max(x1 - x0, y1 - y0), ROUNDED * rounding)
-
-
-def format_coordinate(value: float) -> str:
-    """Return a coordinate [m] in six digits, one of a national grid in millimeters."""
-    if abs(value) < WHOLE:
-        return f"{coordinate(value):.6g}"
-    return f"{coordinate(value):.3f}".rstrip("0").rstrip(".")
 
 
 def format_place(place: Place | Array, origin: Place = (0.0, 0.0)) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
-from groundslab.geometry.plan import Plan, Ring
+from groundslab.geometry.plan import Plan, Ring, format_place
 from groundslab.model.ground import POSITIVE, AnyGround, ContinuousGround
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, first_sections, list_plates
@@ -174,7 +174,7 @@ def check_support_distances(
         for x, y in places:
             if not (x0 - far <= x <= x1 + far and y0 - far <= y <= y1 + far):
                 yield RelativeIssue(
-                    ("supports", position), f"a place far off the plate, ({x:.6g}, {y:.6g}) m", "one on it"
+                    ("supports", position), f"a place far off the plate, {format_place((x, y))} m", "one on it"
                 )
                 break
 

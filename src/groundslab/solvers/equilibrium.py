@@ -26,7 +26,8 @@ from groundslab.fem.problem import (
     move_plates,
     single_plates,
 )
-from groundslab.geometry.plan import Place, format_coordinate, format_place
+from groundslab.geometry.plan import Place, format_place
+from groundslab.units import format_coordinate
 
 #: How far, relative to the plate's size, the resultant must stay inside the hull of the plate.
 MARGIN = 1e-9

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Protocol
 
+from groundslab.geometry.plan import format_place
 from groundslab.model.columns import Column
 from groundslab.model.loads.load_types import AnyLoad, PointLoad, Spread
 from groundslab.model.plate import Plate
@@ -64,7 +65,7 @@ def _on_shape(covered: PlateRegion, part: Placed, place: tuple[str | int, ...]) 
     if not covered.reach.covers(loaded):
         left = loaded.difference(covered.area)
         off = left.representative_point()
-        found, hint = f"a part off the plate, at ({off.x:.6g}, {off.y:.6g}) m", ""
+        found, hint = f"a part off the plate, at {format_place((off.x, off.y))} m", ""
         if _has_footprint(part) and left.area < loaded.area:
             found = f"a footprint of which {100 * left.area / loaded.area:.3g} % lies off the plate"
             hint = "move it or make it smaller; a force is not cut off at the edge as a pressure is"
