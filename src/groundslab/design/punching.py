@@ -179,7 +179,7 @@ def perimeter(
     u = _effective(plan, footprint, legs, opening_reach)
     if not u > near:
         raise InputError([Issue("column", where, f"some plate at {distance:g} m from it", "take a smaller distance")])
-    return Perimeter(legs + (column.x, column.y), translate(inside, column.x, column.y), u)
+    return Perimeter(legs + np.array([column.x, column.y]), translate(inside, column.x, column.y), u)
 
 
 def shape_of(legs: Array) -> tuple[Shape, Array]:

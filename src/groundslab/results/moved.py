@@ -13,9 +13,9 @@ from groundslab.geometry.plan import Place
 from groundslab.model.combinations import place_patterns
 from groundslab.model.model import Model
 from groundslab.results.mesh_results import GroundResult, PlateResult
-from groundslab.results.results import CombinationResult, Comparison, Increment, Results, SupportResult
+from groundslab.results.results import CombinationResult, Comparison, Increment, JointResult, Results, SupportResult
 
-WithNodes = TypeVar("WithNodes", PlateResult, SupportResult)
+WithNodes = TypeVar("WithNodes", PlateResult, SupportResult, JointResult)
 State = TypeVar("State", CombinationResult, Comparison, Increment)
 
 
@@ -43,11 +43,17 @@ def _move_combination(results: CombinationResult, placed: Model, by: Place) -> C
     return replace(
         _move_state(results, by),
         model=placed,
-        supports=_move_supports(results.supports, by),
+        supports=_move_each(results.supports, by),
+        joints=_move_each(results.joints, by),
         increments=tuple(_move_state(each, by) for each in results.increments),
-        comparison=comparison
-        and replace(_move_state(comparison, by), supports=_move_supports(comparison.supports, by)),
+        comparison=comparison and _move_comparison(comparison, by),
     )
+
+
+def _move_comparison(other: Comparison, by: Place) -> Comparison:
+    """Return what the coarser mesh gave, moved."""
+    supports, joints = _move_each(other.supports, by), _move_each(other.joints, by)
+    return replace(_move_state(other, by), supports=supports, joints=joints)
 
 
 def _move_state(state: State, by: Place) -> State:
@@ -56,13 +62,13 @@ def _move_state(state: State, by: Place) -> State:
 
 
 def _move_nodes(part: WithNodes, by: Place) -> WithNodes:
-    """Return the plate or a support, moved."""
+    """Return the plate, a support or a joint, moved."""
     return replace(part, nodes=part.nodes + by)
 
 
-def _move_supports(supports: tuple[SupportResult, ...], by: Place) -> tuple[SupportResult, ...]:
-    """Return supports, moved."""
-    return tuple(_move_nodes(each, by) for each in supports)
+def _move_each(parts: tuple[WithNodes, ...], by: Place) -> tuple[WithNodes, ...]:
+    """Return supports or joints, moved."""
+    return tuple(_move_nodes(part, by) for part in parts)
 
 
 def _move_ground(ground: GroundResult, by: Place) -> GroundResult:
