@@ -80,9 +80,8 @@ class Table:
         Numbers have seven digits, coordinates of national grids more, to tenths of millimeters.
         """
         header, units = [column.header for column in self.columns], [column.unit for column in self.columns]
-        return "".join(
-            map(_line, [header, *([_written(*cell) for cell in zip(row, units, strict=True)] for row in self.rows())])
-        )
+        rows = ([_written(*cell) for cell in zip(row, units, strict=True)] for row in self.rows())
+        return "".join(map(_line, [header, *rows]))
 
     def frame(self) -> pd.DataFrame:
         """Return the table as a pandas.DataFrame with all digits; its columns are called by name and unit."""
