@@ -91,6 +91,8 @@ UNITS: dict[str, Unit] = {
 }  # fmt: skip
 
 
+#: Coordinates from here on [m] are printed in millimeters, as six digits would not tell where they are.
+WHOLE = 1e5
 LONGEST = 100  # characters of a quantity
 NUMBER = r"[+-]?(?:[0-9]{1,40}(?:\.[0-9]{0,40})?|\.[0-9]{1,40})(?:[eE][+-]?[0-9]{1,3})?"
 _QUANTITY = re.compile(rf"\s*(?P<number>{NUMBER})\s*(?P<unit>\S.*?)?\s*")
@@ -170,6 +172,13 @@ def parse(text: str, dimension: str) -> float:
 def coordinate(value: float) -> float:
     """Return a coordinate [m] for printing: rounded to nanometers, so that rounding errors around zero vanish."""
     return round(value, 9) + 0.0
+
+
+def format_coordinate(value: float) -> str:
+    """Return a coordinate [m] in six digits, one of a national grid in millimeters."""
+    if abs(value) < WHOLE:
+        return f"{coordinate(value):.6g}"
+    return f"{coordinate(value):.3f}".rstrip("0").rstrip(".")
 
 
 def format_number(

@@ -272,3 +272,95 @@ def test_four_slabs_that_meet_at_a_point() -> None:
     assert results.certificate.load == pytest.approx(25e3 * T * 36 + 200e3 * 0.25)
     corner = [results.plate.value_at("settlement", x, y) for x in (-3.0, 3.0) for y in (-3.0, 3.0)]
     assert corner == pytest.approx([corner[0]] * 4, rel=1e-6)
+
+
+CONTRASTS = (1e-6, 1e6)
+ON: dict[str, dict[str, Any]] = {
+    "springs": {"kind": "winkler", "k": 3e8},
+    "pasternak": {"kind": "pasternak", "k0": 2e7, "k1": 3e7},
+    "vlasov": {"kind": "vlasov", "layers": [{"thickness": 3.0, "E": 50e6, "nu": 0.3}]},
+    "continuum": {"kind": "continuum", "layers": [{"thickness": 4.0, "E": 20e6, "nu": 0.3}]},
+}
+
+
+def bays(ground: str, contrast: float, size: float, tensionless: bool) -> CombinationResult:
+    """Return two bays that a hinge joins, the second one stiffer by a factor, under a force beside the hinge."""
+    bay = {"thickness": 0.2, "nu": 0.2}
+    first = bay | {"name": "A", "E": 30e9, "outline": {"kind": "rectangle", "x": (-3, 0), "y": (-1.5, 1.5)}}
+    second = bay | {"name": "B", "E": contrast * 30e9, "outline": {"kind": "rectangle", "x": (0, 3), "y": (-1.5, 1.5)}}
+    return solve(
+        Model.model_validate(
+            {
+                "plate": first,
+                "plates": [second],
+                "joints": [{"kind": "hinge", "between": ("A", "B")}],
+                "ground": ON[ground],
+                "beyond": {"kind": "infinite"},
+                "contact": {"tensionless": tensionless},
+                "loads": [{"kind": "uniform", "q": 5e3}, {"kind": "point", "P": 100e3, "x": -0.5, "y": 0.0}],
+                "mesh": {"size": size},
+            }
+        )
+    ).only
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("tensionless", [True, False], ids=["tensionless", "glued"])
+@pytest.mark.parametrize("contrast", CONTRASTS)
+@pytest.mark.parametrize("ground", ON)
+def test_a_hinge_is_exact_at_any_contrast(ground: str, contrast: float, tensionless: bool) -> None:
+    """Both sides settle alike to the last digit, and the hinge's force is what the second plate's ground carries."""
+    results = bays(ground, contrast, 0.5, tensionless)
+    (joint,) = results.joints
+    assert results.certificate.holds
+    assert not joint.step.any()
+    cells = results.ground.cells
+    if cells is None:
+        carried = results_by_plate(results)["B"].contact_force.sum()
+    else:
+        carried = cells.force[cells.center[:, 0] > 0].sum()
+    assert joint.total == pytest.approx(carried - 5e3 * 9, abs=1e-6 * 190e3)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("size", [1.25, 0.1])
+def test_a_hinge_is_exact_on_any_mesh(size: float) -> None:
+    """On elements of 1.25 m and of 0.1 m nothing steps across a hinge, and half of the force passes it by symmetry.
+
+    The force stands on the hinge, half of it on each plate: together they settle as one half does, whose moment at the
+    hinge is zero.
+    """
+    ground = {"kind": "winkler", "k": 3e8}
+    results = joined({"kind": "hinge"}, [line(0.0)], ground=ground, mesh={"size": size})
+    (joint,) = results.joints
+    assert results.certificate.holds
+    assert results.certificate.joint_mismatch == 0.0
+    assert not joint.step.any()
+    for plate in results_by_plate(results).values():
+        assert plate.contact_force.sum() == pytest.approx(25e3, rel=1e-8)
+
+
+def test_hinges_of_four_slabs_at_a_point() -> None:
+    """Four slabs in a ring of hinges settle alike at their corner, where three of the four forces balance the rest.
+
+    By symmetry every hinge carries nothing in all, under a force of which a quarter stands on each slab.
+    """
+    corners = {"A": (-1, -1), "B": (1, -1), "C": (1, 1), "D": (-1, 1)}
+    slabs = [
+        {
+            "name": name,
+            "outline": {"kind": "rectangle", "x": sorted((0, 2 * x)), "y": sorted((0, 2 * y))},
+            "thickness": T,
+            "E": E,
+            "nu": 0.2,
+        }
+        for name, (x, y) in corners.items()
+    ]
+    joints = [{"kind": "hinge", "between": pair} for pair in (("A", "B"), ("B", "C"), ("C", "D"), ("D", "A"))]
+    press = {"kind": "patch", "q": 200e3, "x": (-0.25, 0.25), "y": (-0.25, 0.25)}
+    parts = {"ground": {"kind": "winkler", "k": 2e7}, "loads": [WEIGHT, press], "mesh": {"size": 0.5}}
+    results = solve(Model.model_validate({"plate": slabs[0], "plates": slabs[1:], "joints": joints, **parts})).only
+    assert results.certificate.holds
+    for joint in results.joints:
+        assert not joint.step.any()
+        assert joint.total == pytest.approx(0.0, abs=1e-6 * 200e3 * 0.25)

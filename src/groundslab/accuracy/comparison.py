@@ -10,7 +10,14 @@ from groundslab.accuracy.prolongation import Prolongation
 from groundslab.model.model import Model
 from groundslab.results.certificate import resistance
 from groundslab.results.fields import ERROR
-from groundslab.results.recovery import MeshedFields, expand, ground_constants, recover_fields, support_results
+from groundslab.results.recovery import (
+    MeshedFields,
+    expand,
+    ground_constants,
+    joint_results,
+    recover_fields,
+    support_results,
+)
 from groundslab.results.results import Comparison
 from groundslab.solvers.solution import Solution
 
@@ -27,7 +34,7 @@ def compare(
     by_element = energy_errors(solution, frame, fields.forces)
     squared = float(by_element.sum())
     before = energy_errors(coarser, coarser_frame, coarser_fields.forces).sum()
-    total = float((resistance(solution)[0] * solution.U).sum()) + squared
+    total = float((resistance(solution).all * solution.U).sum()) + squared
     density = error_density(solution, frame, by_element, total)
     plate, elements, ground = expand(prolongation.apply(coarser_fields), frame)
     comparison = Comparison(
@@ -35,6 +42,7 @@ def compare(
         elements=elements,
         ground=ground,
         supports=support_results(model, coarser),
+        joints=joint_results(model, coarser),
         constants=ground_constants(coarser),
         energy_error=sqrt(squared / total) if squared > 0 else 0.0,
         reduction=sqrt(squared / before) if before > 0 else 0.0,

@@ -9,6 +9,7 @@ from groundslab.fem.foundation import Column
 from groundslab.model.combinations import place_patterns
 from groundslab.model.consistency import estimate_elements
 from groundslab.model.model import Model
+from groundslab.model.plan_origin import move_to_center
 from groundslab.solvers import factorization
 
 #: `check` makes a mesh of at most so many elements,
@@ -40,7 +41,7 @@ def check(model: Model) -> None:
     """
     if model.analysis.solver != "auto":
         factorization.choose(model.analysis.solver)
-    model = place_patterns(model)
+    model = place_patterns(move_to_center(model))
     ratio = estimate_elements(model.plate, model.plates, model.mesh) / MAX_CHECKED_ELEMENTS
     if len(model.loads) > MAX_COMPARED_LOADS:
         model = model.model_copy(update={"mesh": model.mesh.replace(symmetry="off")})

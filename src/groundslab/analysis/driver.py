@@ -25,8 +25,10 @@ from groundslab.model.combinations import list_combinations, place_patterns
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
+from groundslab.model.plan_origin import move_to_center
 from groundslab.model.settings import Mesh
 from groundslab.results.certificate import certificate, worst
+from groundslab.results.moved import move_back
 from groundslab.results.record import Step
 from groundslab.results.recovery import expand, recover, recover_fields
 from groundslab.results.results import CombinationResult, Increment, Results
@@ -111,12 +113,17 @@ def solve_combinations(
 
     on_mesh is called with the results on each mesh that is not the last.
     """
-    combinations, placed = list_combinations(model), place_patterns(model)
+    local = move_to_center(model)
+    combinations, placed = list_combinations(local), place_patterns(local)
 
     def solve_on(meshes: Meshes) -> Results:
-        return _combine(model, combinations, _outcomes(placed, combinations, on_step, meshes), on_combination)
+        return _combine(local, combinations, _outcomes(placed, combinations, on_step, meshes), on_combination)
 
-    return solve_adaptively(placed, solve_on, on_mesh=on_mesh)
+    def report(results: Results) -> None:
+        if on_mesh is not None:
+            on_mesh(move_back(results, model))
+
+    return move_back(solve_adaptively(placed, solve_on, on_mesh=report), model)
 
 
 def solve_preview(model: Model, name: str, on_step: OnStep | None = None) -> Results:
@@ -125,7 +132,8 @@ def solve_preview(model: Model, name: str, on_step: OnStep | None = None) -> Res
     The slab does not crack, and nothing says how large the errors are. The name may be of no combination: then it is
     the first one.
     """
-    combinations, placed = list_combinations(model), place_patterns(model)
+    local = move_to_center(model)
+    combinations, placed = list_combinations(local), place_patterns(local)
     one = next((each for each in combinations if each.name == name), combinations[0])
     area = sum(math.prod(plate.sides) for plate in model.every_plate)
     mesh = Mesh(size=math.sqrt(area / PREVIEW_ELEMENTS))
@@ -133,7 +141,8 @@ def solve_preview(model: Model, name: str, on_step: OnStep | None = None) -> Res
     solver_name, solver = factorization.choose(model.analysis.solver)
     hierarchy = MeshHierarchy(coarse, solver, 0, 1.0, keep=False)
     outcome = _outcome(coarse, one, [hierarchy], solver_name, on_step or (lambda _: None))
-    return _combine(coarse, [one], iter([outcome]))
+    found = _combine(coarse, [one], iter([outcome]))
+    return move_back(found, model.model_copy(update={"mesh": mesh, "cracking": None}))
 
 
 class Variants:
@@ -145,14 +154,15 @@ class Variants:
 
     def __init__(self, base: Model) -> None:
         """Solve the base case, whose combinations may fail; raises InputError as `solve` does."""
-        combinations, placed = list_combinations(base), place_patterns(base)
+        local = move_to_center(base)
+        combinations, placed = list_combinations(local), place_patterns(local)
 
         def solve_on(meshes: Meshes) -> Results:
             self._reference = ReferenceSolutions(meshes)
-            return _combine(base, combinations, _outcomes(placed, combinations, None, meshes, self._reference))
+            return _combine(local, combinations, _outcomes(placed, combinations, None, meshes, self._reference))
 
         #: The results of the base case, whose mesh all variants have.
-        self.base = solve_adaptively(placed, solve_on, BASE_SHARE)
+        self.base = move_back(solve_adaptively(placed, solve_on, BASE_SHARE), base)
         self._reference.close()
 
     def solve_combinations(
@@ -166,13 +176,11 @@ class Variants:
         """
         if factors:
             model = model.model_copy(update={"mesh": model.mesh.replace(symmetry="off")})
-        combinations, placed = list_combinations(model), place_patterns(model)
+        local = move_to_center(model)
+        combinations, placed = list_combinations(local), place_patterns(local)
         reference = self._reference
-        return _combine(
-            model,
-            combinations,
-            _outcomes(placed, combinations, on_step, reference.meshes, reference, factors),
-        )
+        outcomes = _outcomes(placed, combinations, on_step, reference.meshes, reference, factors)
+        return move_back(_combine(local, combinations, outcomes), model)
 
 
 def _combine(

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from groundslab.cli.console import EXIT_OK, print_stderr, print_stdout
 from groundslab.errors import InputError, Issue
+from groundslab.geometry.plan import format_place
 
 if TYPE_CHECKING:
     import argparse
@@ -69,9 +70,9 @@ def _columns_and_supports(model: Model) -> list[str]:
             size = f"diameter {column.diameter:g} m"
         else:
             size = f"{column.width_x:g} m x {column.width_y:g} m"
-        lines.append(f"  column {column.name}: {size} at ({column.x:g}, {column.y:g}) m")
+        lines.append(f"  column {column.name}: {size} at {format_place((column.x, column.y))} m")
     for number, support in enumerate(model.supports, 1):
-        where = " to ".join(f"({x:g}, {y:g})" for x, y in support.points)
+        where = " to ".join(map(format_place, support.points))
         firm = "elastic" if support.elastic else "rigid"
         lines.append(f"  support {support.name or number}: {support.kind}, {firm}, acts {support.acts}, at {where} m")
     return lines

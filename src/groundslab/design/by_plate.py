@@ -6,9 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array
 from groundslab.design.punching import outline
-from groundslab.fem.mesh import sides_on_boundary
 from groundslab.model.plates.further import first_sections
 from groundslab.model.plates.region import PlateRegion
 from groundslab.results.mesh_results import PlateResult
@@ -39,22 +37,3 @@ def edges_of(results: CombinationResult) -> BaseGeometry:
     from shapely import union_all
 
     return union_all([outline(plate).boundary for plate in results_by_plate(results).values()])
-
-
-def steps_across(results: CombinationResult, between: tuple[str, str]) -> tuple[Array, Array, Array]:
-    """Return places (k, 2) [m] along the line that two plates share, the length of each (k,) and the step there [m].
-
-    The step is the first plate's settlement less the second one's.
-    """
-    by_name = results_by_plate(results)
-    one, other = (by_name[name] for name in between)
-    beside = dict(zip(map(tuple, (other.nodes + 0.0).tolist()), other.settlement.tolist(), strict=True))
-    across = np.array([beside.get(place, np.nan) for place in map(tuple, (one.nodes + 0.0).tolist())])
-    sides = sides_on_boundary(one.elements)
-    sides = sides[~np.isnan(across[sides]).any(axis=1)]
-    a, b, middle = (one.nodes[sides[:, k]] for k in range(3))
-    length = np.linalg.norm(middle - a, axis=1) + np.linalg.norm(b - middle, axis=1)
-    lengths = np.zeros(len(one.nodes))
-    np.add.at(lengths, sides, length[:, None] * np.array([1, 1, 4]) / 6)
-    at = np.flatnonzero(lengths)
-    return one.nodes[at], lengths[at], one.settlement[at] - across[at]

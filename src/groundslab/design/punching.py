@@ -20,7 +20,7 @@ from groundslab.fem import load_vectors
 from groundslab.fem.line_traversal import interpolation, pieces
 from groundslab.fem.mesh import Mesh, sides_on_boundary
 from groundslab.fem.shape_functions import lagrange
-from groundslab.geometry.plan import SAME_PLACE
+from groundslab.geometry.plan import format_place, same_place
 from groundslab.results.mesh_results import PlateResult
 
 if TYPE_CHECKING:
@@ -162,11 +162,14 @@ def perimeter(
     `opening_reach` [m] (Figure 6.14; an opening longer along the ray than across it is not widened as there). With
     `square` its corners are square, as those of ACI 318-19 22.6.4.1.
     """
+    from shapely.affinity import translate
+
     plan = outline(plate)
-    footprint = column.footprint()
     x0, y0, x1, y1 = plan.bounds
-    near = SAME_PLACE * max(x1 - x0, y1 - y0)
-    where = f"a column at ({column.x:g}, {column.y:g}) m"
+    # about the column's center, as curves meet with few digits far from x = y = 0
+    plan, footprint = (translate(part, -column.x, -column.y) for part in (plan, column.footprint()))
+    near = same_place(x0, x1, y0, y1)
+    where = f"a column at {format_place((column.x, column.y))} m"
     if footprint.area == 0 or not plan.buffer(near).covers(footprint):
         raise InputError([Issue("column", where, "a footprint that lies on the plate")])
     join: Literal["mitre", "round"] = "mitre" if square else "round"
@@ -176,7 +179,7 @@ def perimeter(
     u = _effective(plan, footprint, legs, opening_reach)
     if not u > near:
         raise InputError([Issue("column", where, f"some plate at {distance:g} m from it", "take a smaller distance")])
-    return Perimeter(legs, inside, u)
+    return Perimeter(legs + np.array([column.x, column.y]), translate(inside, column.x, column.y), u)
 
 
 def shape_of(legs: Array) -> tuple[Shape, Array]:
@@ -191,7 +194,7 @@ def shape_of(legs: Array) -> tuple[Shape, Array]:
     turned = 0.0
     for chain in chains:
         steps = np.diff(chain, axis=0)
-        if np.allclose(chain[0], chain[-1]):
+        if (chain[0] == chain[-1]).all():
             steps = np.vstack([steps, steps[:1]])
         angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
         turned += abs(float(np.degrees(angles[-1] - angles[0])))

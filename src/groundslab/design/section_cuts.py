@@ -12,6 +12,7 @@ from groundslab.design.design_moments import wood_armer
 from groundslab.errors import InputError, Issue
 from groundslab.fem.line_traversal import ON_LINE, Pieces, interpolation, is_continuous, pieces
 from groundslab.fem.mesh import Mesh
+from groundslab.geometry.plan import format_place
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.mesh_results import PlateResult
 
@@ -242,8 +243,8 @@ def _on_plate(mesh: Mesh, ends: Array, where: str) -> Pieces:
     known, key = _LINES.get(mesh.nodes, mesh.elements, dict), ends.tobytes()
     line = known[key] if key in known else known.setdefault(key, pieces(mesh, ends))
     if not len(line.low):
-        (a, b), (c, d) = ends[0, 0], ends[-1, 1]
-        found = f"a line from ({a:g}, {b:g}) to ({c:g}, {d:g}) m that does not meet the plate"
+        start, end = format_place(ends[0, 0]), format_place(ends[-1, 1])
+        found = f"a line from {start} to {end} m that does not meet the plate"
         raise InputError([Issue(where, found, "a line that crosses the plate")])
     return line
 

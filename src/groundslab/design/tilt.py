@@ -13,6 +13,7 @@ from groundslab.design.by_plate import results_by_plate
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import Mesh, locate
 from groundslab.fem.shape_functions import q9
+from groundslab.geometry.plan import format_place
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult
 
@@ -79,11 +80,14 @@ def largest_tilt(results: CombinationResult) -> Tilt:
 def tilt(plate: PlateResult) -> Tilt:
     """Return the plane that fits the settlement best: least squares, each node weighed by its share of the area."""
     area = plate.area / plate.area.sum()
-    center = area @ plate.nodes
-    arm = plate.nodes - center
+    # places from one of the nodes, and settlements from their mean: the sums keep their digits far from x = y = 0
+    near = plate.nodes - plate.nodes[0]
+    arm = near - area @ near
+    center = plate.nodes[0] + area @ near
     mean = float(area @ plate.settlement)
-    slope = np.linalg.solve(arm.T @ (area[:, None] * arm), arm.T @ (area * plate.settlement))
-    off = plate.settlement - mean - arm @ slope
+    bent = plate.settlement - mean
+    slope = np.linalg.solve(arm.T @ (area[:, None] * arm), arm.T @ (area * bent))
+    off = bent - arm @ slope
     most = int(np.argmax(np.abs(off)))
     x, y = plate.nodes[most]
     return Tilt(
@@ -127,7 +131,7 @@ def settlement_differences(plate: PlateResult, points: Mapping[str, tuple[float,
     mesh = Mesh(plate.nodes, plate.elements)
     element, local = locate(mesh, places)
     issues = [
-        Issue(f"points[{name!r}]", f"({x:g}, {y:g}) m", "a point on the plate")
+        Issue(f"points[{name!r}]", f"{format_place((x, y))} m", "a point on the plate")
         for name, (x, y), where in zip(names, places, element, strict=True)
         if where < 0
     ]

@@ -20,7 +20,7 @@ from groundslab.fem.mesh import sides_along, sides_on_boundary
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Bearing, Depths, W
 from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
-from groundslab.geometry.plan import SAME_PLACE
+from groundslab.geometry.plan import SAME_PLACE, format_place
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_types import SettlementLoad
 from groundslab.model.model import Model
@@ -137,22 +137,41 @@ def make_links(model: Model, plan: Layout, lines: list[JointLine], surfaces: int
     """
     own = np.eye(fields, dtype=bool)
     none = np.zeros((0, 2), dtype=np.int64), np.zeros((0, fields), dtype=bool), np.zeros(0)
-    parts = [(*none, np.zeros(0, dtype=np.int64), np.zeros(0, dtype=bool))]
+    parts = [(*none, np.zeros(0, dtype=np.int64), np.zeros(0))]
 
-    def add(pairs: Integers, added: Flags, k: Array, joint: int, stiff: bool) -> None:
-        n = len(pairs)
-        parts.append((pairs, np.tile(added, (n, 1)), k, np.full(n, joint), np.full(n, stiff)))
+    def add(pairs: Integers, added: Flags, k: Array, joint: int, length: Array) -> None:
+        parts.append((pairs, np.tile(added, (len(pairs), 1)), k, np.full(len(pairs), joint), length))
 
     for number, (joint, line) in enumerate(zip(model.joints, lines, strict=True)):
-        k = stiffness_of(joint, model.plate, model.plates) * line.length
-        add(line.pairs, own[W] | own[line.slip] if line.slip else own[W], k, number, joint.kind == "hinge")
+        k = stiffness_of(joint) * line.length
+        add(line.pairs, own[W] | own[line.slip] if line.slip else own[W], k, number, line.length)
     again = np.flatnonzero(plan.source != np.arange(len(plan.source)))
     if shear and len(again):
         pairs = np.column_stack([plan.source[again], again])
         for added in (own[W] | own[TOP], *own[TOP + 1 : TOP + surfaces]):
-            add(pairs, added, np.full(len(pairs), np.inf), -1, True)
-    nodes, what, stiffness, number_of, rigid = (np.concatenate(each) for each in zip(*parts, strict=True))
-    return Links(nodes, what, stiffness, number_of, rigid)
+            add(pairs, added, np.full(len(pairs), np.inf), -1, np.zeros(len(pairs)))
+    return Links(*(np.concatenate(each) for each in zip(*parts, strict=True)))
+
+
+def hinged_nodes(model: Model, lines: list[JointLine], present: Flags) -> tuple[Integers, Flags]:
+    """Return which group each node is of in each field (n, F), and which unknowns are left (n, F).
+
+    In w the nodes of one place that hinges hold together are a group, else each node is its own. Held at zero at one of
+    them, w is at all of them.
+    """
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    n = len(present)
+    group, left = np.tile(np.arange(n)[:, None], present.shape[1]), present.copy()
+    hinges = [line.pairs for joint, line in zip(model.joints, lines, strict=True) if joint.kind == "hinge"]
+    pairs = np.concatenate([np.zeros((0, 2), dtype=np.int64), *hinges])
+    together = coo_array((np.ones(len(pairs)), pairs.T), shape=(n, n))
+    group[:, W] = connected_components(together, directed=False)[1]
+    held = np.unique(pairs)
+    zero = group[held[~present[held, W]], W]
+    left[held, W] = ~np.isin(group[held, W], zero)
+    return group, left
 
 
 def slip_bearing(model: Model, lines: list[JointLine], unknown: Integers) -> Bearing:
@@ -250,7 +269,8 @@ def node_at(plan: Layout, x: float, y: float) -> int:
     distance = np.linalg.norm(plan.mesh.nodes[under] - [x, y], axis=1)
     nearest = int(np.argmin(distance))
     if distance[nearest] > 10 * SAME_PLACE * np.ptp(plan.mesh.nodes, axis=0).max():
-        raise InputError([Issue("supports", f"no node at ({x:g}, {y:g}) m", "a mesh that meets every support")])
+        found = f"no node at {format_place((x, y), plan.origin)} m"
+        raise InputError([Issue("supports", found, "a mesh that meets every support")])
     return int(under[nearest])
 
 

@@ -10,6 +10,7 @@ from groundslab.discretize.constraints import (
     concatenate,
     fixed_nodes,
     ground_bearing,
+    hinged_nodes,
     joint_lines,
     make_links,
     slip_bearing,
@@ -56,7 +57,8 @@ def discretize(
     present = _with_slips(_present(model, plan, element, surfaces), lines)
     fields = present.shape[1]
     cases = _cases(model, plan, element, fields, like, loaded)
-    unknown = number_unknowns(plan.rank, present)
+    group, present = hinged_nodes(model, lines, present)
+    unknown = number_unknowns(plan.rank, present, group if model.joints else None)
     below, gap = find_depths(model, plan, ground, coarsening == 0), initial_gap(model, plan)
     others = support_bearing(model, plan, unknown), slip_bearing(model, lines, unknown)
     bearing = concatenate(ground_bearing(model, plan, unknown, below, ground, gap), *others)
@@ -91,6 +93,7 @@ def discretize(
         edges=edges,
         corners=corners,
         symmetry=plan.symmetry,
+        origin=model.origin,
         elastic=elastic_ground(model, plan, element, coarsening, bearing, cases),
         cracking=cracked_sections(model, plan.section, plan.mesh.nodes[plan.mesh.elements[plan.plate_elements, -1]]),
     )

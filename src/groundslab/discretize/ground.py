@@ -214,6 +214,7 @@ def _columns_under(model: Model, mesh: Mesh, factors: Factors, followed_borders:
     """Return the tables (c, L, ...) that differ under a mesh, and which part of each element's area has which."""
     tables = np.stack(_tables(model))
     centres = mesh.nodes[mesh.elements[:, 8]]
+    given = (centres + model.origin).T
     if model.boreholes:
         element, part = np.arange(len(centres)), np.ones(len(centres))
         listed = _between_boreholes(model.boreholes, tables, centres)
@@ -223,7 +224,7 @@ def _columns_under(model: Model, mesh: Mesh, factors: Factors, followed_borders:
         part, listed = share[element, zone], tables[zone]
     for name, factor in factors.items():
         layer, columns = _place_of(name, model)
-        listed[:, layer, columns] *= np.broadcast_to(factor(*centres.T), len(centres))[element, None]
+        listed[:, layer, columns] *= np.broadcast_to(factor(*given), len(centres))[element, None]
     rows, of = np.unique(listed.reshape(len(listed), -1), axis=0, return_inverse=True)
     return rows.reshape(-1, *tables.shape[1:]), Parts(element, of.ravel(), part)
 

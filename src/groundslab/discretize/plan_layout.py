@@ -27,7 +27,7 @@ from groundslab.fem.mesh import (
 )
 from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
-from groundslab.geometry.plan import Plan, Ring, Segment, rectangle
+from groundslab.geometry.plan import Place, Plan, Ring, Segment, rectangle
 from groundslab.meshing.sizing import Sources
 from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
 from groundslab.model.ground import ContinuousGround
@@ -87,6 +87,7 @@ class Layout:
     outer: Integers  # (s, 3: end, end, middle): sides on the outer edge of the meshed ground
     outer_axis: Integers  # (s,): the axis across each of them
     followed_borders: tuple[Ring, ...] = ()  # borders of soil zones and voids that a mesh which is no grid follows
+    origin: Place = (0.0, 0.0)  # where x = y = 0 lies in the plan that was given, for messages
 
     @property
     def plate_edges(self) -> Integers:
@@ -131,7 +132,7 @@ def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: 
     section = section[plate_elements]
     plate = np.searchsorted(first_sections(model.every_plate), section, side="right") - 1
     first_at = first_at_place(mesh) if model.joints else np.arange(len(mesh.nodes))
-    return Layout(mesh, rank, plate_elements, section, plate, first_at, symmetry, outer, axis, borders)
+    return Layout(mesh, rank, plate_elements, section, plate, first_at, symmetry, outer, axis, borders, model.origin)
 
 
 def _separate(model: Model, joined: Meshed) -> tuple[Mesh, Integers]:
@@ -361,6 +362,7 @@ def plan_of(model: Model, width: float) -> Plan:
     if any(symmetries(model)):
         plan = replace(plan, outline=meshed(*model.plate.bounds))
     plan = add_borders(plan, void_rings(model) + zone_rings(model))
+    plan = replace(plan, origin=model.origin)
     return follow_loads(plan, model) if model.mesh.adaptive else plan
 
 

@@ -27,6 +27,14 @@ _CHUNK = 2**18
 
 
 @dataclass(frozen=True, slots=True)
+class Merging:
+    """Where the entries of a matrix of unknowns that each node has for itself go, if nodes share some of them."""
+
+    entry: Indices  # (addends,): which entry each of them adds to
+    weight: Array  # (addends,): 2 off the diagonal where row and column become one, else 1
+
+
+@dataclass(frozen=True, slots=True)
 class Pattern:
     """Where everything goes: unknowns of nodes, pairs of nodes, and the upper CSR pattern that they span.
 
@@ -44,13 +52,20 @@ class Pattern:
     indptr: Indices  # (size + 1,)
     indices: Indices  # (entries,)
     cuts: Integers  # (chunks + 1,): pairs at which rows of pairs are cut into chunks
-    entries: Integers  # (chunks + 1,): entries at which these begin
-    taken: Indices  # (entries,): place of each entry in the blocks (pairs, F, F) of its chunk
+    entries: Integers  # (chunks + 1,): addends at which these begin
+    taken: Indices  # (addends,): place of each addend in the blocks (pairs, F, F) of its chunk
+    merging: Merging | None = None  # of addends to entries, where nodes share unknowns; else they are the same
 
     @property
     def size(self) -> int:
         """Return the number of unknowns."""
         return len(self.indptr) - 1
+
+    def matrix(self, addends: Array) -> Symmetric:
+        """Return the matrix whose entries are sums of addends (addends,)."""
+        m = self.merging
+        data = addends if m is None else np.bincount(m.entry, m.weight * addends, len(self.indices))
+        return Symmetric(self.indptr, self.indices, data)
 
     def pairs(self, first: Integers, second: Integers) -> Integers:
         """Return the pair numbers of nodes that share an element."""
@@ -59,12 +74,32 @@ class Pattern:
         return np.searchsorted(self.keys, keys)
 
 
-def number_unknowns(rank: Integers, present: Flags) -> Integers:
-    """Return unknown numbers (n, F) for the fields present at each node (n, F), node by node in the order of rank."""
+def number_unknowns(rank: Integers, present: Flags, shared: Integers | None = None) -> Integers:
+    """Return unknown numbers (n, F) for the fields present at each node (n, F), node by node in the order of rank.
+
+    Nodes of one group, by a number for each node and field (n, F), share the unknown, which has its place at the node
+    eliminated last.
+    """
+    if shared is not None:
+        return _number_shared(rank, present, shared)
     ordered = np.empty_like(present, dtype=bool)
     ordered[rank] = present
     numbers = np.where(ordered, np.cumsum(ordered.ravel()).reshape(ordered.shape) - 1, -1)
     return numbers[rank]
+
+
+def _number_shared(rank: Integers, present: Flags, group: Integers) -> Integers:
+    """Return unknown numbers (n, F) of which the nodes of one group in a field (n, F) share one."""
+    n, fields = present.shape
+    last = np.full((n, fields), -1)
+    for field in range(fields):
+        np.maximum.at(last[:, field], group[:, field], rank)
+    at_last = np.take_along_axis(last, group, axis=0) == rank[:, None]
+    own = number_unknowns(rank, present & at_last)
+    of_group = np.full((n, fields), -1)
+    node, field = np.nonzero(at_last)
+    of_group[group[node, field], field] = own[node, field]
+    return np.where(present, np.take_along_axis(of_group, group, axis=0), -1)
 
 
 def build_pattern(elements: Integers, rank: Integers, unknown: Integers, linked: Integers = NONE_LINKED) -> Pattern:
@@ -94,8 +129,28 @@ def build_pattern(elements: Integers, rank: Integers, unknown: Integers, linked:
     rows = np.concatenate([[0], np.flatnonzero(np.diff(low)) + 1, [len(low)]])
     indptr, base = _index_rows(rows, first, second, unknown >= 0)
     cuts, entries = _cut_rows(rows, first, unknown >= 0, indptr)
-    indices, taken = _place_entries(first, second, unknown, indptr, base, cuts)
-    return Pattern(unknown, rank, first, second, keys, starts, element, place, indptr, indices, cuts, entries, taken)
+    own = number_unknowns(rank, unknown >= 0)
+    indices, taken = _place_entries(first, second, own, indptr, base, cuts)
+    merging = None
+    if own.max(initial=-1) > unknown.max(initial=-1):
+        indptr, indices, merging = _merge(indptr, indices, own, unknown)
+    return Pattern(
+        unknown, rank, first, second, keys, starts, element, place, indptr, indices, cuts, entries, taken, merging
+    )
+
+
+def _merge(indptr: Indices, indices: Indices, own: Integers, unknown: Integers) -> tuple[Indices, Indices, Merging]:
+    """Return the pattern between unknowns (n, F) that nodes share, from that of those they have for themselves."""
+    size = int(unknown.max()) + 1
+    shared = np.empty(len(indptr) - 1, dtype=np.int64)
+    shared[own[own >= 0]] = unknown[own >= 0]
+    row, column = np.repeat(shared, np.diff(indptr)), shared[indices]
+    keys, entry = np.unique(np.minimum(row, column) * size + np.maximum(row, column), return_inverse=True)
+    rows, columns = np.divmod(keys, size)
+    same = np.repeat(np.arange(len(shared)), np.diff(indptr)) == indices
+    starts = np.searchsorted(rows, np.arange(size + 1)).astype(np.int32)
+    weight = np.where((row == column) & ~same, 2.0, 1.0)
+    return starts, columns.astype(np.int32), Merging(entry.astype(np.int32), weight)
 
 
 def _add_pairs(keys: Integers, starts: Indices, linked: Integers, n: int) -> tuple[Integers, Indices]:
@@ -169,8 +224,8 @@ def _place_entries(
 
 def assemble(
     p: Pattern, kind: Integers, matrices: Callable[[Integers], Array], pairs: Integers, blocks: Array
-) -> Symmetric:
-    """Return the matrix that element matrices and further blocks of node pairs add up to.
+) -> Array:
+    """Return the addends of the matrix that element matrices and further blocks of node pairs add up to.
 
     kind (m,) says which matrix each element has; matrices gives those of some kinds (k,) as (k, 9, 9, F, F). Further
     blocks (t, F, F) go to pairs (t,), ascending. Rows belong to the first node and field, columns to the second.
@@ -178,7 +233,7 @@ def assemble(
     """
     from scipy.sparse import csr_array
 
-    data = np.empty(len(p.indices))
+    data = np.empty(len(p.taken))
     number, F = np.zeros(int(kind.max()) + 1, dtype=np.int32), p.unknown.shape[1]
     for (start, stop), entries in zip(pairwise(p.cuts), pairwise(p.entries), strict=True):
         own = slice(p.starts[start], p.starts[stop])
@@ -196,7 +251,7 @@ def assemble(
         further = slice(*np.searchsorted(pairs, (start, stop)))
         sums[pairs[further] - start] += blocks[further].reshape(-1, F * F)
         data[slice(*entries)] = sums.ravel()[p.taken[slice(*entries)]]
-    return Symmetric(p.indptr, p.indices, data)
+    return data
 
 
 def sums_over_elements(p: Pattern, kind: Integers, matrices: Array) -> csr_array:
@@ -211,7 +266,7 @@ def sums_over_elements(p: Pattern, kind: Integers, matrices: Array) -> csr_array
 
 
 def entries_of_pairs(p: Pattern) -> Indices:
-    """Return where the matrix has the entries (pairs, F, F) of each pair of nodes, -1 where it has none."""
+    """Return which addends of the matrix are those (pairs, F, F) of each pair of nodes, -1 where there are none."""
     F = p.unknown.shape[1]
     found = np.full(len(p.first) * F * F, -1, dtype=np.int32)
     for start, (begin, end) in zip(p.cuts, pairwise(p.entries), strict=False):

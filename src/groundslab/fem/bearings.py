@@ -90,13 +90,24 @@ def concatenate(*parts: Bearings) -> Bearings:
 
 @dataclass(frozen=True, slots=True)
 class Links:
-    """Elastic links of l pairs of nodes at one place, by the difference of what their fields add up to."""
+    """Links of l pairs of nodes at one place, by the difference of what their fields add up to."""
 
     nodes: Integers  # (l, 2)
     fields: Flags  # (l, F): which fields of each node add up
-    stiffness: Array  # (l,) [N/m]; infinite where the difference must vanish
+    stiffness: Array  # (l,) [N/m]; infinite where the difference must vanish, in hinges by a shared unknown
     joint: Integers  # (l,): number of the joint, -1 for the ground's surface, which goes on across joints
-    rigid: Flags  # (l,): whether the difference vanishes but for what the stiffness lets pass
+    length: Array  # (l,) [m]: the share of the joint's line, 0 for the ground's surface
+
+    @property
+    def rigid(self) -> Flags:
+        """Return across which links (l,) nothing may differ."""
+        return np.isinf(self.stiffness)
+
+    @property
+    def shared(self) -> Flags:
+        """Return which links (l,) are hinges, whose nodes share the unknown."""
+        found: Flags = (self.joint >= 0) & self.rigid
+        return found
 
     @property
     def holds(self) -> Flags:
@@ -114,10 +125,9 @@ class Links:
         found: Array = ((U[first] - U[second]) * self.fields).sum(axis=1)
         return found
 
-    def forces(self, U: Array, stiffness: Array) -> Array:
-        """Return the forces (n, F) with which links of stiffnesses (l,) resist."""
-        force = (stiffness * self.difference(U))[:, None] * self.fields
-        found = np.zeros_like(U)
-        np.add.at(found, self.nodes[:, 0], force)
-        np.add.at(found, self.nodes[:, 1], -force)
+    def spread(self, force: Array, nodes: int) -> Array:
+        """Return the forces (n, F) at nodes that links resist with, from that of each link (l,) at its first node."""
+        found, by_field = np.zeros((nodes, self.fields.shape[1])), force[:, None] * self.fields
+        np.add.at(found, self.nodes[:, 0], by_field)
+        np.add.at(found, self.nodes[:, 1], -by_field)
         return found

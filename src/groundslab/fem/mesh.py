@@ -12,7 +12,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers, Memo
 from groundslab.errors import InputError, Issue
 from groundslab.fem.shape_functions import COLUMN, ROW, parallelograms, q9, unique_integers
-from groundslab.geometry.plan import SAME_PLACE
+from groundslab.geometry.plan import SAME_PLACE, format_place
 
 if TYPE_CHECKING:
     from shapely import STRtree
@@ -226,7 +226,7 @@ def locate_within(mesh: Mesh, points: Array, region: str) -> MeshLocations:
     issues = []
     for index in outside[:MOST_NAMED]:
         x, y = points[tuple(index)]
-        issues.append(Issue(f"point{index.tolist() or ''}", f"({x:g}, {y:g}) m", f"a point on {region}"))
+        issues.append(Issue(f"point{index.tolist() or ''}", f"{format_place((x, y))} m", f"a point on {region}"))
     if len(outside) > MOST_NAMED:
         found = f"{len(outside) - MOST_NAMED} more points outside"
         issues.append(Issue("points", found, f"points on {region}"))

@@ -138,6 +138,7 @@ class Problem:
     edges: Integers  # (e, 3): end, end and middle node of each outer side on which infinite ground follows
     corners: Integers  # (c,): nodes at which two such edges meet
     symmetry: tuple[bool, bool]
+    origin: tuple[float, float] = (0.0, 0.0)  # [m]: where x = y = 0 lies in the plan that was given, for messages
     cracking: CrackedSections | None = None  # how the plate's elements crack, if they do
     elastic: ElasticGround | None = None  # bears the plate, instead of columns, whose constants are zero then
     stiffness: Array | None = None  # (mp, 2) [N m2/m]: of elements that have cracked, along x and y

@@ -147,14 +147,14 @@ def stiffness(s: System, column: Column) -> Symmetric:
             K[..., i, j] += column.A0[a, c] * mass + column.A1[a, c] * slope
         return K
 
-    return assembly.assemble(s.pattern, b.kind, matrices, *_further_blocks(s, column))
+    return s.pattern.matrix(assembly.assemble(s.pattern, b.kind, matrices, *_further_blocks(s, column)))
 
 
 @dataclass(frozen=True, slots=True)
 class _Varying:
     """What a matrix has whatever the ground under the elements is, and where the ground is added."""
 
-    plate: Symmetric
+    plate: Array  # (addends,)
     entry: Indices  # (pairs, F, F)
     mass: dict[tuple[bool, bool], csr_array]  # by whether rows and columns are w of the plate: (pairs, m)
     slope: dict[tuple[bool, bool], csr_array]
@@ -167,7 +167,7 @@ _VARYING: Memo[_Varying] = Memo()
 def _with_varying_ground(s: System, column: Column) -> Symmetric:
     """Return the matrix of plate and ground whose column differs between elements: it is linear in A0 and A1."""
     known = _VARYING.get(s.blocks.plate, s.pattern, lambda: _varying(s))
-    data = known.plate.data.copy()
+    data = known.plate.copy()
 
     def add(values: Array, entry: Indices) -> None:
         there = entry >= 0
@@ -179,7 +179,7 @@ def _with_varying_ground(s: System, column: Column) -> Symmetric:
         add(values, known.entry[:, i, j])
     pairs, blocks = _further_blocks(s, column)
     add(blocks, known.entry[pairs])
-    return replace(known.plate, data=data)
+    return s.pattern.matrix(data)
 
 
 def _varying(s: System) -> _Varying:
@@ -243,17 +243,22 @@ def _further_blocks(s: System, column: Column) -> tuple[Integers, Array]:
 
 
 def link_stiffness(s: System, column: Column) -> Array:
-    """Return the stiffness of each link (l,) [N/m]; of the ground's surface it is much stiffer than the ground."""
-    b, k = s.blocks, s.problem.links.stiffness
+    """Return the stiffness of each link (l,) [N/m], 0 where nodes share the unknown.
+
+    Links of the ground's surface are much stiffer than the ground.
+    """
+    b, links = s.blocks, s.problem.links
+    k = np.where(links.shared, 0.0, links.stiffness)
     ground = np.abs(column.A0).max() * np.abs(b.mass).max() + np.abs(column.A1).max() * np.abs(b.slope).max()
     return np.where(np.isinf(k), RIGID_LINK * ground, k)
 
 
 def link_forces(s: System, U: Array, column: Column, joints: bool) -> Array:
-    """Return the forces (n, F) with which joints resist, or links of the ground's surface."""
+    """Return the forces (n, F) with which elastic joints resist, or links of the ground's surface."""
     links = s.problem.links
     counts = (links.joint >= 0) == joints
-    return links.forces(U, np.where(counts, link_stiffness(s, column), 0.0))
+    stiffness = np.where(counts, link_stiffness(s, column), 0.0)
+    return links.spread(stiffness * links.difference(U), len(U))
 
 
 def _tail_blocks(s: System, column: Column) -> tuple[Integers, Array]:
@@ -296,7 +301,7 @@ def right_hand_side(s: System, factor: float) -> Array:
     p = s.pattern
     f = np.zeros(p.size)
     has = p.unknown >= 0
-    f[p.unknown[has]] = factor * s.problem.load[has]
+    np.add.at(f, p.unknown[has], factor * s.problem.load[has])
     return f
 
 

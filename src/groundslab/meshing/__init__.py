@@ -103,6 +103,6 @@ def unstructured(
 def _quadrilaterals(plan: Plan, cells: Cells) -> PlanMesh:
     """Return cells cut into good nine-node quadrilaterals, or say that there are bad ones."""
     nodes, elements = quadrangulation.make_elements(cells)
-    result = finish(on_bounds(plan, nodes), elements, sections(plan, nodes[elements[:, 8]]))
+    result = finish(plan, on_bounds(plan, nodes), elements, sections(plan, nodes[elements[:, 8]]))
     check_area(plan, result)
     return result

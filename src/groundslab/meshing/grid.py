@@ -52,7 +52,7 @@ def rectilinear(
     whole = grid(x, y)
     section = sections(plan, whole.nodes[whole.elements[:, 8]])
     kept = section != NOTHING
-    return finish(whole.nodes, whole.elements[kept], section[kept])
+    return finish(plan, whole.nodes, whole.elements[kept], section[kept])
 
 
 def _least(

@@ -10,7 +10,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.errors import InputError, Issue
 from groundslab.fem.shape_functions import gauss, jacobian, q9
-from groundslab.geometry.plan import MOST_ELEMENTS, NOTHING, SAME_PLACE, Plan, format_place
+from groundslab.geometry.plan import MOST_ELEMENTS, NOTHING, Plan, format_place
 from groundslab.geometry.validity import find_issues
 from groundslab.meshing.quality import Quality, quality
 
@@ -47,14 +47,14 @@ def too_many_elements() -> Issue:
     return Issue("mesh.size", f"more than {MOST_ELEMENTS} elements", "fewer", "make the elements larger")
 
 
-def finish(nodes: Array, elements: Integers, section: Integers) -> PlanMesh:
-    """Return a mesh without the nodes that no element uses, and refuse one with elements inverted."""
+def finish(plan: Plan, nodes: Array, elements: Integers, section: Integers) -> PlanMesh:
+    """Return a mesh of a plan without the nodes that no element uses, and refuse one with elements inverted."""
     if len(elements) > MOST_ELEMENTS:
         raise InputError([too_many_elements()])
     used, number = np.unique(elements, return_inverse=True)
     found = quality(nodes[elements])
     if not found.worst > 0:
-        inverted = f"a mesh with an element turned inside out at {format_place(found.worst_place)}"
+        inverted = f"a mesh with an element turned inside out at {format_place(found.worst_place, plan.origin)}"
         raise InputError(
             [Issue("plan", inverted, "elements that can be used", "simplify the plan there or mesh it finer")]
         )
@@ -64,7 +64,7 @@ def finish(nodes: Array, elements: Integers, section: Integers) -> PlanMesh:
 def on_bounds(plan: Plan, nodes: Array) -> Array:
     """Return nodes (n, 2), those next to the rectangle around a plan exactly on it: there further ground begins."""
     low, high = np.reshape(plan.bounds, (2, 2))
-    near = SAME_PLACE * plan.extent
+    near = plan.same_place
     found: Array = np.where(np.abs(nodes - low) < near, low, np.where(np.abs(nodes - high) < near, high, nodes))
     return found
 

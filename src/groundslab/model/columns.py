@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 from groundslab.geometry.plan import Ring, circle, rectangle
 from groundslab.model.ground import POSITIVE
 from groundslab.schema.base import Check, Section
-from groundslab.schema.fields import Quantity, Text
+from groundslab.schema.fields import Quantity, Text, coordinate
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.repairs import remove
 
@@ -50,8 +50,8 @@ class Column(Section):
     checks: ClassVar[tuple[Check, ...]] = (check_footprint, _check_footprint_given)
 
     name: Annotated[str, Text("name of the column, by which loads call it")]
-    x: Annotated[float, Quantity("length", "x", "its center")]
-    y: Annotated[float, Quantity("length", "y", "its center")]
+    x: Annotated[float, coordinate(0, "its center")]
+    y: Annotated[float, coordinate(1, "its center")]
     width_x: Annotated[float | None, Quantity("length", "c_x", "width along x", POSITIVE)] = None
     width_y: Annotated[float | None, Quantity("length", "c_y", "width along y", POSITIVE)] = None
     diameter: Annotated[float | None, Quantity("length", "d", "diameter, instead of both widths", POSITIVE)] = None

@@ -6,10 +6,10 @@ floats in SI units or text with units; InputError lists all issues at once. Posi
 
 from __future__ import annotations
 
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np  # noqa: F401  before pydantic, whose typing_extensions makes NumPy's types slow to build on 3.11
-from pydantic import Field
+from pydantic import Field, PrivateAttr
 
 from groundslab.model import consistency, varying_ground
 from groundslab.model.columns import Column
@@ -128,10 +128,23 @@ class Model(Section):
     mesh: Annotated[Mesh, Table("the mesh; made for an accuracy by default")] = Mesh()
     analysis: Annotated[Analysis, Table("how the equations are solved")] = Analysis()
 
+    _origin: tuple[float, float] = PrivateAttr((0.0, 0.0))
+
     @classmethod
     def root(cls) -> str:
         """Return nothing: paths of issues start with the section."""
         return ""
+
+    @property
+    def origin(self) -> tuple[float, float]:
+        """Return where x = y = 0 lies in the plan that was given [m], see `plan_origin`; for messages."""
+        return self._origin
+
+    def with_origin(self, origin: tuple[float, float]) -> Self:
+        """Return the model, which has been moved, with its x = y = 0 at a place of the plan that was given [m]."""
+        moved = self.model_copy()
+        moved._origin = origin
+        return moved
 
     @property
     def ground_carries_shear(self) -> bool:

@@ -13,7 +13,7 @@ from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import Place
 from groundslab.model.supports import check_names
 from groundslab.schema.base import Check, Section, Table
-from groundslab.schema.fields import Choice, Integer, ListOf, Quantity, Text
+from groundslab.schema.fields import Choice, Integer, ListOf, Quantity, Text, coordinate
 from groundslab.schema.issues import RelativeIssue
 
 if TYPE_CHECKING:
@@ -53,8 +53,8 @@ class OutputPoint(Section):
     """A point at which all fields are listed."""
 
     name: Annotated[str, Text("name of the point")]
-    x: Annotated[float, Quantity("length", "x", "position")]
-    y: Annotated[float, Quantity("length", "y", "position")]
+    x: Annotated[float, coordinate(0, "position")]
+    y: Annotated[float, coordinate(1, "position")]
 
     def to_shapely(self, chord: float) -> BaseGeometry:  # noqa: ARG002
         """Return the point."""

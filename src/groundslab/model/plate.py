@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
-from groundslab.geometry.plan import Plan, Ring
+from groundslab.geometry.plan import Plan, Ring, format_place
 from groundslab.geometry.validity import find_issues
 from groundslab.model.ground import POISSON, POSITIVE
 from groundslab.model.shapes import AnyShape, Rectangle, Shape
@@ -73,9 +73,8 @@ def _check_hinged_edges(outline: AnyShape | None, support: str) -> Iterator[Rela
     if support != "hinged" or outline is None:
         return
     for edge in outline.ring().segments():
-        (x0, y0), (x1, y1) = edge.start, edge.end
-        if not edge.straight or (x0 != x1 and y0 != y1):
-            found = f'"hinged" on the edge from ({x0:g}, {y0:g}) to ({x1:g}, {y1:g}) m'
+        if not (edge.straight and edge.along_axis):
+            found = f'"hinged" on the edge from {format_place(edge.start)} to {format_place(edge.end)} m'
             yield RelativeIssue(("support",), found, 'edges along x or y, or support = "soft" (w = 0) or "clamped"')
             return
 

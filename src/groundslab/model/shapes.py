@@ -8,7 +8,7 @@ from typing import Annotated, ClassVar, Literal
 from groundslab.geometry.plan import LARGEST_BULGE, Ring, circle, rectangle
 from groundslab.model.ground import POSITIVE
 from groundslab.schema.base import ByKind, Check, Section, Table
-from groundslab.schema.fields import ListOf, Number, Quantity, list_quantities
+from groundslab.schema.fields import ListOf, Number, Quantity, extent, place_in_plan
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 
@@ -17,9 +17,9 @@ FLATTEST = 1e-3
 #: Arcs are judged by chords that are at most this far off, relative to the size of the curve.
 CHORD = 1e-4
 
-AcrossX = Annotated[tuple[float, float], list_quantities("length", "x", "extent along x", 2, rising=True)]
-AcrossY = Annotated[tuple[float, float], list_quantities("length", "y", "extent along y", 2, rising=True)]
-Place = list_quantities("length", "x, y", "a place in plan", 2)
+AcrossX = Annotated[tuple[float, float], extent(0, "extent along x")]
+AcrossY = Annotated[tuple[float, float], extent(1, "extent along y")]
+Place = place_in_plan("a place in plan")
 BULGE = Number("b", "", Range(at_least=-LARGEST_BULGE, at_most=LARGEST_BULGE))
 
 
@@ -88,7 +88,7 @@ class Circle(Section):
     """A circle."""
 
     kind: Annotated[Literal["circle"], Table("a circle")] = "circle"
-    centre: Annotated[tuple[float, float], list_quantities("length", "x, y", "its center", 2)] = (0.0, 0.0)
+    centre: Annotated[tuple[float, float], place_in_plan("its center")] = (0.0, 0.0)
     radius: Annotated[float, Quantity("length", "r", "its radius", POSITIVE)]
 
     def ring(self) -> Ring:

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import Annotated, ClassVar, Literal
 
-from groundslab.geometry.plan import Plan, Ring, Segment
+from groundslab.geometry.plan import Plan, Ring, Segment, format_place
 from groundslab.model.ground import POSITIVE, AnyGround, ContinuousGround
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, first_sections, list_plates
 from groundslab.model.shapes import Place
 from groundslab.schema.base import ByKind, Check, Section, Table
-from groundslab.schema.fields import Choice, ListOf, Quantity, Text
+from groundslab.schema.fields import Choice, ListOf, Quantity, Text, coordinate
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.repairs import remove, set_value, use_free_name
@@ -55,8 +55,8 @@ class PointSupport(Section):
 
     kind: Annotated[Literal["point"], Table("support at a point, such as a column below or a pile")] = "point"
     name: SupportName = ""
-    x: Annotated[float, Quantity("length", "x", "position")]
-    y: Annotated[float, Quantity("length", "y", "position")]
+    x: Annotated[float, coordinate(0, "position")]
+    y: Annotated[float, coordinate(1, "position")]
     stiffness: Annotated[
         float | None, Quantity("stiffness", "K", "force per settlement; rigid by default", POSITIVE)
     ] = None
@@ -138,8 +138,8 @@ class Pile(Section):
 
     kind: Annotated[Literal["pile"], Table("a pile in ground of elastic layers, which give its stiffness")] = "pile"
     name: SupportName = ""
-    x: Annotated[float, Quantity("length", "x", "position")]
-    y: Annotated[float, Quantity("length", "y", "position")]
+    x: Annotated[float, coordinate(0, "position")]
+    y: Annotated[float, coordinate(1, "position")]
     length: Annotated[float, Quantity("length", "l", "length below the plate", POSITIVE)]
     diameter: Annotated[float, Quantity("length", "d", "diameter", POSITIVE)]
     E: Annotated[float, Quantity("pressure", "E_p", "Young's modulus; of concrete by default", POSITIVE)] = 30e9
@@ -199,7 +199,7 @@ def check_support_distances(
         for x, y in support.points:
             if not (x0 - far <= x <= x1 + far and y0 - far <= y <= y1 + far):
                 yield RelativeIssue(
-                    ("supports", position), f"a place far off the plate, ({x:.6g}, {y:.6g}) m", "one on it"
+                    ("supports", position), f"a place far off the plate, {format_place((x, y))} m", "one on it"
                 )
                 break
 

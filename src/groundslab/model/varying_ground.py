@@ -23,7 +23,7 @@ from groundslab.model.ground import (
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import AnyShape, Shape
 from groundslab.schema.base import Check, Section, Table
-from groundslab.schema.fields import Quantity, Text, list_quantities
+from groundslab.schema.fields import Quantity, Text, coordinate, extent
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.repairs import remove, set_value
 from groundslab.schema.wording import quote
@@ -49,8 +49,8 @@ class Borehole(Section):
     """A place where the layers are known; between boreholes they are interpolated."""
 
     name: Annotated[str, Text("name of the borehole, for people")] = ""
-    x: Annotated[float, Quantity("length", "x", "position, on the plate or beside it")]
-    y: Annotated[float, Quantity("length", "y", "position, on the plate or beside it")]
+    x: Annotated[float, coordinate(0, "position, on the plate or beside it")]
+    y: Annotated[float, coordinate(1, "position, on the plate or beside it")]
     layers: Annotated[
         tuple[SoilLayer, ...],
         Field(min_length=1),
@@ -160,8 +160,8 @@ def check_gap_points(gaps: tuple[GapPoint, ...]) -> Iterator[RelativeIssue]:
 class GapPoint(Section):
     """A place where the gap under the plate has been measured; between such places it is interpolated."""
 
-    x: Annotated[float, Quantity("length", "x", "position")]
-    y: Annotated[float, Quantity("length", "y", "position")]
+    x: Annotated[float, coordinate(0, "position")]
+    y: Annotated[float, coordinate(1, "position")]
     gap: Annotated[float, Quantity("length", "g_0", "gap there; below 0 the ground stands higher")]
 
 
@@ -187,11 +187,11 @@ class Void(Section):
     ] = None
     x: Annotated[
         tuple[float, float] | None,
-        list_quantities("length", "x", "extent along x of a rectangle", 2, rising=True),
+        extent(0, "extent along x of a rectangle"),
     ] = None
     y: Annotated[
         tuple[float, float] | None,
-        list_quantities("length", "y", "extent along y of a rectangle", 2, rising=True),
+        extent(1, "extent along y of a rectangle"),
     ] = None
     shape: Annotated[Shape | None, Table("any other shape, instead of x and y")] = None
 

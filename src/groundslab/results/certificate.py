@@ -142,7 +142,7 @@ def exact_rigid_products(s: System, column: Column) -> tuple[Array, Array]:
             for field in surface_fields(surface):
                 resisting[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]
         motions[problem.unknown[has], number] = U[has]
-        forces[problem.unknown[has], number] = resisting[has]
+        np.add.at(forces[:, number], problem.unknown[has], resisting[has])
     Q, R = np.linalg.qr(motions)
     return Q, np.linalg.solve(R.T, forces.T).T
 
@@ -159,6 +159,15 @@ def _tail_forces(problem: Problem, w: Array, column: Column) -> Array:
     return forces
 
 
+@dataclass(frozen=True, slots=True)
+class Resistance:
+    """What resists the loads at n nodes: all of it, and what of it ground and joints contribute."""
+
+    all: Array  # (n, F) [N, N m]
+    ground: Array  # (n, 1 + S) [N]: on the plate's w, and on each surface
+    joints: Array  # (l,) [N]: of each link across a joint on its first node, upwards
+
+
 def pressing_forces(solution: Solution) -> Array:
     """Return the forces (n, 2) that the cells of an elastic continuum put on the plate's w, and on their surface."""
     elastic, pressed = solution.system.problem.elastic, solution.pressed
@@ -168,29 +177,74 @@ def pressing_forces(solution: Solution) -> Array:
     return np.column_stack([on_w, on_w])
 
 
-def resistance(solution: Solution) -> tuple[Array, Array]:
-    """Return the forces (n, F) with which plate and ground resist, and the ground's share of them (n, 1 + S)."""
+def resistance(solution: Solution) -> Resistance:
+    """Return the forces with which plate, ground and joints resist."""
     s, U, column = solution.system, solution.U, solution.column
     ground = ground_forces(s, U, column) if solution.pressed is None else pressing_forces(solution)
-    inner = link_forces(s, U, column, joints=True)
+    inner = np.zeros_like(U)
     inner[:, :TOP] += plate_forces(s, U)
     for surface in range(column.surfaces):
         for field in surface_fields(surface):
             inner[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]
-    return inner, ground
+    joints = _joint_forces(solution, inner)
+    return Resistance(inner + s.problem.links.spread(joints, len(U)), ground, joints)
+
+
+def bearing_forces(solution: Solution) -> Array:
+    """Return the forces (n, F) with which bearings push."""
+    problem, borne = solution.system.problem, np.zeros_like(solution.U)
+    bearing = problem.bearing
+    np.add.at(borne, (bearing.node, bearing.field), bearing.law.sign * solution.contact.force)
+    return borne
+
+
+def _joint_forces(solution: Solution, inner: Array) -> Array:
+    """Return the force (l,) [N] of each link of a joint on its first node, upwards, 0 of all other links.
+
+    inner (n, F) are the forces with which plate and ground resist. Elastic joints resist by their stiffness. Hinges
+    carry what then is left over at the nodes that they hold together: the plates' equations are taken for each alone.
+    """
+    s, problem = solution.system, solution.system.problem
+    links = problem.links
+    stiffness = np.where(links.joint >= 0, link_stiffness(s, solution.column), 0.0)
+    force = stiffness * links.difference(solution.U)
+    hinges = links.shared & (problem.unknown[links.nodes[:, 0], W] >= 0)
+    if hinges.any():
+        left = inner - problem.load - bearing_forces(solution) + links.spread(force, len(inner))
+        force[hinges] = _balancing(links.nodes[hinges], left[:, W])
+    return force
+
+
+def _balancing(pairs: Integers, left: Array) -> Array:
+    """Return the forces (k,) between pairs of nodes (k, 2) that balance what is left over at the nodes, (n,).
+
+    Each is that on the first node of its pair. Where more than two nodes meet, the least of those that balance.
+    """
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    force = left[pairs[:, 1]].copy()
+    n = len(left)
+    place = connected_components(coo_array((np.ones(len(pairs)), pairs.T), shape=(n, n)), directed=False)[1]
+    _, number, count = np.unique(place[pairs[:, 0]], return_inverse=True, return_counts=True)
+    for which in np.flatnonzero(count > 1):
+        own = np.flatnonzero(number == which)
+        nodes, ends = np.unique(pairs[own], return_inverse=True)
+        incidence = np.zeros((len(nodes), len(own)))
+        incidence[ends.reshape(-1, 2).T, np.arange(len(own))] = np.array([[1.0], [-1.0]])
+        force[own] = np.linalg.lstsq(incidence, -left[nodes], rcond=None)[0]
+    return force
 
 
 def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     """Return the certificate of a solution under the full load."""
-    s, U, column, c = solution.system, solution.U, solution.column, solution.contact
-    problem = s.problem
+    U, c, problem = solution.U, solution.contact, solution.system.problem
     nodes, under, bearing = problem.mesh.nodes, problem.plate_nodes, problem.bearing
-    (inner, ground), load = resistance(solution), problem.load
+    resisting, load = resistance(solution), problem.load
+    inner, ground = resisting.all, resisting.ground
     rest = inner - load
 
-    fixed = problem.unknown < 0
-    borne = np.zeros_like(U)
-    np.add.at(borne, (bearing.node, bearing.field), bearing.law.sign * c.force)
+    fixed, borne = problem.unknown < 0, bearing_forces(solution)
     # a load that a rigid support takes at once is no measure of what plate, ground and springs resist
     elastic = np.isfinite(solution.law.stiffness)
     springs = np.abs(c.force[elastic])
@@ -204,7 +258,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     support[:, W] *= _own_w(problem)
     own = bearing.field < TOP
     np.add.at(support, (bearing.node[own], bearing.field[own]), (bearing.law.sign * c.force)[own])
-    support[:, W] -= link_forces(s, U, column, joints=True)[:, W]
+    support[:, W] -= problem.links.spread(resisting.joints, len(U))[:, W]
     # what presses on the ground beside the plate's edge does not reach the plate
     contact = ground[:, 0].copy()
     if solution.pressed is None:

@@ -19,7 +19,7 @@ from groundslab.results.contact_fields import contact_fields
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
 from groundslab.results.record import Certificate, Constants, Step
 from groundslab.results.result_mesh import ResultMesh
-from groundslab.results.results import CombinationResult, Comparison, Increment, SupportResult
+from groundslab.results.results import CombinationResult, Comparison, Increment, JointResult, SupportResult
 from groundslab.solvers.cracking import laws
 from groundslab.solvers.solution import Solution
 
@@ -68,6 +68,7 @@ def recover(
         limit_state=combination.limit_state,
         factors=combination.factors if model.cases else (),
         supports=support_results(model, solution),
+        joints=joint_results(model, solution),
         increments=increments,
         comparison=comparison,
     )
@@ -117,7 +118,7 @@ def support_results(model: Model, solution: Solution) -> tuple[SupportResult, ..
     problem, b = solution.system.problem, solution.system.problem.bearing
     if not model.supports:
         return ()
-    rest = resistance(solution)[0] - problem.load
+    rest = resistance(solution).all - problem.load
     w = plate_settlement(solution.system, solution.U)
     force = b.law.sign * solution.contact.force
     found = []
@@ -140,6 +141,27 @@ def support_results(model: Model, solution: Solution) -> tuple[SupportResult, ..
                 force=-force[own],
                 moment_x=moments[:, 0],
                 moment_y=moments[:, 1],
+            )
+        )
+    return tuple(found)
+
+
+def joint_results(model: Model, solution: Solution) -> tuple[JointResult, ...]:
+    """Return what each joint carries from its first plate to its second one."""
+    problem, found = solution.system.problem, list[JointResult]()
+    if not model.joints:
+        return ()
+    force, w = resistance(solution).joints, plate_settlement(solution.system, solution.U)
+    for number, joint in enumerate(model.joints):
+        own = problem.links.joint == number
+        first, second = problem.links.nodes[own].T
+        found.append(
+            JointResult(
+                name=joint.title,
+                nodes=problem.mesh.nodes[first],
+                length=problem.links.length[own],
+                step=w[first] - w[second],
+                force=force[own],
             )
         )
     return tuple(found)

@@ -62,6 +62,36 @@ class SupportResult:
 
 
 @dataclass(frozen=True, slots=True)
+class JointResult:
+    """A joint of two plates: what it carries at each of the k places along its line.
+
+    Attributes
+    ----------
+    name : str
+        Name of the joint, or those of its plates.
+    nodes : (k, 2) array of float
+        Coordinates of the places [m].
+    length : (k,) array of float
+        The share of the line that belongs to each of them [m].
+    step : (k,) array of float
+        Settlement of the first plate less that of the second one [m].
+    force : (k,) array of float
+        Force from the first plate to the second one [N], positive if it presses the second one down.
+    """
+
+    name: str
+    nodes: Array
+    length: Array
+    step: Array
+    force: Array
+
+    @property
+    def total(self) -> float:
+        """The sum of the forces [N], positive if they press the second plate down."""
+        return float(self.force.sum())
+
+
+@dataclass(frozen=True, slots=True)
 class Increment:
     """The state under a share of the load.
 
@@ -110,6 +140,8 @@ class Comparison:
         The ground.
     supports : tuple of SupportResult
         What the supports carry, at nodes of the coarser mesh.
+    joints : tuple of JointResult
+        What the joints carry, at nodes of the coarser mesh.
     constants : Constants
         The ground's constants that the coarser mesh ended with.
     energy_error : float
@@ -122,6 +154,7 @@ class Comparison:
     elements: ElementResult
     ground: GroundResult
     supports: tuple[SupportResult, ...]
+    joints: tuple[JointResult, ...]
     constants: Constants
     energy_error: float
     reduction: float
@@ -159,6 +192,8 @@ class CombinationResult:
         Factors of the load cases; empty if the model has no load cases.
     supports : tuple of SupportResult
         What the supports carry.
+    joints : tuple of JointResult
+        What the joints between plates carry.
     increments : tuple of Increment
         The states under smaller shares of the load, if it was applied in increments.
     comparison : Comparison or None
@@ -179,6 +214,7 @@ class CombinationResult:
     limit_state: str
     factors: tuple[tuple[str, float], ...]
     supports: tuple[SupportResult, ...]
+    joints: tuple[JointResult, ...] = ()
     increments: tuple[Increment, ...] = ()
     comparison: Comparison | None = None
 
@@ -193,6 +229,7 @@ class CombinationResult:
             elements=other.elements,
             ground=other.ground,
             supports=other.supports,
+            joints=other.joints,
             constants=other.constants,
             increments=(),
             comparison=None,

@@ -26,7 +26,8 @@ from groundslab.fem.problem import (
     move_plates,
     single_plates,
 )
-from groundslab.units import coordinate
+from groundslab.geometry.plan import Place, format_place
+from groundslab.units import format_coordinate
 
 #: How far, relative to the plate's size, the resultant must stay inside the hull of the plate.
 MARGIN = 1e-9
@@ -151,7 +152,8 @@ def _require_plates_held(problem: Problem, state: Integers, force: Array, pressi
     loose = about @ motions @ directions[:, shares < NEUTRAL]
     if loose.shape[1]:
         single = len(problem.plate_names) == 1
-        moves = f"the plate {_movement(loose, 1 / scale[1])}" if single else "the joined plates can move"
+        how = _movement(loose, 1 / scale[1], problem.origin)
+        moves = f"the plate {how}" if single else "the joined plates can move"
         raise NeutralEquilibrium(
             f"{prefix}the equilibrium is neutral: {moves} without any resistance, so that the settlement is one of "
             "many; support it there, add the load that decides where it comes to rest, or glue it to the ground with "
@@ -159,24 +161,28 @@ def _require_plates_held(problem: Problem, state: Integers, force: Array, pressi
         )
 
 
-def _movement(motions: Array, size: float) -> str:
-    """Return in words how a plate of some size [m] can move; motions w = a + b x + c y as columns (3, 1 to 3)."""
+def _movement(motions: Array, size: float, origin: Place) -> str:
+    """Return in words how a plate of some size [m] can move; motions w = a + b x + c y as columns (3, 1 to 3).
+
+    The origin of x and y lies there in the plan that was given [m].
+    """
     if motions.shape[1] == 3:
         return "can move up and down and rock in every direction"
     if motions.shape[1] == 2:
         # what both leave where it is lies on the line through their zeros
         x, y, z = np.cross(motions[:, 0], motions[:, 1])[[1, 2, 0]]
         if abs(z) > 1e-6 * max(abs(x), abs(y)) / size:
-            return f"can rock about the point ({coordinate(x / z):.6g}, {coordinate(y / z):.6g}) m in every direction"
+            return f"can rock about the point {format_place((x / z, y / z), origin)} m in every direction"
         return "can move up and down and rock"
     a, b, c = motions[:, 0]
     if max(abs(b), abs(c)) * size < 1e-6 * abs(a):
         return "can move up and down"
+    a -= b * origin[0] + c * origin[1]
     if abs(b) < 1e-6 * abs(c):
-        return f"can rock about the line y = {coordinate(-a / c):.6g} m"
+        return f"can rock about the line y = {format_coordinate(-a / c)} m"
     if abs(c) < 1e-6 * abs(b):
-        return f"can rock about the line x = {coordinate(-a / b):.6g} m"
-    return f"can rock about the line y = {coordinate(-a / c):.6g} m {'-' if b / c > 0 else '+'} {abs(b / c):.4g} x"
+        return f"can rock about the line x = {format_coordinate(-a / b)} m"
+    return f"can rock about the line y = {format_coordinate(-a / c)} m {'-' if b / c > 0 else '+'} {abs(b / c):.4g} x"
 
 
 def _scale(corners: Array) -> Array:
@@ -336,21 +342,22 @@ def _reason(problem: Problem, corners: Array, motions: Array, scale: Array, work
             "to the ground with contact.tensionless = false"
         )
     place = [0.0 if mirrored else value / F for value, mirrored in zip((Fx, Fy), problem.symmetry, strict=True)]
-    place = [coordinate(value) for value in place]
+    x, y = (format_coordinate(value + start) for value, start in zip(place, problem.origin, strict=True))
     if _within(corners, np.array(place), problem.symmetry):
         return (
             f"the loads cannot be balanced: their resultant of {F * share / 1e3:.6g} kN acts on the plate, at "
-            f"x = {place[0]:.6g} m, y = {place[1]:.6g} m, but ground and supports cannot carry it there; move the load "
+            f"x = {x} m, y = {y} m, but ground and supports cannot carry it there; move the load "
             "inwards, enlarge the plate, or look at contact.limit_pressure, at voids without depth and at the limits "
             "of the supports"
         )
     (x0, y0), (x1, y1) = corners.min(axis=0), corners.max(axis=0)
     x0, y0 = (-x1 if problem.symmetry[0] else x0), (-y1 if problem.symmetry[1] else y0)
+    left, right = (format_coordinate(value + problem.origin[0]) for value in (x0, x1))
+    low, high = (format_coordinate(value + problem.origin[1]) for value in (y0, y1))
     return (
-        f"the loads topple the plate: their resultant of {F * share / 1e3:.6g} kN acts at x = {place[0]:.6g} m, "
-        f"y = {place[1]:.6g} m, on or outside the edge of the plate (x {x0:.6g} .. {x1:.6g} m, "
-        f"y {y0:.6g} .. {y1:.6g} m), where pressure alone cannot balance it; move the load inwards, enlarge the plate "
-        "or support it"
+        f"the loads topple the plate: their resultant of {F * share / 1e3:.6g} kN acts at x = {x} m, y = {y} m, on or "
+        f"outside the edge of the plate (x {left} .. {right} m, y {low} .. {high} m), where pressure alone "
+        "cannot balance it; move the load inwards, enlarge the plate or support it"
     )
 
 

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from groundslab.design.by_plate import steps_across
 from groundslab.design.tables.quantities import solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
-from groundslab.model.plates.joints import AnyJoint, play_of, stiffness_of
-from groundslab.results.results import CombinationResult, Results, SupportResult
+from groundslab.results.results import JointResult, Results, SupportResult
 
 
 def support_table(combined: Results) -> Table:
@@ -54,11 +52,10 @@ def joint_table(combined: Results) -> Table:
         ("combination", ""), ("joint", ""), ("force", "kN"), ("length", "m"),
         ("greatest force per length", "kN/m"), ("x of it", "m"), ("y of it", "m"), ("greatest step", "mm"),
     ]  # fmt: skip
-    model = combined.model
     rows = [
-        [results.combination, joint.title, *_joint_figures(results, joint)]
+        [results.combination, joint.name, *_joint_figures(joint)]
         for results in solved_results(combined)
-        for joint in model.joints
+        for joint in results.joints
     ]
     notes = (
         "The force from the first plate of a joint to its second one, positive if it presses the second one down. The "
@@ -67,13 +64,10 @@ def joint_table(combined: Results) -> Table:
     return table_of("joints", "Joints", heads, rows, notes)
 
 
-def _joint_figures(results: CombinationResult, joint: AnyJoint) -> list[Cell]:
+def _joint_figures(joint: JointResult) -> list[Cell]:
     """Return the figures of a joint, in the order of the table."""
-    model = results.model
-    places, length, step = steps_across(results, joint.between)
-    beyond = np.sign(step) * np.maximum(np.abs(step) - play_of(joint), 0.0)
-    q = stiffness_of(joint, model.plate, model.plates) * beyond
+    q = joint.force / joint.length
     most = int(np.argmax(np.abs(q)))
-    x, y = places[most]
-    largest = float(step[np.argmax(np.abs(step))])
-    return [float(q @ length) / 1e3, float(length.sum()), float(q[most]) / 1e3, float(x), float(y), largest * 1e3]
+    x, y = joint.nodes[most]
+    largest = float(joint.step[np.argmax(np.abs(joint.step))])
+    return [joint.total / 1e3, float(joint.length.sum()), q[most] / 1e3, float(x), float(y), largest * 1e3]

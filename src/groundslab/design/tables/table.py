@@ -21,6 +21,8 @@ Head = tuple[str, str]
 
 #: Significant digits of numbers in CSV files.
 DIGITS = 7
+#: Decimals of lengths in meters, at least.
+DECIMALS = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,9 +75,13 @@ class Table:
         return list(zip(*(column.values for column in self.columns), strict=True))
 
     def csv(self) -> str:
-        """Return the table as CSV: a header line with units, then one line a row, numbers with seven digits."""
-        header = [column.header for column in self.columns]
-        return "".join(map(_line, [header, *([_written(value) for value in row] for row in self.rows())]))
+        """Return the table as CSV: a header line with units, then one line a row.
+
+        Numbers have seven digits, coordinates of national grids more, to tenths of millimeters.
+        """
+        header, units = [column.header for column in self.columns], [column.unit for column in self.columns]
+        rows = ([_written(*cell) for cell in zip(row, units, strict=True)] for row in self.rows())
+        return "".join(map(_line, [header, *rows]))
 
     def frame(self) -> pd.DataFrame:
         """Return the table as a pandas.DataFrame with all digits; its columns are called by name and unit."""
@@ -106,11 +112,14 @@ def _plain(value: Any, unit: str) -> Cell:
     return coordinate(found) if unit == "m" else found + 0.0
 
 
-def _written(value: Cell) -> str:
+def _written(value: Cell, unit: str) -> str:
     """Return a cell as text for a CSV file."""
     if value is None:
         return ""
-    return f"{value:.{DIGITS}g}" if isinstance(value, float) else str(value)
+    if not isinstance(value, float):
+        return str(value)
+    whole = len(str(int(abs(value)))) if unit == "m" else 0
+    return f"{value:.{max(DIGITS, whole + DECIMALS)}g}"
 
 
 def _line(cells: list[str]) -> str:

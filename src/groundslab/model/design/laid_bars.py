@@ -17,13 +17,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.geometry.plan import Ring
+from groundslab.geometry.plan import Ring, same_place
 from groundslab.model.columns import Column
 from groundslab.model.design.bars import Bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate
-from groundslab.model.plates.region import ROUNDING, PlateRegion
+from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import CHORD
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ def laid_bars(steel: Reinforcement, layer: str, places: Array) -> LaidBars:
     from shapely import intersects_xy
 
     x, y = places.T
-    near = ROUNDING * float(np.ptp(places, axis=0).max(initial=0.0))
+    near = same_place(x.min(), x.max(), y.min(), y.max()) if len(places) else 0.0
     sets, there = bars_of(steel, layer), [np.ones(len(places), dtype=bool)]
     for zone in steel.zones:
         if layer in zone.layers:

@@ -9,7 +9,7 @@ from groundslab.model.loads.clipping import NO_PART, get_plate_region
 from groundslab.model.loads.load_types import AnyLoad, OnGround, presses_ground
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, bounds_of
-from groundslab.model.plates.region import ROUNDING, PlateRegion
+from groundslab.model.plates.region import PlateRegion
 from groundslab.model.settings import Beyond, Side
 from groundslab.model.varying_ground import SoilZone
 from groundslab.schema.issues import RelativeIssue
@@ -69,7 +69,7 @@ def _check_reach(
         elif beyond.kind == "margin":
             assert beyond.width is not None
             reach = beyond.width
-        if distance > reach + ROUNDING * size:
+        if distance > reach + region.rounding:
             found = f"a load that reaches {distance:.6g} m beyond the plate's {side} side"
             ends = reach < FARTHEST * size
             expected = f"at most {reach:g} m, where the ground ends" if ends else f"at most {reach:g} m"

@@ -22,7 +22,7 @@ from groundslab.model.loads.base import Magnitude, _Load
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Shape
 from groundslab.schema.base import ByKind, Check, Table
-from groundslab.schema.fields import Choice, Number, Quantity, Text, list_quantities
+from groundslab.schema.fields import Choice, Number, Quantity, Text, coordinate, list_quantities, place_in_plan
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 
@@ -49,7 +49,7 @@ class _Pressure(_Load):
     ] = (0.0, 0.0, 0.0)
     about: Annotated[
         tuple[float, float],
-        list_quantities("length", "x_0, y_0", "place where the pressure is q; matters if it varies", 2),
+        place_in_plan("place where the pressure is q; matters if it varies", "x_0, y_0"),
     ] = (0.0, 0.0)
 
     @property
@@ -187,8 +187,8 @@ class PointLoad(_Load):
             "downward forces F; other programs call it M_x, some with the other sign",
         ),
     ] = 0.0
-    x: Annotated[float | None, Quantity("length", "x", "position")] = None
-    y: Annotated[float | None, Quantity("length", "y", "position")] = None
+    x: Annotated[float | None, coordinate(0, "position")] = None
+    y: Annotated[float | None, coordinate(1, "position")] = None
     width_x: Annotated[
         float | None, Quantity("length", "c_x", "width along x of what it is spread over; a point by default", POSITIVE)
     ] = None

@@ -6,11 +6,12 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Protocol
 
+from groundslab.geometry.plan import format_place
 from groundslab.model.columns import Column
 from groundslab.model.loads.load_types import AnyLoad, PointLoad, Spread
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate
-from groundslab.model.plates.region import ROUNDING, PlateRegion
+from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import CHORD
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.repairs import use_nearest
@@ -30,7 +31,7 @@ class Placed(Protocol):
 
 def on_plate(covered: PlateRegion, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
     """Find a part that does not lie on the plate."""
-    (x0, x1, y0, y1), near, plate = covered.bounds, ROUNDING * covered.size, covered.plate
+    (x0, x1, y0, y1), near, plate = covered.bounds, covered.rounding, covered.plate
     about_origin = plate.outline is None and not covered.plates
     hint = "the center of the plate is the origin" if about_origin else "places are those of the outline"
     outside = False
@@ -64,7 +65,7 @@ def _on_shape(covered: PlateRegion, part: Placed, place: tuple[str | int, ...]) 
     if not covered.reach.covers(loaded):
         left = loaded.difference(covered.area)
         off = left.representative_point()
-        found, hint = f"a part off the plate, at ({off.x:.6g}, {off.y:.6g}) m", ""
+        found, hint = f"a part off the plate, at {format_place((off.x, off.y))} m", ""
         if _has_footprint(part) and left.area < loaded.area:
             found = f"a footprint of which {100 * left.area / loaded.area:.3g} % lies off the plate"
             hint = "move it or make it smaller; a force is not cut off at the edge as a pressure is"

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from itertools import accumulate, combinations
 from typing import TYPE_CHECKING, Annotated, ClassVar, Protocol
 
-from groundslab.geometry.plan import SAME_PLACE, Ring, format_place, get_bounds
+from groundslab.geometry.plan import Ring, format_place, get_bounds, same_place
 from groundslab.geometry.validity import TOO_CLOSE
 from groundslab.model.ground import POISSON, POSITIVE
 from groundslab.model.plate import SHEAR_FACTOR, Plate, Zone, check_geometry
@@ -93,9 +93,9 @@ def first_sections(plates: Sequence[AnyPlate]) -> list[int]:
 def shared_line(one: AnyPlate, other: AnyPlate) -> BaseGeometry:
     """Return the line that the outlines of two plates share, arcs as chords; points where they only touch."""
     x0, x1, y0, y1 = get_bounds(edge for each in (one, other) for edge in each.ring().segments())
-    size = max(x1 - x0, y1 - y0)
-    edge, beside = (each.ring().polygon(CHORD * size).exterior for each in (one, other))
-    return edge.intersection(beside.buffer(SAME_PLACE * size))
+    chord = CHORD * max(x1 - x0, y1 - y0)
+    edge, beside = (each.ring().polygon(chord).exterior for each in (one, other))
+    return edge.intersection(beside.buffer(same_place(x0, x1, y0, y1)))
 
 
 def check_plates(plate: Plate, plates: tuple[FurtherPlate, ...], joints: Sequence[_Joined]) -> Iterator[RelativeIssue]:
@@ -137,7 +137,7 @@ def _find_meeting(one: AnyPlate, other: FurtherPlate, size: float, joined: bool)
             return "a plate in an opening of {}"
         at = shared.representative_point()
         return f"a plate that overlaps {{}} at {format_place((at.x, at.y))} m"
-    if outline.distance(beside) > SAME_PLACE * size:
+    if outline.distance(beside) > same_place(*get_bounds((*one.ring().segments(), *other.ring().segments()))):
         return "a strip too narrow to mesh beside {}" if outline.distance(beside) < TOO_CLOSE * size else None
     touches = shared_line(one, other).length > TOO_CLOSE * size
     return "a plate that touches {} without a joint" if touches and not joined else None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
@@ -14,9 +15,6 @@ from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.repairs import remove, use_nearest
 from groundslab.schema.wording import describe, one_of, quote, suggestion
-
-#: A hinge is as stiff against shear as so many times Young's modulus of the softer plate [N/m per m of the joint].
-HINGE = 1e3
 
 
 def _check_two(between: tuple[str, str]) -> Iterator[RelativeIssue]:
@@ -70,11 +68,9 @@ AnyJoint = HingeJoint | ElasticJoint
 Joint = Annotated[AnyJoint, ByKind()]
 
 
-def stiffness_of(joint: AnyJoint, plate: Plate, plates: tuple[FurtherPlate, ...]) -> float:
-    """Return the stiffness of a joint against shear [N/m2]; that of a hinge is so large that nothing depends on it."""
-    if isinstance(joint, ElasticJoint):
-        return joint.stiffness
-    return HINGE * min(each.E for each in list_plates(plate, plates) if each.name in joint.between)
+def stiffness_of(joint: AnyJoint) -> float:
+    """Return the stiffness of a joint against shear [N/m2]; that of a hinge is infinite."""
+    return joint.stiffness if isinstance(joint, ElasticJoint) else math.inf
 
 
 def play_of(joint: AnyJoint) -> float:

@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from groundslab.geometry.areas import equal_area_polygon
-from groundslab.geometry.plan import Place
+from groundslab.geometry.plan import Place, same_place
 from groundslab.geometry.regions import Region
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, list_plates
@@ -15,9 +15,9 @@ from groundslab.model.shapes import CHORD
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
-#: What reaches over the edge by less than this, relative to the longer side of all plates, lies on them: by rounding,
-#: and where arcs are chords.
-ROUNDING, CURVED = 1e-9, 5e-5
+#: What reaches over the edge by less than this, relative to the longer side of all plates, lies on them where arcs are
+#: chords.
+CURVED = 5e-5
 
 
 class PlateRegion:
@@ -29,7 +29,8 @@ class PlateRegion:
         x0, x1, y0, y1 = self.bounds
         self.size = max(x1 - x0, y1 - y0)
         self.straight = all(ring.straight for each in self.every for ring in each.rings())
-        self.near = (ROUNDING if self.straight else CURVED) * self.size
+        self.rounding = same_place(*self.bounds)
+        self.near = self.rounding if self.straight else CURVED * self.size
 
     @cached_property
     def edges(self) -> Region:

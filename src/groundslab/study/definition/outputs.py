@@ -13,6 +13,7 @@ from groundslab.design.by_plate import results_by_plate
 from groundslab.design.design_moments import derive_field, fields_of, wood_armer
 from groundslab.design.tilt import largest_tilt
 from groundslab.errors import InputError, Issue
+from groundslab.geometry.plan import format_place
 from groundslab.results.fields import LAYERS, PLATE_FIELDS, RANGED_FIELDS
 from groundslab.results.results import CombinationResult, Results
 from groundslab.schema.base import Section
@@ -115,7 +116,7 @@ class RequestedOutput(Section):
             return self.name
         words = [self.take or "", self.of]
         if self.take == "at":
-            words = [self.of, f"at ({self.x:g}, {self.y:g}) m" if None not in (self.x, self.y) else ""]
+            words = [self.of, f"at {format_place((self.x, self.y))} m" if None not in (self.x, self.y) else ""]
         if self.take == "everywhere":
             words = [self.of, "everywhere"]
         if self.of.replace("_", " ") in SOIL and None not in (self.x, self.y, self.z):

@@ -17,7 +17,7 @@ from groundslab.errors import InputError, Issue
 from groundslab.fem.continuum.pressed_cells import PressedCells
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
 from groundslab.results.record import Certificate, Constants, Step
-from groundslab.results.results import CombinationResult, Comparison, Increment, SupportResult
+from groundslab.results.results import CombinationResult, Comparison, Increment, JointResult, SupportResult
 from groundslab.views.files.validation import require_sound
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from pydantic import TypeAdapter
 
 #: The version of the archive's layout; it grows when an array changes its name, unit or meaning.
-FORMAT = 6
+FORMAT = 7
 
 
 #: Longest text of a library's reason.
@@ -60,6 +60,7 @@ class _About:
     limit_state: str
     factors: tuple[tuple[str, float], ...]
     supports: tuple[str, ...]
+    joints: tuple[str, ...]
     increments: tuple[float, ...]
     comparison: tuple[float, float, Constants] | None  # error in energy, its reduction, the coarser mesh's constants
 
@@ -68,7 +69,7 @@ class _About:
 PLAIN = [
     item.name
     for item in fields(_About)
-    if item.name not in ("format", "version", "supports", "increments", "comparison")
+    if item.name not in ("format", "version", "supports", "joints", "increments", "comparison")
 ]
 
 
@@ -79,15 +80,17 @@ def write(results: CombinationResult, path: Path) -> None:
     arrays: dict[str, Any] = _arrays("", results)
     for number, increment in enumerate(results.increments):
         arrays |= _arrays(f"increments.{number}.", increment)
-    arrays |= _support_arrays("", results.supports)
+    arrays |= _support_arrays("", results.supports) | _joint_arrays("", results.joints)
     other = results.comparison
     if other is not None:
-        arrays |= _arrays("coarser.", other) | _support_arrays("coarser.", other.supports)
+        arrays |= _arrays("coarser.", other)
+        arrays |= _support_arrays("coarser.", other.supports) | _joint_arrays("coarser.", other.joints)
     about = _About(
         format=FORMAT,
         version=__version__,
         **{name: getattr(results, name) for name in PLAIN},
         supports=tuple(support.name for support in results.supports),
+        joints=tuple(joint.name for joint in results.joints),
         increments=tuple(each.share for each in results.increments),
         comparison=None if other is None else (other.energy_error, other.reduction, other.constants),
     )
@@ -180,6 +183,7 @@ def _results(arrays: dict[str, Any]) -> CombinationResult:
         **_parts("", arrays),
         **{name: getattr(about, name) for name in PLAIN},
         supports=_supports("", about.supports, arrays),
+        joints=_joints("", about.joints, arrays),
         increments=tuple(
             Increment(share, **_parts(f"increments.{number}.", arrays)) for number, share in enumerate(about.increments)
         ),
@@ -197,6 +201,7 @@ def _comparison(about: _About, arrays: dict[str, Any]) -> Comparison:
     return Comparison(
         **_parts("coarser.", arrays),
         supports=supports,
+        joints=_joints("coarser.", about.joints, arrays),
         constants=constants,
         energy_error=energy_error,
         reduction=reduction,
@@ -253,6 +258,27 @@ def _supports(below: str, names: tuple[str, ...], arrays: dict[str, Any]) -> tup
     """Return the supports of these names from the arrays whose names begin with `below`."""
     return tuple(
         SupportResult(name=name, **{each: arrays[f"{below}supports.{number}.{each}"] for each in _OF_SUPPORT})
+        for number, name in enumerate(names)
+    )
+
+
+#: What a joint has by its places.
+_OF_JOINT = [item.name for item in fields(JointResult) if item.name != "name"]
+
+
+def _joint_arrays(below: str, joints: tuple[JointResult, ...]) -> dict[str, Any]:
+    """Return the arrays of joints by their names, which begin with `below`."""
+    return {
+        f"{below}joints.{number}.{name}": getattr(joint, name)
+        for number, joint in enumerate(joints)
+        for name in _OF_JOINT
+    }
+
+
+def _joints(below: str, names: tuple[str, ...], arrays: dict[str, Any]) -> tuple[JointResult, ...]:
+    """Return the joints of these names from the arrays whose names begin with `below`."""
+    return tuple(
+        JointResult(name=name, **{each: arrays[f"{below}joints.{number}.{each}"] for each in _OF_JOINT})
         for number, name in enumerate(names)
     )
 

@@ -11,7 +11,7 @@ import numpy as np
 if TYPE_CHECKING:
     from groundslab.fem.continuum.pressed_cells import PressedCells
     from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-    from groundslab.results.results import CombinationResult, Comparison, Increment, SupportResult
+    from groundslab.results.results import CombinationResult, Comparison, Increment, JointResult, SupportResult
 
     State: TypeAlias = CombinationResult | Comparison | Increment
 
@@ -36,6 +36,8 @@ def _faults(results: CombinationResult) -> Iterator[str]:
     yield from _within_plate(results)
     for number, support in enumerate(results.supports, 1):
         yield from _of_support(f"support {number}", support)
+    for number, joint in enumerate(results.joints, 1):
+        yield from _of_support(f"joint {number}", joint)
     for increment in results.increments:
         yield from _of_state(f"increment {increment.share:g}: ", increment, layers)
         if not 0 < increment.share <= 1:
@@ -48,6 +50,8 @@ def _faults(results: CombinationResult) -> Iterator[str]:
         yield from _of_state("coarser: ", other, layers)
         for number, support in enumerate(other.supports, 1):
             yield from _of_support(f"coarser: support {number}", support)
+        for number, joint in enumerate(other.joints, 1):
+            yield from _of_support(f"coarser: joint {number}", joint)
         if not (0 <= other.energy_error <= 1 and 0 <= other.reduction <= LARGEST):
             yield "errors of a comparison that are none"
     if not results.steps:
@@ -124,7 +128,7 @@ def _of_mesh(name: str, mesh: PlateResult | GroundResult) -> Iterator[str]:
 
 def _of_arrays(
     name: str,
-    part: PlateResult | ElementResult | GroundResult | PressedCells | SupportResult,
+    part: PlateResult | ElementResult | GroundResult | PressedCells | SupportResult | JointResult,
     usual: tuple[int, ...] | None,
     shapes: Mapping[str, tuple[int, ...]] | None = None,
 ) -> Iterator[str]:
@@ -185,8 +189,8 @@ def _of_constants(results: CombinationResult) -> Iterator[str]:
         yield "counts below 0, or larger than any result's"
 
 
-def _of_support(name: str, support: SupportResult) -> Iterator[str]:
-    """Yield what is wrong with a support."""
+def _of_support(name: str, support: SupportResult | JointResult) -> Iterator[str]:
+    """Yield what is wrong with a support or a joint."""
     # none where another support has them all
     k = len(support.nodes) if np.ndim(support.nodes) else 0
     yield from _of_arrays(name, support, (k,), {"nodes": (k, 2)})

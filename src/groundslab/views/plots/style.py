@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 
 from groundslab._version import __version__
-from groundslab.units import format_number
+from groundslab.units import WHOLE, format_coordinate, format_number
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -108,7 +108,7 @@ def number(value: float) -> str:
 
 def format_place(place: tuple[float, float]) -> str:
     """Return a place [m] in words."""
-    x, y = (number(round(coordinate, 3)) for coordinate in place)
+    x, y = (number(round(value, 3)) if abs(value) < WHOLE else format_coordinate(value) for value in place)
     return f"({x}, {y}) m"
 
 

@@ -15,7 +15,7 @@ from groundslab.model.loads.patterns import absent_forces
 from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.schema.base import Section, get_field_type, get_meaning, get_sections
 from groundslab.schema.fields import Boolean, Choice, Factors, FieldType, Integer, ListOf, Number, Quantity, Text
-from groundslab.units import coordinate, together
+from groundslab.units import format_coordinate, together
 from groundslab.views.report.table_layout import (
     GREEK,
     Cell,
@@ -126,12 +126,12 @@ def describe_shape(shape: Section) -> str:
 
 def _span(ends: tuple[float, float]) -> str:
     """Return two lengths in meters."""
-    return f"{coordinate(ends[0]):.6g} to {coordinate(ends[1]):.6g}"
+    return f"{format_coordinate(ends[0])} to {format_coordinate(ends[1])}"
 
 
 def _places(places: Sequence[Sequence[float]]) -> str:
     """Return places in meters."""
-    return " ".join(f"({', '.join(f'{coordinate(value):.6g}' for value in place)})" for place in places)
+    return " ".join(f"({', '.join(map(format_coordinate, place))})" for place in places)
 
 
 def _several(key: ListOf, values: Sequence[Any]) -> str:

@@ -1,0 +1,81 @@
+"""Results of a model that was moved for its analysis, moved back to where the plan lies."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TypeVar
+
+import numpy as np
+
+from groundslab.errors import GroundslabError, NotCertified
+from groundslab.fem.continuum.pressed_cells import PressedCells
+from groundslab.geometry.plan import Place
+from groundslab.model.combinations import place_patterns
+from groundslab.model.model import Model
+from groundslab.results.mesh_results import GroundResult, PlateResult
+from groundslab.results.results import CombinationResult, Comparison, Increment, JointResult, Results, SupportResult
+
+WithNodes = TypeVar("WithNodes", PlateResult, SupportResult, JointResult)
+State = TypeVar("State", CombinationResult, Comparison, Increment)
+
+
+def move_back(results: Results, model: Model) -> Results:
+    """Return the results of the model that was analyzed as those of the model that was given, where its plan lies."""
+    if results.model is model:
+        return results
+    origin, placed = results.model.origin, place_patterns(model)
+    return Results(
+        model,
+        results.combinations,
+        {name: _move_combination(each, placed, origin) for name, each in results.results.items()},
+        {name: _move_refusal(error, placed, origin) for name, error in results.refused.items()},
+    )
+
+
+def _move_refusal(error: GroundslabError, placed: Model, by: Place) -> GroundslabError:
+    """Return why a combination has no results; those that are not certified are moved."""
+    return NotCertified(_move_combination(error.results, placed, by)) if isinstance(error, NotCertified) else error
+
+
+def _move_combination(results: CombinationResult, placed: Model, by: Place) -> CombinationResult:
+    """Return the results of one combination, moved."""
+    comparison = results.comparison
+    return replace(
+        _move_state(results, by),
+        model=placed,
+        supports=_move_each(results.supports, by),
+        joints=_move_each(results.joints, by),
+        increments=tuple(_move_state(each, by) for each in results.increments),
+        comparison=comparison and _move_comparison(comparison, by),
+    )
+
+
+def _move_comparison(other: Comparison, by: Place) -> Comparison:
+    """Return what the coarser mesh gave, moved."""
+    supports, joints = _move_each(other.supports, by), _move_each(other.joints, by)
+    return replace(_move_state(other, by), supports=supports, joints=joints)
+
+
+def _move_state(state: State, by: Place) -> State:
+    """Return plate and ground in a state, moved."""
+    return replace(state, plate=_move_nodes(state.plate, by), ground=_move_ground(state.ground, by))
+
+
+def _move_nodes(part: WithNodes, by: Place) -> WithNodes:
+    """Return the plate, a support or a joint, moved."""
+    return replace(part, nodes=part.nodes + by)
+
+
+def _move_each(parts: tuple[WithNodes, ...], by: Place) -> tuple[WithNodes, ...]:
+    """Return supports or joints, moved."""
+    return tuple(_move_nodes(part, by) for part in parts)
+
+
+def _move_ground(ground: GroundResult, by: Place) -> GroundResult:
+    """Return the ground with its cells, moved."""
+    return replace(ground, nodes=ground.nodes + by, cells=ground.cells and _move_cells(ground.cells, by))
+
+
+def _move_cells(cells: PressedCells, by: Place) -> PressedCells:
+    """Return the cells of an elastic continuum and the loads beside, moved."""
+    return replace(cells, center=cells.center + by, beside=cells.beside + np.array([*by, 0.0]))
