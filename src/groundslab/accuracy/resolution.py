@@ -29,7 +29,7 @@ def find_unresolved(results: CombinationResult) -> Unresolved | None:
 
     Without a footprint they count as if they had one of a thickness, over which moments are means.
     """
-    model, mesh = results.model, Mesh(results.plate.nodes, results.plate.elements)
+    model, mesh = results.solved_model, Mesh(results.plate.nodes, results.plate.elements)
     found, least = [], min(plate.thickness for plate in model.every_plate)
     for load in (each.on(model.columns) for each in model.loads if isinstance(each, PointLoad)):
         sides = [side for side in (load.width_x, load.width_y, load.diameter) if side]

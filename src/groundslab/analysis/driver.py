@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -21,7 +22,7 @@ from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes, coarsest
 from groundslab.discretize.serviceability.lasting_ground import lasts, with_lasting_ground
 from groundslab.errors import GroundslabError, IllConditioned, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
-from groundslab.model.combinations import list_combinations, place_patterns
+from groundslab.model.combinations import as_solved, list_combinations
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
@@ -111,12 +112,13 @@ def solve_combinations(
 
     on_mesh is called with the results on each mesh that is not the last.
     """
-    combinations, placed = list_combinations(model), place_patterns(model)
+    solved = as_solved(model)
+    combinations = list_combinations(solved)
 
     def solve_on(meshes: Meshes) -> Results:
-        return _combine(model, combinations, _outcomes(placed, combinations, on_step, meshes), on_combination)
+        return _combine(model, combinations, _outcomes(solved, combinations, on_step, meshes), on_combination)
 
-    return solve_adaptively(placed, solve_on, on_mesh=on_mesh)
+    return solve_adaptively(solved, solve_on, on_mesh=on_mesh)
 
 
 def solve_preview(model: Model, name: str, on_step: OnStep | None = None) -> Results:
@@ -125,14 +127,15 @@ def solve_preview(model: Model, name: str, on_step: OnStep | None = None) -> Res
     The slab does not crack, and nothing says how large the errors are. The name may be of no combination: then it is
     the first one.
     """
-    combinations, placed = list_combinations(model), place_patterns(model)
-    one = next((each for each in combinations if each.name == name), combinations[0])
     area = sum(math.prod(plate.sides) for plate in model.every_plate)
     mesh = Mesh(size=math.sqrt(area / PREVIEW_ELEMENTS))
-    coarse = placed.model_copy(update={"mesh": mesh, "cracking": None})
+    coarse = model.model_copy(update={"mesh": mesh, "cracking": None})
+    solved = as_solved(coarse)
+    combinations = list_combinations(solved)
+    one = next((each for each in combinations if each.name == name), combinations[0])
     solver_name, solver = factorization.choose(model.analysis.solver)
-    hierarchy = MeshHierarchy(coarse, solver, 0, 1.0, keep=False)
-    outcome = _outcome(coarse, one, [hierarchy], solver_name, on_step or (lambda _: None))
+    hierarchy = MeshHierarchy(solved, solver, 0, 1.0, keep=False)
+    outcome = _outcome(solved, one, [hierarchy], solver_name, on_step or (lambda _: None))
     return _combine(coarse, [one], iter([outcome]))
 
 
@@ -145,14 +148,15 @@ class Variants:
 
     def __init__(self, base: Model) -> None:
         """Solve the base case, whose combinations may fail; raises InputError as `solve` does."""
-        combinations, placed = list_combinations(base), place_patterns(base)
+        solved = as_solved(base)
+        combinations = list_combinations(solved)
 
         def solve_on(meshes: Meshes) -> Results:
             self._reference = ReferenceSolutions(meshes)
-            return _combine(base, combinations, _outcomes(placed, combinations, None, meshes, self._reference))
+            return _combine(base, combinations, _outcomes(solved, combinations, None, meshes, self._reference))
 
         #: The results of the base case, whose mesh all variants have.
-        self.base = solve_adaptively(placed, solve_on, BASE_SHARE)
+        self.base = solve_adaptively(solved, solve_on, BASE_SHARE)
         self._reference.close()
 
     def solve_combinations(
@@ -166,12 +170,13 @@ class Variants:
         """
         if factors:
             model = model.model_copy(update={"mesh": model.mesh.replace(symmetry="off")})
-        combinations, placed = list_combinations(model), place_patterns(model)
+        solved = as_solved(model)
+        combinations = list_combinations(solved)
         reference = self._reference
         return _combine(
             model,
             combinations,
-            _outcomes(placed, combinations, on_step, reference.meshes, reference, factors),
+            _outcomes(solved, combinations, on_step, reference.meshes, reference, factors),
         )
 
 
@@ -181,13 +186,13 @@ def _combine(
     outcomes: Iterator[CombinationResult | GroundslabError],
     on_combination: OnCombination | None = None,
 ) -> Results:
-    """Return the outcomes of all combinations together."""
+    """Return the outcomes of all combinations together, with the case as written beside the case as solved."""
     results: dict[str, CombinationResult] = {}
     refused: dict[str, GroundslabError] = {}
     for combination in combinations:
         if on_combination is not None:
             on_combination(combination)
-        outcome = next(outcomes)
+        outcome = _with(next(outcomes), model=model)
         if isinstance(outcome, GroundslabError):
             refused[combination.name] = outcome
         else:
@@ -216,19 +221,18 @@ def _outcomes(
     for key, combination in zip(keys, combinations, strict=True):
         if key not in found:
             found[key] = next(solved)
-        yield _rename(found[key], combination)
+        if combination is first[key]:
+            yield found[key]
+            continue
+        name, limit_state = combination.name, combination.limit_state
+        yield _with(found[key], combination=name, limit_state=limit_state, factors=combination.factors)
 
 
-def _rename(
-    outcome: CombinationResult | GroundslabError, combination: Combination
-) -> CombinationResult | GroundslabError:
-    """Return the outcome of a combination as that of another one with the same factors."""
+def _with(outcome: CombinationResult | GroundslabError, **changes: Any) -> CombinationResult | GroundslabError:
+    """Return an outcome in which some fields of its results are others; one without results as it is."""
     if isinstance(outcome, NotCertified):
-        return NotCertified(_rename(outcome.results, combination))
-    if not isinstance(outcome, CombinationResult) or outcome.combination == combination.name:
-        return outcome
-    name, limit_state = combination.name, combination.limit_state
-    return replace(outcome, combination=name, limit_state=limit_state, factors=combination.factors)
+        return NotCertified(replace(outcome.results, **changes))
+    return replace(outcome, **changes) if isinstance(outcome, CombinationResult) else outcome
 
 
 def _solve_each(

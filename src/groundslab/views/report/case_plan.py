@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
-from groundslab.model.combinations import place_patterns
 from groundslab.model.loads.load_types import AnyLoad
 from groundslab.views.plots import style, symbols
 from groundslab.views.plots.annotations import LabelPlacement, Point
@@ -36,8 +35,8 @@ PLACED = tuple(kind.model_fields["kind"].default for kind in get_args(AnyLoad) i
 SIDES: tuple[Point, ...] = ((1, 0), (-1, 0), (1, -1), (-1, -1), (1, 1), (-1, 1), (0, 1), (0, -1))
 
 
-def draw_case_plan(model: Model) -> Figure:
-    """Return the plan of a model as a figure; what lies far away is left out."""
+def draw_case_plan(model: Model, placed: Model) -> Figure:
+    """Return the plan of a case as written, with the loads of the case as solved; what lies far away is left out."""
     plan = plan_of(model)
     near = nearby(plan)
     (x0, y0), (x1, y1) = near.min(axis=0), near.max(axis=0)
@@ -53,7 +52,7 @@ def draw_case_plan(model: Model) -> Figure:
     legend = _draw_ground(axes, plan, labels) | symbols.draw_plate(axes, model, fill=style.PANEL)
     legend |= symbols.draw_voids(axes, model) | symbols.draw_supports(axes, model)
     legend |= symbols.draw_columns(axes, model, lambda _: True)
-    legend |= symbols.draw_loads(axes, place_patterns(model), lambda load: load.kind != "uniform")
+    legend |= symbols.draw_loads(axes, placed, lambda load: load.kind != "uniform")
     legend |= _draw_outputs(axes, plan, labels)
     _label_parts(plan, labels)
     _label_loads(axes, plan, labels)

@@ -9,7 +9,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.clipping import find_clipped_loads
 from groundslab.model.loads.patterns import absent_forces
 from groundslab.model.shapes import Circle, Polygon, Rectangle
@@ -30,6 +29,7 @@ from groundslab.views.summary.combinations import factors_text
 if TYPE_CHECKING:
     from pydantic.fields import FieldInfo
 
+    from groundslab.model.loads.load_cases import Combination
     from groundslab.model.model import Model
 
 #: Titles of the sections of a case, in the order of the report.
@@ -76,13 +76,13 @@ class InputTable:
     grids: tuple[TableLayout, ...]
 
 
-def input_tables(model: Model) -> list[InputTable]:
-    """Return all of a case, section by section; what is not there is left out."""
+def input_tables(model: Model, combinations: Sequence[Combination]) -> list[InputTable]:
+    """Return all of a case, section by section, with what was solved; what is not there is left out."""
     found = []
     for name, title in SECTIONS.items():
         value = getattr(model, name)
         if name == "combinations":
-            grids = [_combinations(model)] if model.cases else []
+            grids = [_combinations(combinations)] if model.cases else []
         elif isinstance(value, Section):
             grids = list(_part(value, ""))
         else:
@@ -232,12 +232,12 @@ def _column(name: str, key: FieldType, values: list[Any]) -> tuple[TableHeader, 
     return TableHeader(words, unit if texts else "", number=True, symbol=symbol), cells
 
 
-def _combinations(model: Model) -> TableLayout:
+def _combinations(combinations: Sequence[Combination]) -> TableLayout:
     """Return what is solved: the combinations that the case lists and those made by EN 1990, or each case."""
     heads = headers("#no.", "name", "limit state", "loads that act together")
     rows = tuple(
         (Cell(str(number), "number"), Cell(each.name), Cell(each.limit_state), Cell(factors_text(each)))
-        for number, each in enumerate(list_combinations(model), 1)
+        for number, each in enumerate(combinations, 1)
     )
     return TableLayout("", heads, rows, ("Each is solved by itself, with all its loads growing together.",))
 
