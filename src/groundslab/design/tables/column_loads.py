@@ -42,8 +42,11 @@ def moments_of_column(model: Model, name: str) -> tuple[dict[str, float], dict[s
     return sums
 
 
-def sum_of_others(results: CombinationResult, part: Polygon, column: str) -> dict[str, float]:
-    """Return the sum of all loads on a part of the plate but those that name a column [N], by load case."""
+def sum_of_others(results: CombinationResult, part: Polygon, column: str | None) -> dict[str, float]:
+    """Return the sum of all loads on a part of the plate but those that name a column [N], by load case.
+
+    Without a column it is that of all loads.
+    """
     model, plate = results.solved_model, results.plate
     mesh, chord = Mesh(plate.nodes, plate.elements), FLAT * max(model.sides)
     elements = load_vectors.find_elements_near(mesh, part)
