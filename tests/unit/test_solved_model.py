@@ -7,7 +7,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from tests.helpers import synthetic
 
 import groundslab
 from groundslab.case import casefile
@@ -17,6 +16,7 @@ from groundslab.model.model import Model
 from groundslab.results.results import Results
 from groundslab.views.files import npz
 from groundslab.views.files.results_folder import load_results, save_results
+from helpers import synthetic
 
 SOURCE = Path(groundslab.__file__).parent
 #: What makes a case as solved of one as written.

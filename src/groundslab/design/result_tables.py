@@ -26,9 +26,9 @@ __all__ = ["Column", "Table", "fields_of_envelope", "table_makers", "tables_of"]
 def tables_of(combined: Results) -> tuple[Table, ...]:
     """Return the tables of results: combinations, extremes, envelopes and tilt, and those that the model asks for.
 
-    Load cases have one of what acts where. Points, section lines, design strips, supports, joints, columns, reinforcement and laid bars have a table each if
-    the model names any; on a continuum, the soil below the points too. Discretization errors stand in columns at the
-    right. docs/results.md explains every column.
+    Load cases have a table of what acts where. Points, section lines, design strips, supports, joints, columns,
+    reinforcement and laid bars have a table each if the model names any; on a continuum, the soil below the points too.
+    Discretization errors stand in columns at the right. docs/results.md explains every column.
 
     Parameters
     ----------
@@ -68,12 +68,11 @@ def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
     columns = cache(lambda: errors.with_errors(column_table, combined))
     makers: dict[str, Callable[[], Table]] = {
         "combinations": lambda: errors.with_errors_of_figures(errors.with_errors(combinations, combined), each()),
+        **({"acting": lambda: acting_cases(combined)} if model.cases else {}),
         "extremes": each,
         "envelope": lambda: errors.with_errors_of_envelope(envelopes(combined), each()),
         "tilt": lambda: errors.with_errors(tilts, combined),
     }
-    if model.cases:
-        makers["acting"] = lambda: acting_cases(combined)
     checked = any(part is not None for part in (model.reinforcement, model.limits, model.floor))
     if checked or any(each.doubtful for each in find_remarks(model, combined.combinations)):
         makers["checks"] = lambda: checks_table(combined)

@@ -170,7 +170,8 @@ def _on_repeated(model: Model, uses: Sequence[CaseUse], combinations: Sequence[C
 def _on_combine(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Combination]) -> Iterator[Remark]:
     """Yield that no case is variable, so that live loads would have the factor of dead ones; and sets of nothing.
 
-    Equilibrium and uplift may be of permanent actions alone, as under ground water.
+    It matters in ultimate combinations, where the factors differ. Equilibrium and uplift may be of permanent actions
+    alone, as under ground water.
     """
     if model.combine is None:
         return
@@ -184,7 +185,7 @@ def _on_combine(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Co
     if permanent:
         are = f"{listed(permanent, 'and')} {'is' if len(permanent) == 1 else 'are'}"
         words = f'no case is variable: {are} combined as permanent; a live load needs action = "variable"'
-        yield Remark(("combine",), words, doubtful=True)
+        yield Remark(("combine",), words, doubtful="ultimate" in model.combine.sets)
 
 
 def _on_uplift(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Combination]) -> Iterator[Remark]:

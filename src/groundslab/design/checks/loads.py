@@ -11,11 +11,10 @@ from groundslab.results.results import Results
 
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
-    """Yield each doubtful remark on a case, with the sum of vertical forces of the load case that it is on [kN]."""
+    """Yield each doubtful remark on a case, with the vertical force of the load case that it is on."""
     doubtful = [each for each in find_remarks(combined.model, combined.combinations) if each.doubtful]
     forces = case_forces(combined) if doubtful else {}
     for remark in doubtful:
         force = abs(forces.get(remark.of, 0.0)) / 1e3
-        demand = {"demand": force, "unit": "kN"} if force else {}
-        words = f"{remark.words[:1].upper()}{remark.words[1:]}" + (f" ({force:.5g} kN)" if force else "")
-        yield DesignCheck("loads", "attention", words, of=remark.of, **demand)
+        words = f"{remark.words} ({force:.5g} kN)" if force else remark.words
+        yield DesignCheck("loads", "attention", words, of=remark.of)

@@ -232,10 +232,8 @@ def absent_forces(
         ]
         if any(beside):
             where = f"at {sum(map(bool, beside))} of {len(places)} positions"
-            yield (
-                position,
-                f"moves[{position + 1}]: up to {max(beside)} of {len(pattern.forces())} forces are off the plate {where}",
-            )
+            forces = f"up to {max(beside)} of {len(pattern.forces())} forces are off the plate"
+            yield position, f"moves[{position + 1}]: {forces} {where}"
 
 
 def expand(
