@@ -83,7 +83,7 @@ def _cases_and_combinations(model: Model, combinations: Sequence[Combination]) -
     """Return the load cases of a model, where they act, and what is solved of them in words, a line each."""
     if not model.cases:
         return []
-    from groundslab.model.loads.case_use import case_uses
+    from groundslab.model.case_use import case_uses
     from groundslab.views.summary.combinations import factors_text
 
     cases = [f"  case {use.case.name}: {use.about()}; {use.words()}" for use in case_uses(model, combinations)]

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from groundslab.model.loads.case_use import CaseUse, case_uses
+from groundslab.model.case_use import CaseUse, case_uses
 from groundslab.model.loads.clipping import find_clipped_loads
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH, Combination, LimitState
 from groundslab.model.loads.load_types import AnyLoad, AreaLoad, LineLoad, PatchLoad, PointLoad, UniformLoad
@@ -109,13 +109,13 @@ def _on_limit_states(uses: Sequence[CaseUse], combinations: Sequence[Combination
 
     A variable case may have no part in serviceability, as with psi_2 = 0; accidental and seismic ones have none.
     """
-    there = {each.limit_state for each in combinations}
+    there = {combination.limit_state for combination in combinations}
     for words, states in _FAMILIES:
         if not there & set(states):
             continue
         for position, use in enumerate(uses):
             name, action = use.case.name, use.case.action
-            acting = {each.limit_state for each in use.acting}
+            acting = {part.limit_state for part in use.acting}
             if use.empty or not acting or acting & set(states) or action not in ("permanent", "variable"):
                 continue
             doubtful = action == "permanent" or states == STRENGTH
@@ -155,11 +155,11 @@ def _on_repeated(model: Model, uses: Sequence[CaseUse], combinations: Sequence[C
     empty = {use.case.name for use in uses if use.empty}
     first: dict[tuple[LimitState, frozenset[tuple[str, float]]], str] = {}
     repeated: dict[str, str] = {}
-    for each in combinations:
-        factors = frozenset((name, factor) for name, factor in each.factors if factor and name not in empty)
-        known = first.setdefault((each.limit_state, factors), each.name)
-        if known != each.name:
-            repeated[each.name] = known
+    for combination in combinations:
+        factors = frozenset((name, factor) for name, factor in combination.factors if factor and name not in empty)
+        known = first.setdefault((combination.limit_state, factors), combination.name)
+        if known != combination.name:
+            repeated[combination.name] = known
     if repeated:
         pairs = [f"{quote(name)} is the same as {quote(known)}" for name, known in repeated.items()]
         more = f" and {len(pairs) - MOST_NAMED} more" if len(pairs) > MOST_NAMED else ""
@@ -175,7 +175,7 @@ def _on_combine(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Co
     """
     if model.combine is None:
         return
-    there = {each.limit_state for each in combinations}
+    there = {combination.limit_state for combination in combinations}
     for state in (state for state in model.combine.sets if state not in there):
         yield Remark(("combine", "sets"), f"{quote(state)} makes no combination: all its factors are 0", doubtful=True)
     loaded = [use.case for use in uses if not use.empty]
@@ -190,10 +190,10 @@ def _on_combine(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Co
 
 def _on_uplift(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Combination]) -> Iterator[Remark]:
     """Yield that nothing acts upwards in the combinations of uplift, and cases upwards that take no part in them."""
-    if not any(each.limit_state == "uplift" for each in combinations):
+    if not any(combination.limit_state == "uplift" for combination in combinations):
         return
     lifting = {load.case for load in model.loads if acts_upwards(load)}
-    inside = {use.case.name for use in uses if any(each.limit_state == "uplift" for each in use.acting)}
+    inside = {use.case.name for use in uses if any(part.limit_state == "uplift" for part in use.acting)}
     if not lifting & inside:
         key = "combine" if model.combine is not None and "uplift" in model.combine.sets else "combinations"
         words = "nothing acts upwards in the combinations of uplift; water below is a load with q below 0"

@@ -9,8 +9,8 @@ import pytest
 
 from groundslab.case import casefile
 from groundslab.cli.main import main
+from groundslab.model.case_use import case_uses
 from groundslab.model.combinations import list_combinations
-from groundslab.model.loads.case_use import case_uses
 from groundslab.model.model import Model
 from groundslab.model.remarks import Remark, find_remarks
 

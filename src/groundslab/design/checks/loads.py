@@ -12,7 +12,7 @@ from groundslab.results.results import Results
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
     """Yield each doubtful remark on a case, with the vertical force of the load case that it is on."""
-    doubtful = [each for each in find_remarks(combined.model, combined.combinations) if each.doubtful]
+    doubtful = [remark for remark in find_remarks(combined.model, combined.combinations) if remark.doubtful]
     forces = case_forces(combined) if doubtful else {}
     for remark in doubtful:
         force = abs(forces.get(remark.of, 0.0)) / 1e3

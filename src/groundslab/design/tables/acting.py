@@ -30,12 +30,15 @@ def acting_cases(combined: Results) -> Table:
     forces = case_forces(combined)
     rows: list[list[Cell]] = []
     for case in combined.solved_model.cases:
-        factors = {each.name: dict(each.factors).get(case.name, 0.0) for each in combined.combinations}
-        acting = [[each.name, each.limit_state, factors[each.name]] for each in combined.combinations
-                  if factors[each.name]]  # fmt: skip
-        for name, limit_state, factor in acting or [[None, None, 0.0]]:
-            force = forces.get(case.name, 0.0) / 1e3
-            shown = [force, factor * force] if forces else [None, None]
-            rows.append([case.name, case.action, name, limit_state, factor, *shown])
+        force = forces.get(case.name, 0.0) / 1e3
+        factors = [dict(combination.factors).get(case.name, 0.0) for combination in combined.combinations]
+        acting: list[list[Cell]] = [
+            [combination.name, combination.limit_state, factor]
+            for combination, factor in zip(combined.combinations, factors, strict=True)
+            if factor
+        ]
+        for where in acting or [[None, None, 0.0]]:
+            shown: list[Cell] = [force, float(where[2] or 0.0) * force] if forces else [None, None]
+            rows.append([case.name, case.action, *where, *shown])
     notes = ["A case that moves is a case at each of its positions. A row without a combination acts nowhere."]
     return table_of("acting", "What acts where", heads, rows, notes)

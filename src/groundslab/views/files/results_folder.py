@@ -245,14 +245,14 @@ def _several(path: Path, listed: Sequence[_Combination]) -> Results:
     model = casefile.load(path / "case.toml")
     results = _archived(path, listed, model)
     solved_model = Results(model, (), results, {}).solved_model
-    rules = {each.name: each.rule for each in solved_model.combinations}
+    rules = {entry.name: entry.rule for entry in solved_model.combinations}
     combinations, refused = [], dict[str, GroundslabError]()
-    for each in listed:
-        about = {"limit_state": each.limit_state, "factors": each.factors, "rule": rules.get(each.name, "")}
-        combinations.append(Combination(name=each.name, **about))
-        if each.refused is not None:
-            refused[each.name] = _refused(each.refused, results.pop(each.name, None))
-    names = {each.name for each in listed}
+    for entry in listed:
+        about = {"limit_state": entry.limit_state, "factors": entry.factors, "rule": rules.get(entry.name, "")}
+        combinations.append(Combination(name=entry.name, **about))
+        if entry.refused is not None:
+            refused[entry.name] = _refused(entry.refused, results.pop(entry.name, None))
+    names = {entry.name for entry in listed}
     if not names or len(names) < len(listed) or results.keys() | refused.keys() != names:
         raise ValueError("combinations that have neither results nor a reason, or the same name")
     return Results(model, tuple(combinations), results, refused)
@@ -261,17 +261,17 @@ def _several(path: Path, listed: Sequence[_Combination]) -> Results:
 def _archived(path: Path, listed: Sequence[_Combination], model: Model) -> dict[str, CombinationResult]:
     """Return the results of those combinations of a case that have a folder, by their names."""
     results: dict[str, CombinationResult] = {}
-    for number, each in enumerate(listed, 1):
-        if each.folder is None:
+    for number, entry in enumerate(listed, 1):
+        if entry.folder is None:
             continue
-        if each.folder != manifest.folder_name(number, each.name, len(listed)):
-            raise ValueError(f'folder "{each.folder}" of combination "{each.name}"')
-        archived = path / each.folder / "results.npz"
-        found = npz.load(archived)
-        solved_model = next(iter(results.values()), found).solved_model
-        if (found.model, found.solved_model, found.combination) != (model, solved_model, each.name):
+        if entry.folder != manifest.folder_name(number, entry.name, len(listed)):
+            raise ValueError(f'folder "{entry.folder}" of combination "{entry.name}"')
+        archived = path / entry.folder / "results.npz"
+        archive = npz.load(archived)
+        solved_model = next(iter(results.values()), archive).solved_model
+        if (archive.model, archive.solved_model, archive.combination) != (model, solved_model, entry.name):
             raise _not_ours(archived, "results of another case or combination")
-        results[each.name] = replace(found, model=model, solved_model=solved_model)
+        results[entry.name] = replace(archive, model=model, solved_model=solved_model)
     return results
 
 

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from groundslab.model.loads.case_use import case_uses
+from groundslab.model.case_use import case_uses
 from groundslab.model.remarks import find_remarks
 from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.schema.base import Section, get_field_type, get_meaning, get_sections

@@ -54,28 +54,29 @@ class CaseUse:
 
     def words(self) -> str:
         """Return in words where the case acts."""
-        return "; ".join(each.words() for each in self.acting) or "in no combination"
+        return "; ".join(acting.words() for acting in self.acting) or "in no combination"
 
 
 def case_uses(model: Model, combinations: Sequence[Combination]) -> tuple[CaseUse, ...]:
     """Return where each load case of a model acts, among these combinations of it."""
     positions = position_names(model.moves)
-    written = {name: case for case, names in positions.items() for name in names}
+    written = {name: moving for moving, names in positions.items() for name in names}
     loads = Counter(load.case for load in (*model.loads, *model.moves))
-    totals = Counter(each.limit_state for each in combinations)
+    totals = Counter(combination.limit_state for combination in combinations)
     factors: dict[tuple[str, LimitState], dict[str, float]] = {}
     named: set[str] = set()
-    for each in combinations:
-        for name, factor in each.factors:
-            case = written.get(name, name)
-            named.add(case)
+    for combination in combinations:
+        for name, factor in combination.factors:
+            of = written.get(name, name)
+            named.add(of)
             if factor:
-                factors.setdefault((case, each.limit_state), {})[each.name] = factor
+                factors.setdefault((of, combination.limit_state), {})[combination.name] = factor
     uses = []
     for case in model.cases:
-        found = {state: factors[case.name, state] for state in totals if (case.name, state) in factors}
+        by_state = {state: factors[case.name, state] for state in totals if (case.name, state) in factors}
         acting = tuple(
-            Acting(state, len(of), totals[state], min(of.values()), max(of.values())) for state, of in found.items()
+            Acting(state, len(there), totals[state], min(there.values()), max(there.values()))
+            for state, there in by_state.items()
         )
         uses.append(CaseUse(case, loads[case.name], acting, case.name in named))
     return tuple(uses)
