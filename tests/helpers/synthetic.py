@@ -10,6 +10,7 @@ import numpy as np
 from groundslab.discretize.nodal_loads import materials
 from groundslab.errors import GroundslabError, NoEquilibrium, NotCertified
 from groundslab.geometry.plan import sections
+from groundslab.model.combinations import as_solved
 from groundslab.model.ground import Pasternak, Winkler
 from groundslab.model.loads.load_cases import Combination, LoadCase
 from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad
@@ -112,6 +113,7 @@ def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: A
         "supports": (),
     }
     values |= changes
+    values.setdefault("solved_model", as_solved(values["model"]))
     return CombinationResult(**{"elements": elements_of(values["plate"], values["model"])} | values)
 
 

@@ -79,7 +79,7 @@ def judged_values(results: CombinationResult) -> Iterator[tuple[str, JudgedValue
     assert coarser is not None
     assert comparison is not None
     nodes = plate.nodes
-    limits = find_limits(results.model, nodes, plate.in_contact)
+    limits = find_limits(results.solved_model, nodes, plate.in_contact)
     for name in (*BOTH_SIGNS, *SIZES):
         about, field = PLATE_FIELDS[name], getattr(plate, name)
         judged = getattr(limits, LIMITED[name]) if name in LIMITED else np.ones(len(nodes), dtype=bool)

@@ -29,7 +29,7 @@ def find_unresolved(results: CombinationResult) -> Unresolved | None:
 
     Without a footprint they count as if they had one of a thickness, over which moments are means.
     """
-    model = results.model
+    model = results.solved_model
     mesh = Mesh(results.plate.nodes, results.plate.elements)
     thinnest = min(plate.thickness for plate in model.every_plate)
     forces = [shape for _, shape in model.acting if isinstance(shape, PointForce)]

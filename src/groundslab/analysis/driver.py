@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -21,7 +22,7 @@ from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes, coarsest
 from groundslab.discretize.serviceability.lasting_ground import lasts, with_lasting_ground
 from groundslab.errors import GroundslabError, IllConditioned, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
-from groundslab.model.combinations import list_combinations, place_patterns
+from groundslab.model.combinations import as_solved, list_combinations
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
@@ -114,16 +115,17 @@ def solve_combinations(
     on_mesh is called with the results on each mesh that is not the last.
     """
     local = move_to_center(model)
-    combinations, placed = list_combinations(local), place_patterns(local)
+    solved = as_solved(local)
+    combinations = list_combinations(solved)
 
     def solve_on(meshes: Meshes) -> Results:
-        return _combine(local, combinations, _outcomes(placed, combinations, on_step, meshes), on_combination)
+        return _combine(local, combinations, _outcomes(solved, combinations, on_step, meshes), on_combination)
 
     def report(results: Results) -> None:
         if on_mesh is not None:
             on_mesh(move_back(results, model))
 
-    return move_back(solve_adaptively(placed, solve_on, on_mesh=report), model)
+    return move_back(solve_adaptively(solved, solve_on, on_mesh=report), model)
 
 
 def solve_preview(model: Model, name: str, on_step: OnStep | None = None) -> Results:
@@ -132,17 +134,17 @@ def solve_preview(model: Model, name: str, on_step: OnStep | None = None) -> Res
     The slab does not crack, and nothing says how large the errors are. The name may be of no combination: then it is
     the first one.
     """
-    local = move_to_center(model)
-    combinations, placed = list_combinations(local), place_patterns(local)
-    one = next((each for each in combinations if each.name == name), combinations[0])
     area = sum(math.prod(plate.sides) for plate in model.every_plate)
     mesh = Mesh(size=math.sqrt(area / PREVIEW_ELEMENTS))
-    coarse = placed.model_copy(update={"mesh": mesh, "cracking": None})
+    coarse = model.model_copy(update={"mesh": mesh, "cracking": None})
+    local = move_to_center(coarse)
+    solved = as_solved(local)
+    combinations = list_combinations(solved)
+    one = next((each for each in combinations if each.name == name), combinations[0])
     solver_name, solver = factorization.choose(model.analysis.solver)
-    hierarchy = MeshHierarchy(coarse, solver, 0, 1.0, keep=False)
-    outcome = _outcome(coarse, one, [hierarchy], solver_name, on_step or (lambda _: None))
-    found = _combine(coarse, [one], iter([outcome]))
-    return move_back(found, model.model_copy(update={"mesh": mesh, "cracking": None}))
+    hierarchy = MeshHierarchy(solved, solver, 0, 1.0, keep=False)
+    outcome = _outcome(solved, one, [hierarchy], solver_name, on_step or (lambda _: None))
+    return move_back(_combine(local, [one], iter([outcome])), coarse)
 
 
 class Variants:
@@ -155,14 +157,15 @@ class Variants:
     def __init__(self, base: Model) -> None:
         """Solve the base case, whose combinations may fail; raises InputError as `solve` does."""
         local = move_to_center(base)
-        combinations, placed = list_combinations(local), place_patterns(local)
+        solved = as_solved(local)
+        combinations = list_combinations(solved)
 
         def solve_on(meshes: Meshes) -> Results:
             self._reference = ReferenceSolutions(meshes)
-            return _combine(local, combinations, _outcomes(placed, combinations, None, meshes, self._reference))
+            return _combine(local, combinations, _outcomes(solved, combinations, None, meshes, self._reference))
 
         #: The results of the base case, whose mesh all variants have.
-        self.base = move_back(solve_adaptively(placed, solve_on, BASE_SHARE), base)
+        self.base = move_back(solve_adaptively(solved, solve_on, BASE_SHARE), base)
         self._reference.close()
 
     def solve_combinations(
@@ -177,9 +180,10 @@ class Variants:
         if factors:
             model = model.model_copy(update={"mesh": model.mesh.replace(symmetry="off")})
         local = move_to_center(model)
-        combinations, placed = list_combinations(local), place_patterns(local)
+        solved = as_solved(local)
+        combinations = list_combinations(solved)
         reference = self._reference
-        outcomes = _outcomes(placed, combinations, on_step, reference.meshes, reference, factors)
+        outcomes = _outcomes(solved, combinations, on_step, reference.meshes, reference, factors)
         return move_back(_combine(local, combinations, outcomes), model)
 
 
@@ -189,13 +193,13 @@ def _combine(
     outcomes: Iterator[CombinationResult | GroundslabError],
     on_combination: OnCombination | None = None,
 ) -> Results:
-    """Return the outcomes of all combinations together."""
+    """Return the outcomes of all combinations together, with the case as written beside the case as solved."""
     results: dict[str, CombinationResult] = {}
     refused: dict[str, GroundslabError] = {}
     for combination in combinations:
         if on_combination is not None:
             on_combination(combination)
-        outcome = next(outcomes)
+        outcome = _with(next(outcomes), model=model)
         if isinstance(outcome, GroundslabError):
             refused[combination.name] = outcome
         else:
@@ -224,19 +228,18 @@ def _outcomes(
     for key, combination in zip(keys, combinations, strict=True):
         if key not in found:
             found[key] = next(solved)
-        yield _rename(found[key], combination)
+        if combination is first[key]:
+            yield found[key]
+            continue
+        name, limit_state = combination.name, combination.limit_state
+        yield _with(found[key], combination=name, limit_state=limit_state, factors=combination.factors)
 
 
-def _rename(
-    outcome: CombinationResult | GroundslabError, combination: Combination
-) -> CombinationResult | GroundslabError:
-    """Return the outcome of a combination as that of another one with the same factors."""
+def _with(outcome: CombinationResult | GroundslabError, **changes: Any) -> CombinationResult | GroundslabError:
+    """Return an outcome in which some fields of its results are others; one without results as it is."""
     if isinstance(outcome, NotCertified):
-        return NotCertified(_rename(outcome.results, combination))
-    if not isinstance(outcome, CombinationResult) or outcome.combination == combination.name:
-        return outcome
-    name, limit_state = combination.name, combination.limit_state
-    return replace(outcome, combination=name, limit_state=limit_state, factors=combination.factors)
+        return NotCertified(replace(outcome.results, **changes))
+    return replace(outcome, **changes) if isinstance(outcome, CombinationResult) else outcome
 
 
 def _solve_each(

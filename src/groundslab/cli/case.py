@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from groundslab.case.dxf.document import Layers
+    from groundslab.model.loads.load_cases import Combination
     from groundslab.model.model import Model
 
 
@@ -46,8 +47,8 @@ def check_case(options: argparse.Namespace) -> int:
         return EXIT_OK
     model = casefile.from_table(tables)
     from groundslab.analysis.check import check
-    from groundslab.model.loads.clipping import find_clipped_loads
-    from groundslab.model.loads.patterns import absent_forces
+    from groundslab.model.combinations import list_combinations
+    from groundslab.model.remarks import find_remarks
 
     check(model)
     what = f"{len(model.every_plate)} plates" if model.plates else "plate"
@@ -55,9 +56,9 @@ def check_case(options: argparse.Namespace) -> int:
         f"{options.case}: fine ({model.sides[0]:g} m x {model.sides[1]:g} m {what}, "
         f"{model.ground.kind} ground, {len(model.loads)} load{'s' if len(model.loads) > 1 else ''})"
     ]
-    lines += _columns_and_supports(model) + _cases_and_combinations(model)
-    lines += [f"  remark: {each.words()}" for each in find_clipped_loads(model.plate, model.loads, model.plates)]
-    lines += [f"  remark: {each}" for each in absent_forces(model.plate, model.patterns, model.moves, model.plates)]
+    combinations = list_combinations(model)
+    lines += _columns_and_supports(model) + _cases_and_combinations(model, combinations)
+    lines += [f"  remark: {each.words}" for each in find_remarks(model, combinations)]
     print_stdout("\n".join(lines))
     return EXIT_OK
 
@@ -78,20 +79,15 @@ def _columns_and_supports(model: Model) -> list[str]:
     return lines
 
 
-def _cases_and_combinations(model: Model) -> list[str]:
-    """Return the load cases of a model and what is solved of them in words, a line each."""
+def _cases_and_combinations(model: Model, combinations: Sequence[Combination]) -> list[str]:
+    """Return the load cases of a model, where they act, and what is solved of them in words, a line each."""
     if not model.cases:
         return []
-    from groundslab.model.combinations import list_combinations
+    from groundslab.model.case_use import case_uses
     from groundslab.views.summary.combinations import factors_text
 
-    lines = []
-    for case in model.cases:
-        count = sum(load.case == case.name for load in (*model.loads, *model.moves))
-        lines.append(f"  case {case.name}: {case.action}, {count} load{'' if count == 1 else 's'}")
-    return lines + [
-        f"  combination {each.name} ({each.limit_state}): {factors_text(each)}" for each in list_combinations(model)
-    ]
+    cases = [f"  case {use.case.name}: {use.about()}; {use.words()}" for use in case_uses(model, combinations)]
+    return cases + [f"  combination {each.name} ({each.limit_state}): {factors_text(each)}" for each in combinations]
 
 
 def write_starter(options: argparse.Namespace) -> int:

@@ -8,6 +8,7 @@ from functools import cache, partial
 from groundslab.design.bar_quantities import bars
 from groundslab.design.checks.table import checks_table
 from groundslab.design.tables import errors
+from groundslab.design.tables.acting import acting_cases
 from groundslab.design.tables.columns import column_envelope, column_table
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
 from groundslab.design.tables.locations import lines, points, soil, strips
@@ -16,6 +17,7 @@ from groundslab.design.tables.summary import combinations, extremes, tilts
 from groundslab.design.tables.supports import joint_table, support_table
 from groundslab.design.tables.table import Column, Table
 from groundslab.model.ground import ContinuousGround
+from groundslab.model.remarks import find_remarks
 from groundslab.results.results import Results
 
 __all__ = ["Column", "Table", "fields_of_envelope", "table_makers", "tables_of"]
@@ -24,9 +26,9 @@ __all__ = ["Column", "Table", "fields_of_envelope", "table_makers", "tables_of"]
 def tables_of(combined: Results) -> tuple[Table, ...]:
     """Return the tables of results: combinations, extremes, envelopes and tilt, and those that the model asks for.
 
-    Points, section lines, design strips, supports, joints, columns, reinforcement and laid bars have a table each if
-    the model names any; on a continuum, the soil below the points too. Discretization errors stand in columns at the
-    right. docs/results.md explains every column.
+    Load cases have a table of what acts where. Points, section lines, design strips, supports, joints, columns,
+    reinforcement and laid bars have a table each if the model names any; on a continuum, the soil below the points too.
+    Discretization errors stand in columns at the right. docs/results.md explains every column.
 
     Parameters
     ----------
@@ -66,11 +68,13 @@ def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
     columns = cache(lambda: errors.with_errors(column_table, combined))
     makers: dict[str, Callable[[], Table]] = {
         "combinations": lambda: errors.with_errors_of_figures(errors.with_errors(combinations, combined), each()),
+        **({"acting": lambda: acting_cases(combined)} if model.cases else {}),
         "extremes": each,
         "envelope": lambda: errors.with_errors_of_envelope(envelopes(combined), each()),
         "tilt": lambda: errors.with_errors(tilts, combined),
     }
-    if model.reinforcement is not None or model.limits is not None or model.floor is not None:
+    checked = any(part is not None for part in (model.reinforcement, model.limits, model.floor))
+    if checked or any(each.doubtful for each in find_remarks(model, combined.combinations)):
         makers["checks"] = lambda: checks_table(combined)
     wanted = {
         "points": (model.output.points, points),

@@ -27,6 +27,17 @@ def list_combinations(model: Model) -> tuple[Combination, ...]:
     return expand(_list_unmoved(model), model.moves, _fixed_cases(model))
 
 
+def as_solved(model: Model) -> Model:
+    """Return a case as it is solved: patterns and moving loads placed, its combinations those that are solved.
+
+    It is the model itself where nothing is to be placed or listed.
+    """
+    placed = place_patterns(model)
+    if not placed.cases or (placed.combinations and placed.combine is None):
+        return placed
+    return placed.model_copy(update={"combinations": list_combinations(placed), "combine": None})
+
+
 def _fixed_cases(model: Model) -> frozenset[str]:
     """Return the cases in which something stands that does not move."""
     return frozenset(load.case for load in model.loads) | {move.case for move in model.moves if not move.travels}

@@ -10,7 +10,7 @@ import numpy as np
 from groundslab.errors import GroundslabError, NotCertified
 from groundslab.fem.continuum.pressed_cells import PressedCells
 from groundslab.geometry.plan import Place
-from groundslab.model.combinations import place_patterns
+from groundslab.model.combinations import as_solved
 from groundslab.model.model import Model
 from groundslab.results.mesh_results import GroundResult, PlateResult
 from groundslab.results.results import CombinationResult, Comparison, Increment, JointResult, Results, SupportResult
@@ -23,26 +23,28 @@ def move_back(results: Results, model: Model) -> Results:
     """Return the results of the model that was analyzed as those of the model that was given, where its plan lies."""
     if results.model is model:
         return results
-    origin, placed = results.model.origin, place_patterns(model)
+    origin = results.model.origin
+    models = model, as_solved(model)
     return Results(
         model,
         results.combinations,
-        {name: _move_combination(each, placed, origin) for name, each in results.results.items()},
-        {name: _move_refusal(error, placed, origin) for name, error in results.refused.items()},
+        {name: _move_combination(each, models, origin) for name, each in results.results.items()},
+        {name: _move_refusal(error, models, origin) for name, error in results.refused.items()},
     )
 
 
-def _move_refusal(error: GroundslabError, placed: Model, by: Place) -> GroundslabError:
+def _move_refusal(error: GroundslabError, models: tuple[Model, Model], by: Place) -> GroundslabError:
     """Return why a combination has no results; those that are not certified are moved."""
-    return NotCertified(_move_combination(error.results, placed, by)) if isinstance(error, NotCertified) else error
+    return NotCertified(_move_combination(error.results, models, by)) if isinstance(error, NotCertified) else error
 
 
-def _move_combination(results: CombinationResult, placed: Model, by: Place) -> CombinationResult:
-    """Return the results of one combination, moved."""
+def _move_combination(results: CombinationResult, models: tuple[Model, Model], by: Place) -> CombinationResult:
+    """Return the results of one combination, moved, with the case as written and the case as solved."""
     comparison = results.comparison
     return replace(
         _move_state(results, by),
-        model=placed,
+        model=models[0],
+        solved_model=models[1],
         supports=_move_each(results.supports, by),
         joints=_move_each(results.joints, by),
         increments=tuple(_move_state(each, by) for each in results.increments),

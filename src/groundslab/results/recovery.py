@@ -51,10 +51,14 @@ def recover(
     increments: tuple[Increment, ...] = (),
     comparison: Comparison | None = None,
 ) -> CombinationResult:
-    """Return the results of a solution, whose fields on the full plate and ground are given."""
+    """Return the results of a solution, whose fields on the full plate and ground are given.
+
+    The model is the case as solved; the driver, which knows it, puts the case as written in its place.
+    """
     plate, elements, ground = parts
     return CombinationResult(
         model=model,
+        solved_model=model,
         plate=plate,
         elements=elements,
         ground=ground,

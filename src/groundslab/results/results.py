@@ -167,7 +167,10 @@ class CombinationResult:
     Attributes
     ----------
     model : Model
-        The model.
+        The case as written.
+    solved_model : Model
+        The case as solved: patterns are point loads, cases that move are cases at each position, and the combinations
+        are those that were solved. It is `model` itself where nothing is to be placed.
     plate : PlateResult
         The plate: mesh and nodal fields.
     elements : ElementResult
@@ -201,6 +204,7 @@ class CombinationResult:
     """
 
     model: Model
+    solved_model: Model
     plate: PlateResult
     elements: ElementResult
     ground: GroundResult
@@ -257,7 +261,7 @@ class Results(Mapping[str, CombinationResult]):
     Attributes
     ----------
     model : Model
-        The model.
+        The case as written; `solved_model` is the case as solved.
     combinations : tuple of Combination
         All combinations, solved or not.
     results : dict of str to CombinationResult
@@ -300,6 +304,17 @@ class Results(Mapping[str, CombinationResult]):
     def __contains__(self, combination: object) -> bool:
         """Return whether a combination of that name was solved."""
         return combination in self.results
+
+    @property
+    def solved_model(self) -> Model:
+        """The case as solved, as `CombinationResult` documents it."""
+        from groundslab.model.combinations import as_solved
+
+        there = (
+            *self.results.values(),
+            *(each.results for each in self.refused.values() if isinstance(each, NotCertified)),
+        )
+        return there[0].solved_model if there else as_solved(self.model)
 
     @property
     def only(self) -> CombinationResult:

@@ -140,7 +140,7 @@ class Coverage:
 
 def crossed_borders(results: CombinationResult) -> tuple[Coverage, ...]:
     """Return the soil zones and voids of which elements take a part, as their borders are no lines of the mesh."""
-    model, ground, plate = results.model, results.ground, results.plate
+    model, ground, plate = results.solved_model, results.ground, results.plate
     if not model.soil_zones and not model.contact.voids:
         return ()
     x0, x1, y0, y1 = model.bounds

@@ -73,13 +73,16 @@ def test_the_envelope_is_that_of_separate_analyses(tensionless: bool) -> None:
 
 
 def test_results_of_moving_loads_come_back_from_their_folder(tmp_path: Path) -> None:
-    """The case stays the one with the path, each combination knows the loads at its position."""
+    """`model` is the case with its path and `solved_model` the one with the axle at each position, in every result."""
     model = moving(tensionless=True)
-    loaded = load_results(save_results(solve(model), tmp_path / "found", plot=False))
-    assert loaded.model == model
+    solved = solve(model)
+    loaded = load_results(save_results(solved, tmp_path / "found", plot=False))
     assert len(loaded) == len(PLACES)
-    for each in loaded.values():
-        assert each.model == place_patterns(model)
+    for results in (solved, *solved.values(), loaded, *loaded.values()):
+        assert results.model == model
+        assert results.solved_model == place_patterns(model)
+    assert (len(loaded.model.cases), len(loaded.solved_model.cases)) == (2, 2 + len(PLACES))
+    assert (len(loaded.model.loads), len(loaded.solved_model.loads)) == (3, 3 + 2 * len(PLACES))
 
 
 def test_a_fixed_pattern_is_the_loads_that_it_stands_for(tmp_path: Path) -> None:

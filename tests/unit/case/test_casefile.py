@@ -12,7 +12,7 @@ from groundslab.case.casefile import LARGEST, load, loads, starter, to_toml
 from groundslab.errors import InputError, Issue
 from groundslab.model.combinations import list_combinations
 from groundslab.model.ground import Layered, SoilLayer, Vlasov, Winkler
-from groundslab.model.loads.load_types import PatchLoad, PointLoad, UniformLoad
+from groundslab.model.loads.load_types import PatchLoad, PointLoad, SelfWeight, UniformLoad
 from groundslab.model.model import Model
 from groundslab.model.plate import Edges, Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
@@ -44,7 +44,9 @@ def test_starter() -> None:
     assert len(model.ground.layers) == 2
     assert model.beyond.kind == "infinite"
     assert model.contact.tensionless
-    assert [type(each) for each in model.loads] == [UniformLoad, PatchLoad]
+    (load,) = model.loads
+    assert isinstance(load, SelfWeight)  # nothing but what the slab itself brings
+    assert load.unit_weight == 25e3
 
 
 def _without_comments(text: str) -> str:
@@ -125,9 +127,12 @@ def switched_on(*names: str) -> str:
     return "\n".join(lines)
 
 
-COLUMN, SUPPORT, POINT = "[[columns]]", "[[supports]]", '[[loads]] kind = "point"'
+COLUMN, SUPPORT = "[[columns]]", "[[supports]]"
+POINT, PATCH = '[[loads]] kind = "point"', '[[loads]] kind = "patch"'
 TOGETHER: list[tuple[str, ...]] = [
     ("[[contact.voids]]",),
+    ("[[cases]]", '[[loads]] kind = "uniform"'),
+    ("[[cases]]", PATCH),
     (COLUMN, POINT),
     (SUPPORT, '[[loads]] kind = "settlement"'),
     ('[[loads]] kind = "temperature"',),
@@ -178,7 +183,7 @@ def test_what_the_starter_says_when_switched_on() -> None:
     model = loads(switched_on(COLUMN, POINT, SUPPORT, '[[loads]] kind = "settlement"'))
     assert model.columns[0].width_y == 0.4
     assert [support.kind for support in model.supports] == ["point", "line"]
-    assert [load.kind for load in model.loads][2:] == ["point", "settlement"]
+    assert [load.kind for load in model.loads][1:] == ["point", "settlement"]
     made = list_combinations(loads(switched_on("[[cases]]", "[combine]")))
     assert {each.limit_state for each in made} == {"ultimate", "characteristic"}
     holes = loads(switched_on("[[boreholes]] [[boreholes.layers]]")).boreholes
@@ -296,7 +301,8 @@ def test_units_are_mandatory_in_files() -> None:
 
 def test_all_faults_of_a_file() -> None:
     """All issues of a file come at once, one a line."""
-    text = starter().replace("thickness =", "thicknes =", 1).replace('"200 kPa"', '"200"').replace("-0.5 m", "9 m")
+    text = switched_on("[[cases]]", PATCH).replace("thickness =", "thicknes =", 1)
+    text = text.replace('"200 kPa"', '"200"').replace("-0.5 m", "9 m")
     with pytest.raises(InputError) as error:
         loads(text)
     assert [each.location for each in error.value.issues] == [

@@ -21,7 +21,7 @@ from groundslab.case import casefile
 from groundslab.cli import console, main
 from groundslab.errors import InputError, Issue, NoEquilibrium, NotCertified, NotConverged
 from groundslab.model.columns import Column
-from groundslab.model.combinations import list_combinations
+from groundslab.model.combinations import as_solved, list_combinations
 from groundslab.model.settings import Mesh
 from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.results.results import Results, results_of
@@ -49,7 +49,7 @@ def solver(outcome: Any) -> Any:
             on_step(synthetic.results().steps[0])
         if isinstance(outcome, BaseException):
             raise outcome
-        results = replace(outcome, model=model)
+        results = replace(outcome, model=model, solved_model=as_solved(model))
         if not results.certificate.holds:
             raise NotCertified(results)
         return results_of(results)
@@ -222,7 +222,7 @@ class TestSolve:
         def solve(model: Any, on_step: Any = None, on_combination: Any = None) -> Any:
             assert (on_step is None) == (on_combination is None)
             found.append(on_step)
-            return results_of(replace(synthetic.results(), model=model))
+            return results_of(replace(synthetic.results(), model=model, solved_model=as_solved(model)))
 
         fake(monkeypatch, "analysis.driver", solve=solve)
         main.main(["solve", str(case)])
@@ -387,8 +387,8 @@ class TestOthers:
             "  column B: diameter 0.5 m at (0, 0) m",
             "  support pile: point, elastic, acts in compression, at (-2, -1) m",
             "  support 2: line, rigid, acts both ways, at (-3, 1) to (-1, 1) m",
-            "  case dead: permanent, 1 load",
-            "  case wind: variable, 1 load",
+            "  case dead: permanent, 1 load; ultimate 1 to 2 (3 of 4)",
+            "  case wind: variable, 1 load; ultimate 1 to 1.5 (2 of 4)",
             "  combination Größe 1/2: dead + wind (ultimate): 1.35 dead + 1.5 wind",
             "  combination NUL (ultimate): 2 dead",
             "  combination uncertified (ultimate): 1 dead",

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from groundslab.design.checks import bearing, equilibrium, floors, limits, provided, shear, strength
+from groundslab.design.checks import bearing, equilibrium, floors, limits, loads, provided, shear, strength
 from groundslab.design.checks.check import ORDER, DesignCheck, Status
 from groundslab.results.results import Results
 
@@ -23,6 +23,7 @@ CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
     bearing.checks,
     equilibrium.checks,
     limits.checks,
+    loads.checks,
 )
 
 #: What no check looks at.

@@ -72,7 +72,7 @@ def _forces(results: CombinationResult) -> _Forces:
     plate = results.plate
     V = float(plate.contact_force.sum())
     place = plate.nodes.T @ plate.contact_force / V if V > 0 else np.zeros(2)
-    cases = {case.name: case for case in results.model.cases}
+    cases = {case.name: case for case in results.solved_model.cases}
     acting = [(factor, cases[name]) for name, factor in results.factors if name in cases]
     H = math.hypot(*(sum(factor * getattr(case, axis) for factor, case in acting) for axis in ("H_x", "H_y")))
     return _Forces(V, H, (float(place[0]), float(place[1])), results.combination)

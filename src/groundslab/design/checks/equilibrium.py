@@ -51,7 +51,7 @@ def _uplift(combined: Results, made: list[Combination]) -> dict[str, Any]:
     solved = solved_results(combined)
     if combined.model.supports or combined.model.plates or not solved:
         return {}
-    forces = column_loads.sum_of_others(solved[0], outline(solved[0].plate), "")
+    forces = column_loads.sum_of_others(solved[0], outline(solved[0].plate), None)
     found = []
     for each in made:
         parts = [factor * forces.get(case, 0.0) for case, factor in each.factors]

@@ -172,7 +172,7 @@ def _counts(results: CombinationResult, d: Array, thickness: Array, reach: Mappi
     """Return at which nodes one-way shear is checked; `reach` is how far from columns punching is [m], else 2 d."""
     from shapely import LineString, Point, distance, points, union_all
 
-    model, nodes = results.model, points(results.plate.nodes)
+    model, nodes = results.solved_model, points(results.plate.nodes)
     chord = 1e-3 * max(model.sides)
     nearer = [distance(nodes, column.to_shapely(chord)) <= reach.get(column.name, 2 * d) for column in model.columns]
     stands = [LineString(each.points) if isinstance(each, LineSupport) else Point(each.x, each.y)
@@ -189,7 +189,7 @@ def _near_forces(results: CombinationResult, d: Array) -> Flags:
     """Return which nodes are within 2 d of a force of a combination whose punching is checked as a floor's."""
     from shapely import distance, points, union_all
 
-    model, factors = results.model, factors_of(results)
+    model, factors = results.solved_model, factors_of(results)
     if not isinstance(model.floor, TR34Floor):
         return np.zeros(len(d), dtype=bool)
     chord = 1e-3 * max(model.plate.sides)

@@ -80,7 +80,7 @@ class Borders:
 
 def factors_of(results: CombinationResult) -> dict[str, float]:
     """Return the factor of each case in a combination."""
-    return dict(results.factors) if results.model.cases else {"": 1.0}
+    return dict(results.factors) if results.solved_model.cases else {"": 1.0}
 
 
 def forces(results: CombinationResult, borders: Borders, h: float, l: float, transfer: float) -> list[Force]:  # noqa: E741
@@ -90,7 +90,7 @@ def forces(results: CombinationResult, borders: Borders, h: float, l: float, tra
     """
     from shapely import union_all
 
-    model, factors = results.model, factors_of(results)
+    model, factors = results.solved_model, factors_of(results)
     given = [
         (factors[load.case] * load.P, load.on(model.columns))
         for load in model.loads
@@ -170,7 +170,7 @@ def line_loads(results: CombinationResult, borders: Borders) -> Iterator[tuple[f
     """Yield each line load of a combination: its largest q [N/m], its distance from edges [m], its middle [m]."""
     from shapely import LineString
 
-    model = results.model
+    model = results.solved_model
     factors = factors_of(results)
     for load, shape in model.acting:
         if isinstance(shape, LineForce) and factors.get(load.case):
@@ -186,7 +186,7 @@ def pressures(results: CombinationResult) -> Iterator[tuple[float, tuple[float, 
 
     A pressure on the whole plate counts where its case is variable: goods are not everywhere all the time.
     """
-    model = results.model
+    model = results.solved_model
     factors = factors_of(results)
     variable = {case.name for case in model.cases if case.action == "variable"}
     everywhere = 0.0

@@ -51,9 +51,12 @@ def moments_of_column(model: Model, name: str) -> tuple[dict[str, float], dict[s
     return sums
 
 
-def sum_of_others(results: CombinationResult, part: Polygon, column: str) -> dict[str, float]:
-    """Return the sum of all loads on a part of the plate but those that name a column [N], by load case."""
-    model = results.model
+def sum_of_others(results: CombinationResult, part: Polygon, column: str | None) -> dict[str, float]:
+    """Return the sum of all loads on a part of the plate but those that name a column [N], by load case.
+
+    Without a column it is that of all loads.
+    """
+    model = results.solved_model
     mesh = Mesh(results.plate.nodes, results.plate.elements)
     elements = load_vectors.find_elements_near(mesh, part)
     force: dict[str, float] = defaultdict(float)
@@ -99,7 +102,7 @@ def _of_plate(results: CombinationResult, elements: Integers, name: str) -> Inte
 
 def factored_sum(results: CombinationResult, force: Mapping[str, float]) -> float:
     """Return the sum of forces by load case [N], each with the factor of its case in a combination."""
-    factors = dict(results.factors) if results.model.cases else {"": 1.0}
+    factors = dict(results.factors) if results.solved_model.cases else {"": 1.0}
     return sum(factors.get(case, 0.0) * each for case, each in force.items())
 
 

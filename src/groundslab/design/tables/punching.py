@@ -238,7 +238,7 @@ def _face_stress(
 
 def _moments_of_column(results: CombinationResult, column: Column) -> Array:
     """Return the moments (2,) [N m] that a column brings about its center, of forces along x and along y."""
-    own = column_loads.moments_of_column(results.model, column.name)
+    own = column_loads.moments_of_column(results.solved_model, column.name)
     return np.array([column_loads.factored_sum(results, own[axis]) for axis in (0, 1)])
 
 

@@ -90,7 +90,7 @@ def extremes(combined: Results) -> Table:
             rows.append(row)
     notes = [
         "Of nodal values. Of several places with the same value, the one nearest to the origin is named.",
-        *notes_on_singular_places(combined.model),
+        *notes_on_singular_places(combined.solved_model),
     ]
     if any(has_line_force(each) for each in combined.results.values()):
         notes.append(EDGE_NOTE)

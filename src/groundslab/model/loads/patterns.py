@@ -222,10 +222,10 @@ def loads_on_plate(covered: PlateRegion, loads: tuple[PointLoad, ...]) -> tuple[
 
 def absent_forces(
     plate: Plate, patterns: tuple[AnyPattern, ...], moves: tuple[Move, ...], plates: tuple[FurtherPlate, ...] = ()
-) -> Iterator[str]:
-    """Yield a remark for each path on which forces stand beside the plate, where they do not act."""
+) -> Iterator[tuple[int, str]]:
+    """Yield the position in the list of each path on which forces stand beside the plate, and a remark on them."""
     known, covered = {pattern.name: pattern for pattern in patterns}, PlateRegion(plate, plates)
-    for number, move in enumerate(moves, start=1):
+    for position, move in enumerate(moves):
         pattern, places = known[move.pattern], stations(move)
         beside = [
             len(pattern.forces()) - len(loads_on_plate(covered, point_loads(pattern, station, move.case)))
@@ -233,7 +233,8 @@ def absent_forces(
         ]
         if any(beside):
             where = f"at {sum(map(bool, beside))} of {len(places)} positions"
-            yield f"moves[{number}]: up to {max(beside)} of {len(pattern.forces())} forces are off the plate {where}"
+            forces = f"up to {max(beside)} of {len(pattern.forces())} forces are off the plate"
+            yield position, f"moves[{position + 1}]: {forces} {where}"
 
 
 def expand(

@@ -7,7 +7,7 @@ import math
 import stat
 import zipfile
 from dataclasses import asdict, dataclass, fields, replace
-from functools import cache
+from functools import cache, lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from pydantic import TypeAdapter
+
+    from groundslab.model.model import Model
 
 #: The version of the archive's layout; it grows when an array changes its name, unit or meaning.
 FORMAT = 7
@@ -74,7 +76,10 @@ PLAIN = [
 
 
 def write(results: CombinationResult, path: Path) -> None:
-    """Write arrays named as "plate.settlement", the model as TOML in "model", the rest as JSON in "about"."""
+    """Write arrays named as "plate.settlement", the case as TOML in "model", the rest as JSON in "about".
+
+    The case as solved is "solved_model" where it is another one.
+    """
     from groundslab.case import casefile
 
     arrays: dict[str, Any] = _arrays("", results)
@@ -96,6 +101,8 @@ def write(results: CombinationResult, path: Path) -> None:
     )
     text = json.dumps(asdict(about), allow_nan=False, default=lambda number: number.item())
     arrays |= {"model": np.array(casefile.to_toml(results.model)), "about": np.array(text)}
+    if results.solved_model != results.model:
+        arrays["solved_model"] = np.array(casefile.to_toml(results.solved_model))
     with path.open("wb") as file:
         np.savez(file, **arrays)
 
@@ -173,13 +180,12 @@ def _read_about(text: str) -> _About:
 
 def _results(arrays: dict[str, Any]) -> CombinationResult:
     """Return the results that the arrays of an archive stand for; raises ValueError if they cannot be results."""
-    from groundslab.case import casefile
-
     about = _read_about(str(arrays["about"]))
     for array in arrays.values():
         array.flags.writeable = False
     found = CombinationResult(
-        model=casefile.loads(str(arrays["model"])),
+        model=_read_model(str(arrays["model"])),
+        solved_model=_read_model(str(arrays["solved_model" if "solved_model" in arrays else "model"])),
         **_parts("", arrays),
         **{name: getattr(about, name) for name in PLAIN},
         supports=_supports("", about.supports, arrays),
@@ -191,6 +197,14 @@ def _results(arrays: dict[str, Any]) -> CombinationResult:
     )
     require_sound(found)
     return found
+
+
+@lru_cache(maxsize=4)
+def _read_model(text: str) -> Model:
+    """Return the model that a text describes; the combinations of a folder share theirs."""
+    from groundslab.case import casefile
+
+    return casefile.loads(text)
 
 
 def _comparison(about: _About, arrays: dict[str, Any]) -> Comparison:

@@ -230,16 +230,9 @@ def _summary(folder: Path) -> _Summary | None:
 
 def _one(path: Path) -> Results:
     """Return the only combination of a folder; raises InputError."""
-    from groundslab.case import casefile
-
     archived = path / "results.npz"
-    found = npz.load(archived)
-    with suppress(InputError):
-        model = casefile.load(path / "case.toml")
-        if model.moves and _placed(model) == found.model:
-            return replace(results_of(found), model=model)  # as it was described, with its patterns
     try:
-        return results_of(found)
+        return results_of(npz.load(archived))
     except InputError as error:
         raise _not_ours(archived, f"a combination that is wrong ({error.issues[0]})") from error
 
@@ -247,37 +240,39 @@ def _one(path: Path) -> Results:
 def _several(path: Path, listed: Sequence[_Combination]) -> Results:
     """Return the combinations that a summary lists, read from their folders; raises InputError or ValueError."""
     from groundslab.case import casefile
-    from groundslab.model.combinations import list_combinations
     from groundslab.model.loads.load_cases import Combination
 
     model = casefile.load(path / "case.toml")
-    rules = {each.name: each.rule for each in list_combinations(model)}
-    combinations, results, refused = [], {}, dict[str, GroundslabError]()
-    placed = _placed(model)
-    for number, each in enumerate(listed, 1):
-        about = {"limit_state": each.limit_state, "factors": each.factors, "rule": rules.get(each.name, "")}
-        combinations.append(Combination(name=each.name, **about))
-        if each.folder is not None:
-            if each.folder != manifest.folder_name(number, each.name, len(listed)):
-                raise ValueError(f'folder "{each.folder}" of combination "{each.name}"')
-            archived = path / each.folder / "results.npz"
-            found = npz.load(archived)
-            if found.model != placed or found.combination != each.name:
-                raise _not_ours(archived, "results of another case or combination")
-            results[each.name] = replace(found, model=placed)
-        if each.refused is not None:
-            refused[each.name] = _refused(each.refused, results.pop(each.name, None))
-    names = {each.name for each in listed}
+    results = _archived(path, listed, model)
+    solved_model = Results(model, (), results, {}).solved_model
+    rules = {entry.name: entry.rule for entry in solved_model.combinations}
+    combinations, refused = [], dict[str, GroundslabError]()
+    for entry in listed:
+        about = {"limit_state": entry.limit_state, "factors": entry.factors, "rule": rules.get(entry.name, "")}
+        combinations.append(Combination(name=entry.name, **about))
+        if entry.refused is not None:
+            refused[entry.name] = _refused(entry.refused, results.pop(entry.name, None))
+    names = {entry.name for entry in listed}
     if not names or len(names) < len(listed) or results.keys() | refused.keys() != names:
         raise ValueError("combinations that have neither results nor a reason, or the same name")
     return Results(model, tuple(combinations), results, refused)
 
 
-def _placed(model: Model) -> Model:
-    """Return the model that was solved, with its patterns placed."""
-    from groundslab.model.combinations import place_patterns
-
-    return place_patterns(model)
+def _archived(path: Path, listed: Sequence[_Combination], model: Model) -> dict[str, CombinationResult]:
+    """Return the results of those combinations of a case that have a folder, by their names."""
+    results: dict[str, CombinationResult] = {}
+    for number, entry in enumerate(listed, 1):
+        if entry.folder is None:
+            continue
+        if entry.folder != manifest.folder_name(number, entry.name, len(listed)):
+            raise ValueError(f'folder "{entry.folder}" of combination "{entry.name}"')
+        archived = path / entry.folder / "results.npz"
+        archive = npz.load(archived)
+        solved_model = next(iter(results.values()), archive).solved_model
+        if (archive.model, archive.solved_model, archive.combination) != (model, solved_model, entry.name):
+            raise _not_ours(archived, "results of another case or combination")
+        results[entry.name] = replace(archive, model=model, solved_model=solved_model)
+    return results
 
 
 def _refused(why: _Refused, results: CombinationResult | None) -> GroundslabError:

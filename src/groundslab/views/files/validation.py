@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 #: NumPy's type by the annotation of a field.
 _TYPES = {"Array": np.float64, "Array | None": np.float64, "Integers": np.int64, "Flags": np.bool_}
+#: What a case as solved has in another form than the case as written.
+PLACED = frozenset({"loads", "cases", "patterns", "moves", "combinations", "combine"})
 #: No quantity of a slab is larger in SI units; squares and products of such numbers are finite.
 LARGEST = 1e60
 
@@ -29,6 +31,9 @@ def require_sound(results: CombinationResult) -> None:
 
 def _faults(results: CombinationResult) -> Iterator[str]:
     """Yield what is wrong; what comes later relies on what came before."""
+    described = {name for name in type(results.model).model_fields if name not in PLACED}
+    if any(getattr(results.model, name) != getattr(results.solved_model, name) for name in described):
+        yield "a case as solved that is another one"
     yield from _of_constants(results)
     # the settlement of a continuum's surface is all that is kept of it on the mesh
     layers = len(results.constants.k0) or 1

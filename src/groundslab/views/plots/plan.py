@@ -6,7 +6,6 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from groundslab.accuracy.mesh_statistics import mesh_statistics
-from groundslab.model.combinations import place_patterns
 from groundslab.model.loads.load_types import presses_ground
 from groundslab.results.fields import BAR_FIELDS
 from groundslab.views.plots import symbols
@@ -94,7 +93,7 @@ def draw_sheet(request: PlotRequest) -> Figure:
         fitting = int(WIDE / (LEFT + RIGHT + min(WIDE / 2 - LEFT - RIGHT, UPRIGHT / ratio)))
         columns = min(len(panels), fitting)
         width = WIDE * columns / fitting
-    return draw_panels(place_patterns(request.combined.model), panels, shared_scales(panels), columns, width)
+    return draw_panels(request.combined.solved_model, panels, shared_scales(panels), columns, width)
 
 
 def draw_pages(request: PlotRequest) -> list[Figure]:
@@ -102,7 +101,7 @@ def draw_pages(request: PlotRequest) -> list[Figure]:
     if request.kind == "mesh":
         return [draw_mesh(request.combinations[0].results)]
     panels = build_panels(request)
-    model, scales = place_patterns(request.combined.model), shared_scales(panels)
+    model, scales = request.combined.solved_model, shared_scales(panels)
     columns, rows = panels_per_page(_ratio(model))
     groups: dict[str, list[Panel]] = {}
     for panel in panels:
@@ -113,7 +112,7 @@ def draw_pages(request: PlotRequest) -> list[Figure]:
 
 def draw_mesh(results: CombinationResult, *, titled: bool = True) -> Figure:
     """Return a plan of the elements, which all combinations share, with their number, sizes and quality if titled."""
-    model, plate = results.model, results.plate
+    model, plate = results.solved_model, results.plate
     ratio = _ratio(model)
     width = min(PAGE_WIDTH, max(LEFT + (PAGE_HEIGHT - 20 - ABOVE - BELOW) / ratio + EDGE, NARROW))
     page = Page(width)

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.model.combinations import place_patterns
 from groundslab.views.plots import style, symbols
 from groundslab.views.plots.annotations import LabelPlacement, Point
 from groundslab.views.scene.plan import plan_of
@@ -33,8 +32,8 @@ MOST_LABELS = 60
 SIDES: tuple[Point, ...] = ((1, 0), (-1, 0), (1, -1), (-1, -1), (1, 1), (-1, 1), (0, 1), (0, -1))
 
 
-def draw_case_plan(model: Model) -> Figure:
-    """Return the plan of a model as a figure; what lies far away is left out."""
+def draw_case_plan(model: Model, placed: Model) -> Figure:
+    """Return the plan of a case as written, with the loads of the case as solved; what lies far away is left out."""
     plan = plan_of(model)
     near = nearby(plan)
     (x0, y0), (x1, y1) = near.min(axis=0), near.max(axis=0)
@@ -50,7 +49,7 @@ def draw_case_plan(model: Model) -> Figure:
     legend = _draw_ground(axes, plan, labels) | symbols.draw_plate(axes, model, fill=style.PANEL)
     legend |= symbols.draw_voids(axes, model) | symbols.draw_supports(axes, model)
     legend |= symbols.draw_columns(axes, model, lambda _: True)
-    legend |= symbols.draw_loads(axes, place_patterns(model), everywhere=False)
+    legend |= symbols.draw_loads(axes, placed, everywhere=False)
     legend |= _draw_outputs(axes, plan, labels)
     _label_parts(plan, labels)
     _label_loads(axes, plan, labels)

@@ -95,10 +95,10 @@ def build_page(
         "facts": list(_facts(combined)),
         "verdict": dict(zip(("status", "words"), _verdict(combined, found), strict=True)),
         "design": check_design(combined),
-        "case": input_tables(combined.model),
+        "case": input_tables(combined.model, combined.combinations),
         "drawings": list(_drawings(combined, leading)),
         "grounds": None if comparison is None else build_chapter(comparison),
-        "loads": list(drawings.draw_loads(combined.model)),
+        "loads": list(drawings.draw_loads(combined.model, combined.solved_model)),
         "constants": list_constants(found) if any(each.constants.k0 for each in there) else None,
         "analysed": list(map(layout_section, list_sections(combined))) if there else [],
         "certificates": _certificates(combined, found),
@@ -281,7 +281,7 @@ def list_constants(found: Sequence[Entry]) -> TableLayout:
 
 def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[drawings.Drawing]:
     """Yield the plan of the case, the mesh, stresses in the ground if they are known, and the ground in section."""
-    yield drawings.draw_case(combined.model)
+    yield drawings.draw_case(combined.model, combined.solved_model)
     if leading is not None:
         yield drawings.draw_mesh_plan(leading)
     soil = None if leading is None else drawings.draw_soil(leading)

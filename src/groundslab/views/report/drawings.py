@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.model.combinations import place_patterns
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.views.plots import plot
 from groundslab.views.plots.export import to_inline_svg
@@ -46,19 +45,18 @@ class Drawing:
     caption: str
 
 
-def draw_case(model: Model) -> Drawing:
-    """Return the plan of a case."""
+def draw_case(model: Model, placed: Model) -> Drawing:
+    """Return the plan of a case as written, with the loads of the case as solved."""
     caption = " ".join(("Plan.", *describe_omissions(model)))
-    return Drawing(to_inline_svg(lambda: draw_case_plan(model), "plan", "Plan of the plate"), caption)
+    return Drawing(to_inline_svg(lambda: draw_case_plan(model, placed), "plan", "Plan of the plate"), caption)
 
 
-def draw_loads(model: Model) -> Iterator[Drawing]:
+def draw_loads(model: Model, placed: Model) -> Iterator[Drawing]:
     """Yield the plan of each load case's loads, without factors; of all loads where there are no cases."""
-    loads = place_patterns(model).loads
     for number, case in enumerate(model.cases or (None,), 1):
-        if any(map(load_plan.takes_part(model, case), loads)):
-            caption = load_plan.describe_loads(model, case)
-            draw = partial(load_plan.draw_load_plan, model, case)
+        if any(map(load_plan.takes_part(model, case), placed.loads)):
+            caption = load_plan.describe_loads(model, placed, case)
+            draw = partial(load_plan.draw_load_plan, model, placed, case)
             yield Drawing(to_inline_svg(draw, f"loads{number}", caption), caption)
 
 

@@ -9,9 +9,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from groundslab.model.combinations import list_combinations
-from groundslab.model.loads.clipping import find_clipped_loads
-from groundslab.model.loads.patterns import absent_forces
+from groundslab.model.case_use import case_uses
+from groundslab.model.remarks import find_remarks
 from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.schema.base import Section, get_field_type, get_meaning, get_sections
 from groundslab.schema.fields import Boolean, Choice, Factors, FieldType, Integer, ListOf, Number, Quantity, Text
@@ -30,6 +29,7 @@ from groundslab.views.summary.combinations import factors_text
 if TYPE_CHECKING:
     from pydantic.fields import FieldInfo
 
+    from groundslab.model.loads.load_cases import Combination
     from groundslab.model.model import Model
 
 #: Titles of the sections of a case, in the order of the report.
@@ -76,21 +76,22 @@ class InputTable:
     grids: tuple[TableLayout, ...]
 
 
-def input_tables(model: Model) -> list[InputTable]:
-    """Return all of a case, section by section; what is not there is left out."""
-    found = []
+def input_tables(model: Model, combinations: Sequence[Combination]) -> list[InputTable]:
+    """Return all of a case, section by section, with what was solved; what is not there is left out."""
+    found, remarks = [], find_remarks(model, combinations)
     for name, title in SECTIONS.items():
         value = getattr(model, name)
         if name == "combinations":
-            grids = [_combinations(model)] if model.cases else []
+            grids = [_combinations(combinations)] if model.cases else []
         elif isinstance(value, Section):
             grids = list(_part(value, ""))
         else:
             grids = list(_list(value or (), name, ""))
-        if name == "loads" and (clipped := find_clipped_loads(model.plate, model.loads, model.plates)):
-            grids[-1] = replace(grids[-1], notes=(*grids[-1].notes, *(each.words() for each in clipped)))
-        if name == "moves" and (absent := tuple(absent_forces(model.plate, model.patterns, model.moves, model.plates))):
-            grids[-1] = replace(grids[-1], notes=(*grids[-1].notes, *absent))
+        if name == "cases" and model.cases:
+            grids.append(_acting(model, combinations))
+        notes = [f"Remark: {each.words}." for each in remarks if each.path[0] == name]
+        if notes and grids:
+            grids[-1] = replace(grids[-1], notes=(*grids[-1].notes, *notes))
         if grids:
             found.append(InputTable(name, title, tuple(grids)))
     return found
@@ -232,14 +233,27 @@ def _column(name: str, key: FieldType, values: list[Any]) -> tuple[TableHeader, 
     return TableHeader(words, unit if texts else "", number=True, symbol=symbol), cells
 
 
-def _combinations(model: Model) -> TableLayout:
+def _combinations(combinations: Sequence[Combination]) -> TableLayout:
     """Return what is solved: the combinations that the case lists and those made by EN 1990, or each case."""
     heads = headers("#no.", "name", "limit state", "loads that act together")
     rows = tuple(
         (Cell(str(number), "number"), Cell(each.name), Cell(each.limit_state), Cell(factors_text(each)))
-        for number, each in enumerate(list_combinations(model), 1)
+        for number, each in enumerate(combinations, 1)
     )
     return TableLayout("", heads, rows, ("Each is solved by itself, with all its loads growing together.",))
+
+
+def _acting(model: Model, combinations: Sequence[Combination]) -> TableLayout:
+    """Return with which factors each case acts in the combinations of each limit state, and in how many of them."""
+    states = list(dict.fromkeys(each.limit_state for each in combinations))
+    heads = headers("case", "action", "#loads", *states)
+    rows = []
+    for use in case_uses(model, combinations):
+        words = {each.limit_state: each.words().removeprefix(each.limit_state).strip() for each in use.acting}
+        cells = [Cell(words.get(state, "-")) for state in states]
+        rows.append((Cell(use.case.name), Cell(use.case.action), Cell(str(use.loads), "number"), *cells))
+    notes = ("Factors, and the number of combinations in which the case acts.",)
+    return TableLayout("what acts where", heads, tuple(rows), notes)
 
 
 def _words(name: str) -> str:

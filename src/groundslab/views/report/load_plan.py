@@ -1,11 +1,13 @@
-"""The loads of one load case in plan, each with its value; without factors. What moves stands where it begins."""
+"""The loads of one load case in plan, each with its value; without factors. What moves stands where it begins.
+
+A case as written is `model`, the case as solved `placed`: there patterns are loads at their places.
+"""
 
 from __future__ import annotations
 
 from collections import Counter
 from typing import TYPE_CHECKING, Any
 
-from groundslab.model.combinations import place_patterns
 from groundslab.model.loads.patterns import position_names
 from groundslab.views.plots import style, symbols
 from groundslab.views.report.case_plan import MOST_LABELS, Labels, middle, nearby, stands_in_plan, upper_left
@@ -36,9 +38,9 @@ def takes_part(model: Model, case: LoadCase | None) -> Callable[[AnyLoad], bool]
     return symbols.load_filter((name, 1.0) for name in names)
 
 
-def draw_load_plan(model: Model, case: LoadCase | None) -> Figure:
+def draw_load_plan(model: Model, placed: Model, case: LoadCase | None) -> Figure:
     """Return the plan of the loads of a case as a figure; of more than MOST_LABELS places none has its value."""
-    placed, belongs = place_patterns(model), takes_part(model, case)
+    belongs = takes_part(model, case)
     near = nearby(plan_of(model))
     (x0, y0), (x1, y1) = near.min(axis=0), near.max(axis=0)
     per_meter = min((WIDTH - 2 * FREE) / (x1 - x0), HEIGHT / (y1 - y0))
@@ -52,7 +54,7 @@ def draw_load_plan(model: Model, case: LoadCase | None) -> Figure:
     for path in _paths(model, case):
         axes.plot(*zip(*path.points, strict=True), color=style.LOAD, linewidth=0.6, linestyle=(0, (6, 3)))
     symbols.draw_loads(axes, placed, belongs, everywhere=False)
-    texts, _ = _split_repeated(_values(model, case))
+    texts, _ = _split_repeated(_values(model, placed, case))
     if len(texts) <= MOST_LABELS:
         labels = Labels(axes, per_meter, (x0, x1, y0, y1))
         for place in texts:
@@ -62,12 +64,12 @@ def draw_load_plan(model: Model, case: LoadCase | None) -> Figure:
     return page.finish(FREE + height + FREE / 2, signed=False)
 
 
-def describe_loads(model: Model, case: LoadCase | None) -> str:
+def describe_loads(model: Model, placed: Model, case: LoadCase | None) -> str:
     """Return the name of a case, its action, what of it acts everywhere or often, and whether values are missing."""
-    everywhere = [_on_plate(load) for load, about in _loads_of(model, case) if not stands_in_plan(about)]
+    everywhere = [_on_plate(load) for load, about in _loads_of(model, placed, case) if not stands_in_plan(about)]
     forces = [] if case is None else [("H_x", case.H_x), ("H_y", case.H_y)]
     everywhere += [f"{symbol.replace('_', '')} {value / 1e3:.5g} kN" for symbol, value in forces if value]
-    texts, repeated = _split_repeated(_values(model, case))
+    texts, repeated = _split_repeated(_values(model, placed, case))
     everywhere += [f"{count} \N{MULTIPLICATION SIGN} {text}" for text, count in repeated.items()]
     name = "All loads" if case is None else f"{case.name}, {case.action}"
     hidden = " Values are listed under loads." if len(texts) > MOST_LABELS else ""
@@ -75,9 +77,8 @@ def describe_loads(model: Model, case: LoadCase | None) -> str:
     return f"{name}{': ' if everywhere else ''}{'; '.join(everywhere)}.{hidden}{moves}"
 
 
-def _loads_of(model: Model, case: LoadCase | None) -> list[tuple[AnyLoad, dict[str, Any]]]:
+def _loads_of(model: Model, placed: Model, case: LoadCase | None) -> list[tuple[AnyLoad, dict[str, Any]]]:
     """Return the loads of a case, each with what the plan says of it."""
-    placed = place_patterns(model)
     belongs = takes_part(model, case)
     pairs = zip(placed.loads, plan_of(placed)["loads"], strict=True)
     return [(load, about) for load, about in pairs if belongs(load)]
@@ -121,10 +122,10 @@ def _split_repeated(
     return {place: texts for place, texts in kept.items() if texts}, repeated
 
 
-def _values(model: Model, case: LoadCase | None) -> dict[tuple[float, float], list[str]]:
+def _values(model: Model, placed: Model, case: LoadCase | None) -> dict[tuple[float, float], list[str]]:
     """Return how large the loads of a case are, by the places at which that is written."""
     found: dict[tuple[float, float], list[str]] = {}
-    for load, about in _loads_of(model, case):
+    for load, about in _loads_of(model, placed, case):
         if stands_in_plan(about):
             place = upper_left(about["ring"]) if "ring" in about else middle(about["points"])
             found.setdefault(place, []).append(load_text(load))

@@ -11,7 +11,6 @@ from groundslab._version import __version__
 from groundslab.design.tables.quantities import nodal_values
 from groundslab.design.tables.reinforcement import bar_fields
 from groundslab.errors import GroundslabError
-from groundslab.model.combinations import place_patterns
 from groundslab.results.contact_zone import contact_function, goes_below_zero, has_line_force
 from groundslab.results.fields import BAR_FIELDS, LINE_FORCE, PLATE_FIELDS, SHOWN_ELEMENT_FIELDS, extreme
 from groundslab.views.scene.binary import Blocks, Scene
@@ -58,7 +57,7 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
         "format": FORMAT,
         "title": combined.model.title,
         "version": __version__,
-        "plan": plan_of(place_patterns(combined.model)),
+        "plan": plan_of(combined.solved_model),
         "mesh": mesh,
         "fields": [_about(name, there) for name in names] + [_words(name, False) for name in of_bars] + [_CONTACT],
         "combinations": [_combination(entry, names, blocks, entry.number in kept, shared) for entry in found],

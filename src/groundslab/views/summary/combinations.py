@@ -6,6 +6,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from groundslab.errors import NotCertified
+from groundslab.model.case_use import case_uses
+from groundslab.model.remarks import find_remarks
 from groundslab.results.contact_zone import require_finite as require_one_finite
 from groundslab.views.summary import sections
 from groundslab.views.summary.rows import Row, SummarySection
@@ -61,6 +63,16 @@ def require_finite(combined: Results) -> None:
 def factors_text(combination: Combination) -> str:
     """Return what acts together in words, such as "1.35 dead + 1.5 live"."""
     return " + ".join(f"{factor:.6g} {name}".rstrip() for name, factor in combination.factors)
+
+
+def case_lines(combined: Results) -> list[str]:
+    """Return where each load case acts, in words, and the remarks on the case that no other section has."""
+    uses = case_uses(combined.model, combined.combinations)
+    remarks = find_remarks(combined.model, combined.combinations)
+    return [
+        *(f"{use.case.name} ({use.about()}): {use.words()}" for use in uses),
+        *(f"remark: {each.words}" for each in remarks if not each.doubtful and each.path[0] != "loads"),
+    ]
 
 
 def description(combined: Results) -> list[SummarySection]:

@@ -52,7 +52,7 @@ def unknown_words(results: CombinationResult) -> str:
 
     if results.coarser is not None:
         return ""
-    if not has_coarser(results.model):
+    if not has_coarser(results.solved_model):
         reason = "the mesh has too few elements for one of elements twice as large"
     elif results.ground.cells is None:
         reason = "there is no solution on elements twice as large"
@@ -68,7 +68,7 @@ def _not_judged(results: CombinationResult) -> tuple[str, ...]:
     """Return in words which values are not among those that are judged, nothing where all are."""
     from groundslab.accuracy.singularities import find_limits
 
-    limits = find_limits(results.model, results.plate.nodes, results.plate.in_contact)
+    limits = find_limits(results.solved_model, results.plate.nodes, results.plate.in_contact)
     words = {
         "shear forces around footprints and where they are singular": limits.shear_forces,
         "pressures where they jump or have no limit": limits.pressures | ~limits.shear_forces,

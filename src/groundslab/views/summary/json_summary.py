@@ -17,11 +17,14 @@ import numpy as np
 
 from groundslab._version import __version__
 from groundslab.errors import NotConverged
+from groundslab.model.case_use import case_uses
+from groundslab.model.remarks import find_remarks
 from groundslab.units import UNITS, Unit
 from groundslab.views.summary import combinations, sections
 
 if TYPE_CHECKING:
     from groundslab.errors import GroundslabError
+    from groundslab.model.case_use import CaseUse
     from groundslab.results.results import CombinationResult, Results
     from groundslab.views.summary.combinations import Entry, Extreme
     from groundslab.views.summary.rows import Row, SummarySection
@@ -44,6 +47,8 @@ def to_json(combined: Results, folders: Mapping[str, str] | None = None, files: 
         "title": combined.model.title,
         "certified": not combined.refused,
         "design": design(combined),
+        "cases": [_case(use) for use in case_uses(combined.model, combined.combinations)],
+        "remarks": [each.words for each in find_remarks(combined.model, combined.combinations)],
     }
     only = combinations.only(found)
     document |= _several(combined, found, folders or {}) if only is None else _only(only)
@@ -56,6 +61,14 @@ def json_text(combined: Results, folders: Mapping[str, str] | None = None, files
     # numbers of NumPy look like Python's; JSON knows the latter only
     document = to_json(combined, folders, files)
     return json.dumps(document, indent=2, allow_nan=False, default=lambda number: number.item())
+
+
+def _case(use: CaseUse) -> dict[str, Any]:
+    """Return a load case as data for JSON: its loads, and by limit state its factors and in how many combinations."""
+    acting = {each.limit_state: asdict(each) for each in use.acting}
+    for about in acting.values():
+        del about["limit_state"]
+    return {"name": use.case.name, "action": use.case.action, "loads": use.loads, "acting": acting}
 
 
 def design(combined: Results) -> dict[str, Any]:

@@ -289,9 +289,9 @@ def _section_forces(results: CombinationResult) -> SummarySection:
         rows.append(_extreme(name, f"largest_{name}", f"largest {words}", plate.nodes, sizes, 1, "|{}|"))
     from groundslab.discretize.singular_places import near_singular, notes_on_singular_places
 
-    if notes := notes_on_singular_places(results.model, " (*)"):
+    if notes := notes_on_singular_places(results.solved_model, " (*)"):
         thickness = results.elements.at_nodes(plate)[0]
-        nodes = near_singular(results.model, plate.nodes, thickness).nonzero()[0]
+        nodes = near_singular(results.solved_model, plate.nodes, thickness).nonzero()[0]
         singular = {place_of(plate.nodes, int(node)) for node in nodes}
         rows = [replace(row, singular=row.place in singular) for row in rows]
     return SummarySection("section_forces", "Moments and shear forces", tuple(rows), notes)

@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 
 #: Widths of the columns of words, values, units and discretization errors; with the place, 80 in all.
 LABEL, VALUE, UNIT, ERROR = 34, 11, 5, 7
+#: At most so many load cases are listed.
+MOST_CASES = 40
 #: Verdicts on figures with a tolerance, and their styles; see `Row.ok`.
 VERDICTS = {True: ("ok", "green"), False: ("FAILED", "bold red"), None: ("too coarse", "bold yellow")}
 
@@ -46,8 +48,11 @@ def print_summary(combined: Results, console: Console) -> None:
     only = combinations.only(found)
     _head(combined.model.title, design, console)
     if only is not None:
+        _print_lines([f"{only.combination} ({only.limit_state})"], "dim", console)
+        _print_cases(combined, console)
         _print_only(only, console)
     else:
+        _print_cases(combined, console)
         _print_several(combined, found, console)
     console.print()
     if not combined.refused:
@@ -60,9 +65,21 @@ def print_summary(combined: Results, console: Console) -> None:
     _print_lines([failed], "bold red", console)
 
 
+def _print_cases(combined: Results, console: Console) -> None:
+    """Print where each load case acts, of very many the first ones, and the remarks on the case."""
+    lines = combinations.case_lines(combined)
+    if not lines:
+        return
+    console.print()
+    _print_lines(["Load cases: factors, and how many combinations they act in"], "bold cyan", console)
+    for line in lines[:MOST_CASES]:
+        _print_lines(textwrap.wrap(line, 76, initial_indent="  ", subsequent_indent="    "), "", console)
+    if len(lines) > MOST_CASES:
+        _print_lines([f"  ... {len(lines) - MOST_CASES} more in the table acting"], "dim", console)
+
+
 def _print_only(results: CombinationResult, console: Console) -> None:
     """Print the figures of an only combination and its convergence history."""
-    _print_lines([f"{results.combination} ({results.limit_state})"], "dim", console)
     for section in summary(results):
         _print_section(section, [_line(row) for row in section.rows], console)
     console.print()

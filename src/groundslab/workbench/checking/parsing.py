@@ -9,7 +9,7 @@ import hashlib
 import json
 import traceback
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
 
@@ -24,13 +24,15 @@ class CheckResult:
     """The result of checking a text.
 
     The fingerprint is the same for texts that describe the same model, and empty for one that describes none;
-    ``issues_json`` holds the issues as the page shows them, with paths and lines.
+    ``issues_json`` and ``remarks_json`` hold the issues, and remarks on a case without any, as the page shows them,
+    with paths and lines.
     """
 
     fingerprint: str
     issues: tuple[Issue, ...]
     issues_json: list[dict[str, Any]]
     plan: dict[str, Any] | None
+    remarks_json: list[dict[str, Any]] = field(default_factory=list)
 
 
 def warm_up() -> None:
@@ -51,12 +53,15 @@ def check(document: Document) -> CheckResult:
     """Check a text; an error of the program becomes an issue, so that the text can still be edited and saved."""
     document = _cache(document)
     try:
+        from groundslab.model.combinations import list_combinations
+        from groundslab.model.remarks import find_remarks
         from groundslab.views.scene.plan import plan_of
 
         data = document.data
         model = casefile.loads(document.text, diagnostics.NAME) if data is None else casefile.from_table(data)
         fingerprint = hashlib.sha256(casefile.to_toml(model).encode()).hexdigest()
-        return CheckResult(fingerprint, (), [], plan_of(model))
+        remarks = diagnostics.remarks_to_json(find_remarks(model, list_combinations(model)), document.layout)
+        return CheckResult(fingerprint, (), [], plan_of(model), remarks)
     except InputError as error:
         issues = error.issues
     except MemoryError:

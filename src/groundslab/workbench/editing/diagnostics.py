@@ -9,6 +9,7 @@ from dataclasses import asdict
 from typing import Any
 
 from groundslab.errors import Issue
+from groundslab.model.remarks import Remark
 from groundslab.schema.issues import RelativeIssue
 from groundslab.workbench.editing.toml_layout import TomlLayout
 from groundslab.workbench.editing.toml_values import Path
@@ -47,6 +48,15 @@ def issues_to_json(issues: Sequence[Issue]) -> list[dict[str, Any]]:
 def text_issues_to_json(issues: Sequence[Issue], layout: TomlLayout | None, is_toml: bool) -> list[dict[str, Any]]:
     """Return the issues of a text as data for the page, with their lines where known."""
     return [about | _locate(about["location"], layout, is_toml) for about in issues_to_json(issues)]
+
+
+def remarks_to_json(remarks: Sequence[Remark], layout: TomlLayout | None) -> list[dict[str, Any]]:
+    """Return remarks as data for the page, with their lines where known."""
+    return [
+        {"location": remark.location, "path": list(remark.path), "words": remark.words, "doubtful": remark.doubtful}
+        | _locate(remark.location, layout, is_toml=True)
+        for remark in remarks
+    ]
 
 
 def _locate(location: str, layout: TomlLayout | None, is_toml: bool) -> dict[str, Any]:

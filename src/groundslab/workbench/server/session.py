@@ -68,6 +68,7 @@ class Session:
                 "data": self._data,
                 "checking": result is None,
                 "issues": [] if result is None else result.issues_json,
+                "remarks": [] if result is None else result.remarks_json,
                 "plan": self._plan,
                 "file": None if path is None else str(path),
                 "dirty": document.to_bytes() != self._case_file.content,

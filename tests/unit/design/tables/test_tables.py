@@ -19,7 +19,7 @@ from groundslab.errors import InputError, NoEquilibrium
 from groundslab.model.combinations import list_combinations
 from groundslab.model.model import Model
 from groundslab.results.fields import POINT_FIELDS, RANGED_FIELDS
-from groundslab.results.results import Results, SupportResult
+from groundslab.results.results import Results, SupportResult, results_of
 from groundslab.views.files.vtk import plate_mesh
 from helpers.plates import parted, plate_of, straight
 from helpers.synthetic import LENGTH_X, LENGTH_Y, results
@@ -74,8 +74,10 @@ def row(found: Table, **where: Any) -> dict[str, Any]:
 
 
 def test_what_is_not_asked_for_has_no_table() -> None:
-    """Without points, lines, strips, supports, columns and reinforcement four tables are left."""
-    assert [each.name for each in tables_of(combined())] == ["combinations", "extremes", "envelope", "tilt"]
+    """Without points, lines, strips, supports, columns and reinforcement five tables are left, four without cases."""
+    always = ["combinations", "extremes", "envelope", "tilt"]
+    assert [each.name for each in tables_of(combined())] == ["combinations", "acting", *always[1:]]
+    assert [each.name for each in tables_of(results_of(results()))] == always
     assert groundslab.tables_of is tables_of
 
 
@@ -539,12 +541,12 @@ def test_different_meshes_have_no_envelope() -> None:
 
 
 def test_all_refused() -> None:
-    """Where nothing has results, the table of combinations says why and the others are empty."""
+    """Where nothing has results, the table of combinations says why; factors are known, all else is empty."""
     output = {"points": [{"name": "P", "x": 0, "y": 0}]}
     model = described(columns=COLUMNS, reinforcement=STEEL, output=output)
     refused = {each.name: NoEquilibrium("no") for each in model.combinations}
     of = Results(model, model.combinations, {}, refused)
-    assert {each.name: len(each) for each in tables_of(of) if len(each)} == {"combinations": 4}
+    assert {each.name: len(each) for each in tables_of(of) if len(each)} == {"combinations": 4, "acting": 7}
     assert fields_of_envelope(of) == {}
 
 

@@ -130,7 +130,7 @@ def test_forces_beside_the_plate_do_not_act_on_a_path() -> None:
     last = [load for load in place_patterns(model).loads if load.case == "live at 4.00 m"]
     assert [load.P for load in last] == [5e3]
     remark = "moves[1]: up to 1 of 2 forces are off the plate at 2 of 5 positions"
-    assert list(absent_forces(model.plate, model.patterns, model.moves)) == [remark]
+    assert list(absent_forces(model.plate, model.patterns, model.moves)) == [(0, remark)]
 
 
 FAULTS: list[tuple[dict[str, Any], str, str]] = [

@@ -143,11 +143,10 @@ class TestArrays:
         model = combined.model.replace(
             reinforcement=Reinforcement(f_ck=30e6, f_yk=500e6, bottom=(0.04, 0.05), top=(0.04, 0.05))
         )
-        results = {name: replace(each, model=model) for name, each in combined.results.items()}
         refused = {"wind alone": combined.refused["wind alone"]}
-        left = tuple(each for each in combined.combinations if each.name in {*results, *refused})
+        left = tuple(each for each in combined.combinations if each.name in {*combined.results, *refused})
         given = model.replace(combinations=left)
-        results = {name: replace(each, model=given) for name, each in results.items()}
+        results = {name: replace(each, model=given, solved_model=given) for name, each in combined.results.items()}
         return results_folder.save_results(Results(given, left, results, refused), tmp_path / "out")
 
     def test_every_name_carries_its_unit(self, folder: Path) -> None:

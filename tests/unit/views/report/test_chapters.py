@@ -13,6 +13,7 @@ import pytest
 import groundslab
 from groundslab.cli import main as cli
 from groundslab.errors import InputError
+from groundslab.model.combinations import as_solved
 from groundslab.model.model import Model
 from groundslab.results.results import Results, results_of
 from groundslab.units import UNITS
@@ -42,6 +43,11 @@ def model(**changes: Any) -> Model:
         ],
     }
     return Model(**parts | changes)
+
+
+def plans_of_loads(described: Model) -> list[drawings.Drawing]:
+    """Return the plans of a case's loads."""
+    return list(drawings.draw_loads(described, as_solved(described)))
 
 
 def sections(root: Element) -> set[str]:
@@ -122,7 +128,7 @@ class TestLoads:
 
     def test_each_case_has_one(self) -> None:
         """The caption names the case, what acts everywhere and horizontal forces; the plan has the values."""
-        first, second = drawings.draw_loads(model())
+        first, second = plans_of_loads(model())
         assert first.caption == "G, permanent: uniform 5 kPa; Hx 12 kN."
         assert second.caption == "Q, variable."
         assert "20 kN/m" in [each.text for each in page(first.svg).all("text")]
@@ -131,7 +137,7 @@ class TestLoads:
     def test_without_cases_all_loads(self) -> None:
         """Loads without cases stand in one plan."""
         loads = [{"kind": "uniform", "q": 5e3}, {"kind": "point", "P": 1e3, "x": 0, "y": 0}]
-        (drawn,) = drawings.draw_loads(model(cases=[], loads=loads))
+        (drawn,) = plans_of_loads(model(cases=[], loads=loads))
         assert drawn.caption == "All loads: uniform 5 kPa."
 
     def test_what_moves_stands_where_it_begins(self) -> None:
@@ -144,7 +150,7 @@ class TestLoads:
         ]
         loads = [{"kind": "uniform", "q": 5e3, "case": "G"}]
         rolling = model(loads=loads, patterns=[axle, rack], moves=moves)
-        first, second = drawings.draw_loads(rolling)
+        first, second = plans_of_loads(rolling)
         assert [each.text for each in page(first.svg).all("text")].count("60 kN") == 2
         written = [each.text for each in page(second.svg).all("text")]
         assert (written.count("45 kN"), written.count("46 kN")) == (1, 1)
@@ -155,7 +161,7 @@ class TestLoads:
         rack = {"kind": "rack", "name": "rack", "P": 60e3, "frames": 10, "bay": 0.5, "rows": [0, 1]}
         beside = {"kind": "point", "P": 7e3, "x": 2, "y": -1.5, "case": "Q"}
         moves = [{"pattern": "rack", "case": "Q", "points": [(-2.5, 0)]}]
-        (drawn,) = drawings.draw_loads(model(loads=[beside], patterns=[rack], moves=moves))
+        (drawn,) = plans_of_loads(model(loads=[beside], patterns=[rack], moves=moves))
         assert drawn.caption == "Q, variable: 20 \N{MULTIPLICATION SIGN} 60 kN."
         written = [each.text for each in page(drawn.svg).all("text")]
         assert (written.count("60 kN"), written.count("7 kN")) == (0, 1)
@@ -163,9 +169,10 @@ class TestLoads:
     def test_many_places_have_no_values(self) -> None:
         """Of very many loads the values are left to the list."""
         loads = [{"kind": "point", "P": 1e3 + n, "x": -2.9 + 0.02 * n, "y": 0} for n in range(250)]
-        (drawn,) = drawings.draw_loads(model(cases=[], loads=loads))
+        (drawn,) = plans_of_loads(model(cases=[], loads=loads))
         assert drawn.caption == "All loads. Values are listed under loads."
-        assert draw_load_plan(model(cases=[], loads=loads), None).axes
+        many = model(cases=[], loads=loads)
+        assert draw_load_plan(many, as_solved(many), None).axes
 
     def test_a_force_with_both_ends(self) -> None:
         """A line load that varies shows both of its values."""

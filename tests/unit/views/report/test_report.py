@@ -20,6 +20,7 @@ from groundslab.cli import main as cli
 from groundslab.design.result_tables import tables_of
 from groundslab.design.tables.table import table_of
 from groundslab.errors import GroundslabError, InputError, NoEquilibrium
+from groundslab.model.combinations import as_solved, list_combinations
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.record import Constants
@@ -39,7 +40,7 @@ from groundslab.views.report.case_plan import SIDES, draw_case_plan
 from groundslab.views.report.drawings import draw_case, draw_soil, find_governing
 from groundslab.views.report.html import render_report
 from groundslab.views.report.input_tables import SECTIONS as CASE
-from groundslab.views.report.input_tables import input_tables
+from groundslab.views.report.input_tables import InputTable, input_tables
 from groundslab.views.report.table_layout import (
     MOST_COLUMNS,
     layout_table,
@@ -164,7 +165,12 @@ def root(plain: Results) -> Element:
 @pytest.fixture(autouse=True)
 def _quick_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
     """Spare tests the drawing of governing fields; the plain report above has true ones."""
-    monkeypatch.setattr(drawings, "plot", lambda results, _: draw_case_plan(results.model))
+    monkeypatch.setattr(drawings, "plot", lambda results, _: draw_case_plan(results.model, results.solved_model))
+
+
+def sections_of(model: Model) -> list[InputTable]:
+    """Return the sections of a case as the report lists them."""
+    return input_tables(model, list_combinations(model))
 
 
 def grids(section: Element) -> Iterator[tuple[list[str], list[list[str]]]]:
@@ -528,7 +534,7 @@ class TestEcho:
 
     def test_single_keys(self) -> None:
         """Quantities come in a fitting unit, numbers as they are, choices and flags as words."""
-        reported = {section.key: section for section in input_tables(described(["part"]))}
+        reported = {section.key: section for section in sections_of(described(["part"]))}
         plate = {row[0].text: row for row in reported["plate"].grids[0].rows}
         assert [cell.text for cell in plate["thickness"]] == ["thickness", "t", "400 mm", "thickness"]
         assert plate["E"][2].text == "30 GPa"
@@ -539,7 +545,7 @@ class TestEcho:
 
     def test_lists_share_a_unit(self) -> None:
         """Parts of one kind stand in one grid by their numbers in the case, each column in one unit."""
-        reported = {section.key: section for section in input_tables(described(["part"]))}
+        reported = {section.key: section for section in sections_of(described(["part"]))}
         points = next(grid for grid in reported["loads"].grids if grid.title.startswith("point"))
         assert [(head.text, head.unit) for head in points.heads[:4]] == [
             ("no.", ""),
@@ -554,7 +560,7 @@ class TestEcho:
 
     def test_parts_within_parts(self) -> None:
         """Layers of boreholes stand below them, each under its name."""
-        reported = {section.key: section for section in input_tables(described(["part"]))}
+        reported = {section.key: section for section in sections_of(described(["part"]))}
         titles = [grid.title for grid in reported["boreholes"].grids]
         assert titles[0] == ""
         assert [title.endswith(": layers") for title in titles[1:]] == [True] * 3
@@ -570,7 +576,7 @@ class TestEcho:
         }  # fmt: skip
         model = Model(plate=plate, ground={"kind": "winkler", "k": 2e7}, loads=[{"kind": "uniform", "q": 1e3}])
         texts = {
-            cell.text for section in input_tables(model) for grid in section.grids for row in grid.rows for cell in row
+            cell.text for section in sections_of(model) for grid in section.grids for row in grid.rows for cell in row
         }
         assert "polygon (0, 0) (8, 0) (8, 4) m; bulges 0, 0.5" in texts
         assert "rectangle, x = 7 to 7.5 m, y = 1 to 2 m" in texts
@@ -579,7 +585,7 @@ class TestEcho:
     def test_automatic_combinations_are_told(self) -> None:
         """What EN 1990 makes stands among the combinations, with its factors."""
         model = described(["part"], combinations=(), combine={"sets": ["ultimate"]})
-        reported = {section.key: section for section in input_tables(model)}
+        reported = {section.key: section for section in sections_of(model)}
         (grid,) = reported["combinations"].grids
         assert "1.35 part 0 + 1.5 part 1" in {row[3].text for row in grid.rows}
 
@@ -596,7 +602,7 @@ class TestDrawings:
 
     def test_plan_has_dimensions_names_and_notes(self) -> None:
         """The sides in meters, names of what stands there, numbers of loads; what is too far away is named."""
-        drawn = draw_case(described(["part"]))
+        drawn = draw_case(described(["part"]), as_solved(described(["part"])))
         found = [each.text for each in page(drawn.svg).all("text")]
         assert {"9.6", "7.2", "L2", "L3", "L5", "x", "y"} <= set(found)
         assert "L4" not in found  # it stands on a column
@@ -605,7 +611,7 @@ class TestDrawings:
 
     def test_plan_is_to_scale(self) -> None:
         """The plate's outline has the proportions of the plate, y upwards."""
-        figure = draw_case_plan(described(["part"]))
+        figure = draw_case_plan(described(["part"]), as_solved(described(["part"])))
         (axes,) = figure.axes
         outline = axes.patches[0]
         corners = axes.transData.transform(outline.get_xy())
@@ -620,7 +626,7 @@ class TestDrawings:
             "thickness": 0.4, "E": 30e9, "nu": 0.2,
         }  # fmt: skip
         model = Model(plate=plate, ground={"kind": "winkler", "k": 2e7}, loads=[{"kind": "uniform", "q": 1e3}])
-        found = texts(draw_case_plan(model))
+        found = texts(draw_case_plan(model, as_solved(model)))
         assert [found.count(length) for length in ("12", "18", "30", "10", "20")] == [1, 1, 1, 2, 1]
 
     def test_labels_keep_apart(self) -> None:

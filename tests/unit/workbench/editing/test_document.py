@@ -146,8 +146,17 @@ def test_tables_on_the_way_are_made() -> None:
 
 def test_what_is_removed_takes_its_own_comments_only() -> None:
     """A removed load takes the comments within it; the heading of the list and what follows stay."""
-    text = edited(casefile.starter(), "remove", ["loads", 1])
-    lost = changes(casefile.starter(), text)
+    machine = """
+[[loads]]
+kind = "patch"                 # on a rectangle
+# case = "imposed"
+q = "200 kPa"
+x = ["1 m", "2.5 m"]
+y = ["-0.5 m", "1 m"]
+"""
+    given = casefile.starter() + machine
+    text = edited(given, "remove", ["loads", 1])
+    lost = changes(given, text)
     assert all(line.startswith("-") for line in lost)
     noted = [line for line in lost if "#" in line]
     assert noted == ['-kind = "patch"                 # on a rectangle', '-# case = "imposed"']

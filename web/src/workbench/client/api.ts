@@ -2,7 +2,7 @@
 
 import type { DrawingChoice, Survey } from "../drawing/survey";
 import type { Change } from "../model/changes/edits";
-import { type Issue, issueLine } from "../model/issues";
+import { type Issue, issueLine, type Remark } from "../model/issues";
 import { isTable, type Json, type Table, tableAt } from "../model/paths";
 
 /** Unsaved work that an earlier run of the server has kept. */
@@ -22,6 +22,8 @@ export interface DocState {
   /** Whether the server is still reading the text: issues are not known yet, the plan is the previous one. */
   checking?: boolean;
   issues: Issue[];
+  /** Remarks on a case that has no issues, such as loads that act in no combination. */
+  remarks?: Remark[];
   plan: Table | null;
   file: string | null;
   /** Where results that are only looked at are from; the page then edits and solves nothing. */

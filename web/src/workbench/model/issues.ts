@@ -20,6 +20,16 @@ export interface Issue {
   line?: number;
 }
 
+/** What a reader should know of a case that is right. */
+export interface Remark {
+  location: string;
+  path: Path;
+  words: string;
+  /** Whether no design should pass before somebody has looked at it. */
+  doubtful: boolean;
+  line?: number;
+}
+
 /** Return the issues of a value: at its path or below. */
 export function issuesAt(issues: readonly Issue[], path: Path): Issue[] {
   return issues.filter((issue) => startsWith(issue.path, path));
@@ -61,4 +71,10 @@ export function issueLine(issue: IssueText & Pick<Issue, "location">): string {
 /** Return how many issues there are, empty for none. */
 export function issueCount(count: number): string {
   return count === 0 ? "" : count === 1 ? "1 error" : `${count} errors`;
+}
+
+/** Return how many issues and remarks there are. */
+export function countText(issues: number, remarks: number): string {
+  const words = remarks === 1 ? "1 remark" : `${remarks} remarks`;
+  return issueCount(issues) || (remarks > 0 ? `No errors, ${words}` : "No errors");
 }

@@ -2,11 +2,11 @@
 import { button, fillOptions, h, setText } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
 import type { Change } from "../model/changes/edits";
-import { addLoadCase } from "../model/changes/new-items";
 import { defaultsFor } from "../model/defaults";
 import { UNPLACED } from "../model/items";
 import { namesIn } from "../model/names";
 import { listAt, type Path, type Table, tableAt } from "../model/paths";
+import { newCase } from "./new-case";
 
 interface Part {
   readonly element: HTMLElement;
@@ -17,13 +17,18 @@ interface Part {
 export function caseChoice(store: Store, push: (change: Change) => void, onChoose: (name: string) => void): Part {
   const title = "Loads of this case stand out, and new loads belong to it";
   const select = h("select", { "aria-label": "load case shown", title, onchange: () => onChoose(select.value) });
-  const input = h("input", { "aria-label": "name of the new load case", placeholder: "name, Enter", hidden: true });
-  const add = button("+ case", "Add a load case, which new loads belong to", () => ask(true), "small");
-  const ask = (isAsked: boolean) => {
-    input.hidden = !isAsked;
-    add.hidden = isAsked;
-    if (isAsked) input.focus();
+  const ask = () => {
+    add.hidden = true;
+    asked.show(true);
   };
+  const add = button("+ case", "Add a load case, which new loads belong to", ask, "small");
+  const asked = newCase(store, push, (name) => {
+    add.hidden = false;
+    if (name === null) return;
+    update();
+    select.value = name;
+    onChoose(select.value);
+  });
   const update = () => {
     const names = namesIn(listAt(store.data, ["cases"]));
     const before = select.value;
@@ -32,22 +37,7 @@ export function caseChoice(store: Store, push: (change: Change) => void, onChoos
     add.disabled = store.broken;
     if (select.value !== before) onChoose(select.value);
   };
-  const finish = () => {
-    const name = input.value.trim();
-    if (!name || store.broken) return;
-    const change = addLoadCase(store.data, name);
-    if (change.edits.length > 0) push(change);
-    update();
-    select.value = name;
-    onChoose(select.value);
-    input.value = "";
-    ask(false);
-  };
-  input.addEventListener("keydown", (event) => {
-    if (event.key === "Enter") finish();
-    else if (event.key === "Escape") ask(false);
-  });
-  return { element: h("div", { class: "case-choice" }, select, input, add), update };
+  return { element: h("div", { class: "case-choice" }, select, asked.element, add), update };
 }
 
 /** Loads on the entire slab, and buttons that add them. */

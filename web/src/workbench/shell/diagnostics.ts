@@ -1,17 +1,17 @@
-// All issues of the case file below the model; each leads to its field.
+// All issues of the case file below the model, and remarks on one without any; each leads to its field.
 import { fill, h } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
 import { type Push, repairButtons } from "../help/repairs";
-import type { Issue } from "../model/issues";
-import { issueCount, issueLine } from "../model/issues";
+import type { Issue, Remark } from "../model/issues";
+import { countText, issueLine } from "../model/issues";
 
 export interface IssueList {
   readonly element: HTMLElement;
   open(): void;
 }
 
-/** The line with the number of issues, and the list that it opens; `onChoose` is called with an issue that is clicked, `push` with a repair. */
-export function issueList(store: Store, onChoose: (issue: Issue) => void, push: Push): IssueList {
+/** The line with the number of issues, and the list that it opens; `onChoose` is called with an issue or a remark that is clicked, `push` with a repair. */
+export function issueList(store: Store, onChoose: (chosen: Issue | Remark) => void, push: Push): IssueList {
   const count = h("span", { class: "issue-count" });
   const rows = h("ul");
   const first = h("span", { class: "first-issue" });
@@ -26,18 +26,26 @@ export function issueList(store: Store, onChoose: (issue: Issue) => void, push: 
       repairButtons(issue, push, () => summary.focus()),
     );
   };
+  const makeRemark = (remark: Remark) => {
+    const attributes = { type: "button", class: "issue remark", onclick: () => onChoose(remark) } as const;
+    return h("li", {}, h("button", attributes, `Remark: ${remark.words}`));
+  };
+  let isEmpty = true;
   store.on(["doc"], () => {
-    const issues = store.doc?.issues ?? [];
+    const { issues = [], remarks = [] } = store.doc ?? {};
+    isEmpty = issues.length + remarks.length === 0;
     element.classList.toggle("bad", issues.length > 0);
-    count.textContent = store.doc?.checking ? "Checking …" : issueCount(issues.length) || "No errors";
-    first.textContent = issues[0] ? issueLine(issues[0]) : "";
-    if (issues.length === 0) element.open = false;
-    fill(rows, ...issues.map(makeRow));
+    element.classList.toggle("doubtful", issues.length === 0 && remarks.some((remark) => remark.doubtful));
+    element.classList.toggle("filled", !isEmpty);
+    count.textContent = store.doc?.checking ? "Checking …" : countText(issues.length, remarks.length);
+    first.textContent = issues[0] ? issueLine(issues[0]) : (remarks[0]?.words ?? "");
+    if (isEmpty) element.open = false;
+    fill(rows, ...issues.map(makeRow), ...remarks.map(makeRemark));
   });
   element.addEventListener("click", (event) => {
     // nothing to open
     const isRow = event.target instanceof Node && rows.contains(event.target);
-    if (store.doc?.issues.length === 0 && !isRow) event.preventDefault();
+    if (isEmpty && !isRow) event.preventDefault();
   });
   const open = () => {
     element.open = true;

@@ -12,7 +12,7 @@ import { fieldHelp } from "../help/field-help";
 import { asksForKeys, showKeys } from "../help/keys";
 import { isTourTaken, startTour } from "../help/tour";
 import type { Change } from "../model/changes/edits";
-import type { Issue } from "../model/issues";
+import type { Issue, Remark } from "../model/issues";
 import type { Path } from "../model/paths";
 import { Schema } from "../model/schema";
 import { planEditor } from "../plan/plan-editor";
@@ -123,7 +123,7 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
     },
   );
   const shown: Partial<Record<string, { reveal(path: Path): boolean }>> = { plan, tables: sheets };
-  const reveal = (issue: Issue) => {
+  const reveal = (issue: Issue | Remark) => {
     if (issue.path.length === 0 || views.current() === "text") {
       views.show("text");
       text.reveal(issue.line ?? 1);

@@ -171,18 +171,32 @@ function inCase(data: Table, chosen: string): Table {
   return name ? { case: name } : {};
 }
 
-/** Return the change that adds a load case; loads that had none belong to the first case. */
-export function addLoadCase(data: Table, name: string): Change {
-  const cases = listAt(data, ["cases"]);
-  const edits: Edit[] = namesIn(cases).includes(name)
-    ? []
-    : [{ op: "add", path: ["cases"], value: { name, ...defaultsFor("LoadCase", data) } }];
-  if (cases.length === 0)
-    for (const list of ["loads", "moves"])
-      listAt(data, [list]).forEach((each, n) => {
-        if (isTable(each) && each.case === undefined) edits.push({ op: "set", path: [list, n, "case"], value: name });
-      });
+/** What a load case can be; combinations depend on it, so that nobody but the user knows. */
+export const ACTIONS = ["permanent", "variable", "accidental", "seismic"] as const;
+export type Action = (typeof ACTIONS)[number];
+
+/** Return the change that adds a load case of an action; beside the first one loads without a case go to `owner`, a permanent case that is added if it is another one. */
+export function addLoadCase(data: Table, name: string, action: Action, owner = name): Change {
+  const added =
+    owner === name
+      ? [{ name, action }]
+      : [
+          { name: owner, action: "permanent" },
+          { name, action },
+        ];
+  const edits: Edit[] = added.map((value) => ({ op: "add", path: ["cases"], value }));
+  edits.push(...uncased(data).map((path): Edit => ({ op: "set", path: [...path, "case"], value: owner })));
   return { edits, text: `add load case ${name}` };
+}
+
+/** Return how many loads and moves the first case has to settle, as they have none; 0 where there are cases. */
+export const countUncased = (data: Table) => uncased(data).length;
+
+function uncased(data: Table): Path[] {
+  if (listAt(data, ["cases"]).length > 0) return [];
+  return ["loads", "moves"].flatMap((list) =>
+    listAt(data, [list]).flatMap((item, n): Path[] => (isTable(item) && item.case === undefined ? [[list, n]] : [])),
+  );
 }
 
 /** Return a copy of the ground for a soil zone, which has to be of the same kind with as many layers. */

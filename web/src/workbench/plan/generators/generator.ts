@@ -37,7 +37,8 @@ export function chosenCase(data: Table, values: Values, name: string): { edits: 
   if (cases.includes(chosen)) return { edits: [], case: chosen };
   const free = freeName(cases, name);
   const others = [...listAt(data, ["loads"]), ...listAt(data, ["moves"])].some(isTable);
-  const before = cases.length === 0 && others ? addLoadCase(data, freeName([free], "permanent")).edits : [];
+  const before =
+    cases.length === 0 && others ? addLoadCase(data, freeName([free], "permanent"), "permanent").edits : [];
   return {
     edits: [...before, { op: "add", path: ["cases"], value: { name: free, action: "variable" } }],
     case: free,

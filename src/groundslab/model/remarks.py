@@ -1,0 +1,213 @@
+"""Remarks on a case that is right and yet may not say what was meant: above all, loads that act nowhere.
+
+Nothing is left out for being dominated: contact makes the response nonlinear, so that a combination with less load can
+govern. Only one of the same limit state with the same factors repeats another.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from groundslab.model.case_use import CaseUse, case_uses
+from groundslab.model.loads.clipping import find_clipped_loads
+from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH, Combination, LimitState
+from groundslab.model.loads.load_types import AnyLoad
+from groundslab.model.loads.patterns import absent_forces
+from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.wording import listed, quote
+
+if TYPE_CHECKING:
+    from groundslab.model.model import Model
+
+#: So many combinations that repeat others are named.
+MOST_NAMED = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Remark:
+    """A remark on a place of the case file.
+
+    Attributes
+    ----------
+    path : tuple of str or int
+        Keys and positions (from 0) of what it is on.
+    words : str
+        The remark.
+    doubtful : bool
+        Whether no design should pass before somebody has looked at it.
+    of : str
+        The load case or pattern that it is on, if any.
+    """
+
+    path: tuple[str | int, ...]
+    words: str
+    doubtful: bool = False
+    of: str = ""
+
+    @property
+    def location(self) -> str:
+        """Return the place as errors write it, positions counted from 1."""
+        return RelativeIssue(self.path, "", "").issue("").location
+
+
+def find_remarks(model: Model, combinations: Sequence[Combination]) -> tuple[Remark, ...]:
+    """Return the remarks on a model and its combinations, in the order of the file.
+
+    Parameters
+    ----------
+    model : Model
+        The case as written.
+    combinations : sequence of Combination
+        What is solved of it.
+
+    Returns
+    -------
+    tuple of Remark
+        The remarks.
+    """
+    uses = case_uses(model, combinations)
+    return (
+        *_on_cases(uses),
+        *_on_limit_states(uses, combinations),
+        *_on_cases_by_themselves(model, uses),
+        *_on_clipped_loads(model),
+        *_on_patterns(model),
+        *_on_repeated(model, uses, combinations),
+        *_on_combine(model, uses, combinations),
+        *_on_uplift(model, uses, combinations),
+    )
+
+
+def _on_cases(uses: Sequence[CaseUse]) -> Iterator[Remark]:
+    """Yield the cases without loads, and those that act in no combination."""
+    for position, use in enumerate(uses):
+        place, name = ("cases", position), quote(use.case.name)
+        if use.empty:
+            yield Remark(place, f"case {name} has no loads", doubtful=True, of=use.case.name)
+        elif not use.acting:
+            where = "has the factor 0 wherever it is named" if use.named else "acts in no combination"
+            yield Remark(place, f"case {name} {where}: {_loads(use)} left out", doubtful=True, of=use.case.name)
+
+
+def _loads(use: CaseUse) -> str:
+    """Return the loads of a case in words, with the verb that goes with them."""
+    if not use.loads:
+        return "its horizontal force is"
+    return "its load is" if use.loads == 1 else f"its {use.loads} loads are"
+
+
+#: Limit states that are judged together, and their name.
+_FAMILIES: tuple[tuple[str, tuple[LimitState, ...]], ...] = (
+    ("of strength", STRENGTH), ("of serviceability", SERVICEABILITY),
+)  # fmt: skip
+
+
+def _on_limit_states(uses: Sequence[CaseUse], combinations: Sequence[Combination]) -> Iterator[Remark]:
+    """Yield the cases that act in some combinations, but in none for strength, or in none for serviceability.
+
+    A variable case may have no part in serviceability, as with psi_2 = 0; accidental and seismic ones have none.
+    """
+    there = {combination.limit_state for combination in combinations}
+    for words, states in _FAMILIES:
+        if not there & set(states):
+            continue
+        for position, use in enumerate(uses):
+            name, action = use.case.name, use.case.action
+            acting = {part.limit_state for part in use.acting}
+            if use.empty or not acting or acting & set(states) or action not in ("permanent", "variable"):
+                continue
+            doubtful = action == "permanent" or states == STRENGTH
+            text = f"case {quote(name)} acts in no combination {words}"
+            yield Remark(("cases", position), text, doubtful, name)
+
+
+def _on_cases_by_themselves(model: Model, uses: Sequence[CaseUse]) -> Iterator[Remark]:
+    """Yield that no cases act together, where nothing combines them; doubtful where anything is checked then."""
+    loaded = [use for use in uses if not use.empty]
+    if model.combinations or model.combine is not None or len(loaded) < 2:
+        return
+    checked = any(part is not None for part in (model.limits, model.soil_strength, model.floor))
+    words = "each case is solved by itself: without [[combinations]] or [combine] no two of them act together"
+    yield Remark(("cases",), words, doubtful=checked)
+
+
+def _on_clipped_loads(model: Model) -> Iterator[Remark]:
+    """Yield the loads of which a part does not act."""
+    for clipped in find_clipped_loads(model.plate, model.loads, model.plates):
+        yield Remark(("loads", clipped.number - 1), clipped.words())
+
+
+def _on_patterns(model: Model) -> Iterator[Remark]:
+    """Yield the patterns that no move places, and the paths on which forces stand beside the plate."""
+    placed = {move.pattern for move in model.moves}
+    for position, pattern in enumerate(model.patterns):
+        if pattern.name not in placed:
+            words = f"pattern {quote(pattern.name)} is placed by no move: its forces are left out"
+            yield Remark(("patterns", position), words, doubtful=True, of=pattern.name)
+    for position, words in absent_forces(model.plate, model.patterns, model.moves, model.plates):
+        yield Remark(("moves", position), words)
+
+
+def _on_repeated(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Combination]) -> Iterator[Remark]:
+    """Yield that combinations of one limit state have the same factors of all cases that are not empty."""
+    empty = {use.case.name for use in uses if use.empty}
+    first: dict[tuple[LimitState, frozenset[tuple[str, float]]], str] = {}
+    repeated: dict[str, str] = {}
+    for combination in combinations:
+        factors = frozenset((name, factor) for name, factor in combination.factors if factor and name not in empty)
+        known = first.setdefault((combination.limit_state, factors), combination.name)
+        if known != combination.name:
+            repeated[combination.name] = known
+    if repeated:
+        pairs = [f"{quote(name)} is the same as {quote(known)}" for name, known in repeated.items()]
+        more = f" and {len(pairs) - MOST_NAMED} more" if len(pairs) > MOST_NAMED else ""
+        key = "combinations" if model.combinations else "combine" if model.combine is not None else "cases"
+        yield Remark((key,), f"combinations with the same factors: {', '.join(pairs[:MOST_NAMED])}{more}")
+
+
+def _on_combine(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Combination]) -> Iterator[Remark]:
+    """Yield that no case is variable, so that live loads would have the factor of dead ones; and sets of nothing.
+
+    It matters in ultimate combinations, where the factors differ. Equilibrium and uplift may be of permanent actions
+    alone, as under ground water.
+    """
+    if model.combine is None:
+        return
+    there = {combination.limit_state for combination in combinations}
+    for state in (state for state in model.combine.sets if state not in there):
+        yield Remark(("combine", "sets"), f"{quote(state)} makes no combination: all its factors are 0", doubtful=True)
+    loaded = [use.case for use in uses if not use.empty]
+    if set(model.combine.sets) <= {"equilibrium", "uplift"} or any(case.action == "variable" for case in model.cases):
+        return
+    permanent = [quote(case.name) for case in loaded if case.action == "permanent"]
+    if permanent:
+        are = f"{listed(permanent, 'and')} {'is' if len(permanent) == 1 else 'are'}"
+        words = f'no case is variable: {are} combined as permanent; a live load needs action = "variable"'
+        yield Remark(("combine",), words, doubtful="ultimate" in model.combine.sets)
+
+
+def _on_uplift(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Combination]) -> Iterator[Remark]:
+    """Yield that nothing acts upwards in the combinations of uplift, and cases upwards that take no part in them."""
+    if not any(combination.limit_state == "uplift" for combination in combinations):
+        return
+    lifting = {load.case for load in model.loads if acts_upwards(load)}
+    inside = {use.case.name for use in uses if any(part.limit_state == "uplift" for part in use.acting)}
+    if not lifting & inside:
+        key = "combine" if model.combine is not None and "uplift" in model.combine.sets else "combinations"
+        words = "nothing acts upwards in the combinations of uplift; water below is a load with q below 0"
+        yield Remark((key,), words, doubtful=True)
+    for position, use in enumerate(uses):
+        case = use.case
+        if case.name in lifting - inside and case.action != "seismic":
+            hint = "; [combine] makes none with accidental actions, [[combinations]] can list one"
+            words = f"case {quote(case.name)} acts upwards, but in no combination of uplift"
+            words += hint if case.action == "accidental" else ""
+            yield Remark(("cases", position), words, doubtful=True, of=case.name)
+
+
+def acts_upwards(load: AnyLoad) -> bool:
+    """Return whether a load lifts the plate somewhere, by its values where they are given."""
+    lifting = ("force", "force per length", "pressure")
+    return any(value < 0 for _, value, dimension in load.magnitudes if dimension in lifting)

@@ -1,0 +1,58 @@
+// What a new load case is asked for: its name, its action, and where loads belong that had no case before the first one.
+import { fillOptions, h } from "../../viewer/shared/dom";
+import type { Store } from "../client/store";
+import type { Change } from "../model/changes/edits";
+import { ACTIONS, type Action, addLoadCase, countUncased } from "../model/changes/new-items";
+import { freeName, namesIn } from "../model/names";
+import { listAt } from "../model/paths";
+
+export interface NewCase {
+  readonly element: HTMLElement;
+  /** Ask, or stop to. */
+  show(isAsked: boolean): void;
+}
+
+/** The fields of a new load case; it is made as soon as all are filled in. `done` is called with its name, or without one. */
+export function newCase(store: Store, push: (change: Change) => void, done: (name: string | null) => void): NewCase {
+  const name = h("input", { "aria-label": "name of the new load case", placeholder: "name, Enter" });
+  const action = h("select", { "aria-label": "action of the new load case" });
+  const others = h("select", { "aria-label": "loads without a case" });
+  const element = h("span", { class: "new-case", hidden: true }, name, action, others);
+  const ownCase = () => freeName([name.value.trim()], "permanent");
+  const show = (isAsked: boolean) => {
+    element.hidden = !isAsked;
+    name.value = "";
+    fillOptions(action, [["", "action?"], ...ACTIONS.map((each) => [each, each] as const)]);
+    const count = countUncased(store.data);
+    const words = count === 1 ? "the load so far?" : `the ${count} loads so far?`;
+    fillOptions(others, [
+      ["", words],
+      ["in it", "in this case"],
+      ["apart", "in a permanent case of their own"],
+    ]);
+    others.hidden = count === 0;
+    if (isAsked) name.focus();
+  };
+  const isKnown = () => namesIn(listAt(store.data, ["cases"])).includes(name.value.trim());
+  const goOn = () => {
+    const text = name.value.trim();
+    if (store.broken || !text) return name.focus();
+    if (!isKnown()) {
+      if (!action.value) return action.focus();
+      if (!others.hidden && !others.value) return others.focus();
+      const owner = others.value === "apart" ? ownCase() : text;
+      push(addLoadCase(store.data, text, action.value as Action, owner));
+    }
+    show(false);
+    done(text);
+  };
+  action.addEventListener("change", goOn);
+  others.addEventListener("change", goOn);
+  element.addEventListener("keydown", (event) => {
+    if (event.key === "Enter") goOn();
+    if (event.key !== "Escape") return;
+    show(false);
+    done(null);
+  });
+  return { element, show };
+}
