@@ -86,7 +86,7 @@ def test_plans_show_every_load_with_its_value(kind: str) -> None:
     pyplot.close(figure)
     shown = kind in {"uniform", "patch", "area", "line", "line moment", "point"}
     assert bool(drawn) == shown
-    pyplot.close(draw_case_plan(slab))
+    pyplot.close(draw_case_plan(slab, slab))
 
 
 @pytest.mark.parametrize("kind", LOADS)

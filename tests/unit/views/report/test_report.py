@@ -49,11 +49,12 @@ from groundslab.views.report.table_layout import (
     split_words,
     summarize_table,
 )
-from groundslab.views.scene.binary import LEVELS, unpack, values_of
+from groundslab.views.scene.binary import LEVELS
 from groundslab.views.summary import sections
 from groundslab.views.summary.terminal import shown_row
 from helpers import synthetic
 from helpers.pages import Element, page
+from helpers.scenes import unpack, values_of
 
 #: Chapters in their order; the viewer stands in a section that is not on paper.
 CHAPTERS = [
