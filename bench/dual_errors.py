@@ -17,6 +17,7 @@ from groundslab.accuracy.energy import energy_errors
 from groundslab.accuracy.values import estimate_error
 from groundslab.analysis import driver, nested
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy
+from groundslab.analysis.task import task_of
 from groundslab.arrays import Array
 from groundslab.fem import plate
 from groundslab.fem.problem import BETA_X, BETA_Y, W
@@ -52,7 +53,7 @@ def solve(model: Model) -> Solution:
     """Return the solution on the finest mesh."""
     hierarchy = MeshHierarchy(model, factorization.choose("auto")[1], 0, 1.0, False)
     (combination,) = list_combinations(model)
-    factors = driver._case_factors(model, combination)
+    factors = np.array(task_of(model, combination).factors)
     return nested.solve_nested(hierarchy, combination.name, factors, lambda _: None)[0][-1]
 
 

@@ -36,7 +36,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.accuracy.judgment import judge
-from groundslab.analysis import driver, gamma_iteration, mesh_hierarchy, nested, pressure_iteration
+from groundslab.analysis import driver, gamma_iteration, mesh_hierarchy, nested, pressure_iteration, run, task
 from groundslab.arrays import Array
 from groundslab.case import casefile
 from groundslab.discretize.discretize import discretize
@@ -89,8 +89,8 @@ PHASES: list[tuple[str, Any, str]] = [
     ("contact, all meshes and strips", contact, "solve"),
     ("of which analysis and factorisations", factor_reuse.CachedFactorization, "factorize"),
     ("of which solutions with the factor", pardiso.Pardiso, "solve"),
-    ("recovery", driver, "recover"),
-    ("certificate", driver, "certificate"),
+    ("recovery", task, "recover"),
+    ("certificate", task, "certificate"),
 ]
 #: Variants of the ground: how many are solved each time, and by how much k0 and k1 scatter.
 VARIANTS, SCATTER = 10, 0.3
@@ -526,7 +526,7 @@ def case(path: str, times: int) -> dict[str, Any]:
             figures["whole process / bare"].append(whole / least)
     # single combinations, so that times in the solver do not overlap
     pardiso.Pardiso._call = timed(pardiso.Pardiso._call, "solver", spent)  # type: ignore[method-assign]
-    driver.MAX_LANES = 1
+    run.MAX_LANES = 1
     for _ in range(times):
         spent.clear()
         solving = measure(driver.solve, model)[0]

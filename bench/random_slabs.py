@@ -26,13 +26,13 @@ import numpy as np
 from groundslab.accuracy.judgment import LIMITED, JudgedValue, judge, judged_values
 from groundslab.analysis import driver
 from groundslab.analysis.adaptivity import extents_of
+from groundslab.analysis.run import Setting
 from groundslab.arrays import Array
 from groundslab.discretize.plan_layout import Meshes
 from groundslab.errors import GroundslabError
 from groundslab.fem.mesh import Mesh, locate_nearest
 from groundslab.fem.shape_functions import q9
 from groundslab.meshing.sizing import LocalExtents
-from groundslab.model.combinations import list_combinations
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.results import CombinationResult
@@ -103,9 +103,7 @@ def random_slab(seed: int, accuracy: float) -> Model:
 
 def solve_on(model: Model, sizes: LocalExtents | None) -> CombinationResult:
     """Return the results on one mesh with elements of given extents in places."""
-    combinations = list_combinations(model)
-    outcomes = driver._outcomes(model, combinations, None, Meshes(local=sizes))
-    return driver._combine(model, combinations, outcomes).only
+    return driver.analyze(model, Setting(model, Meshes(local=sizes)), lambda _: None).only
 
 
 def true_errors(results: CombinationResult, truth: CombinationResult, of_truth: list[tuple[str, JudgedValue]]) -> Array:

@@ -11,8 +11,8 @@ import groundslab
 from groundslab.accuracy.energy import energy_errors
 from groundslab.accuracy.values import estimate_error
 from groundslab.analysis import nested
-from groundslab.analysis.driver import _case_factors
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy
+from groundslab.analysis.task import task_of
 from groundslab.arrays import Array
 from groundslab.fem import plate
 from groundslab.fem.mesh import locate
@@ -66,7 +66,7 @@ def solution_of(model: Model) -> Solution:
     """Return the solution on the finest mesh."""
     hierarchy = MeshHierarchy(model, factorization.choose("auto")[1], 0, 1.0, False)
     (combination,) = list_combinations(model)
-    found, _ = nested.solve_nested(hierarchy, combination.name, _case_factors(model, combination), lambda _: None)
+    found, _ = nested.solve_nested(hierarchy, combination.name, task_of(model, combination).factors, lambda _: None)
     return found[-1]
 
 

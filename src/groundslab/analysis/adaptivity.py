@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TypeVar
 
 import numpy as np
 
@@ -16,6 +17,8 @@ from groundslab.meshing.sizing import join
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.results import CombinationResult, Results
+
+Kept = TypeVar("Kept")
 
 #: So many meshes are made at most,
 MOST_MESHES = 5
@@ -45,18 +48,22 @@ ORDERS = (1.0, 2.0)
 
 def solve_adaptively(
     model: Model,
-    solve: Callable[[Meshes], Results],
+    solve: Callable[[Meshes], tuple[Results, Kept]],
     share: float = 1.0,
     on_mesh: Callable[[Results], None] | None = None,
-) -> Results:
+) -> tuple[Results, Kept]:
     """Return the results of a model on meshes that are refined until the judged errors are within mesh.accuracy.
 
     Or within a share of it. Or until those that are not fall no more, another mesh would have too many unknowns, or
     MOST_MESHES were made: then the accuracy is missed. Where the mesh is not adaptive, the first one is the only one.
-    on_mesh is called with the results on each mesh before the next one is made.
+    on_mesh is called with the results on each mesh before the next one is made. What `solve` returns beside the results
+    is returned with the last ones.
     """
-    start, accuracy = local_sizes(model), share * model.mesh.largest_error
-    results, before, spent = solve(Meshes(local=start)), dict[str, dict[str, float]](), 0
+    start = local_sizes(model)
+    accuracy = share * model.mesh.largest_error
+    results, kept = solve(Meshes(local=start))
+    before: dict[str, dict[str, float]] = {}
+    spent = 0
     for count in range(1, MOST_MESHES if model.mesh.adaptive else 0):
         judged = {name: judge(found) for name, found in results.items()}
         # on the first mesh, which may be coarser than footprints, no error says how it falls
@@ -87,8 +94,8 @@ def solve_adaptively(
             on_mesh(results)
         ratio = sizes / np.sqrt(area)
         extents = np.maximum(ratio, KEPT * ratio**2)[:, None] * extents_of(mesh)
-        results = solve(Meshes(local=join((mesh.xy[:, 8], extents), start)))
-    return results
+        results, kept = solve(Meshes(local=join((mesh.xy[:, 8], extents), start)))
+    return results, kept
 
 
 def extents_of(mesh: Mesh) -> Array:

@@ -16,7 +16,6 @@ from groundslab.discretize.plan_layout import coarsest, has_coarser
 from groundslab.errors import NoEquilibrium, NotConverged, SingularMatrix
 from groundslab.fem.problem import W
 from groundslab.fem.system import System
-from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.model.plates.joints import play_of
 from groundslab.results.record import Step
@@ -102,9 +101,9 @@ def _solve_from(hierarchy: MeshHierarchy, combination: str, factors: Array, foun
     return solve_nested(hierarchy, combination, factors, _ignore)[0][-1]
 
 
-def required_coarsenings(hierarchy: MeshHierarchy, combinations: Sequence[Combination]) -> list[int]:
+def required_coarsenings(hierarchy: MeshHierarchy, combinations: Sequence[str]) -> list[int]:
     """Return how often the mesh is coarsened for each of the meshes on which the combinations will be solved."""
-    known = all(hierarchy.has_reference(each.name) for each in combinations)
+    known = all(map(hierarchy.has_reference, combinations))
     return [hierarchy.finest] if known else _coarsenings(hierarchy)
 
 

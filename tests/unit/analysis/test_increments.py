@@ -11,7 +11,7 @@ import meshio
 import numpy as np
 import pytest
 
-from groundslab.analysis import driver
+from groundslab.analysis import driver, task
 from groundslab.errors import NotCertified
 from groundslab.model.model import Model
 from groundslab.results.record import Certificate
@@ -66,14 +66,14 @@ def test_one_increment_has_no_states_on_the_way() -> None:
 
 def test_the_worst_certificate_of_all_increments_counts() -> None:
     """If the state under a share of the load is bad the results are not certified, however good the last one is."""
-    certificate, made = driver.certificate, list[Certificate]()
+    certificate, made = task.certificate, list[Certificate]()
 
     def second_is_bad(solution: object, effect: float | None) -> Certificate:
         proof = certificate(solution, effect)  # type: ignore[arg-type]
         made.append(proof)
         return replace(proof, residual=0.125) if len(made) == 2 else proof
 
-    with patch.object(driver, "certificate", second_is_bad), pytest.raises(NotCertified) as caught:
+    with patch.object(task, "certificate", second_is_bad), pytest.raises(NotCertified) as caught:
         driver.solve(model(increments=3))
     assert len(made) == 3
     assert caught.value.results.certificate.residual == 0.125

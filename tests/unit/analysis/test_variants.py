@@ -8,7 +8,7 @@ from unittest.mock import patch
 import numpy as np
 import pytest
 
-from groundslab.analysis import driver, nested
+from groundslab.analysis import driver, nested, run
 from groundslab.errors import InputError, NoEquilibrium, NotConverged
 from groundslab.model.model import Model
 from groundslab.solvers import factorization
@@ -211,9 +211,9 @@ def test_combinations_with_the_same_factors_are_solved_once() -> None:
     loads = [{**LOADS[0], "case": "G"}, {"kind": "uniform", "q": 5e3, "case": "Q"}]
     given = model(cases=cases, combinations=combinations, loads=loads)
     begun: list[str] = []
-    with patch.object(driver, "_outcome", wraps=driver._outcome) as outcome:
+    with patch.object(run, "solve_task", wraps=run.solve_task) as solved:
         combined = driver.solve_combinations(given, None, lambda each: begun.append(each.name))
-    assert [call.args[1].name for call in outcome.call_args_list] == ["one", "other"]
+    assert [call.args[2].name for call in solved.call_args_list] == ["one", "other"]
     assert begun == list(combined.results) == ["one", "other", "two", "three"]
     one, two, three = (combined[name] for name in ("one", "two", "three"))
     assert two.plate is one.plate
@@ -232,8 +232,8 @@ def test_combinations_with_the_same_factors_are_refused_alike() -> None:
     cases = [{"name": "up"}]
     combinations = [{"name": name, "factors": {"up": 1.0}} for name in ("one", "two")]
     given = model(cases=cases, combinations=combinations, loads=[{"kind": "uniform", "q": -1e3, "case": "up"}])
-    with patch.object(driver, "_outcome", wraps=driver._outcome) as outcome:
+    with patch.object(run, "solve_task", wraps=run.solve_task) as solved:
         combined = driver.solve_combinations(given)
-    assert outcome.call_count == 1
+    assert solved.call_count == 1
     assert all(isinstance(each, NoEquilibrium) for each in combined.refused.values())
     assert list(combined.refused) == ["one", "two"]

@@ -1,0 +1,129 @@
+"""Runs tasks one after the other, or in parallel lanes, each lane with its share of the threads."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import partial
+
+from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions
+from groundslab.analysis.nested import HALVINGS, required_coarsenings
+from groundslab.analysis.parallel import run_parallel
+from groundslab.analysis.task import Outcome, Task, ends_in_tails, solve_task
+from groundslab.discretize.ground import Factors
+from groundslab.discretize.plan_layout import Meshes, coarsest
+from groundslab.discretize.serviceability.lasting_ground import with_lasting_ground
+from groundslab.model.loads.load_cases import Combination
+from groundslab.model.model import Model
+from groundslab.results.record import Step
+from groundslab.solvers import factorization
+from groundslab.solvers.direct.protocols import Solver
+
+#: At most so many tasks are solved at the same time,
+MAX_LANES = 4
+#: and only if each has no more unknowns than this: every lane needs memory for a factor.
+MAX_PARALLEL_UNKNOWNS = 400_000
+
+#: Called with a combination as it begins, and with every step of it.
+Report = Callable[[Combination | Step], None]
+#: The meshes of a model on its ground, and on the ground under lasting loads: the finest, two for the margin's effect.
+Grounds = Mapping[bool, list[MeshHierarchy]]
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """What all tasks of a model have in common.
+
+    Attributes
+    ----------
+    model : Model
+        The case as solved.
+    meshes : Meshes
+        Meshes made so far.
+    reference : ReferenceSolutions or None
+        Solutions of a similar model from which the tasks start, or where theirs are kept.
+    factors : Factors or None
+        Factors on the ground's constants, from place to place.
+    """
+
+    model: Model
+    meshes: Meshes
+    reference: ReferenceSolutions | None = None
+    factors: Factors | None = None
+
+
+def run(tasks: Mapping[Task, Combination], setting: Setting, report: Report) -> Iterator[Outcome]:
+    """Yield the outcome of each task, for the combination that it is the first of."""
+    name, solver = factorization.choose(setting.model.analysis.solver)
+    factorization.warm_up(solver)
+    grounds = _grounds(tasks, setting, solver)
+    lanes = _count_lanes(tasks, grounds, solver)
+    jobs = [partial(_solve, task, combination, setting.model, name) for task, combination in tasks.items()]
+    if lanes == 1:
+        for job in jobs:
+            yield job(grounds, report)
+        return
+    _make_what_lanes_share(tasks, setting.model, grounds)
+    # whichever lane is faster, each has the same tasks in the same order, and so the same factors to begin with
+    meshes_of_lanes = [grounds, *(_clone(grounds) for _ in range(1, lanes))]
+    by_lane = [[partial(job, meshes) for job in jobs[lane::lanes]] for lane, meshes in enumerate(meshes_of_lanes)]
+    threads = factorization.threads(solver) // lanes
+    yield from run_parallel(by_lane, report, lambda: factorization.use_threads(solver, threads))
+
+
+def _solve(
+    task: Task, combination: Combination, model: Model, solver: str, grounds: Grounds, report: Report
+) -> Outcome:
+    """Return the outcome of a task on its ground."""
+    report(combination)
+    return solve_task(task, model, combination, grounds[task.lasting], solver, report)
+
+
+def _grounds(tasks: Mapping[Task, Combination], setting: Setting, solver: Solver) -> Grounds:
+    """Return the meshes on each ground that tasks need.
+
+    Softer ground under lasting loads is another problem, of which a similar model knows nothing.
+    """
+    model = setting.model
+    keep = len(tasks) > 1 or setting.reference is not None or model.cracking is not None
+
+    def hierarchies(model: Model, reference: ReferenceSolutions | None) -> list[MeshHierarchy]:
+        # the margin's effect is judged on the next coarser mesh, where it costs little
+        level = min(HALVINGS, coarsest(model))
+        return [
+            MeshHierarchy(model, solver, finest, margin, keep, setting.meshes, setting.factors, reference)
+            for finest, margin in ((0, 1.0), (level, 1.0), (level, 2.0))
+        ]
+
+    return {
+        lasting: hierarchies(with_lasting_ground(model), None) if lasting else hierarchies(model, setting.reference)
+        for lasting in {task.lasting for task in tasks}
+    }
+
+
+def _count_lanes(tasks: Mapping[Task, Combination], grounds: Grounds, solver: Solver) -> int:
+    """Return how many tasks are solved at the same time."""
+    if len(tasks) == 1:  # it does not wait for the number of threads, which a solver tells when it is loaded
+        return 1
+    lanes = min(MAX_LANES, factorization.threads(solver), len(tasks))
+    finest = grounds[next(iter(tasks)).lasting][0]
+    if lanes > 1 and finest.level(0).system.pattern.size > MAX_PARALLEL_UNKNOWNS:
+        return 1
+    return lanes
+
+
+def _make_what_lanes_share(tasks: Mapping[Task, Combination], model: Model, grounds: Grounds) -> None:
+    """Make meshes, systems and the meshes of results before lanes clone them."""
+    names = [combination.name for combination in tasks.values()]
+    for finest, *margins in grounds.values():
+        for coarsening in required_coarsenings(finest, names):
+            finest.level(coarsening)
+        for hierarchy in margins if ends_in_tails(model) else []:
+            hierarchy.level(hierarchy.finest)
+        for coarsening in {0, 1} & finest.levels.keys():
+            finest.level(coarsening).result_mesh(model)
+
+
+def _clone(grounds: Grounds) -> Grounds:
+    """Return the same meshes with factors of their own, for use on another thread."""
+    return {lasting: [hierarchy.clone() for hierarchy in several] for lasting, several in grounds.items()}
