@@ -17,7 +17,7 @@ from groundslab.accuracy.energy import energy_errors
 from groundslab.accuracy.values import estimate_error
 from groundslab.analysis import driver, nested
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy
-from groundslab.analysis.task import task_of
+from groundslab.analysis.tasks.task import task_of
 from groundslab.arrays import Array
 from groundslab.fem import plate
 from groundslab.fem.problem import BETA_X, BETA_Y, W

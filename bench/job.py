@@ -36,7 +36,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.accuracy.judgment import judge
-from groundslab.analysis import driver, gamma_iteration, mesh_hierarchy, nested, pressure_iteration, run, task
+from groundslab.analysis import driver, gamma_iteration, mesh_hierarchy, nested, pressure_iteration
+from groundslab.analysis.tasks import run, task
 from groundslab.arrays import Array
 from groundslab.case import casefile
 from groundslab.discretize.discretize import discretize

@@ -26,7 +26,7 @@ import numpy as np
 from groundslab.accuracy.judgment import LIMITED, JudgedValue, judge, judged_values
 from groundslab.analysis import driver
 from groundslab.analysis.adaptivity import extents_of
-from groundslab.analysis.run import Setting
+from groundslab.analysis.tasks.run import Setting
 from groundslab.arrays import Array
 from groundslab.discretize.plan_layout import Meshes
 from groundslab.errors import GroundslabError

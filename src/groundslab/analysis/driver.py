@@ -10,8 +10,8 @@ from typing import Any
 from groundslab.analysis.adaptivity import solve_adaptively
 from groundslab.analysis.load_step import OnStep
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions
-from groundslab.analysis.run import Report, Setting, run
-from groundslab.analysis.task import Outcome, Task, solve_task, task_of
+from groundslab.analysis.tasks.run import Report, Setting, run
+from groundslab.analysis.tasks.task import Outcome, Task, solve_task, task_of
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes
 from groundslab.errors import GroundslabError, NotCertified

@@ -11,7 +11,8 @@ import meshio
 import numpy as np
 import pytest
 
-from groundslab.analysis import driver, task
+from groundslab.analysis import driver
+from groundslab.analysis.tasks import task
 from groundslab.errors import NotCertified
 from groundslab.model.model import Model
 from groundslab.results.record import Certificate

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import pytest
 
-from groundslab.analysis.parallel import run_parallel
+from groundslab.analysis.tasks.parallel import run_parallel
 
 Report = Callable[[str], None]
 PATIENCE = 30.0  # seconds, on a machine that has other things to do

@@ -8,7 +8,8 @@ from unittest.mock import patch
 import numpy as np
 import pytest
 
-from groundslab.analysis import driver, nested, run
+from groundslab.analysis import driver, nested
+from groundslab.analysis.tasks import run
 from groundslab.errors import InputError, NoEquilibrium, NotConverged
 from groundslab.model.model import Model
 from groundslab.solvers import factorization

@@ -8,8 +8,8 @@ from functools import partial
 
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions
 from groundslab.analysis.nested import HALVINGS, required_coarsenings
-from groundslab.analysis.parallel import run_parallel
-from groundslab.analysis.task import Outcome, Task, ends_in_tails, solve_task
+from groundslab.analysis.tasks.parallel import run_parallel
+from groundslab.analysis.tasks.task import Outcome, Task, ends_in_tails, solve_task
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes, coarsest
 from groundslab.discretize.serviceability.lasting_ground import with_lasting_ground
