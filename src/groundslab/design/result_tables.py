@@ -6,6 +6,7 @@ from collections.abc import Callable
 from functools import cache, partial
 
 from groundslab.design.bar_quantities import bars
+from groundslab.design.checks import check_design
 from groundslab.design.checks.table import checks_table
 from groundslab.design.tables import errors
 from groundslab.design.tables.columns import column_envelope, column_table
@@ -25,7 +26,8 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
     """Return the tables of results: combinations, extremes, envelopes and tilt, and those that the model asks for.
 
     Points, section lines, design strips, supports, joints, columns, reinforcement and laid bars have a table each if
-    the model names any; on a continuum, the soil below the points too. Discretization errors stand in columns at the
+    the model names any, and so have checks; on a continuum, the soil below the points too. Without results the first
+    says why, beside the checks. Discretization errors stand in columns at the
     right. docs/results.md explains every column.
 
     Parameters
@@ -62,6 +64,9 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
 def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
     """Return what makes each table of `tables_of` by the table's name; a table that others are made of is made once."""
     model = combined.model
+    checks = {"checks": lambda: checks_table(combined)} if check_design(combined).checks else {}
+    if not combined.results:
+        return {"combinations": lambda: combinations(combined)} | checks
     each = cache(lambda: errors.with_errors_of_extremes(extremes(combined), combined))
     columns = cache(lambda: errors.with_errors(column_table, combined))
     makers: dict[str, Callable[[], Table]] = {
@@ -69,9 +74,7 @@ def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
         "extremes": each,
         "envelope": lambda: errors.with_errors_of_envelope(envelopes(combined), each()),
         "tilt": lambda: errors.with_errors(tilts, combined),
-    }
-    if model.reinforcement is not None or model.limits is not None or model.floor is not None:
-        makers["checks"] = lambda: checks_table(combined)
+    } | checks
     wanted = {
         "points": (model.output.points, points),
         "soil": (isinstance(model.ground, ContinuousGround) and model.output.points, soil),
