@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from groundslab.arrays import Memo
-from groundslab.design.checks import bearing, equilibrium, floors, limits, provided, shear, strength
+from groundslab.design.checks import bearing, equilibrium, floors, limits, provided, reached, shear, strength
 from groundslab.design.checks.check import ORDER, DesignCheck, Status
 from groundslab.results.results import Results
 
@@ -23,6 +23,7 @@ CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
     floors.checks,
     bearing.checks,
     equilibrium.checks,
+    reached.checks,
     limits.checks,
 )
 

@@ -58,7 +58,9 @@ def _balanced(combined: Results, made: list[Combination]) -> DesignCheck:
     name, clause = _CHECKS[made[0].limit_state]
     solved = [each for each in made if each.name in combined.results]
     numbers = _uplift(combined, solved) if made[0].limit_state == "uplift" else {}
-    words = f"all {len(solved)} combinations are in equilibrium" if len(solved) > 1 else "the combination is in equilibrium"
+    words = f"all {len(made)} combinations are in equilibrium"
+    if len(made) == 1:
+        words = "the combination is in equilibrium"
     if len(solved) < len(made):
         words = f"{len(solved)} of {len(made)} combinations are in equilibrium, the others have no certified result"
     return DesignCheck(name, "no failure found", words, clause=clause, foundation=True, **numbers)

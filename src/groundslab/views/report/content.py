@@ -108,7 +108,7 @@ def build_page(
         "unprinted": table_layout.find_unprinted(tables),
         "history": list_steps(found),
         "pictures": list(drawings.draw_pictures(combined)),
-        "refused": [(entry.combination.name, refusal_words(entry.refused)) for entry in found if entry.refused is not None],
+        "refused": [(name, refusal_words(error)) for name, error in combined.refused.items()],
     }
 
 
@@ -120,9 +120,10 @@ def _title_block(project: Project | None) -> list[tuple[str, str]]:
 
 def _facts(combined: Results) -> Iterator[tuple[str, str]]:
     """Yield what stands in the title block beside title, program and file."""
-    count, lost, unsolved = (len(some) for some in (combined.combinations, combined.without_equilibrium, combined.unsolved))
-    parts = [f"{lost} without equilibrium"] * bool(lost) + [f"{unsolved} not solved"] * bool(unsolved)
-    yield "Combinations", f"{count}, of which {' and '.join(parts)}" if parts else str(count)
+    counts = {"without equilibrium": len(combined.without_equilibrium), "not solved": len(combined.unsolved)}
+    parts = [f"{count} {what}" for what, count in counts.items() if count]
+    total = str(len(combined.combinations))
+    yield "Combinations", f"{total}, of which {' and '.join(parts)}" if parts else total
 
 
 def _verdict(combined: Results, found: Sequence[Entry]) -> tuple[str, str]:
