@@ -43,8 +43,8 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
 
 def _supports(results: list[CombinationResult]) -> Iterator[DesignCheck]:
     """Yield what each support carries against its limits, and which one-sided supports carry nothing."""
-    for number, described in enumerate(results[0].model.supports):
-        name = results[0].supports[number].name
+    for number, (described, support) in enumerate(zip(results[0].model.supports, results[0].supports, strict=False)):
+        name = support.name
         used = {each.combination: utilization(described, each.supports[number]) for each in results}
         limited = {combination: one for combination, one in used.items() if one is not None}
         if limited:
@@ -132,7 +132,7 @@ def _play(forces: JointForces, gap: float, closed: list[str]) -> str:
         return f"{play} stays open, {step}"
     share = float(forces.length @ (forces.q != 0) / forces.length.sum())
     q = np.abs(forces.q).max() / 1e3
-    return f"{play} closes over {100 * share:.3g} % of its length in {some(closed)}; {step}, the largest force {q:.4g} kN/m"
+    return f"{play} closes over {100 * share:.3g} % of its length in {some(closed)}; {step}, with {q:.4g} kN/m"
 
 
 def _ground(results: list[CombinationResult]) -> Iterator[DesignCheck]:

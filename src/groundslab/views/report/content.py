@@ -131,9 +131,8 @@ def _verdict(combined: Results, found: Sequence[Entry]) -> tuple[str, str]:
     if not combined.refused:
         certified, coarse = sections.certified_words(len(found)), coarse_words(combined)
         return ("doubtful", f"{certified} {coarse}") if coarse else ("good", certified)
-    words = " ".join(combinations.refusal_sentences(combined))
-    rest = "The results of the others are certified." if combined.results else "There is no result to use."
-    return ("bad", f"{words} {rest}")
+    others = ["The results of the others are certified."] if combined.results else []
+    return ("bad", " ".join([*combinations.refusal_sentences(combined), *others]))
 
 
 def list_sections(combined: Results) -> list[SummarySection]:
