@@ -263,7 +263,7 @@ class TestSeveral:
     def test_refused_ones_are_told_and_the_others_kept(
         self, cases: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
     ) -> None:
-        """Of one that the program cannot solve and one that lifts the slab off the latter gives the code; both are told."""
+        """Of one that the program cannot solve and one that lifts off the latter gives the code; both are told."""
         fake(monkeypatch, "analysis.driver", solve=lambda *_: synthetic.combined())
         assert main.main(["solve", str(cases)]) == 3
         out, err = capsys.readouterr()
