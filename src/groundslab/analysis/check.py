@@ -5,11 +5,14 @@ from __future__ import annotations
 import math
 
 from groundslab.discretize.discretize import discretize
+from groundslab.errors import NoEquilibrium
 from groundslab.fem.foundation import Column
-from groundslab.model.combinations import place_patterns
+from groundslab.fem.problem import Problem
+from groundslab.model.combinations import case_factors, list_combinations, place_patterns
 from groundslab.model.consistency import estimate_elements
 from groundslab.model.model import Model
 from groundslab.solvers import factorization
+from groundslab.solvers.equilibrium import require_equilibrium
 
 #: `check` makes a mesh of at most so many elements,
 MAX_CHECKED_ELEMENTS = 20_000
@@ -40,10 +43,32 @@ def check(model: Model) -> None:
     """
     if model.analysis.solver != "auto":
         factorization.choose(model.analysis.solver)
-    model = place_patterns(model)
+    ground = _discretize(place_patterns(model), loaded=False).ground
+    if not isinstance(ground, Column):
+        ground.first_column()
+
+
+def find_unbalanced(model: Model) -> dict[str, NoEquilibrium]:
+    """Return why the foundation fails, by the names of the combinations that nothing balances, before any is solved.
+
+    Nothing is looked for where there are more than MAX_COMPARED_LOADS loads. That a balanced plate can still move, as
+    `NeutralEquilibrium` says, shows only in a solution.
+    """
+    placed, found = place_patterns(model), dict[str, NoEquilibrium]()
+    if len(placed.loads) > MAX_COMPARED_LOADS:
+        return found
+    problem = _discretize(placed, loaded=True)
+    for combination in list_combinations(model):
+        try:
+            require_equilibrium(problem.combine(case_factors(placed, combination)))
+        except NoEquilibrium as error:
+            found[combination.name] = error.with_traceback(None)
+    return found
+
+
+def _discretize(model: Model, loaded: bool) -> Problem:
+    """Return the arrays of a model on a mesh of not more than about MAX_CHECKED_ELEMENTS elements."""
     ratio = estimate_elements(model.plate, model.plates, model.mesh) / MAX_CHECKED_ELEMENTS
     if len(model.loads) > MAX_COMPARED_LOADS:
         model = model.model_copy(update={"mesh": model.mesh.replace(symmetry="off")})
-    ground = discretize(model, max(0, math.ceil(math.log2(ratio) / 2)), loaded=False).ground
-    if not isinstance(ground, Column):
-        ground.first_column()
+    return discretize(model, max(0, math.ceil(math.log2(ratio) / 2)), loaded=loaded)

@@ -7,8 +7,6 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 
-import numpy as np
-
 from groundslab.accuracy.comparison import compare
 from groundslab.analysis.adaptivity import solve_adaptively
 from groundslab.analysis.cracking_iteration import solve_cracked_meshes
@@ -16,12 +14,11 @@ from groundslab.analysis.load_step import OnStep
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions
 from groundslab.analysis.nested import HALVINGS, margin_effect, required_coarsenings, solve_nested
 from groundslab.analysis.parallel import run_parallel
-from groundslab.arrays import Array
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes, coarsest
 from groundslab.discretize.serviceability.lasting_ground import lasts, with_lasting_ground
 from groundslab.errors import GroundslabError, IllConditioned, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
-from groundslab.model.combinations import list_combinations, place_patterns
+from groundslab.model.combinations import case_factors, list_combinations, place_patterns
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
@@ -205,7 +202,7 @@ def _outcomes(
 ) -> Iterator[CombinationResult | GroundslabError]:
     """Yield for each combination its results, or why it has none; those with the same factors are solved once."""
     keys = [
-        (_cracks(model, each), lasts(model, each.limit_state), *_case_factors(model, each).tolist())
+        (_cracks(model, each), lasts(model, each.limit_state), *case_factors(model, each).tolist())
         for each in combinations
     ]
     first: dict[tuple[float, ...], Combination] = {}
@@ -309,7 +306,7 @@ def _outcome(
         steps.append(step)
         on_step(step)
 
-    factors = _case_factors(model, combination)
+    factors = case_factors(model, combination)
     try:
         (*earlier, solution), coarser = solve_nested(finest, combination.name, factors, report)
         found = (*earlier, solution)
@@ -350,9 +347,3 @@ def _with_load_shares(earlier: Sequence[Solution]) -> list[tuple[float, Solution
         own = replace(problem, loading=problem.loading.scale(share))
         found.append((share, replace(solution, system=replace(solution.system, problem=own))))
     return found
-
-
-def _case_factors(model: Model, combination: Combination) -> Array:
-    """Return the factor of each load case in a combination, (cases,)."""
-    given = dict(combination.factors)
-    return np.array([given.get(case.name, 0.0) for case in model.cases] or [1.0])

@@ -10,12 +10,15 @@ from typing import Any
 
 import pytest
 
-from groundslab.analysis import driver
+import groundslab
+from groundslab.analysis import check, driver
+from groundslab.case import casefile
 from groundslab.cli import main
-from groundslab.errors import GroundslabError, IllConditioned, NotConverged, SingularMatrix
+from groundslab.errors import GroundslabError, IllConditioned, NotCertified, NotConverged, SingularMatrix
 from groundslab.model.loads.load_cases import LimitState
 from groundslab.views.files.results_folder import load_results
 from groundslab.views.report.html import render_report
+from groundslab.workbench.solver import process
 
 #: A pad of 3 x 2 x 0.5 m, 75 kN, and a force of 100 kN with 300 kNm: with a factor f of it the resultant leaves the pad
 #: where 300 f > 1.5 (75 + 100 f), f > 0.75.
@@ -185,3 +188,63 @@ def test_what_the_program_cannot_do(
 def test_a_foundation_that_stands(case: Path) -> None:
     """Below the factor by hand the pad stands: exit code 0."""
     assert solved(case, PAD + combinations(("ULS", "ultimate", 0.74))) == 0
+
+
+def test_check_says_it_before_anything_is_solved(case: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Groundslab check ends with 3 as well, and names each combination that nothing balances; 0 if there is none."""
+    case.write_text(WIND, encoding="utf-8")
+    assert main.main(["check", str(case)]) == 3
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].startswith(f"{case}: FOUNDATION FAILS (2.4384 m x 2.4384 m plate")
+    assert lines[1].startswith(
+        '  no equilibrium in "ULS 8": the loads do not press the plate down: their sum is -25.4438'
+    )
+    assert sum("no equilibrium" in line for line in lines) == 1
+    case.write_text(PAD + combinations(("ULS", "ultimate", 0.74)), encoding="utf-8")
+    assert main.main(["check", str(case)]) == 0
+    assert capsys.readouterr().out.startswith(f"{case}: fine (")
+
+
+def test_check_leaves_many_loads_to_the_solver(case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Equilibrium is looked for among so many loads that it takes no time."""
+    monkeypatch.setattr(check, "MAX_COMPARED_LOADS", 1)
+    case.write_text(PAD + combinations(("ULS", "ultimate", 2.0)), encoding="utf-8")
+    assert main.main(["check", str(case)]) == 0
+
+
+@pytest.mark.slow
+def test_grounds_are_compared_of_what_stands(case: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """compare-ground ends with 3 where a combination topples on the continuum, which a note says; with all, at once."""
+    soil = 'ground = { kind = "continuum", layers = [{ E = "20 MPa", nu = 0.3, thickness = "4 m" }] }'
+    pad = PAD.replace('ground = { kind = "winkler", k = "30 MPa/m" }', soil)
+    case.write_text(pad + combinations(("stands", "ultimate", 0.3), ("falls", "ultimate", 1.0)), encoding="utf-8")
+    assert main.main(["compare-ground", str(case)]) == 3
+    assert 'FOUNDATION FAILS: no equilibrium on the continuum in "falls".' in " ".join(capsys.readouterr().out.split())
+    case.write_text(pad + combinations(("falls", "ultimate", 1.0)), encoding="utf-8")
+    assert main.main(["compare-ground", str(case)]) == 3
+    assert capsys.readouterr().err.startswith("FOUNDATION FAILS: the loads topple the plate")
+
+
+def test_python_raises_what_is_a_failure_and_what_is_a_gap() -> None:
+    """NoEquilibrium is a failure of the foundation; what was not computed is a NoResult."""
+    gaps = (IllConditioned, NotConverged, NotCertified, SingularMatrix)
+    assert all(issubclass(each, groundslab.NoResult) for each in gaps)
+    assert not any(issubclass(each, groundslab.NoEquilibrium) for each in gaps)
+    assert issubclass(groundslab.NeutralEquilibrium, groundslab.NoEquilibrium)
+    assert not issubclass(groundslab.NoEquilibrium, groundslab.NoResult)
+    model = casefile.loads(PAD + combinations(("falls", "ultimate", 1.0)))
+    with pytest.raises(groundslab.NoEquilibrium, match="topple"):
+        groundslab.solve(model)
+
+
+def test_the_workbench_says_it() -> None:
+    """The status line, the summary and the combination call it a failure of the foundation."""
+    text = PAD + combinations(("stands", "ultimate", 0.5), ("falls", "ultimate", 1.0))
+    answer, _, _ = process.solve(text, process.Progress(lambda _text, _share: None))
+    assert answer.refused["falls"].startswith("FOUNDATION FAILS: the loads topple the plate")
+    assert answer.summary["design"]["status"] == "fails"
+    assert answer.summary["design"]["headline"].startswith("FOUNDATION FAILS")
+    assert answer.summary["combinations"][1]["refused"] == answer.refused["falls"]
+    answer, _, _ = process.solve(PAD + combinations(("falls", "ultimate", 1.0)), process.Progress(lambda *_: None))
+    assert answer.summary["design"]["headline"].startswith("FOUNDATION FAILS")
+    assert answer.tables == ("combinations", "checks")
