@@ -64,7 +64,8 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
 def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
     """Return what makes each table of `tables_of` by the table's name; a table that others are made of is made once."""
     model = combined.model
-    checks = {"checks": lambda: checks_table(combined)} if check_design(combined).checks else {}
+    has_checks = bool(check_design(combined).checks)
+    checks: dict[str, Callable[[], Table]] = {"checks": lambda: checks_table(combined)} if has_checks else {}
     if not combined.results:
         return {"combinations": lambda: combinations(combined)} | checks
     each = cache(lambda: errors.with_errors_of_extremes(extremes(combined), combined))
