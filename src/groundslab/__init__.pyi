@@ -16,6 +16,7 @@ from .errors import IllConditioned as IllConditioned
 from .errors import InputError as InputError
 from .errors import NeutralEquilibrium as NeutralEquilibrium
 from .errors import NoEquilibrium as NoEquilibrium
+from .errors import NoResult as NoResult
 from .errors import NotCertified as NotCertified
 from .errors import NotConverged as NotConverged
 from .errors import SingularMatrix as SingularMatrix

@@ -77,22 +77,29 @@ class InputError(GroundslabError):
 
 
 class NoEquilibrium(GroundslabError):
-    """Ground pressure and supports cannot balance the loads; the message says which loads and why."""
+    """The foundation fails: ground pressure and supports cannot balance the loads; the message says which and why.
+
+    This is a result, not a gap of the program: the slab lifts, topples, or has more load than its limits allow.
+    """
 
 
 class NeutralEquilibrium(NoEquilibrium):
-    """The loads are balanced, yet the plate can move as a rigid body; the message says how."""
+    """The foundation fails: the loads are balanced, yet nothing holds the plate; the message says how it can move."""
 
 
-class IllConditioned(GroundslabError):
+class NoResult(GroundslabError):
+    """No result that could be certified was computed; this says nothing about the foundation."""
+
+
+class IllConditioned(NoResult):
     """Stiffnesses differ by more than double precision allows; the message says which, and what to change."""
 
 
-class SingularMatrix(GroundslabError):
+class SingularMatrix(NoResult):
     """A matrix that should be positive definite is not."""
 
 
-class NotCertified(GroundslabError):
+class NotCertified(NoResult):
     """A result fails its certificate.
 
     Parameters
@@ -131,7 +138,7 @@ class NotCertified(GroundslabError):
 
 
 @dataclass(eq=False)
-class NotConverged(GroundslabError):
+class NotConverged(NoResult):
     """An iteration ended without converging.
 
     Parameters

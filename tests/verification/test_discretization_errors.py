@@ -12,13 +12,12 @@ from groundslab.accuracy.energy import energy_errors
 from groundslab.accuracy.values import estimate_error
 from groundslab.analysis import nested
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy
-from groundslab.analysis.tasks.task import task_of
 from groundslab.arrays import Array
 from groundslab.fem import plate
 from groundslab.fem.mesh import locate
 from groundslab.fem.problem import plate_unknowns
 from groundslab.fem.shape_functions import gauss, jacobian, q9
-from groundslab.model.combinations import list_combinations
+from groundslab.model.combinations import case_factors, list_combinations
 from groundslab.model.model import Model
 from groundslab.results.recovery import gauss_forces, recover_fields
 from groundslab.results.result_mesh import make_result_mesh
@@ -66,7 +65,7 @@ def solution_of(model: Model) -> Solution:
     """Return the solution on the finest mesh."""
     hierarchy = MeshHierarchy(model, factorization.choose("auto")[1], 0, 1.0, False)
     (combination,) = list_combinations(model)
-    found, _ = nested.solve_nested(hierarchy, combination.name, task_of(model, combination).factors, lambda _: None)
+    found, _ = nested.solve_nested(hierarchy, combination.name, case_factors(model, combination), lambda _: None)
     return found[-1]
 
 

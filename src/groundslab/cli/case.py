@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from groundslab.cli.console import EXIT_OK, print_stderr, print_stdout
+from groundslab.cli.console import EXIT_DESIGN_FAILS, EXIT_OK, print_stderr, print_stdout
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import format_place
 
@@ -46,21 +46,24 @@ def check_case(options: argparse.Namespace) -> int:
         print_stdout("\n".join(study.describe_file(Path(options.case))))
         return EXIT_OK
     model = casefile.from_table(tables)
-    from groundslab.analysis.check import check
+    from groundslab.analysis.check import check, find_unbalanced
     from groundslab.model.combinations import list_combinations
     from groundslab.model.remarks import find_remarks
 
     check(model)
+    lost = find_unbalanced(model)
+    verdict = "FOUNDATION FAILS" if lost else "fine"
     what = f"{len(model.every_plate)} plates" if model.plates else "plate"
     lines = [
-        f"{options.case}: fine ({model.sides[0]:g} m x {model.sides[1]:g} m {what}, "
+        f"{options.case}: {verdict} ({model.sides[0]:g} m x {model.sides[1]:g} m {what}, "
         f"{model.ground.kind} ground, {len(model.loads)} load{'s' if len(model.loads) > 1 else ''})"
     ]
     combinations = list_combinations(model)
+    lines += [f'  no equilibrium in "{name}": {error}' for name, error in lost.items()]
     lines += _columns_and_supports(model) + _cases_and_combinations(model, combinations)
     lines += [f"  remark: {each.words}" for each in find_remarks(model, combinations)]
     print_stdout("\n".join(lines))
-    return EXIT_OK
+    return EXIT_DESIGN_FAILS if lost else EXIT_OK
 
 
 def _columns_and_supports(model: Model) -> list[str]:

@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from groundslab.cli.console import EXIT_OK, print_stderr, print_stdout
+from groundslab.cli.console import EXIT_DESIGN_FAILS, EXIT_OK, print_stderr, print_stdout
 
 if TYPE_CHECKING:
     import argparse
@@ -19,7 +19,8 @@ def describe(compare: argparse.ArgumentParser) -> None:
     compare.epilog = (
         "The ground of the case has layers given by E, nu and thickness. Bonded, they are a continuum. With it "
         "are compared: constrained moduli and Vlasov's ground of the same layers, and the Pasternak ground and the "
-        "springs whose constants fit the continuum best under this slab."
+        "springs whose constants fit the continuum best under this slab. If nothing balances the loads of a "
+        "combination, the foundation fails, and the exit code is 3."
     )
     compare.add_argument("case", help="case file (TOML)")
     compare.add_argument(
@@ -52,7 +53,7 @@ def run(options: argparse.Namespace) -> int:
         files.save_comparison(comparison, options.out)
         if not options.json:
             print_stderr(f"comparison in {options.out}")
-    return EXIT_OK
+    return EXIT_DESIGN_FAILS if comparison.without_equilibrium else EXIT_OK
 
 
 def _print_ground(kind: str) -> None:

@@ -1,7 +1,7 @@
 """The command line: groundslab solve, compare-ground, study, plot, report, tables, bars, app, view, check, new, ...
 
 Exit codes: 0 fine; 1 no certified result (of one combination of loads at least), or a verification case that fails;
-2 wrong input or usage; 3 certified results of a design that fails a check; 130 interrupted.
+2 wrong input or usage; 3 a foundation without equilibrium, or a design that fails a check; 130 interrupted.
 What a command returns goes to standard output, everything else to standard error.
 """
 
@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from groundslab._version import __version__
 from groundslab.cli import case, compare_ground, console, plot, solve, study
-from groundslab.errors import GroundslabError, InputError, Issue, NotConverged
+from groundslab.errors import GroundslabError, InputError, Issue, NoEquilibrium, NotConverged
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -43,6 +43,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         console.print_stderr("interrupted")
         return console.EXIT_INTERRUPTED
+    except NoEquilibrium as error:
+        console.print_stderr(f"FOUNDATION FAILS: {error}")
+        return console.EXIT_DESIGN_FAILS
     except NotConverged as error:
         _print_history(error)
     except GroundslabError as error:
@@ -75,7 +78,7 @@ def _parser() -> argparse.ArgumentParser:
         prog="groundslab",
         description="Thick plates on layered, two-parameter, tensionless ground.",
         epilog="Exit codes: 0 fine, which is no approval of a design; 1 no certified result; 2 wrong input or usage; "
-        "3 certified results of a design that fails a check; 130 interrupted.",
+        "3 a foundation without equilibrium, or a design that fails a check; 130 interrupted.",
     )
     parser.add_argument("--version", action="version", version=f"groundslab {__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
@@ -197,9 +200,12 @@ def _report(options: argparse.Namespace) -> int:
     text, comparison = report.text_of(folder, combined.model), load_comparison(folder)
     report.write_report(combined, target, text=text, chapters=options.chapters, comparison=comparison)
     console.print_stderr(f"wrote {target}")
-    if combined.refused:
-        count = len(combined.combinations)
-        console.print_stderr(f"note: {len(combined.refused)} of {count} combinations have no certified result")
+    count = len(combined.combinations)
+    if combined.without_equilibrium:
+        lost = len(combined.without_equilibrium)
+        console.print_stderr(f"note: the foundation fails, without equilibrium in {lost} of {count} combinations")
+    if combined.unsolved:
+        console.print_stderr(f"note: {len(combined.unsolved)} of {count} combinations have no certified result")
     return console.EXIT_OK
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from groundslab.cli.console import EXIT_DESIGN_FAILS, EXIT_NO_RESULT, EXIT_OK, print_stderr, print_stdout
-from groundslab.errors import GroundslabError, InputError, Issue, NotCertified
+from groundslab.errors import GroundslabError, InputError, Issue, NoEquilibrium, NotCertified
 
 if TYPE_CHECKING:
     import argparse
@@ -24,9 +24,9 @@ def describe(solve: argparse.ArgumentParser) -> None:
     """Add what the command solve understands."""
     solve.epilog = (
         "Every combination of loads is solved: those that the case lists, those that it has made by EN 1990, or, with "
-        "neither, each load case by itself. If one of them, listed or not, has no certified result, the reason is "
-        "printed, the results of the others are kept, and the exit code is 1. If all have one and a check of the "
-        "design fails, it is 3."
+        "neither, each load case by itself. If ground and supports cannot balance one of them, the foundation fails; "
+        "if that or any check of the design fails, the exit code is 3. If nothing fails and one has no certified "
+        "result, it is 1. The reasons are printed, and the results of the others are kept."
     )
     solve.add_argument("case", help="case file (TOML)")
     solve.add_argument("--out", metavar="DIR", help="folder for the results (default: <case>-results beside the case)")
@@ -52,26 +52,27 @@ def run(options: argparse.Namespace) -> int:
     results = _solve(model, quiet=options.quiet or helper)
     if helper:
         return EXIT_OK
-    uncertified = any(isinstance(error, NotCertified) for error in results.refused.values())
-    if results.results or uncertified:
+    uncertified = any(isinstance(error, NotCertified) for error in results.unsolved.values())
+    if results.results or results.without_equilibrium or uncertified:
         _save(results, folder, options)
-    if results.refused:
-        _print_refused(results)
-        return EXIT_NO_RESULT
+    _print_unsolved(results)
     return _judge_design(results, options.quiet)
 
 
 def _solve(model: Model, quiet: bool) -> Results:
-    """Return the results, those of an only combination that is not certified among them."""
+    """Return the results, those of an only combination that fails or is not certified among them."""
     from groundslab.analysis.driver import solve
     from groundslab.model.combinations import list_combinations
-    from groundslab.results.results import results_of
+    from groundslab.results.results import Results, results_of
 
-    with _progress(quiet, len(list_combinations(model))) as status:
+    combinations = list_combinations(model)
+    with _progress(quiet, len(combinations)) as status:
         try:
             return solve(model, status, status.begin if status is not None else None)
         except NotCertified as error:
             return results_of(error.results)
+        except NoEquilibrium as error:
+            return Results(model, combinations, {}, {combinations[0].name: error})
 
 
 def _is_helper(model: Model) -> bool:
@@ -123,25 +124,34 @@ def _print_summary(results: Results, options: argparse.Namespace) -> None:
 
 
 def _judge_design(results: Results, quiet: bool) -> int:
-    """Print what fails in the design of certified results, and return the exit code."""
+    """Print what fails or needs attention, the combinations without equilibrium among it; return the exit code.
+
+    A design or foundation that fails counts more than what the program could not solve.
+    """
     from groundslab.design.checks import check_design
 
     design = check_design(results)
-    code = EXIT_DESIGN_FAILS if design.status == "fails" else EXIT_OK
+    code = EXIT_DESIGN_FAILS if design.status == "fails" else EXIT_NO_RESULT if results.unsolved else EXIT_OK
+    lost = results.without_equilibrium
+    for name, error in lost.items() if quiet or len(lost) > 1 else ():
+        print_stderr(f'FOUNDATION FAILS: combination "{name}": {error}')
     if design.open and not quiet:
-        print_stderr(f"{design.headline} The analysis itself is certified (exit code {code}).")
+        end = f"Exit code {code}." if results.refused else f"The analysis itself is certified (exit code {code})."
+        print_stderr(f"{design.headline} {end}")
     return code
 
 
-def _print_refused(results: Results) -> None:
+def _print_unsolved(results: Results) -> None:
     """Print why combinations have no certified result, and which if there are several."""
-    if len(results.combinations) == 1:
-        print_stderr(f"error: {next(iter(results.refused.values()))}")
+    if not results.unsolved:
         return
-    for name, error in results.refused.items():
+    if len(results.combinations) == 1:
+        print_stderr(f"error: {next(iter(results.unsolved.values()))}")
+        return
+    for name, error in results.unsolved.items():
         print_stderr(f'error: combination "{name}": {error}')
     count = len(results.combinations)
-    print_stderr(f"error: {len(results.refused)} of {count} combinations have no certified result")
+    print_stderr(f"error: {len(results.unsolved)} of {count} combinations have no certified result")
 
 
 def _progress(quiet: bool, count: int) -> AbstractContextManager[StatusLine | None]:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from functools import cache, partial
 
 from groundslab.design.bar_quantities import bars
+from groundslab.design.checks import check_design
 from groundslab.design.checks.table import checks_table
 from groundslab.design.tables import errors
 from groundslab.design.tables.acting import acting_cases
@@ -17,7 +18,6 @@ from groundslab.design.tables.summary import combinations, extremes, tilts
 from groundslab.design.tables.supports import joint_table, support_table
 from groundslab.design.tables.table import Column, Table
 from groundslab.model.ground import ContinuousGround
-from groundslab.model.remarks import find_remarks
 from groundslab.results.results import Results
 
 __all__ = ["Column", "Table", "fields_of_envelope", "table_makers", "tables_of"]
@@ -27,8 +27,9 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
     """Return the tables of results: combinations, extremes, envelopes and tilt, and those that the model asks for.
 
     Load cases have a table of what acts where. Points, section lines, design strips, supports, joints, columns,
-    reinforcement and laid bars have a table each if the model names any; on a continuum, the soil below the points too.
-    Discretization errors stand in columns at the right. docs/results.md explains every column.
+    reinforcement and laid bars have a table each if the model names any, and so have checks; on a continuum, the soil
+    below the points too. Without results the first says why, beside the checks. Discretization errors stand in columns
+    at the right. docs/results.md explains every column.
 
     Parameters
     ----------
@@ -64,18 +65,21 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
 def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
     """Return what makes each table of `tables_of` by the table's name; a table that others are made of is made once."""
     model = combined.model
+    has_checks = bool(check_design(combined).checks)
+    checks: dict[str, Callable[[], Table]] = {"checks": lambda: checks_table(combined)} if has_checks else {}
+    acting: dict[str, Callable[[], Table]] = {"acting": lambda: acting_cases(combined)} if model.cases else {}
+    if not combined.results:
+        return {"combinations": lambda: combinations(combined)} | acting | checks
     each = cache(lambda: errors.with_errors_of_extremes(extremes(combined), combined))
     columns = cache(lambda: errors.with_errors(column_table, combined))
     makers: dict[str, Callable[[], Table]] = {
         "combinations": lambda: errors.with_errors_of_figures(errors.with_errors(combinations, combined), each()),
-        **({"acting": lambda: acting_cases(combined)} if model.cases else {}),
+        **acting,
         "extremes": each,
         "envelope": lambda: errors.with_errors_of_envelope(envelopes(combined), each()),
         "tilt": lambda: errors.with_errors(tilts, combined),
+        **checks,
     }
-    checked = any(part is not None for part in (model.reinforcement, model.limits, model.floor))
-    if checked or any(each.doubtful for each in find_remarks(model, combined.combinations)):
-        makers["checks"] = lambda: checks_table(combined)
     wanted = {
         "points": (model.output.points, points),
         "soil": (isinstance(model.ground, ContinuousGround) and model.output.points, soil),

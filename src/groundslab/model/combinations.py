@@ -8,6 +8,9 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from groundslab.arrays import Array
 from groundslab.model.loads.en1990 import make_combinations
 from groundslab.model.loads.load_cases import Combination, LoadCase
 from groundslab.model.loads.load_types import AnyLoad, PointLoad
@@ -55,6 +58,12 @@ def _list_unmoved(model: Model) -> tuple[Combination, ...]:
             Combination(name=case.name, limit_state="characteristic", factors={case.name: 1.0}) for case in model.cases
         )
     return (*model.combinations, *made)
+
+
+def case_factors(model: Model, combination: Combination) -> Array:
+    """Return the factor of each load case of a model in a combination, (cases,); 1 without cases."""
+    given = dict(combination.factors)
+    return np.array([given.get(case.name, 0.0) for case in model.cases] or [1.0])
 
 
 def place_patterns(model: Model) -> Model:

@@ -23,12 +23,32 @@ LEAST_SLENDERNESS = 5.0
 
 Acts = Literal["both ways", "in compression", "in tension"]
 Turning = Literal["free", "fixed"]
+LimitIs = Literal["ultimate resistance", "design resistance"]
 
 SupportName = Annotated[str, Text("name of the support, by which loads and results call it")]
 ActsKey = Annotated[Acts, Choice(Acts, "in compression: it only pushes up; in tension: it only holds down")]
 GapKey = Annotated[
     float, Quantity("length", "g_s", "way that the plate goes freely before the support acts", Range(at_least=0))
 ]
+
+LimitIsKey = Annotated[
+    LimitIs,
+    Choice(
+        LimitIs,
+        "what the limit is (EN 1997-1 7.6.2, 7.6.3): at its ultimate resistance R a support yields, which needs "
+        "attention; one that reaches its design resistance R_d fails",
+    ),
+]
+
+
+def _check_limit_is(limit: float | None, given: set[str]) -> Iterator[RelativeIssue]:
+    if "limit_is" in given and limit is None:
+        repairs = (remove(("limit_is",)),)
+        yield RelativeIssue(("limit_is",), "limit_is without a limit", "limit, the resistance", repairs=repairs)
+
+
+def _check_pile_limit_is(limit: float | None, limit_tension: float | None, given: set[str]) -> Iterator[RelativeIssue]:
+    return _check_limit_is(limit or limit_tension or None, given)
 
 
 def _check_one_sided(acts: str, gap: float, limit: float | None) -> Iterator[RelativeIssue]:
@@ -51,7 +71,7 @@ def _check_rotation(rotation: str, rotational_stiffness: float | None) -> Iterat
 class PointSupport(Section):
     """A support at a point, such as a column below or a pile."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_one_sided, _check_rotation)
+    checks: ClassVar[tuple[Check, ...]] = (_check_one_sided, _check_rotation, _check_limit_is)
 
     kind: Annotated[Literal["point"], Table("support at a point, such as a column below or a pile")] = "point"
     name: SupportName = ""
@@ -65,6 +85,7 @@ class PointSupport(Section):
     limit: Annotated[
         float | None, Quantity("force", "R_max", "largest force; with it the support yields", POSITIVE)
     ] = None
+    limit_is: LimitIsKey = "ultimate resistance"
     rotation: Annotated[Turning, Choice(Turning, "whether the plate may turn there")] = "free"
     rotational_stiffness: Annotated[
         float | None,
@@ -96,7 +117,7 @@ def _check_line_rotation(rotation: str, stiffness: float | None, acts: str) -> I
 class LineSupport(Section):
     """A support along straight lines, such as a wall or a beam below; rigid lines hinge or clamp the plate."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_one_sided, _check_line_rotation)
+    checks: ClassVar[tuple[Check, ...]] = (_check_one_sided, _check_line_rotation, _check_limit_is)
 
     kind: Annotated[Literal["line"], Table("support along straight lines, such as a wall")] = "line"
     name: SupportName = ""
@@ -112,6 +133,7 @@ class LineSupport(Section):
     limit: Annotated[
         float | None, Quantity("force per length", "r_max", "largest force per length; with it it yields", POSITIVE)
     ] = None
+    limit_is: LimitIsKey = "ultimate resistance"
     rotation: Annotated[Turning, Choice(Turning, "whether the plate may turn across the line")] = "free"
 
     @property
@@ -134,7 +156,7 @@ def _check_slenderness(length: float, diameter: float) -> Iterator[RelativeIssue
 class Pile(Section):
     """A pile below the plate, whose stiffness follows from the ground; ground and other piles settle it, too."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_slenderness,)
+    checks: ClassVar[tuple[Check, ...]] = (_check_slenderness, _check_pile_limit_is)
 
     kind: Annotated[Literal["pile"], Table("a pile in ground of elastic layers, which give its stiffness")] = "pile"
     name: SupportName = ""
@@ -151,6 +173,7 @@ class Pile(Section):
         Quantity("force", "R_t", "largest force in tension; none by default, 0 for one that only pushes",
                  Range(at_least=0)),
     ] = None  # fmt: skip
+    limit_is: LimitIsKey = "ultimate resistance"
 
     @property
     def points(self) -> tuple[tuple[float, float]]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from html import escape
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
-from groundslab.errors import GroundslabError, InputError, Issue, NotCertified
+from groundslab.errors import GroundslabError, InputError, Issue, NoEquilibrium, NotCertified
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
 from groundslab.results.record import Certificate, Constants, Step
@@ -250,7 +250,7 @@ class CombinationResult:
         return f"{self.combination} ({self.limit_state}): w <= {settlement} mm, {contact} % in contact, {verdict}"
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@dataclass(frozen=True, slots=True, weakref_slot=True, repr=False)
 class Results(Mapping[str, CombinationResult]):
     """Results of all combinations of a model, perhaps one: a mapping from the names of those that were solved.
 
@@ -267,7 +267,8 @@ class Results(Mapping[str, CombinationResult]):
     results : dict of str to CombinationResult
         Certified results by the name of their combination.
     refused : dict of str to GroundslabError
-        Why the other combinations have no certified results.
+        Why the other combinations have no certified results: `NoEquilibrium` where the foundation fails, `NoResult`
+        where none was computed.
 
     Examples
     --------
@@ -292,6 +293,16 @@ class Results(Mapping[str, CombinationResult]):
             names = listed([quote(each.name) for each in self.combinations])
             raise KeyError(f"no combination {quote(combination)}; there is {names}")
         return self.results[combination]
+
+    @property
+    def without_equilibrium(self) -> dict[str, NoEquilibrium]:
+        """The combinations in which the foundation fails, as nothing balances the loads, and why, by their names."""
+        return {name: error for name, error in self.refused.items() if isinstance(error, NoEquilibrium)}
+
+    @property
+    def unsolved(self) -> dict[str, GroundslabError]:
+        """The combinations for which no certified result was computed, and why, by their names."""
+        return {name: error for name, error in self.refused.items() if not isinstance(error, NoEquilibrium)}
 
     def __iter__(self) -> Iterator[str]:
         """Iterate over the names of the combinations that were solved."""
@@ -362,7 +373,13 @@ class Results(Mapping[str, CombinationResult]):
 
     def _reason(self, combination: str) -> str:
         """Return why a combination has no certified results, on one line."""
-        return f"refused: {' '.join(str(self.refused[combination]).split())}"
+        return refusal_words(self.refused[combination])
+
+
+def refusal_words(error: GroundslabError) -> str:
+    """Return why a combination has no certified results, on one line: the foundation fails, or it is not solved."""
+    kind = "FOUNDATION FAILS" if isinstance(error, NoEquilibrium) else "not solved"
+    return f"{kind}: {' '.join(str(error).split())}"
 
 
 def _figures(results: CombinationResult) -> tuple[str, str, str]:

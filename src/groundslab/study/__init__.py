@@ -139,12 +139,19 @@ def summarize(study: Study) -> list[str]:
     """Return a summary of a study's variants, line by line."""
     counts = study.counts()
     lines = [f"{study.folder}: {len(study)} of {study.count} variants have a row, {counts.pop('solved', 0)} solved"]
-    lines += [f"  {number} failed: {reason}" for reason, number in counts.items()]
+    lines += [f"  {number} {_failure_words(reason)}" for reason, number in counts.items()]
     failures = study.worker_failures()
     lines += [f"  variant {number} has none: {message}" for number, message in list(failures.items())[:MAX_FAILURES]]
     if len(failures) > MAX_FAILURES:
         lines.append(f"  and {len(failures) - MAX_FAILURES} more")
     return lines
+
+
+def _failure_words(reason: str) -> str:
+    """Return how variants ended that are not solved."""
+    from groundslab.study.execution.variant import WITHOUT_EQUILIBRIUM
+
+    return f"have a foundation that fails: {reason}" if reason in WITHOUT_EQUILIBRIUM else f"failed: {reason}"
 
 
 def resume_hint(folder: Path, command: str) -> str:

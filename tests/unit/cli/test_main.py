@@ -19,7 +19,7 @@ import pytest
 import groundslab
 from groundslab.case import casefile
 from groundslab.cli import console, main
-from groundslab.errors import InputError, Issue, NoEquilibrium, NotCertified, NotConverged
+from groundslab.errors import InputError, Issue, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
 from groundslab.model.columns import Column
 from groundslab.model.combinations import as_solved, list_combinations
 from groundslab.model.settings import Mesh
@@ -114,7 +114,7 @@ class TestSolve:
         fake(monkeypatch, "analysis.driver", solve=solver(made))
         assert main.main(["solve", str(case)]) == 3
         out, err = capsys.readouterr()
-        assert out.splitlines()[2].startswith("DESIGN FAILS: 1 of")
+        assert out.splitlines()[0].startswith("DESIGN FAILS: 1 of")
         assert err.splitlines()[-1].startswith("DESIGN FAILS: 1 of")
         assert "exit code 3" in err.splitlines()[-1]
 
@@ -139,7 +139,6 @@ class TestSolve:
     @pytest.mark.parametrize(
         ("outcome", "code", "words"),
         [
-            (NoEquilibrium("the loads pull the plate off"), 1, "the loads pull the plate off"),
             (NotConverged("contact", list(synthetic.results().steps), {}), 1, "Convergence history"),
             (NotConverged("gamma", [1.1, 1.2], {}), 1, "gamma did not converge in 2 steps"),
             (NotConverged("contact", [{"iteration": 1, "changed": 61}], {}), 1, "  iteration 1, changed 61"),
@@ -264,14 +263,16 @@ class TestSeveral:
     def test_refused_ones_are_told_and_the_others_kept(
         self, cases: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
     ) -> None:
-        """A combination without certified results gives exit code 1 and its reason on both streams."""
+        """Of one that the program cannot solve and one that lifts off the latter gives the code; both are told."""
         fake(monkeypatch, "analysis.driver", solve=lambda *_: synthetic.combined())
-        assert main.main(["solve", str(cases)]) == 1
+        assert main.main(["solve", str(cases)]) == 3
         out, err = capsys.readouterr()
-        assert "REFUSED: the loads pull the plate off" in out
-        assert "FAILED: 2 of 4 combinations have no certified result: 3, 4." in out
-        assert 'error: combination "wind alone": the loads pull the plate off' in err
-        assert "error: 2 of 4 combinations have no certified result" in err
+        assert out.startswith("FOUNDATION FAILS (1 of 2 checks fails): static equilibrium: none in ")
+        assert "FOUNDATION FAILS: the loads pull the plate off" in out
+        assert "not solved: the result does not fulfil the equations" in out
+        assert 'error: combination "uncertified": the result does not fulfil the equations' in err
+        assert "error: 1 of 4 combinations have no certified result" in err
+        assert 'none in "wind alone": the loads pull the plate off. Exit code 3.' in err
         assert len(results_folder.load_results(cases.with_name("raft-results")).results) == 2
 
     def test_json_and_quiet(
@@ -279,20 +280,21 @@ class TestSeveral:
     ) -> None:
         """One JSON document holds all combinations; with --quiet only what was refused is reported."""
         fake(monkeypatch, "analysis.driver", solve=lambda *_: synthetic.combined())
-        assert main.main(["solve", str(cases), "--json"]) == 1
+        assert main.main(["solve", str(cases), "--json"]) == 3
         document = json.loads(capsys.readouterr().out)
         assert document["certified"] is False
         assert [each["certified"] for each in document["combinations"]] == [True, True, False, False]
-        assert main.main(["solve", str(cases), "--quiet"]) == 1
+        assert main.main(["solve", str(cases), "--quiet"]) == 3
         out, err = capsys.readouterr()
         assert out == ""
-        assert err.count("error") == 3
+        assert err.count("error") == 2
+        assert 'FOUNDATION FAILS: combination "wind alone": the loads pull the plate off' in err
 
     def test_none_solved(
         self, cases: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
     ) -> None:
-        """Without any results nothing is written, and earlier results stay."""
-        refused = {each.name: NoEquilibrium("up it goes") for each in synthetic.combined().combinations}
+        """Where the program solves nothing, nothing is written, and earlier results stay."""
+        refused = {each.name: SingularMatrix("up it goes") for each in synthetic.combined().combinations}
         nothing = replace(synthetic.combined(), results={}, refused=refused)
         fake(monkeypatch, "analysis.driver", solve=lambda *_: nothing)
         assert main.main(["solve", str(cases)]) == 1
@@ -305,8 +307,8 @@ class TestSeveral:
         """Cases by themselves: the one that lifts the plate off has no equilibrium, the other is solved and kept."""
         model = synthetic.combined().model.replace(combinations=(), mesh=Mesh(counts=(4, 4)))
         (tmp_path / "raft.toml").write_text(casefile.to_toml(model), encoding="utf-8")
-        assert main.main(["solve", str(tmp_path / "raft.toml")]) == 1
-        assert 'combination "wind"' in capsys.readouterr().err
+        assert main.main(["solve", str(tmp_path / "raft.toml")]) == 3
+        assert "each load case is solved by itself" in capsys.readouterr().err
         found = results_folder.load_results(tmp_path / "raft-results")
         assert list(found.results) == ["dead"]
         assert isinstance(found.refused["wind"], NoEquilibrium)

@@ -132,7 +132,7 @@ class TestRows:
             '[[keep]]\nof = "load"\ncombination = "service"\n[[keep]]\nname = "all"\nof = "load"\n',
         )
         table = study.table()
-        assert list(table["status"]) == ["solved", "failed", "failed", "failed"]
+        assert list(table["status"]) == ["solved", "failed", "foundation fails", "failed"]
         assert list(table["reason"]) == ["", "input", "NoEquilibrium", "input"]
         assert "loads[2].x" in table["message"][2]
         assert table["load under service"].notna().tolist() == [True, False, False, False]

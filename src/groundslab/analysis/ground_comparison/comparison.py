@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from groundslab.analysis.driver import Variants
 from groundslab.analysis.ground_comparison.figures import (
@@ -87,6 +87,8 @@ class GroundComparison:
         The grounds, the continuum first.
     notes : tuple of str
         What a reader must know about them.
+    without_equilibrium : tuple of str
+        Names of the combinations in which the foundation fails, as nothing balances the loads.
     """
 
     model: Model
@@ -96,6 +98,7 @@ class GroundComparison:
     lines: dict[str, tuple[float, ...]]
     grounds: tuple[ComparedGround, ...]
     notes: tuple[str, ...]
+    without_equilibrium: tuple[str, ...] = ()
 
     def __getitem__(self, name: str) -> ComparedGround:
         """Return the slab on a kind of ground; KeyError if there is none."""
@@ -178,10 +181,14 @@ def compare_grounds(
     from_soil = _solve_from_soil(variants, only, soil, report)
     fitted, notes = _solve_fitted(variants, only, continuum, from_soil["vlasov"].constants, report)
     solved = {"continuum": continuum} | from_soil | fitted
-    if variants.base.refused:
-        names = ", ".join(map(quote, variants.base.refused))
+    lost = tuple(variants.base.without_equilibrium)
+    if lost:
+        notes.append(f"FOUNDATION FAILS: no equilibrium on the continuum in {', '.join(map(quote, lost))}.")
+    if variants.base.unsolved:
+        names = ", ".join(map(quote, variants.base.unsolved))
         notes.append(f"Left aside, without a certified result on the continuum: {names}.")
-    return _compare(model, solved, (*_notes(base, continuum.limit_state), *notes, *soil.notes))
+    found = _compare(model, solved, (*_notes(base, continuum.limit_state), *notes, *soil.notes))
+    return replace(found, without_equilibrium=lost)
 
 
 def _solve_from_soil(
@@ -227,10 +234,12 @@ def _find_combination(model: Model, name: str) -> Combination:
 
 
 def _deepest(results: Results) -> CombinationResult:
-    """Return the combination with the largest settlement; raises the first reason if none has a result."""
-    for reason in results.refused.values():
-        if not results.results:
-            raise reason
+    """Return the combination with the largest settlement; raises a reason if none has a result.
+
+    That the foundation fails comes before what was not solved.
+    """
+    if not results.results:
+        raise next(iter([*results.without_equilibrium.values(), *results.refused.values()]))
     return max(results.values(), key=lambda each: float(each.plate.settlement.max()))
 
 

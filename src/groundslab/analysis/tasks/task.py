@@ -14,6 +14,7 @@ from groundslab.analysis.mesh_hierarchy import MeshHierarchy
 from groundslab.analysis.nested import margin_effect, solve_nested
 from groundslab.discretize.serviceability.lasting_ground import lasts
 from groundslab.errors import GroundslabError, IllConditioned, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
+from groundslab.model.combinations import case_factors
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
@@ -39,8 +40,7 @@ class Task:
 def task_of(model: Model, combination: Combination) -> Task:
     """Return what is solved for a combination."""
     state = combination.limit_state
-    given = dict(combination.factors)
-    factors = tuple(given.get(case.name, 0.0) for case in model.cases) or (1.0,)
+    factors = tuple(case_factors(model, combination).tolist())
     return Task(factors, model.cracking is not None and state in model.cracking.limit_states, lasts(model, state))
 
 

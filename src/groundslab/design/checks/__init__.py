@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from groundslab.design.checks import bearing, equilibrium, floors, limits, loads, provided, shear, strength
+from groundslab.arrays import Memo
+from groundslab.design.checks import bearing, equilibrium, floors, limits, loads, provided, reached, shear, strength
 from groundslab.design.checks.check import ORDER, DesignCheck, Status
 from groundslab.results.results import Results
 
@@ -22,10 +23,13 @@ CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
     floors.checks,
     bearing.checks,
     equilibrium.checks,
+    reached.checks,
     limits.checks,
     loads.checks,
 )
 
+#: Designs, which summary, tables and report ask for.
+_DESIGNS: Memo[Design] = Memo()
 #: What no check looks at.
 NOT_CHECKED = "anchorage is not checked"
 
@@ -79,6 +83,11 @@ def check_design(combined: Results) -> Design:
     >>> groundslab.check_design(results).headline
     'Strength was not checked: the case has no [reinforcement].'
     """
+    return _DESIGNS.get(combined, None, lambda: _check_design(combined))
+
+
+def _check_design(combined: Results) -> Design:
+    """Return the checks, which are made once of the same results."""
     made = [check for find in CHECKS for check in find(combined)]
     found = tuple(sorted((each for each in made if each.status != "not checked"), key=_order))
     unchecked = {each.name: each.words for each in made if each.status == "not checked"}
@@ -86,9 +95,7 @@ def check_design(combined: Results) -> Design:
     failing, doubtful = (sum(each.status == status for each in found) for status in ("fails", "attention"))
     total = f"{len(found)} check{'s' if len(found) > 1 else ''}"
     if failing:
-        used = found[0].utilisation
-        worst = f"{found[0].name}, {used:.3g} times its limit; " if used is not None and not found[0].least else ""
-        return Design("fails", f"DESIGN FAILS: {worst}{failing} of {total} {_verb('fail', failing)}.", found)
+        return Design("fails", _failure(found[0], f"{failing} of {total} {_verb('fail', failing)}"), found)
     if doubtful:
         words = f"DESIGN NEEDS ATTENTION: {doubtful} of {total} {_verb('need', doubtful)} it."
         return Design("attention", words, found)
@@ -97,10 +104,23 @@ def check_design(combined: Results) -> Design:
     return Design("not checked", f"{left[:1].upper()}{left[1:]}.")
 
 
-def _order(check: DesignCheck) -> tuple[int, float]:
-    """Return where a check stands: by its status, then the most used first, a failure without a number before."""
+def _failure(worst: DesignCheck, count: str) -> str:
+    """Return the sentence about a design that fails; of what holds the slab the reason in full."""
+    if worst.foundation:
+        return f"FOUNDATION FAILS ({count}): {worst.name}: {worst.words}."
+    used = worst.utilisation
+    times = f"{worst.name}, {used:.3g} times its limit; " if used is not None and not worst.least else ""
+    return f"DESIGN FAILS: {times}{count}."
+
+
+def _order(check: DesignCheck) -> tuple[int, bool, float]:
+    """Return where a check stands: by its status, failures of the foundation first, then the most used.
+
+    A failure without a number comes before those with one.
+    """
     used = check.utilisation
-    return ORDER.index(check.status), -(float("inf") if used is None and check.status == "fails" else used or 0.0)
+    status, fails = ORDER.index(check.status), check.status == "fails"
+    return status, not (fails and check.foundation), -(float("inf") if used is None and fails else used or 0.0)
 
 
 def _verb(verb: str, count: int) -> str:

@@ -106,4 +106,5 @@ def _worst(
         clause=clause,
         combination=force.combination,
         place=force.place,
+        foundation=True,
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -36,6 +37,8 @@ class DesignCheck:
         The combination that governs.
     place : tuple of float or None
         Where it governs [m].
+    foundation : bool
+        Whether it is about what holds the slab, ground and supports, rather than about the slab.
     """
 
     name: str
@@ -49,6 +52,7 @@ class DesignCheck:
     clause: str = ""
     combination: str = ""
     place: tuple[float, float] | None = None
+    foundation: bool = False
 
     @property
     def utilisation(self) -> float | None:
@@ -57,3 +61,8 @@ class DesignCheck:
             return None
         over, under = (self.resistance, self.demand) if self.least else (self.demand, self.resistance)
         return over / under if under else float("inf") if over else 0.0
+
+
+def some(names: Sequence[str], most: int = 5) -> str:
+    """Return the first of some names, quoted."""
+    return ", ".join(f'"{name}"' for name in names[:most]) + (" ..." if len(names) > most else "")

@@ -1,7 +1,8 @@
 """Static equilibrium (EN 1990 6.4.2, EQU) and uplift by water or other actions (EN 1997-1 2.4.7.4, UPL).
 
-The analysis decides: a combination that neither ground nor supports can balance has no equilibrium. Without supports
-uplift is a comparison of vertical forces, too: of the load cases upwards against those downwards (expression 2.8).
+The analysis decides: where neither ground nor supports can balance a combination, of whatever limit state, the
+foundation fails. Without supports uplift is a comparison of vertical forces, too: of the load cases upwards against
+those downwards (expression 2.8). Combinations for which the program found no result are no failure, but a gap.
 """
 
 from __future__ import annotations
@@ -9,41 +10,60 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from groundslab.design.checks.check import DesignCheck
+from groundslab.design.checks.check import DesignCheck, some
 from groundslab.design.punching import outline
 from groundslab.design.tables import column_loads
 from groundslab.design.tables.quantities import solved_results
-from groundslab.errors import NoEquilibrium
 from groundslab.model.loads.load_cases import Combination
 from groundslab.results.results import Results
 
-#: Name and clause of the check of each limit state.
+#: Name and clause of the check of each limit state that is about equilibrium alone.
 _CHECKS = {
     "equilibrium": ("static equilibrium", "EN 1990 6.4.2"),
     "uplift": ("uplift by actions", "EN 1997-1 2.4.7.4"),
 }
+#: The same of any other limit state, in which only a failure is worth a line.
+_ANY = ("static equilibrium", "")
 
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
-    """Yield the check of each of the two limit states that has combinations."""
-    for state, (name, clause) in _CHECKS.items():
+    """Yield the combinations without equilibrium, the two limit states about it, and what the program could not do."""
+    lost = [each for each in combined.combinations if each.name in combined.without_equilibrium]
+    for combination in lost:
+        yield _failure(combined, combination)
+    failed = {each.limit_state for each in lost}
+    for state in _CHECKS:
         made = [each for each in combined.combinations if each.limit_state == state]
-        if made:
-            numbers = _uplift(combined, made) if state == "uplift" else {}
-            yield _check(combined, made, name, {"clause": clause, **numbers})
+        if made and state not in failed and any(each.name in combined.results for each in made):
+            yield _balanced(combined, made)
+    if combined.unsolved:
+        words = f"without a certified result, and so not checked: {some(list(combined.unsolved))}"
+        yield DesignCheck("unsolved combinations", "attention", words)
 
 
-def _check(combined: Results, made: list[Combination], name: str, numbers: dict[str, Any]) -> DesignCheck:
-    """Return whether all of some combinations are in equilibrium."""
-    refused = {each.name: combined.refused[each.name] for each in made if each.name in combined.refused}
-    lost = [name for name, error in refused.items() if isinstance(error, NoEquilibrium)]
-    if lost:
-        words = f"{len(lost)} of {len(made)} combinations have no equilibrium: {_some(lost)}"
-        return DesignCheck(name, "fails", words, **({"combination": lost[0]} | numbers))
-    if refused:
-        return DesignCheck(name, "attention", f"without a certified result: {_some(list(refused))}", **numbers)
-    count = f"all {len(made)} combinations are" if len(made) > 1 else "the combination is"
-    return DesignCheck(name, "no failure found", f"{count} in equilibrium", **numbers)
+def _failure(combined: Results, combination: Combination) -> DesignCheck:
+    """Return the check that a combination without equilibrium fails, with the reason."""
+    name, clause = _CHECKS.get(combination.limit_state, _ANY)
+    model = combined.model
+    words = f'none in "{combination.name}": {combined.refused[combination.name]}'
+    if model.cases and not model.combinations and model.combine is None:
+        words += "; each load case is solved by itself, as there are neither [[combinations]] nor [combine]"
+    numbers = _uplift(combined, [combination]) if combination.limit_state == "uplift" else {}
+    about = {"combination": combination.name} | numbers
+    return DesignCheck(name, "fails", words, clause=clause, foundation=True, **about)
+
+
+def _balanced(combined: Results, made: list[Combination]) -> DesignCheck:
+    """Return the check that no combination of a limit state lacks equilibrium."""
+    name, clause = _CHECKS[made[0].limit_state]
+    solved = [each for each in made if each.name in combined.results]
+    numbers = _uplift(combined, solved) if made[0].limit_state == "uplift" else {}
+    words = f"all {len(made)} combinations are in equilibrium"
+    if len(made) == 1:
+        words = "the combination is in equilibrium"
+    if len(solved) < len(made):
+        words = f"{len(solved)} of {len(made)} combinations are in equilibrium, the others have no certified result"
+    return DesignCheck(name, "no failure found", words, clause=clause, foundation=True, **numbers)
 
 
 def _uplift(combined: Results, made: list[Combination]) -> dict[str, Any]:
@@ -59,8 +79,3 @@ def _uplift(combined: Results, made: list[Combination]) -> dict[str, Any]:
         found.append((up / down if down else float("inf"), up / 1e3, down / 1e3, each.name))
     _, up, down, combination = max(found)
     return {"demand": up, "resistance": down, "unit": "kN", "combination": combination}
-
-
-def _some(names: list[str]) -> str:
-    """Return the first of some names."""
-    return ", ".join(f'"{each}"' for each in names[:5]) + (" ..." if len(names) > 5 else "")

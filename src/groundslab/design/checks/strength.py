@@ -37,11 +37,6 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     yield _compression(needs, reinforcement.CLAUSES[steel.code][2])
     if combined.model.columns:
         yield from PUNCHING[steel.code](combined)
-    missing = [each for each in combined.combinations if each.limit_state in STRENGTH and each.name in combined.refused]
-    if missing:
-        names = ", ".join(f'"{each.name}"' for each in missing[:5]) + (" ..." if len(missing) > 5 else "")
-        words = f"without a certified result, and so not designed for: {names}"
-        yield DesignCheck("ultimate combinations", "attention", words)
     if reinforcement.without_partial_factors(combined):
         yield DesignCheck("partial factors", "attention", reinforcement.UNFACTORED)
     if steel.code == "EN 1992-1-1" and (open_clauses := unconfirmed(steel.annex)):

@@ -12,7 +12,7 @@ from groundslab.discretize.singular_places import notes_on_singular_places
 from groundslab.model.loads.load_cases import Combination
 from groundslab.results.contact_zone import EDGE_NOTE, has_line_force
 from groundslab.results.fields import extreme
-from groundslab.results.results import CombinationResult, Results
+from groundslab.results.results import CombinationResult, Results, refusal_words
 
 
 def combinations(combined: Results) -> Table:
@@ -29,8 +29,7 @@ def combinations(combined: Results) -> Table:
         if each.name in combined.results:
             rows.append([*words, "solved", *_figures(combined.results[each.name])])
         else:
-            why = " ".join(str(combined.refused[each.name]).split())
-            rows.append([*words, f"refused: {why}", *[None] * (len(heads) - 5)])
+            rows.append([*words, refusal_words(combined.refused[each.name]), *[None] * (len(heads) - 5)])
     notes = [
         "The figures of the certificate are ratios; a result counts if none is above 1e-6, and margin_effect not above "
         "0.01, section_law not above 0.001."

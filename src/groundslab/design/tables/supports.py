@@ -4,27 +4,32 @@ from __future__ import annotations
 
 import numpy as np
 
+from groundslab.design.support_forces import stiffness_alone, utilization
 from groundslab.design.tables.quantities import solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
-from groundslab.results.results import JointResult, Results, SupportResult
+from groundslab.model.supports import AnySupport
+from groundslab.results.results import CombinationResult, JointResult, Results, SupportResult
 
 
 def support_table(combined: Results) -> Table:
-    """Return force, settlement and moments of each support in each combination."""
+    """Return force, settlement, stiffness, use of the limit and moments of each support in each combination."""
     heads = [
         ("combination", ""), ("support", ""), ("kind", ""), ("force", "kN"), ("length", "m"),
         ("least force per length", "kN/m"), ("greatest force per length", "kN/m"),
-        ("least settlement", "mm"), ("greatest settlement", "mm"), ("moment M_x", "kNm"), ("moment M_y", "kNm"),
+        ("least settlement", "mm"), ("greatest settlement", "mm"), ("stiffness alone", "MN/m"),
+        ("force over settlement", "MN/m"), ("limit", ""), ("unit of the limit", ""), ("force over limit", ""),
+        ("moment M_x", "kNm"), ("moment M_y", "kNm"),
     ]  # fmt: skip
-    kinds = [support.kind for support in combined.model.supports]
     rows = [
-        [results.combination, support.name, kind, *_figures(support, kind)]
+        [results.combination, support.name, described.kind, *_figures(results, support, described)]
         for results in solved_results(combined)
-        for support, kind in zip(results.supports, kinds, strict=True)
+        for support, described in zip(results.supports, combined.model.supports, strict=True)
     ]
     notes = (
         "Forces as the support pushes the plate, upwards positive. Forces per length are those of the nodes by their "
         "share of the line; at ends and corners of rigid lines they grow as the mesh is refined.",
+        "The stiffness alone is the one given, of a pile that of Randolph and Wroth in its soil; beside it the force "
+        "over the mean settlement, in which neighbors, the ground between them and yielding have a part.",
         "Moments are those by which the support holds the plate's rotation, summed over its nodes, positive if they "
         "press the side of larger x (M_x, about the y axis) or y (M_y, about the x axis) down; the lever of its forces "
         "is not in them.",
@@ -32,18 +37,36 @@ def support_table(combined: Results) -> Table:
     return table_of("supports", "Supports", heads, rows, notes)
 
 
-def _figures(support: SupportResult, kind: str) -> list[Cell]:
+def _figures(results: CombinationResult, support: SupportResult, described: AnySupport) -> list[Cell]:
     """Return the figures of a support, in the order of the table."""
     if not len(support.nodes):
-        return [support.total / 1e3, *[None] * 7]
+        return [support.total / 1e3, *[None] * 12]
     w = support.settlement * 1e3
     on_line = support.length > 0
     per_length = support.force[on_line] / support.length[on_line] / 1e3
     along: list[Cell] = [None, None, None]
-    if kind == "line" and len(per_length) > 0:
+    if described.kind == "line" and len(per_length) > 0:
         along = [support.length.sum(), per_length.min(), per_length.max()]
     moments = support.moment_x.sum() / 1e3, support.moment_y.sum() / 1e3
-    return [support.total / 1e3, *along, w.min(), w.max(), *moments]
+    return [support.total / 1e3, *along, w.min(), w.max(), *_stiffness(results, support, described),
+            *_limit(support, described), *moments]  # fmt: skip
+
+
+def _stiffness(results: CombinationResult, support: SupportResult, described: AnySupport) -> list[Cell]:
+    """Return the stiffness of a support alone, and its force over its mean settlement [MN/m]."""
+    alone = stiffness_alone(results, described, support)
+    if alone is None:
+        return [None, None]
+    w = float(support.settlement.mean())
+    return [alone / 1e6, support.total / w / 1e6 if w else None]
+
+
+def _limit(support: SupportResult, described: AnySupport) -> list[Cell]:
+    """Return the limit that a support is nearest to, its unit, and the force over it."""
+    used = utilization(described, support)
+    if used is None:
+        return [None, None, None]
+    return [used.limit / 1e3, "kN/m" if described.kind == "line" else "kN", used.share]
 
 
 def joint_table(combined: Results) -> Table:

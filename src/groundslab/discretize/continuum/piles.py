@@ -26,7 +26,7 @@ def pile_group(model: Model, bearing: Bearing, cells: Cells) -> PileGroup | None
         return None
     described = [each for each in model.supports if isinstance(each, supports.Pile)]
     assert isinstance(model.ground, ContinuousGround)
-    piles = tuple(_pile(each, model.ground) for each in described)
+    piles = tuple(pile_in_soil(each, model.ground) for each in described)
     of = np.array([int(np.flatnonzero(bearing.support == n)[0]) for n in numbers])
     place = np.array([(each.x, each.y) for each in described])
     lower = np.array([-math.inf if each.limit_tension is None else -each.limit_tension for each in described])
@@ -34,7 +34,7 @@ def pile_group(model: Model, bearing: Bearing, cells: Cells) -> PileGroup | None
     return make_pile_group(piles, place, of, cells.center, lower, upper)
 
 
-def _pile(described: supports.Pile, ground: ContinuousGround) -> Pile:
+def pile_in_soil(described: supports.Pile, ground: ContinuousGround) -> Pile:
     """Return a pile with the soil along it: G at its base and below, the mean of G over that, and the mean of nu."""
     z = described.length * (np.arange(SLICES) + 0.5) / SLICES
     G, nu = np.array([_soil(ground, each) for each in z]).T

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.schema.fields import Quantity
-from groundslab.study.execution.variant import SOLVED
+from groundslab.study.execution.variant import SOLVED, WITHOUT_EQUILIBRIUM
 from groundslab.units import DIMENSIONS, Unit
 
 if TYPE_CHECKING:
@@ -88,6 +88,11 @@ class Samples:
         """Which variants have a result, (n,)."""
         return np.array([not why for why in self.reason], dtype=bool)
 
+    @cached_property
+    def collapsed(self) -> Flags:
+        """Which variants (n,) have no equilibrium: their foundation fails."""
+        return np.array([why.partition(":")[0] in WITHOUT_EQUILIBRIUM for why in self.reason], dtype=bool)
+
     @property
     def random(self) -> bool:
         """Whether shares of the variants are estimates of probabilities."""
@@ -143,9 +148,15 @@ class Samples:
         """Return the output of a name; KeyError if there is none."""
         return {each.name: each for each in self.outputs}[name]
 
-    def there(self, output: Output, group: Group) -> Array:
-        """Return the values of an output in one design that follow the inputs' distributions and are not missing."""
-        values = output.values[group.rows[self.by_chance[group.rows]]]
+    def there(self, output: Output, group: Group, least: bool | None = None) -> Array:
+        """Return the values of an output in one design that follow the inputs' distributions and are not missing.
+
+        Where the foundation fails the output is infinite, on the bad side: below if low values are the bad ones, as
+        `least` or the limit states say.
+        """
+        rows = group.rows[self.by_chance[group.rows]]
+        bad = -np.inf if (self.falls(output) if least is None else least) else np.inf
+        values = np.where(self.collapsed[rows] & np.isnan(output.values[rows]), bad, output.values[rows])
         return values[~np.isnan(values)]
 
     def of(self, output: Output, group: Group) -> Array:

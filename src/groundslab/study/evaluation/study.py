@@ -114,7 +114,7 @@ class Study:
         Returns
         -------
         dict of str to int
-            Number of variants with status "solved", and of failed ones by reason, the most frequent first.
+            Number of variants with status "solved", and of others by reason, the most frequent first.
         """
         with self.open_rows() as rows:
             return rows.counts()
@@ -125,9 +125,10 @@ class Study:
         Returns
         -------
         pandas.DataFrame
-            One row per variant, indexed by its number. Columns: status ("solved" or "failed"), reason, message,
+            One row per variant, indexed by its number. Columns: status ("solved", "foundation fails" where nothing
+            balances the loads, or "failed"), reason, message,
             seconds, then the inputs and the outputs that are one number by their names, in SI units; missing outputs of
-            a failed variant are NaN.
+            a variant that is not solved are NaN.
 
         Raises
         ------

@@ -81,6 +81,8 @@ def tabulate_statistics(sample: Samples, level: float = LEVEL) -> Table:
         for name, count in infinite.items()
         if count
     ]
+    if lost := int(sample.collapsed.sum()):
+        notes.append(f"The foundation of {lost} variants fails; they are left out here, but not in the limit states.")
     return _tabulate(sample, "statistics", "Statistics of the outputs", heads, rows, notes)
 
 
@@ -130,8 +132,10 @@ def tabulate_limit_states(sample: Samples, level: float = LEVEL) -> Table | None
         notes = [
             f"Intervals of {level:.0%} confidence for the probability by Wilson (1927). The reliability index is "
             "-Phi^-1 of the probability.",
-            "Variants without a result are not counted; a column has the high end if all of them fail."
-            + " A target is kept if even that end lies below it." * aimed,
+            "A variant without equilibrium, whose foundation fails, counts as failed. Others without a result are not "
+            "counted; a column has the high end if all of them fail."
+            + " A target is kept if even that end lies below it."
+            * aimed,
         ]
 
     rows = []
@@ -142,8 +146,11 @@ def tabulate_limit_states(sample: Samples, level: float = LEVEL) -> Table | None
 
 
 def failure_probability(sample: Samples, group: Group, limit: Limit, level: float = LEVEL) -> Estimate:
-    """Return the probability that a limit state fails in one design, among the variants that have a result."""
-    x = sample.there(sample.output(limit.output), group)
+    """Return the probability that a limit state fails in one design; it does where the foundation fails.
+
+    Other variants without a result are not counted.
+    """
+    x = sample.there(sample.output(limit.output), group, limit.sense == "at least")
     return statistics.probability(int(limit.fails(x).sum()), len(x), level)
 
 
@@ -152,7 +159,7 @@ def _limit_cells(sample: Samples, group: Group, limit: Limit, level: float) -> l
     from scipy.special import ndtri
 
     output = sample.output(limit.output)
-    x = sample.there(output, group)
+    x = sample.there(output, group, limit.sense == "at least")
     failed, n = int(limit.fails(x).sum()), len(x)
     p = statistics.probability(failed, n, level)
     lost = int(sample.by_chance[group.rows].sum()) - n
@@ -312,8 +319,13 @@ def tabulate_missing_results(sample: Samples) -> Table | None:
     count = Counter(why for why in sample.reason if why)
     if not count:
         return None
-    rows = [[why, times, int(sample.number[sample.reason.index(why)]) + 1] for why, times in count.most_common()]
-    return _tabulate(sample, "missing", "Variants without a result", ["reason", "variants", "first of them"], rows)
+    first = {why: sample.reason.index(why) for why in count}
+    rows = [
+        ["yes" if sample.collapsed[first[why]] else None, why, times, int(sample.number[first[why]]) + 1]
+        for why, times in count.most_common()
+    ]
+    heads = ["foundation fails", "reason", "variants", "first of them"]
+    return _tabulate(sample, "missing", "Variants without a result", heads, rows)
 
 
 def _tabulate(

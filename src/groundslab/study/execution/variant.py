@@ -30,7 +30,8 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
-SOLVED, FAILED = "solved", "failed"
+#: How a variant ended; of one whose foundation fails that is the result.
+SOLVED, FOUNDATION_FAILS, FAILED = "solved", "foundation fails", "failed"
 
 #: Errors that a variant fails with whenever it is solved: its row has the reason and is final.
 REASONS: dict[type[GroundslabError], str] = {InputError: "input"} | {
@@ -40,6 +41,8 @@ REASONS: dict[type[GroundslabError], str] = {InputError: "input"} | {
         errors.NotCertified, errors.SingularMatrix,
     )
 }  # fmt: skip
+#: The reasons that are failures of the foundation.
+WITHOUT_EQUILIBRIUM = tuple(word for kind, word in REASONS.items() if issubclass(kind, errors.NoEquilibrium))
 MAX_MESSAGE_LENGTH = 2000  # characters
 
 
@@ -51,7 +54,7 @@ def key_of(mesh: Mesh) -> str:
 
 @dataclass(frozen=True, eq=False)
 class Row:
-    """The results of a variant, in SI units. A failed one has a reason, and None where there is no result."""
+    """The results of a variant, in SI units. One that is not solved has a reason, and None where there is no result."""
 
     number: int
     status: str
@@ -102,10 +105,11 @@ class Worker:
                 fields = zip(self._setup.fields, variant.seeds, strict=True)
                 factors = {each.path: random_fields.factors(each, seed) for each, seed in fields}
                 combined = self._solve(model, factors)
-            failure: GroundslabError | None = next(iter(combined.refused.values()), None)
+            # a foundation that fails counts more than what was not solved
+            failure = next(iter([*combined.without_equilibrium.values(), *combined.refused.values()]), None)
         except GroundslabError as error:
             failure = error
-        status, reason, message = (SOLVED, "", "") if failure is None else (FAILED, *_reason_of(failure))
+        status, reason, message = (SOLVED, "", "") if failure is None else _outcome_of(failure)
 
         def take(what: Callable[[RequestedOutput, Results, Sequence[str]], T], output: RequestedOutput) -> T | None:
             return None if combined is None else what(output, combined, self._names_for(output, names))
@@ -169,8 +173,9 @@ class Worker:
         return variants.solve_combinations, variants.base
 
 
-def _reason_of(error: GroundslabError) -> tuple[str, str]:
-    """Return reason and message of an error."""
+def _outcome_of(error: GroundslabError) -> tuple[str, str, str]:
+    """Return status, reason and message of an error."""
+    status = FOUNDATION_FAILS if isinstance(error, errors.NoEquilibrium) else FAILED
     reason = next((word for kind, word in REASONS.items() if isinstance(error, kind)), type(error).__name__)
     message = str(error)
-    return reason, message if len(message) <= MAX_MESSAGE_LENGTH else message[: MAX_MESSAGE_LENGTH - 3] + "..."
+    return status, reason, message if len(message) <= MAX_MESSAGE_LENGTH else message[: MAX_MESSAGE_LENGTH - 3] + "..."

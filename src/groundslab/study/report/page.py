@@ -91,15 +91,18 @@ def _lead(sample: Samples) -> str:
 
 def _warnings(sample: Samples) -> list[str]:
     """Return what a reader must know before any figure."""
-    lost, n = int((~sample.solved).sum()), len(sample.number)
+    n, collapsed = len(sample.number), int(sample.collapsed.sum())
+    lost = n - int(sample.solved.sum()) - collapsed
     notes = []
     if n < sample.planned:
         notes.append(f"The study is not finished: {sample.planned - n} variants are still to be computed.")
-    if lost:
+    if collapsed:
         notes.append(
-            f"{lost} of {n} variants have no result. They are left out of all figures; if they failed because the "
-            "plate has no equilibrium, they belong to the worst ones."
+            f"The foundation of {collapsed} of {n} variants fails: nothing can balance the loads. They count as failed "
+            "in the limit states, and are left out of statistics and pictures of values."
         )
+    if lost:
+        notes.append(f"{lost} of {n} variants have no result, and are left out of all figures.")
     return notes
 
 
@@ -123,7 +126,7 @@ def _parts(
         return [tables[name]] if name in tables else []
 
     results = bool(sample.outputs) and bool(sample.solved.any())
-    if results and sample.limits:
+    if sample.limits and (results or sample.collapsed.any()):
         chosen = sample.random and any(each.chosen for each in sample.inputs)
         add("limit-states", "Limit states", [figures.designs(sample, level)] if chosen else [], named("limit_states"))
     if reliability:

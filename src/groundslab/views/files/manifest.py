@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
+from groundslab.results.results import refusal_words
 from groundslab.views.summary import combinations
 
 if TYPE_CHECKING:
@@ -111,7 +112,7 @@ def of_all(combined: Results) -> dict[str, Writer]:
     writers: dict[str, Writer] = {
         f"tables/{table.name}.csv": partial(write_text, text=table.csv()) for table in tables_of(combined)
     }
-    if len(combined.results) > 1 or combined.model.reinforcement is not None:
+    if len(combined.results) > 1 or (combined.results and combined.model.reinforcement is not None):
         writers["envelope.vtu"] = partial(vtk.write_envelope, combined)
     return writers
 
@@ -145,7 +146,7 @@ def _list_of(found: list[Entry], folders: dict[str, str]) -> str:
     rows.writerow(head + [f"factor of {case}" for case in cases])
     for entry in found:
         factors, name = dict(entry.combination.factors), entry.combination.name
-        outcome = ["yes", ""] if entry.refused is None else ["no", " ".join(str(entry.refused).split())]
+        outcome = ["yes", ""] if entry.refused is None else ["no", refusal_words(entry.refused)]
         first = [str(entry.number), name, entry.combination.limit_state, folders.get(name, "")]
         rows.writerow([*first, *outcome, *(factors.get(case, 0.0) for case in cases)])
     return text.getvalue()

@@ -328,7 +328,7 @@ def _fill(combined: Results, folder: Path, *, plot: bool) -> None:
 
     writers, folders = manifest.files_of(combined, plot)
     writers["case.toml"] = lambda path: manifest.write_text(path, casefile.to_toml(combined.model))
-    if combined.results:
+    if combined.results or combined.without_equilibrium:
         writers |= manifest.of_all(combined)
     # A summary that cannot be made stops everything before the large files are written.
     text = json_text(combined, folders, [*writers, "summary.json"])

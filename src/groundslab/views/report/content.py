@@ -14,6 +14,7 @@ from groundslab.errors import InputError, Issue
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
 from groundslab.results.record import Certificate
+from groundslab.results.results import refusal_words
 from groundslab.results.soil_profile import list_columns
 from groundslab.schema.wording import listed
 from groundslab.views.report import drawings, table_layout
@@ -107,7 +108,7 @@ def build_page(
         "unprinted": table_layout.find_unprinted(tables),
         "history": list_steps(found),
         "pictures": list(drawings.draw_pictures(combined)),
-        "refused": [(entry.combination.name, str(entry.refused)) for entry in found if entry.refused is not None],
+        "refused": [(name, refusal_words(error)) for name, error in combined.refused.items()],
     }
 
 
@@ -119,22 +120,19 @@ def _title_block(project: Project | None) -> list[tuple[str, str]]:
 
 def _facts(combined: Results) -> Iterator[tuple[str, str]]:
     """Yield what stands in the title block beside title, program and file."""
-    count, refused = len(combined.combinations), len(combined.refused)
-    yield "Combinations", f"{count}, of which {refused} refused" if refused else str(count)
+    counts = {"without equilibrium": len(combined.without_equilibrium), "not solved": len(combined.unsolved)}
+    parts = [f"{count} {what}" for what, count in counts.items() if count]
+    total = str(len(combined.combinations))
+    yield "Combinations", f"{total}, of which {' and '.join(parts)}" if parts else total
 
 
 def _verdict(combined: Results, found: Sequence[Entry]) -> tuple[str, str]:
     """Return how good the results of all combinations are (good, doubtful, bad), and that in words."""
-    numbers = [str(entry.number) for entry in found if entry.refused is not None]
-    if not numbers:
+    if not combined.refused:
         certified, coarse = sections.certified_words(len(found)), coarse_words(combined)
         return ("doubtful", f"{certified} {coarse}") if coarse else ("good", certified)
-    if len(found) == 1:
-        return ("bad", "FAILED: there is no certified result; use nothing of it.")
-    if len(numbers) == len(found):
-        return ("bad", "FAILED: no combination has a certified result; use nothing of it.")
-    words = f"{len(numbers)} of {len(found)} combinations have no certified result, number {', '.join(numbers)}."
-    return ("bad", f"FAILED: {words} The results of the others are certified.")
+    others = ["The results of the others are certified."] if combined.results else []
+    return ("bad", " ".join([*combinations.refusal_sentences(combined), *others]))
 
 
 def list_sections(combined: Results) -> list[SummarySection]:

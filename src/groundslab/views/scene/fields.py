@@ -13,6 +13,7 @@ from groundslab.design.tables.reinforcement import bar_fields
 from groundslab.errors import GroundslabError
 from groundslab.results.contact_zone import contact_function, goes_below_zero, has_line_force
 from groundslab.results.fields import BAR_FIELDS, LINE_FORCE, PLATE_FIELDS, SHOWN_ELEMENT_FIELDS, extreme
+from groundslab.results.results import refusal_words
 from groundslab.views.scene.binary import Blocks, Scene
 from groundslab.views.scene.plan import plan_of
 from groundslab.views.summary import combinations
@@ -136,7 +137,7 @@ def _combination(
         "number": entry.number,
         "limit_state": entry.combination.limit_state,
         "factors": [list(pair) for pair in entry.combination.factors],
-        "refused": None if entry.refused is None else str(entry.refused),
+        "refused": None if entry.refused is None else refusal_words(entry.refused),
         "certified": entry.refused is None,
         "values": values,
         "extremes": {} if results is None else dict(_extremes(results, names)),

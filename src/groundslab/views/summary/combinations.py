@@ -13,7 +13,7 @@ from groundslab.views.summary import sections
 from groundslab.views.summary.rows import Row, SummarySection
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
+    from collections.abc import Collection, Iterable, Iterator, Sequence
 
     from groundslab.errors import GroundslabError
     from groundslab.model.loads.load_cases import Combination
@@ -73,6 +73,24 @@ def case_lines(combined: Results) -> list[str]:
         *(f"{use.case.name} ({use.about()}): {use.words()}" for use in uses),
         *(f"remark: {each.words}" for each in remarks if not each.doubtful and each.path[0] != "loads"),
     ]
+
+
+def refusal_sentences(combined: Results) -> Iterator[str]:
+    """Yield in which combinations the foundation fails, and which the program could not solve."""
+    if combined.without_equilibrium:
+        yield f"FOUNDATION FAILS: no equilibrium{_some_of(combined, combined.without_equilibrium)}."
+    if combined.unsolved and len(combined.combinations) == 1:
+        yield "FAILED: the certificate does not hold; do not use the result."
+    elif combined.unsolved:
+        yield f"FAILED: no certified result{_some_of(combined, combined.unsolved)}."
+
+
+def _some_of(combined: Results, names: Collection[str]) -> str:
+    """Return which of several combinations are meant, by their numbers; nothing of an only one."""
+    count = len(combined.combinations)
+    numbers = [str(number) for number, each in enumerate(combined.combinations, 1) if each.name in names]
+    which = f" in {len(numbers)} of {count} combinations, number {', '.join(numbers)}"
+    return which if count > 1 else ""
 
 
 def description(combined: Results) -> list[SummarySection]:

@@ -23,6 +23,7 @@ from groundslab.units import UNITS, Unit
 from groundslab.views.summary import combinations, sections
 
 if TYPE_CHECKING:
+    from groundslab.design.checks import DesignCheck
     from groundslab.errors import GroundslabError
     from groundslab.model.case_use import CaseUse
     from groundslab.results.results import CombinationResult, Results
@@ -76,8 +77,14 @@ def design(combined: Results) -> dict[str, Any]:
     from groundslab.design.checks import check_design
 
     found = check_design(combined)
-    checks = [asdict(check) | {"utilisation": check.utilisation} for check in found.checks]
+    checks = [_check(check) for check in found.checks]
     return {"status": found.status, "headline": found.headline, "checks": checks}
+
+
+def _check(check: DesignCheck) -> dict[str, Any]:
+    """Return a check as data for JSON, which knows no infinite utilisation: nothing resists there."""
+    used = check.utilisation
+    return asdict(check) | {"utilisation": used if used is not None and isfinite(used) else None}
 
 
 def _only(results: CombinationResult) -> dict[str, Any]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from groundslab._version import __version__
 from groundslab.results.contact_zone import goes_below_zero
+from groundslab.results.results import refusal_words
 from groundslab.units import format_number
 from groundslab.views.summary import combinations
 from groundslab.views.summary.discretization import coarse_words
@@ -58,11 +59,8 @@ def print_summary(combined: Results, console: Console) -> None:
     if not combined.refused:
         _print_certified(combined, design, console)
         return
-    failed = "FAILED: the certificate does not hold; do not use the result."
-    if only is None:
-        numbers = ", ".join(str(entry.number) for entry in found if entry.refused is not None)
-        failed = f"FAILED: {len(combined.refused)} of {len(found)} combinations have no certified result: {numbers}."
-    _print_lines([failed], "bold red", console)
+    for line in combinations.refusal_sentences(combined):
+        _print_lines(textwrap.wrap(line, 78), "bold red", console)
 
 
 def _print_cases(combined: Results, console: Console) -> None:
@@ -88,7 +86,7 @@ def _print_only(results: CombinationResult, console: Console) -> None:
 
 def _print_several(combined: Results, found: Sequence[Entry], console: Console) -> None:
     """Print what combinations have in common, each on its lines, and the extremes over all."""
-    for section in combinations.description(combined):
+    for section in combinations.description(combined) if any(each.results for each in found) else []:
         _print_section(section, [_line(row) for row in section.rows], console)
     console.print()
     _print_lines(["Combinations"], "bold cyan", console)
@@ -100,6 +98,8 @@ def _print_several(combined: Results, found: Sequence[Entry], console: Console) 
     for section, rows in combinations.extremes(combined):
         titled = replace(section, title=f"{section.title}: extremes")
         _print_section(titled, [_extreme(row) for row in rows], console)
+    if not combined.results:
+        return
     worst = SummarySection("certificate", "Certificate: the worst of each figure", ())
     _print_section(worst, [_extreme(row) for row in combinations.worst(combined)], console)
     _print_lines(["  The number before each line is that of the combination that governs."], "dim", console)
@@ -132,8 +132,7 @@ def _entry(entry: Entry) -> Iterator[Text]:
             line.append("  ok", style="green")
         yield line
     if entry.refused is not None:
-        reason = " ".join(str(entry.refused).split())
-        shown = textwrap.wrap(f"REFUSED: {reason}", 74, max_lines=6, placeholder=" ...")
+        shown = textwrap.wrap(refusal_words(entry.refused), 74, max_lines=6, placeholder=" ...")
         yield from (Text(f"    {line}", style="bold red") for line in shown)
 
 
@@ -145,10 +144,10 @@ def _extreme(extreme: Extreme) -> Text:
 
 
 def _head(title: str, design: Design, console: Console) -> None:
-    """Print the title, the version, and the checks of the design, utilisation before each; what fails comes first."""
+    """Print the verdict on the design, the title, the version, and the checks, utilisation before each."""
+    _print_lines(textwrap.wrap(design.headline, 78), _STYLES[design.status], console)
     _print_lines([title or "(no title)"], "bold", console)
     _print_lines([f"groundslab {__version__}"], "dim", console)
-    _print_lines(textwrap.wrap(design.headline, 78), _STYLES[design.status], console)
     for check in design.checks:
         used = "" if check.utilisation is None else f"{check.utilisation:.2f}"
         lines = textwrap.wrap(f"{used:>6} {check.name}: {check.words}", 78, subsequent_indent=" " * 7)

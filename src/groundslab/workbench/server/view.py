@@ -12,6 +12,7 @@ from fastapi.responses import JSONResponse, Response, StreamingResponse
 
 from groundslab.case import casefile
 from groundslab.errors import InputError, Issue
+from groundslab.results.results import refusal_words
 from groundslab.views.files import archive, results_folder
 from groundslab.workbench.events import Event, Hub
 from groundslab.workbench.server.routes import (
@@ -97,7 +98,8 @@ class ResultsView:
         design = self.summary["design"]
         headline = design["headline"] if design.get("status") in ("fails", "attention") else ""
         about = {"run": ONLY, "version": ONLY, "seconds": None, "design": headline}
-        return [("solved", about | {"refused": {name: str(why) for name, why in self._results.refused.items()}})]
+        refused = {name: refusal_words(why) for name, why in self._results.refused.items()}
+        return [("solved", about | {"refused": refused})]
 
     def write_report(self) -> tuple[str, bytes]:
         """Return a name for the report on the results, and its content, which is made once."""

@@ -86,6 +86,7 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
     from groundslab.analysis.driver import solve_combinations
     from groundslab.case import casefile
     from groundslab.model.combinations import list_combinations
+    from groundslab.results.results import refusal_words
     from groundslab.views.scene.binary import pack
     from groundslab.views.scene.fields import scene_of
     from groundslab.views.summary.progress import CombinationCount, line
@@ -111,7 +112,7 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
         progress.show(f"on a mesh of {unknowns:,} unknowns, which is being refined", pack(scene_of(results)))
 
     combined = solve_combinations(model, on_step, on_combination, on_mesh)
-    refused = {name: str(error) for name, error in combined.refused.items()}
+    refused = {name: refusal_words(error) for name, error in combined.refused.items()}
     summary, scene = build_summary(combined), pack(scene_of(combined))
     tables = layout_makers(combined)
     answer = Answer(time.perf_counter() - start, refused, summary, tuple(tables))

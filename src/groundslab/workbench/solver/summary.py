@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from groundslab.results.results import refusal_words
 from groundslab.units import format_number
 from groundslab.views.summary import combinations, json_summary, sections
 from groundslab.views.summary.discretization import coarse_words
@@ -32,7 +33,7 @@ def _combination_to_json(entry: Entry) -> dict[str, Any]:
         "name": entry.combination.name,
         "limit_state": entry.combination.limit_state,
         "factors": combinations.factors_text(entry.combination),
-        "refused": None if entry.refused is None else str(entry.refused),
+        "refused": None if entry.refused is None else refusal_words(entry.refused),
     }
     if entry.results is None:
         return about | {"certificate": None, "sections": []}

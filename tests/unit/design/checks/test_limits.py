@@ -106,7 +106,9 @@ def test_limits_without_results_need_attention() -> None:
     combined = solved(model_with(settlement=0.01))
     alone = replace(combined, results={"ULS": combined.results["ULS"]}, refused={
         name: InputError([]) for name in ("SLS 1", "SLS 2")})  # fmt: skip
-    assert only(alone).status == "attention"
+    design = check_design(alone)
+    assert [each.status for each in design.checks] == ["attention", "attention"]
+    assert design.checks[0].words.endswith('not checked: "SLS 1", "SLS 2"')
 
 
 def test_no_limit_is_an_error() -> None:

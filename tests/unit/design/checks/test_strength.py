@@ -17,7 +17,7 @@ from groundslab.design.en1992.materials import Concrete
 from groundslab.design.en1992.punching import max_resistance, resistance_without_links
 from groundslab.design.tables.punching import demands
 from groundslab.design.tables.reinforcement import governing_needs
-from groundslab.errors import NoEquilibrium
+from groundslab.errors import GroundslabError, NotConverged, SingularMatrix
 from groundslab.model.model import Model
 from groundslab.results.results import Results
 from groundslab.views.report.html import render_report
@@ -150,14 +150,14 @@ def test_nothing_that_fails_is_no_approval() -> None:
 
 
 def test_ultimate_combinations_that_count_for_nothing() -> None:
-    """Refused ones leave a design open; if all are, nothing is checked; characteristic ones are never designed for."""
+    """Unsolved ones leave a design open; if all are, nothing is checked; characteristic ones are never designed for."""
     model = described(combinations=[ULS, {**ULS, "name": "more"}])
     of = solved(model)
-    refused = {"more": NoEquilibrium("no")}
+    refused: dict[str, GroundslabError] = {"more": NotConverged("gamma", [], {})}
     design = check_design(replace(of, results={"ULS": of.results["ULS"]}, refused=refused))
-    assert words(design, "ultimate combinations").endswith('not designed for: "more"')
-    none = check_design(replace(of, results={}, refused={**refused, "ULS": NoEquilibrium("no")}))
-    assert (none.status, none.checks) == ("not checked", ())
+    assert words(design, "unsolved combinations").endswith('not checked: "more"')
+    none = check_design(replace(of, results={}, refused={**refused, "ULS": SingularMatrix("no")}))
+    assert [(each.name, each.status) for each in none.checks] == [("unsolved combinations", "attention")]
     assert demands(solved(described())).found.keys() == {("ULS", "C1")}
     given = check_design(solved(described(combinations=[{**ULS, "factors": {"G": 1.0}}])))
     assert "must hold the partial factors" in words(given, "partial factors")
@@ -169,10 +169,10 @@ ALONE = solved(described(5e6, combinations=[ULS]))
 
 @pytest.mark.parametrize("of", [FAILING, ALONE], ids=["several", "one"])
 def test_failure_comes_first_on_the_terminal(of: Results) -> None:
-    """The headline stands below the title, the reasons follow, and the last line repeats it; 80 columns, no tags."""
+    """The headline is the first line, the reasons follow, and the last line repeats it; 80 columns, no tags."""
     lines = printed(of).splitlines()
-    assert lines[2].startswith("DESIGN FAILS: punching at the column's face, 3.75 times its limit; 2 of 5")
-    assert lines[3] == "checks fail."
+    assert lines[0].startswith("DESIGN FAILS: punching at the column's face, 3.75 times its limit; 2 of 5")
+    assert lines[1] == "checks fail."
     assert lines[4].startswith("  3.75 punching at the column's face: 1 column; worst C1")
     assert any(line.startswith("DESIGN FAILS") for line in lines[-3:])
     assert max(map(len, lines)) <= 80

@@ -74,10 +74,12 @@ def row(found: Table, **where: Any) -> dict[str, Any]:
 
 
 def test_what_is_not_asked_for_has_no_table() -> None:
-    """Without points, lines, strips, supports, columns and reinforcement five tables are left, four without cases."""
-    always = ["combinations", "extremes", "envelope", "tilt"]
-    assert [each.name for each in tables_of(combined())] == ["combinations", "acting", *always[1:]]
-    assert [each.name for each in tables_of(results_of(results()))] == always
+    """Without points, lines, strips, supports, columns and reinforcement four tables are left, and those of cases and checks."""
+    names = ["extremes", "envelope", "tilt"]
+    assert [each.name for each in tables_of(combined())] == ["combinations", "acting", *names, "checks"]
+    all_well = replace(combined(), combinations=combined().combinations[1:], refused={})
+    assert [each.name for each in tables_of(all_well)] == ["combinations", "acting", *names]
+    assert [each.name for each in tables_of(results_of(results()))] == ["combinations", *names]
     assert groundslab.tables_of is tables_of
 
 
@@ -96,7 +98,7 @@ def test_combinations() -> None:
     assert most["largest pressure"] == pytest.approx(560)
     assert most["largest edge line force"] is None
     assert (most["worst figure of the certificate"], most["which figure"]) == (1e-11, "ground_balance")
-    assert lifted["outcome"] == "refused: nothing holds the plate down"
+    assert lifted["outcome"] == "FOUNDATION FAILS: nothing holds the plate down"
     assert all(value is None for key, value in lifted.items() if key not in list(lifted)[:5])
 
 
@@ -541,12 +543,17 @@ def test_different_meshes_have_no_envelope() -> None:
 
 
 def test_all_refused() -> None:
-    """Where nothing has results, the table of combinations says why; factors are known, all else is empty."""
+    """Where nothing has results, the table of combinations says why, and each is a check that fails; factors are known."""
     output = {"points": [{"name": "P", "x": 0, "y": 0}]}
     model = described(columns=COLUMNS, reinforcement=STEEL, output=output)
     refused = {each.name: NoEquilibrium("no") for each in model.combinations}
     of = Results(model, model.combinations, {}, refused)
-    assert {each.name: len(each) for each in tables_of(of) if len(each)} == {"combinations": 4, "acting": 7}
+    assert {each.name: len(each) for each in tables_of(of) if len(each)} == {
+        "combinations": 4,
+        "acting": 7,
+        "checks": 4,
+    }
+    assert set(table("checks", of)["verdict"]) == {"fails"}
     assert fields_of_envelope(of) == {}
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 from xml.etree import ElementTree
@@ -31,7 +32,14 @@ def values(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return SOIL.ppf(u[:, 0]), LOAD.ppf(u[:, 1])
 
 
-def sample(kind: str, u: np.ndarray, designs: int = 1, missing: tuple[int, ...] = (), name: str = "w") -> Samples:
+def sample(
+    kind: str,
+    u: np.ndarray,
+    designs: int = 1,
+    missing: tuple[int, ...] = (),
+    name: str = "w",
+    reason: str = "NotConverged",
+) -> Samples:
     """Return a study of w = q / E + (what is chosen) / 100 with limit w <= 2 mm."""
     E, q = (np.tile(each, designs) for each in values(u))
     t = np.repeat(np.arange(designs) / 10, len(u))
@@ -44,7 +52,7 @@ def sample(kind: str, u: np.ndarray, designs: int = 1, missing: tuple[int, ...] 
         kind=kind,
         seed=3,
         number=np.arange(n),
-        reason=tuple(f"NoEquilibrium: {name}" if i in missing else "" for i in range(n)),
+        reason=tuple(f"{reason}: {name}" if i in missing else "" for i in range(n)),
         seconds=np.full(n, 0.25),
         inputs=tuple(inputs),
         outputs=(Output(name, UNITS["mm"], w),),
@@ -91,6 +99,27 @@ def test_probability_of_failure_and_what_missing_results_could_change() -> None:
     wanted = stats.binomtest(failed + 2, 400).proportion_ci(0.95, "wilson").high
     assert row["high if these fail"] == pytest.approx(wanted, rel=1e-9)
     assert row["target kept"] == ("yes" if wanted < 0.05 else "no")
+
+
+@pytest.mark.parametrize("reason", ["NoEquilibrium", "NeutralEquilibrium"])
+def test_a_foundation_that_fails_counts_as_a_failure(reason: str) -> None:
+    """Variants without equilibrium fail every limit state, at most and at least; statistics leave them out."""
+    made = monte_carlo(missing=(7, 100), reason=reason)
+    lower = replace(made, limits=(Limit("least", "w", "at least", 0.0),))
+    both = replace(made, limits=(*made.limits, *lower.limits))
+    failed = int((made.outputs[0].values > 2e-3).sum())
+    for of, expected in ((made, (failed + 2,)), (lower, (2,)), (both, (failed + 2, 2))):
+        columns = table(of, "limit_states")
+        assert columns["failed"] == expected
+        assert columns["variants"] == (400,) * len(expected)
+        assert set(columns["without a result"]) == {0}
+    row = {name: column[0] for name, column in table(made, "limit_states").items()}
+    assert row["probability of failure"] == pytest.approx((failed + 2) / 400, rel=1e-12)
+    assert row["probability of failure"] == tables.failure_probability(made, made.groups[0], made.limits[0]).value
+    assert table(made, "statistics")["variants"] == (398,)
+    assert min(table(made, "exceedance")["probability"]) == pytest.approx(2 / 400, rel=1e-12)  # type: ignore[type-var]
+    assert table(made, "missing")["foundation fails"] == ("yes",)
+    assert "The foundation of 2 of 400 variants fails" in made_page(made)
 
 
 @pytest.mark.slow
@@ -314,7 +343,7 @@ def test_texts_of_the_study_are_escaped() -> None:
     assert not reader.scripts
     assert "<script" not in text
     assert text.count("&lt;script&gt;") > 5
-    assert "NoEquilibrium: &lt;script" in text
+    assert "NotConverged: &lt;script" in text
 
 
 @pytest.mark.slow
@@ -347,11 +376,13 @@ def test_figures_are_whole_svg() -> None:
 
 @pytest.mark.slow
 def test_a_study_without_any_result_has_a_page() -> None:
-    """Where all variants failed, the page says so and why."""
-    made = monte_carlo(12, missing=tuple(range(12)))
-    text = made_page(made)
+    """Where no variant has a result, the page says so and why; where all foundations fail, that this is certain."""
+    text = made_page(monte_carlo(12, missing=tuple(range(12))))
     assert "12 of 12 variants have no result" in text
-    assert "NoEquilibrium" in text
+    assert "NotConverged" in text
+    text = made_page(monte_carlo(12, missing=tuple(range(12)), reason="NoEquilibrium"))
+    assert "The foundation of 12 of 12 variants fails" in text
+    assert "Limit states" in text
 
 
 @pytest.mark.slow

@@ -213,7 +213,7 @@ class TestStructure:
         assert groundslab.__version__ in facts["Program"]
         assert facts["Input file"] == "case.toml"
         assert facts["SHA-256 of its text"] == hashlib.sha256(text.encode()).hexdigest()
-        assert facts["Combinations"] == "3, of which 1 refused"
+        assert facts["Combinations"] == "3, of which 1 without equilibrium"
         assert root.one("details", id="text").one("pre").text == text
 
     @pytest.mark.slow
@@ -271,7 +271,9 @@ class TestVerdict:
     def test_of_several(self, root: Element) -> None:
         """One refused combination makes the verdict bad, and its reason is reported."""
         verdict = root.one("p", class_="verdict bad").text
-        assert "1 of 3 combinations have no certified result, number 3." in verdict
+        assert "FOUNDATION FAILS: no equilibrium in 1 of 3 combinations, number 3." in verdict
+        assert "The results of the others are certified." in verdict
+        assert root.one("p", class_="verdict bad design").text.startswith("FOUNDATION FAILS")
         assert "nothing holds part" in root.one("section", id="refused").text
 
     @pytest.mark.slow
@@ -291,7 +293,7 @@ class TestVerdict:
         """An uncertified result is shown with its certificate only: no extremes, no pictures, no tables of it."""
         bad = replace(synthetic.CERTIFICATE, residual=1.0)
         found = page(render_report(synthetic.results(certificate=bad)))
-        assert "use nothing of it" in found.one("p", class_="verdict bad").text
+        assert "do not use the result" in found.one("p", class_="verdict bad").text
         rows = next(grids(found.one("section", id="certificate")))[1]
         assert [row[0] for row in rows if row[-1] == "FAILED"] == ["force left over at a node"]
         assert "No combination has a certified result" in found.one("section", id="extremes").text
@@ -303,7 +305,7 @@ class TestVerdict:
         model = described(["part"])
         refused = {each.name: NoEquilibrium(f"why {each.name}") for each in model.combinations}
         found = page(render_report(Results(model, model.combinations, {}, refused)))
-        assert "no combination has a certified result" in found.one("p", class_="verdict bad").text
+        assert "no equilibrium in " in found.one("p", class_="verdict bad").text
         assert all(f"why {name}" in found.one("section", id="refused").text for name in refused)
         assert found.one("section", id="drawings").one("svg", class_="drawing").text.startswith("Plan")
 

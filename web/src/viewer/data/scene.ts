@@ -107,7 +107,7 @@ export interface Combination {
   number: number;
   limit_state: string;
   factors: [string, number][];
-  refused: string | null;
+  refused: string | null; // "FOUNDATION FAILS: why" or "not solved: why"
   certified: boolean;
   values: Record<string, Block> | null;
   extremes: Record<string, Range>; // of "line_force" along the plate's edges, where the ground has one

@@ -256,7 +256,8 @@ function fillCombinations(select: HTMLSelectElement, scene: Scene, offerRefused:
 
 /** Return what is to be said of a combination beside its name. */
 function remarkOn({ name, refused, values, certified }: Combination, leftOut: readonly string[]): string {
-  if (refused !== null) return " (no equilibrium)";
+  // the kind of failure stands before the reason
+  if (refused !== null) return ` (${refused.split(":", 1)[0]!.toLowerCase()})`;
   if (values === null) return leftOut.includes(name) ? " (left out)" : " (no values)";
   return certified ? "" : " (not certified)";
 }

@@ -294,7 +294,7 @@ export class ResultPanel {
     const bad = summary?.combinations.filter((each) => verdictOf(each) !== "certified").length ?? 0;
     this.lower.mark("certificate", summary ? (bad > 0 ? String(bad) : "✓") : "", bad > 0);
     this.refusedBox.hidden = one === null || one.refused === null;
-    fill(this.refusedBox, h("h3", {}, `${one?.name ?? ""} has no solution`), h("p", {}, one?.refused ?? ""));
+    fill(this.refusedBox, h("h3", {}, one?.name ?? ""), h("p", {}, one?.refused ?? ""));
     this.values.show(view.scene, view.locator, view.choice, this.pick, view.field);
     this.section.update();
   }

@@ -35,7 +35,7 @@ export function showSummary(
   const design = designOf(summary);
   if (!one) return fill(element, ...design, h("p", { class: "empty" }, "Choose a combination to see its figures."));
   if (one.refused !== null)
-    return fill(element, ...design, h("p", { class: "verdict bad" }, `${one.name} has no solution: ${one.refused}`));
+    return fill(element, ...design, h("p", { class: "verdict bad" }, `${one.name}: ${one.refused}`));
   const sections = one.sections.map(({ title, rows, notes }) =>
     h(
       "section",
@@ -78,7 +78,7 @@ export function verdictOf(one: CombinationSummary): Verdict {
   return one.certificate.holds === true ? "certified" : "not certified";
 }
 
-const TEXTS: Record<Verdict, string> = { certified: "holds", "not certified": "does not hold", refused: "no solution" };
+const TEXTS: Record<Verdict, string> = { certified: "holds", "not certified": "does not hold", refused: "no result" };
 
 /** Show the certificates of all combinations; `choose` is called with the position of one that was clicked. */
 export function showCertificates(element: HTMLElement, summary: Summary | null, choose: (n: number) => void): void {

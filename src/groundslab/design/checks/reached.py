@@ -1,0 +1,183 @@
+"""What stands at a limit of the model: supports and piles, joints with play, ground that yields, loads cut off.
+
+In the analysis a limit is a law: a pile at its limit carries no more, and what it leaves goes elsewhere. That all is in
+equilibrium then does not say that it may be so. A pile keeps F_c;d <= R_c;d (EN 1997-1 7.6.2.1, in tension 7.6.3.1).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from groundslab.design.checks.check import DesignCheck, Status, some
+from groundslab.design.support_forces import REACHED, Utilization, idle, utilization
+from groundslab.design.tables.quantities import solved_results
+from groundslab.model.loads.clipping import Clipped, find_clipped_loads
+from groundslab.model.loads.load_cases import STRENGTH
+from groundslab.model.plates.joints import ElasticJoint
+from groundslab.model.supports import AnySupport, LineSupport, Pile
+from groundslab.results.results import CombinationResult, JointResult, Results
+
+PILE, SUPPORT = "pile force / resistance", "support force / limit"
+ONE_SIDED, PLAY, GROUND, CUT_OFF = "one-sided support", "play of a joint", "limit pressure", "loads cut off"
+#: Ground has sunk in if by more than this share of the largest settlement.
+SUNK = 1e-6
+#: Of loads that are cut off so many are named.
+MOST_CUT = 5
+
+
+def checks(combined: Results) -> Iterator[DesignCheck]:
+    """Yield what has a limit in the model, and whether it stands there in any combination."""
+    results = solved_results(combined)
+    # where limits are reached at the same share, combinations of strength are named first
+    results.sort(key=lambda each: each.limit_state not in STRENGTH)
+    if results:
+        yield from _supports(results)
+        yield from _joints(results)
+        yield from _ground(results)
+    yield from _cut_off(combined)
+
+
+def _supports(results: list[CombinationResult]) -> Iterator[DesignCheck]:
+    """Yield what each support carries against its limits, and which one-sided supports carry nothing."""
+    for number, (described, support) in enumerate(zip(results[0].model.supports, results[0].supports, strict=False)):
+        name = support.name
+        used = {each.combination: utilization(described, each.supports[number]) for each in results}
+        limited = {combination: one for combination, one in used.items() if one is not None}
+        if limited:
+            yield _resistance(described, name, limited)
+        if described.acts != "both ways":
+            yield from _one_sided(described, name, number, results)
+
+
+def _resistance(described: AnySupport, name: str, used: Mapping[str, Utilization]) -> DesignCheck:
+    """Return the check of a support against its limits, in the combination that governs."""
+    reached = [combination for combination, one in used.items() if one.reached]
+    governing = reached[0] if reached else max(used, key=lambda each: used[each].share)
+    one = used[governing]
+    unit = "kN/m" if isinstance(described, LineSupport) else "kN"
+    force, limit = one.force / 1e3, one.limit / 1e3
+    resistance = described.limit_is
+    most = f"its {resistance} of {limit:.4g} {unit}"
+    status: Status = "no failure found"
+    words = f'{name}: {force:.4g} {unit} is {one.share:.3g} times {most} in "{governing}"'
+    if reached:
+        status = "fails" if resistance == "design resistance" else "attention"
+        words = f"{name}: {force:.4g} {unit} reaches {most} in {some(reached)}"
+    pile = isinstance(described, Pile)
+    return DesignCheck(
+        PILE if pile else SUPPORT,
+        status,
+        words,
+        of=name,
+        demand=force,
+        resistance=limit,
+        unit=unit,
+        clause="EN 1997-1 7.6.2.1, 7.6.3.1" if pile and resistance == "design resistance" else "",
+        combination=governing,
+        place=one.place,
+        foundation=True,
+    )
+
+
+def _one_sided(
+    described: AnySupport, name: str, number: int, results: list[CombinationResult]
+) -> Iterator[DesignCheck]:
+    """Yield where a support that acts one way carries nothing, if it does so in any combination.
+
+    The plate that lifts off a support needs attention; an anchor that is slack, or a gap that stays open, does not.
+    """
+    shares = {each.combination: _idle_share(each, number) for each in results}
+    lifted = [combination for combination, share in shares.items() if share > 0]
+    if not lifted:
+        return
+    most = max(lifted, key=lambda each: shares[each])
+    part = f"over {100 * shares[most]:.3g} % of its length " if isinstance(described, LineSupport) else ""
+    gap = getattr(described, "gap", 0.0)
+    slack = described.acts == "in tension"
+    what = "its gap stays open" if gap else "it is slack" if slack else "the plate lifts off"
+    words = f"{name}: {what} {part}in {some([most, *(each for each in lifted if each != most)])}"
+    status: Status = "no failure found" if gap or slack else "attention"
+    yield DesignCheck(ONE_SIDED, status, words, of=name, combination=most)
+
+
+def _idle_share(results: CombinationResult, number: int) -> float:
+    """Return the share of a support that carries nothing, by length along lines."""
+    support = results.supports[number]
+    if not len(support.nodes):
+        return 0.0
+    weight = support.length if support.length.any() else np.ones(len(support.nodes))
+    return float(weight @ idle(results, support) / weight.sum())
+
+
+def _joints(results: list[CombinationResult]) -> Iterator[DesignCheck]:
+    """Yield of each joint with play whether it closes, and what the joint carries then."""
+    for number, joint in enumerate(results[0].model.joints):
+        if not isinstance(joint, ElasticJoint) or joint.gap == 0:
+            continue
+        forces = {each.combination: each.joints[number] for each in results}
+        governing = max(forces, key=lambda each: float(np.abs(forces[each].step).max()))
+        closed = [combination for combination, each in forces.items() if each.force.any()]
+        words = f"{joint.title}: {_play(forces[governing], joint.gap, closed)}"
+        yield DesignCheck(PLAY, "no failure found", words, of=joint.title, combination=governing)
+
+
+def _play(forces: JointResult, gap: float, closed: list[str]) -> str:
+    """Return what becomes of the play of a joint, from its forces where the step across it is largest."""
+    play, step = f"its play of {gap * 1e3:.4g} mm", f"the largest step is {np.abs(forces.step).max() * 1e3:.4g} mm"
+    if not closed:
+        return f"{play} stays open, {step}"
+    share = float(forces.length @ (forces.force != 0) / forces.length.sum())
+    q = np.abs(forces.force / forces.length).max() / 1e3
+    return f"{play} closes over {100 * share:.3g} % of its length in {some(closed)}; {step}, with {q:.4g} kN/m"
+
+
+def _ground(results: list[CombinationResult]) -> Iterator[DesignCheck]:
+    """Yield how much of the ground yields at its limit pressure."""
+    limit = results[0].model.contact.limit_pressure
+    if limit is None:
+        return
+    shares = {each.combination: _yielding_share(each, limit) for each in results}
+    yielding = [combination for combination, share in shares.items() if share > 0]
+    governing = max(results, key=lambda each: (shares[each.combination], float(each.plate.pressure.max())))
+    largest = min(float(governing.plate.pressure.max()), limit) if not yielding else limit
+    words = f'{largest / 1e3:.4g} kPa is {largest / limit:.3g} times the limit pressure in "{governing.combination}"'
+    if yielding:
+        share = shares[governing.combination]
+        words = (
+            f"the ground yields at {limit / 1e3:.4g} kPa under {100 * share:.3g} % of the plate's area in "
+            f'"{governing.combination}"; it yields in {some(yielding)}'
+        )
+    yield DesignCheck(
+        GROUND,
+        "attention" if yielding else "no failure found",
+        words,
+        demand=largest / 1e3,
+        resistance=limit / 1e3,
+        unit="kPa",
+        combination=governing.combination,
+        foundation=True,
+    )
+
+
+def _yielding_share(results: CombinationResult, limit: float) -> float:
+    """Return under which share of the plate's area the ground stands at its limit pressure, or has sunk in."""
+    plate = results.plate
+    sunk = plate.penetration > SUNK * max(float(np.abs(plate.settlement).max()), np.finfo(float).tiny)
+    yields = sunk | (plate.pressure >= REACHED * limit)
+    return float(plate.area @ yields / plate.area.sum())
+
+
+def _cut_off(combined: Results) -> Iterator[DesignCheck]:
+    """Yield what of the loads does not act, as it lies beside the plate, or under it if it presses on the ground."""
+    model = combined.solved_model
+    clipped = find_clipped_loads(model.plate, model.loads, model.plates)
+    for where in dict.fromkeys(each.where for each in clipped):
+        yield _cut_off_there([each for each in clipped if each.where == where])
+
+
+def _cut_off_there(clipped: list[Clipped]) -> DesignCheck:
+    """Return that parts of some loads do not act, all for the same reason."""
+    more = f"; and {len(clipped) - MOST_CUT} more loads" if len(clipped) > MOST_CUT else ""
+    return DesignCheck(CUT_OFF, "attention", "; ".join(each.words() for each in clipped[:MOST_CUT]) + more)

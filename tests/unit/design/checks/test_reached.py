@@ -1,0 +1,321 @@
+"""What stands at a limit of the model has a row among the checks: by hand, and for every key that is a limit."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any, get_args
+
+import numpy as np
+import pytest
+from scipy.optimize import fsolve
+
+from groundslab.analysis.driver import solve, solve_combinations
+from groundslab.design.checks import DesignCheck, check_design, reached
+from groundslab.design.result_tables import tables_of
+from groundslab.errors import InputError
+from groundslab.fem.continuum import piles
+from groundslab.model.model import Model
+from groundslab.results.results import Results
+from groundslab.schema.base import Section
+
+STIFF = {"thickness": 1.0, "E": 30e12, "nu": 0.2}
+#: A stiff plate of 4 m x 4 m, 400 kN, on springs.
+PLATE: dict[str, Any] = {
+    "plate": {"length_x": 4, "length_y": 4} | STIFF,
+    "ground": {"kind": "winkler", "k": 10e6},
+    "cases": [{"name": "G"}],
+    "loads": [{"kind": "self weight", "unit_weight": 25e3, "case": "G"}],
+    "combinations": [
+        {"name": "char", "limit_state": "characteristic", "factors": {"G": 1.0}},
+        {"name": "ULS", "factors": {"G": 1.35}},
+    ],
+    "mesh": {"size": 1.0},
+}
+#: Four springs that carry it all, as there is a wide gap above the ground.
+CORNERS = [
+    {"kind": "point", "name": f"S{n}", "x": x, "y": y, "stiffness": 50e6, "acts": "in compression"}
+    for n, (x, y) in enumerate([(-1.5, -1.5), (1.5, -1.5), (-1.5, 1.5), (1.5, 1.5)], start=1)
+]
+PULL = {"kind": "point", "P": -200e3, "x": 1.5, "y": 0.0, "case": "G"}
+#: Two such plates side by side, of which the first has 20 kPa more.
+TWO: dict[str, Any] = {
+    "plate": {"name": "A", "outline": {"kind": "rectangle", "x": (-4, 0), "y": (-2, 2)}} | STIFF,
+    "plates": [{"name": "B", "outline": {"kind": "rectangle", "x": (0, 4), "y": (-2, 2)}} | STIFF],
+    "loads": [
+        {"kind": "self weight", "unit_weight": 25e3, "case": "G"},
+        {"kind": "uniform", "q": 20e3, "plate": "A", "case": "G"},
+    ],
+}
+WALL = {"kind": "line", "name": "wall", "points": [(0, -2), (0, 2)], "stiffness": 1e8}
+PILE = {"kind": "pile", "x": 0.0, "y": 0.0, "length": 10.0, "diameter": 0.5}
+CONTINUUM = {"ground": {"kind": "continuum", "half_space": {"E": 20e6, "nu": 0.3}}}
+DESIGN = {"limit": 1e3, "limit_is": "design resistance"}
+
+
+def solved(**changes: Any) -> Results:
+    """Return the results of the plate with some keys changed."""
+    return solve(Model(**PLATE | changes))
+
+
+def rows(name: str, of: Results) -> list[DesignCheck]:
+    """Return the checks of a name."""
+    return [each for each in check_design(of).checks if each.name == name]
+
+
+def on_corners(**keys: Any) -> Results:
+    """Return the plate on four springs alone, which have further keys."""
+    return solved(supports=[each | keys for each in CORNERS], contact={"gap": 1.0})
+
+
+def test_springs_below_their_limit() -> None:
+    """Of 540 kN in the ultimate combination each of four carries 135 kN, 0.9 of its limit of 150 kN."""
+    found = rows(reached.SUPPORT, on_corners(limit=150e3))
+    assert sorted(each.of for each in found) == ["S1", "S2", "S3", "S4"]
+    for check in found:
+        assert (check.status, check.combination, check.unit) == ("no failure found", "ULS", "kN")
+        assert (check.demand, check.resistance) == (pytest.approx(135), 150)
+        assert check.words.endswith('is 0.9 times its ultimate resistance of 150 kN in "ULS"')
+
+
+@pytest.mark.parametrize(("limit_is", "status"), [("ultimate resistance", "attention"), ("design resistance", "fails")])
+def test_springs_at_their_limit(limit_is: str, status: str) -> None:
+    """Of 400 and 540 kN four springs and the ground would carry 56 and 75 kN each: at 50 kN all four yield."""
+    supports = [each | {"limit": 50e3, "limit_is": limit_is} for each in CORNERS]
+    design = check_design(solved(supports=supports))
+    found = [each for each in design.checks if each.name == reached.SUPPORT]
+    assert [each.status for each in found] == [status] * 4
+    assert [each.utilisation for each in found] == pytest.approx([1.0] * 4)
+    assert found[0].words == f'S1: 50 kN reaches its {limit_is} of 50 kN in "ULS", "char"'
+    start = "FOUNDATION FAILS (4 of 4 checks fail): support" if status == "fails" else "DESIGN NEEDS ATTENTION: 4 of 4"
+    assert design.headline.startswith(start)
+
+
+def test_a_line_at_its_limit() -> None:
+    """Along a line the force per length is compared: 20 kN/m on 4 m, in the table of supports as well."""
+    wall = {"kind": "line", "name": "wall", "points": [(0, -2), (0, 2)], "stiffness": 1e9, "acts": "in compression"}
+    of = solved(supports=[wall | {"limit": 20e3}])
+    (check,) = rows(reached.SUPPORT, of)
+    assert (check.status, check.unit, check.resistance) == ("attention", "kN/m", 20)
+    assert of["ULS"].supports[0].total == pytest.approx(80e3)
+    table = next(each for each in tables_of(of) if each.name == "supports")
+    assert table["force over limit"] == pytest.approx((1.0, 1.0))
+    assert (table["limit"], table["unit of the limit"]) == ((20.0, 20.0), ("kN/m", "kN/m"))
+    assert table["stiffness alone"] == pytest.approx((4e3, 4e3))  # [MN/m]: 1 GN/m2 over 4 m
+
+
+def on_piles(**keys: Any) -> Results:
+    """Return the plate on two piles in a half-space, under 1.6 MN and 2.16 MN."""
+    pile = {"kind": "pile", "length": 10.0, "diameter": 0.5, "y": 0.0} | keys
+    ground = {"kind": "continuum", "half_space": {"E": 20e6, "nu": 0.3}}
+    more = [*PLATE["loads"], {"kind": "uniform", "q": 75e3, "case": "G"}]
+    return solved(
+        supports=[pile | {"name": "P1", "x": -1.0}, pile | {"name": "P2", "x": 1.0}], ground=ground, loads=more
+    )
+
+
+@pytest.mark.parametrize(
+    ("limit_is", "status", "clause"),
+    [("ultimate resistance", "attention", ""), ("design resistance", "fails", "EN 1997-1 7.6.2.1, 7.6.3.1")],
+)
+def test_piles_at_their_limit(limit_is: str, status: str, clause: str) -> None:
+    """Each pile has its row; in the table stand its limit, its settlement, and its stiffness in the soil by itself."""
+    of = on_piles(limit=100e3, limit_is=limit_is)
+    found = rows(reached.PILE, of)
+    assert [(each.of, each.status, each.clause) for each in found] == [(name, status, clause) for name in ("P1", "P2")]
+    assert found[0].words == f'P1: 100 kN reaches its {limit_is} of 100 kN in "ULS", "char"'
+    table = next(each for each in tables_of(of) if each.name == "supports")
+    alone = piles.Pile(10.0, 0.25, 30e9, 20e6 / 2.6, 0.3).head_stiffness
+    assert table["stiffness alone"] == pytest.approx([alone / 1e6] * 4)
+    w = np.array(table["greatest settlement"], dtype=float)
+    assert table["force over settlement"] == pytest.approx(100 / w)
+
+
+def test_a_pile_in_tension() -> None:
+    """A pile that is pulled is held against its limit in tension, whatever it could carry in compression."""
+    places = [(x, y) for x in (-1.0, 1.0) for y in (-1.0, 1.0)]
+    limits = {"limit": 20e3, "limit_tension": 100e3}
+    up = [{"kind": "uniform", "q": -10e3, "case": "G"}]
+    of = solved(**CONTINUUM, loads=up, supports=[PILE | limits | {"x": x, "y": y} for x, y in places])
+    found = rows(reached.PILE, of)
+    assert {(each.status, each.combination, each.resistance) for each in found} == {("no failure found", "ULS", 100)}
+    assert [each.demand for each in found] == pytest.approx([1.35 * 160 / 4] * 4)
+
+
+def test_a_support_that_lifts_off() -> None:
+    """A plate that is pulled off a support needs attention; an anchor that is slack does not."""
+    support = {"kind": "point", "name": "S", "x": 1.9, "y": 0, "stiffness": 1e8}
+    (check,) = rows(
+        reached.ONE_SIDED, solved(supports=[support | {"acts": "in compression"}], loads=[*PLATE["loads"], PULL])
+    )
+    assert (check.status, check.of) == ("attention", "S")
+    assert check.words == 'S: the plate lifts off in "ULS", "char"'
+    (check,) = rows(reached.ONE_SIDED, solved(supports=[support | {"acts": "in tension"}]))
+    assert (check.status, check.words) == ("no failure found", 'S: it is slack in "ULS", "char"')
+    (check,) = rows(reached.ONE_SIDED, solved(supports=[support | {"acts": "in compression", "gap": 1.0}]))
+    assert (check.status, check.words) == ("no failure found", 'S: its gap stays open in "ULS", "char"')
+    assert rows(reached.ONE_SIDED, solved(supports=[support | {"acts": "in compression"}])) == []
+
+
+def test_a_line_that_lifts_off_in_part() -> None:
+    """Of a line the share of its length is told that carries nothing; it is that of the results."""
+    wall = {"kind": "line", "name": "wall", "points": [(-2, 0), (2, 0)], "stiffness": 1e8, "acts": "in compression"}
+    of = solved(supports=[wall], loads=[*PLATE["loads"], PULL])
+    (check,) = rows(reached.ONE_SIDED, of)
+    support = of["ULS"].supports[0]
+    share = support.length[support.settlement < 0].sum() / 4
+    assert 0.1 < share < 0.9
+    assert f"the plate lifts off over {100 * share:.3g} % of its length in " in check.words
+
+
+@pytest.mark.parametrize(("gap", "words"), [(1.0, "stays open"), (1e-4, "closes over 100 % of its length")])
+def test_play_of_a_joint(gap: float, words: str) -> None:
+    """Two stiff plates on springs settle by 1.35 times 45 and 25 kPa over 10 MPa/m, 2.7 mm apart, unless joined."""
+    joint = {"kind": "elastic", "between": ("A", "B"), "stiffness": 1e5, "gap": gap}
+    (check,) = rows(reached.PLAY, solved(**TWO, joints=[joint]))
+    assert (check.status, check.of, check.combination) == ("no failure found", "A - B", "ULS")
+    assert words in check.words
+    if gap == 1.0:
+        assert "the largest step is 2.7 mm" in check.words
+
+
+def test_ground_at_its_limit_pressure() -> None:
+    """A stiff strip under an eccentric force: the share that yields is that of a line p = min(k (a + b x), p_max)."""
+    V, e, k, most = 400e3, 0.5, 10e6, 35e3
+    x = (np.arange(20_000) + 0.5) / 5_000 - 2.0
+    load = {"kind": "point", "P": V, "x": e, "y": 0, "case": "G"}
+
+    def unbalanced(at: np.ndarray) -> list[float]:
+        p = np.clip(k * (at[0] + at[1] * x), 0.0, most)
+        return [4 * 4 * p.mean() - V, 4 * 4 * (p * x).mean() - V * e]
+
+    a, b = fsolve(unbalanced, [2.5e-3, 1e-3])
+    share = float((k * (a + b * x) >= most).mean())
+    assert 0.2 < share < 0.8
+    of = solved(loads=[load], combinations=PLATE["combinations"][:1], contact={"limit_pressure": most},
+                mesh={"size": 0.25})  # fmt: skip
+    (check,) = rows(reached.GROUND, of)
+    assert (check.status, check.demand, check.resistance) == ("attention", 35, 35)
+    told = re.search(r"yields at 35 kPa under ([\d.]+) % of the plate's area", check.words)
+    assert told is not None
+    assert float(told[1]) / 100 == pytest.approx(share, abs=0.125 / 4)  # half an element's length
+    (check,) = rows(reached.GROUND, solved(contact={"limit_pressure": 100e3}))
+    assert (check.status, check.demand) == ("no failure found", pytest.approx(1.35 * 25))
+
+
+def test_loads_cut_off() -> None:
+    """Half of a patch lies beside the plate: 16 kN of 32 kN do not act."""
+    patch = {"kind": "patch", "name": "rack", "q": 4e3, "x": (0, 4), "y": (-1, 1), "case": "G"}
+    (check,) = rows(reached.CUT_OFF, solved(loads=[*PLATE["loads"], patch]))
+    assert check.status == "attention"
+    assert check.words == 'loads[2] "rack": 50 % of it lies off the plate; 16 kN of 32 kN do not act'
+
+
+def test_cut_off_loads_are_told_where_nothing_was_solved() -> None:
+    """A foundation that fails because its weight was drawn beside it says so."""
+    patch = {"kind": "patch", "q": -60e3, "x": (-2, 4), "y": (-2, 2), "case": "G"}
+    of = solve_combinations(Model(**PLATE | {"loads": [*PLATE["loads"], patch]}))
+    assert not of.results
+    assert [each.name for each in check_design(of).checks] == ["static equilibrium"] * 2 + [reached.CUT_OFF]
+
+
+def test_limit_is_needs_a_limit() -> None:
+    """A word about a limit that is not there is an error, as is another word."""
+    with pytest.raises(InputError, match="limit_is without a limit"):
+        Model(**PLATE | {"supports": [CORNERS[0] | {"limit_is": "design resistance"}]})
+    with pytest.raises(InputError, match="design resistance"):
+        Model(**PLATE | {"supports": [CORNERS[0] | {"limit": 1e3, "limit_is": "design"}]})
+
+
+#: By class and key a model that has a limit there, and the check that tells of it.
+MODELS: dict[str, tuple[str, dict[str, Any]]] = {
+    "PointSupport.limit": (reached.SUPPORT, {"supports": [CORNERS[0] | {"limit": 1e3}]}),
+    "PointSupport.limit_is": (reached.SUPPORT, {"supports": [CORNERS[0] | DESIGN]}),
+    "PointSupport.acts": (reached.ONE_SIDED, {"supports": [CORNERS[0] | {"acts": "in tension"}]}),
+    "PointSupport.gap": (reached.ONE_SIDED, {"supports": [CORNERS[0] | {"gap": 1.0}]}),
+    "LineSupport.limit": (reached.SUPPORT, {"supports": [WALL | {"acts": "in compression", "limit": 1e3}]}),
+    "LineSupport.limit_is": (reached.SUPPORT, {"supports": [WALL | {"acts": "in compression"} | DESIGN]}),
+    "LineSupport.acts": (reached.ONE_SIDED, {"supports": [WALL | {"acts": "in tension"}]}),
+    "LineSupport.gap": (reached.ONE_SIDED, {"supports": [WALL | {"acts": "in compression", "gap": 1.0}]}),
+    "Pile.limit": (reached.PILE, CONTINUUM | {"supports": [PILE | {"limit": 1e3}]}),
+    "Pile.limit_is": (reached.PILE, CONTINUUM | {"supports": [PILE | DESIGN]}),
+    "Pile.limit_tension": (reached.PILE, CONTINUUM | {"supports": [PILE | {"limit_tension": 100e3}]}),
+    "ElasticJoint.gap": (
+        reached.PLAY,
+        TWO | {"joints": [{"kind": "elastic", "between": ("A", "B"), "stiffness": 1e8, "gap": 1e-3}]},
+    ),
+    "Contact.limit_pressure": (reached.GROUND, {"contact": {"limit_pressure": 100e3}}),
+}
+#: Keys that sound like a limit and are none of what acts in the analysis, or are told elsewhere.
+ELSEWHERE = {
+    "Contact.tensionless": "the area in contact, in every summary, and limits.contact_share",
+    "Contact.gap": "a shape of the ground; where it stays open the area in contact says so",
+    "Contact.gaps": "the same",
+    "GapPoint.gap": "the same",
+    "Model.limits": "the checks of limits",
+    "Limits.settlement": "the checks of limits",
+    "Limits.uplift": "the checks of limits",
+    "Limits.differential_settlement": "the checks of limits",
+    "Limits.pressure": "the checks of limits",
+    "Reinforcement.w_max": "the check of crack widths",
+    "Reinforcement.f_yk": "a strength, of which the checks of bars are made",
+    "TR34Floor.f_yk": "the same",
+    "Combine.permanent": "a factor",
+    "Combine.variable": "a factor",
+    "Combine.uplift": "a factor",
+    "Plate.edges": "edges act both ways",
+    "Edges.right": "a place",
+    "Edges.top": "a place",
+    "Model.soil_strength": "the checks of bearing resistance and sliding",
+    "SoilStrength.phi": "the same",
+    "SoilStrength.gamma_Rv": "the same",
+    "SoilStrength.gamma_Rh": "the same",
+    "TR34Floor.kind": "the checks of floors",
+    "ACI360Floor.R_e3": "the checks of floors",
+    "SoilLayer.sublayers": "of the mesh",
+    "ConstrainedModulus.limit_ratio": "where the ground ends",
+    "Combination.limit_state": "a limit state",
+    "Cracking.limit_states": "a limit state",
+    "LongTerm.limit_states": "a limit state",
+    "Combine.sets": "a limit state",
+    "Mesh.size": "of the mesh",
+    "Mesh.accuracy": "of the mesh",
+    "Refinement.size": "of the mesh",
+    "Analysis.max_iterations": "of the program",
+}
+NAMES = re.compile(r"limit|gap|acts|play|tensionless|resist|capacity|_max|max_")
+MEANINGS = re.compile(r"\blimit|yield|largest|at most|\bonly\b|\bplay\b|lift|resistance|capacity")
+
+
+def sections(of: Any, known: set[type]) -> Iterator[type[Section]]:
+    """Yield all classes of sections that a type is made of, each once."""
+    if isinstance(of, type) and issubclass(of, Section) and of not in known:
+        known.add(of)
+        yield of
+        for field in of.model_fields.values():
+            yield from sections(field.annotation, known)
+    for part in get_args(of):
+        yield from sections(part, known)
+
+
+def keys_like_limits() -> Iterator[str]:
+    """Yield class and key of all fields of the model whose name or meaning speaks of a limit."""
+    for section in sections(Model, set()):
+        for name, field in section.model_fields.items():
+            meaning = " ".join(str(getattr(each, "meaning", "")) for each in field.metadata)
+            if NAMES.search(name) or MEANINGS.search(meaning):
+                yield f"{section.__name__}.{name}"
+
+
+def test_no_limit_of_the_model_is_forgotten() -> None:
+    """Every key that speaks of a limit is told by a check of this file, or named here with the reason why not."""
+    assert set(keys_like_limits()) - ELSEWHERE.keys() == MODELS.keys()
+
+
+@pytest.mark.parametrize("key", MODELS)
+def test_every_limit_has_a_row(key: str) -> None:
+    """A model with that limit has a row that tells of it."""
+    name, changes = MODELS[key]
+    found = rows(name, solved(**changes))
+    assert found
+    assert all(each.words for each in found)
