@@ -118,7 +118,7 @@ def _joints(results: list[CombinationResult]) -> Iterator[DesignCheck]:
             continue
         forces = {each.combination: each.joints[number] for each in results}
         governing = max(forces, key=lambda each: float(np.abs(forces[each].step).max()))
-        closed = [combination for combination, each in forces.items() if each.force.any()]
+        closed = [combination for combination, each in forces.items() if (np.abs(each.step) > joint.gap).any()]
         words = f"{joint.title}: {_play(forces[governing], joint.gap, closed)}"
         yield DesignCheck(PLAY, "no failure found", words, of=joint.title, combination=governing)
 
@@ -128,7 +128,7 @@ def _play(forces: JointResult, gap: float, closed: list[str]) -> str:
     play, step = f"its play of {gap * 1e3:.4g} mm", f"the largest step is {np.abs(forces.step).max() * 1e3:.4g} mm"
     if not closed:
         return f"{play} stays open, {step}"
-    share = float(forces.length @ (forces.force != 0) / forces.length.sum())
+    share = float(forces.length @ (np.abs(forces.step) > gap) / forces.length.sum())
     q = np.abs(forces.force / forces.length).max() / 1e3
     return f"{play} closes over {100 * share:.3g} % of its length in {some(closed)}; {step}, with {q:.4g} kN/m"
 

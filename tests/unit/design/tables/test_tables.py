@@ -74,7 +74,7 @@ def row(found: Table, **where: Any) -> dict[str, Any]:
 
 
 def test_what_is_not_asked_for_has_no_table() -> None:
-    """Without points, lines, strips, supports, columns and reinforcement four tables are left, and those of cases and checks."""
+    """Without points, lines, strips, supports, columns and reinforcement six tables are left."""
     names = ["extremes", "envelope", "tilt"]
     assert [each.name for each in tables_of(combined())] == ["combinations", "acting", *names, "checks"]
     all_well = replace(combined(), combinations=combined().combinations[1:], refused={})
@@ -543,7 +543,7 @@ def test_different_meshes_have_no_envelope() -> None:
 
 
 def test_all_refused() -> None:
-    """Where nothing has results, the table of combinations says why, and each is a check that fails; factors are known."""
+    """Where nothing has results, the table of combinations says why, each is a check that fails; factors are known."""
     output = {"points": [{"name": "P", "x": 0, "y": 0}]}
     model = described(columns=COLUMNS, reinforcement=STEEL, output=output)
     refused = {each.name: NoEquilibrium("no") for each in model.combinations}
