@@ -5,48 +5,39 @@ in that direction: those that are laid, or those that bending needs. Left out ar
 checked: near columns as far as punching is, which is 2 d unless that perimeter cuts the slab from edge to edge, and
 within 2 d of supports and of the forces on a floor whose punching is checked by TR34; within a thickness of free edges
 (a quarter of the width of a narrow slab), where the shear force along the edge is what the twisting moment has become;
-and near singular places. Nearer to columns ACI 318 asks for means across the slab (`wide_beam`).
+and near singular places. Beside line loads and footprints that are no columns it begins at d from them (`faces`), up
+to which no struts may fail. Nearer to columns ACI 318 asks for means across the slab (`wide_beam`).
+
+On ground with shear the line force along the slab's edge takes off shear forces beside it. The worse of both counts:
+with it at the edge, and with it as pressure over a strip (`edge_strip`), unless the case lets it relieve.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags
+from groundslab.arrays import Array
 from groundslab.design.aci318 import shear as aci318
-from groundslab.design.aci318.bending import LEAST
 from groundslab.design.aci318.materials import PHI_SHEAR
-from groundslab.design.by_plate import edges_of
 from groundslab.design.checks.check import DesignCheck, Status
+from groundslab.design.checks.faces import bearers
+from groundslab.design.checks.shear_places import Places, ShearPlaces, near_forces, nodes_of
 from groundslab.design.checks.wide_beam import cuts
+from groundslab.design.edge_strip import spread_edge_force
 from groundslab.design.en1992 import shear
-from groundslab.design.floors.acting_loads import factors_of
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.punching import demands
-from groundslab.discretize.singular_places import near_singular
-from groundslab.model.design.floors import TR34Floor
-from groundslab.model.design.laid_bars import laid_bars
 from groundslab.model.design.reinforcement import Reinforcement
-from groundslab.model.loads.load_types import PointLoad
-from groundslab.model.supports import LineSupport
-from groundslab.results.fields import LAYERS, place_of
+from groundslab.results.contact_zone import has_line_force
+from groundslab.results.fields import place_of
+from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult, Results
 
 #: A slab with links is at least so thick [m] (9.3.2(1)).
 LEAST_WITH_LINKS = 0.2
-
-
-@dataclass(frozen=True, slots=True)
-class _Section:
-    """What the plate's nodes have in every combination."""
-
-    d: Array  # (n,): effective depth, the lesser of both faces [m]
-    thickness: Array  # (n,) [m]
-    ratios: dict[str, Array]  # (n,): bars over the depth, by layer
-    counts: Flags  # (n,): whether one-way shear is checked there
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,6 +50,8 @@ class _Worst:
     without_links: float  # [N/m]
     d: float  # [m]
     thickness: float  # [m]
+    spread: bool = False  # whether the line force along the edge is spread over a strip
+    at_support: bool = False  # whether it is nearer than d to what presses there
 
     @property
     def used(self) -> float:
@@ -68,7 +61,8 @@ class _Worst:
     @property
     def where(self) -> str:
         """Return place and combination in words."""
-        return f'({self.place[0]:.3f}, {self.place[1]:.3f}) m in "{self.results.combination}"'
+        edge = ", the line force along the edge as pressure on a strip" if self.spread else ""
+        return f'({self.place[0]:.3f}, {self.place[1]:.3f}) m in "{self.results.combination}"{edge}'
 
     def check(self, status: Status, words: str, clause: str) -> DesignCheck:
         """Return the check of this place."""
@@ -84,33 +78,62 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if steel is None or not results:
         return
     aci = steel.code == "ACI 318"
-    section = _section(steel, results, {} if aci else demands(combined).reach)
-    found = [_at_nodes(each, section, steel) for each in results] if section.counts.any() else []
+    reach = {} if aci else demands(combined).reach
+    places = ShearPlaces(nodes_of(steel, results, reach), bearers(combined.model), reach)
+    found = [worst for each in results for worst in _of_combination(each, places, steel)]
     if aci:
-        found += _across(results, section, steel)
+        found += _across(results, places.nodes, steel)
     if found:
         worst = max(found, key=lambda one: one.used)
         yield (_by_aci318 if aci else _by_en1992)(steel, worst)
 
 
-def _at_nodes(results: CombinationResult, section: _Section, steel: Reinforcement) -> _Worst:
-    """Return the node that counts with the largest share of what needs no links."""
-    v, without_links = _demand(results, section, steel)
-    counts = section.counts & ~_near_forces(results, section.d)
-    node = int(np.argmax(np.where(counts, v / without_links, -1.0)))
-    place = place_of(results.plate.nodes, node)
-    sizes = float(section.d[node]), float(section.thickness[node])
-    return _Worst(results, place, float(v[node]), float(without_links[node]), *sizes)
+def _of_combination(results: CombinationResult, places: ShearPlaces, steel: Reinforcement) -> Iterator[_Worst]:
+    """Yield the worst of the places of a combination, with the edge's line force where it acts and spread."""
+    sorted_places = places.of(results)
+    for plate in _plates(results, steel):
+        for some in sorted_places.beyond:
+            yield from _worst(results, plate, some, steel)
+        if steel.code == "EN 1992-1-1":
+            yield from (worst for worst in _worst(results, plate, sorted_places.within, steel, at_support=True)
+                        if _no_links_help(worst, steel))  # fmt: skip
 
 
-def _across(results: list[CombinationResult], section: _Section, steel: Reinforcement) -> Iterator[_Worst]:
+def _plates(results: CombinationResult, steel: Reinforcement) -> tuple[PlateResult, ...]:
+    """Return the plate as it is and, unless the line force along its edge may relieve it, with that force spread."""
+    if steel.edge_line_force_relieves or not has_line_force(results):
+        return (results.plate,)
+    return results.plate, spread_edge_force(results)
+
+
+def _worst(
+    results: CombinationResult, plate: PlateResult, places: Places, steel: Reinforcement, *, at_support: bool = False
+) -> Iterator[_Worst]:
+    """Yield the place that counts with the largest share of what needs no links, if any counts."""
+    v, without_links = _demand(results, plate, places, steel)
+    counts = places.counts & ~near_forces(results, places.xy, places.d)
+    if counts.any():
+        k = int(np.argmax(np.where(counts, v / without_links, -1.0)))
+        at, spread = place_of(places.xy, k), plate is not results.plate
+        sizes = float(v[k]), float(without_links[k]), float(places.d[k]), float(places.thickness[k])
+        yield _Worst(results, at, *sizes, spread, at_support)
+
+
+def _no_links_help(worst: _Worst, steel: Reinforcement) -> bool:
+    """Return whether struts fail by EN 1992-1-1."""
+    concrete, bars = reinforcement.materials(steel, worst.results.limit_state)
+    return bool(shear.required_links(np.array([worst.v]), np.array([worst.d]), concrete, bars).fails[0])
+
+
+def _across(results: list[CombinationResult], nodes: Places, steel: Reinforcement) -> Iterator[_Worst]:
     """Yield the means over the cuts beside columns by ACI 318, in every combination."""
     concrete, _ = reinforcement.aci318_materials(steel)
-    v_c = {layer: PHI_SHEAR * aci318.without_links(concrete, section.d, rho) for layer, rho in section.ratios.items()}
+    v_c = {layer: PHI_SHEAR * aci318.without_links(concrete, nodes.d, rho) for layer, rho in nodes.ratios.items()}
+    plates = [(each, plate) for each in results for plate in _plates(each, steel)]
     for cut in cuts(results[0], steel):
-        d, thickness = cut.mean(section.d), cut.mean(section.thickness)
-        for each in results:
-            yield _Worst(each, cut.place, *cut.forces(each.plate, v_c), d, thickness)
+        d, thickness = cut.mean(nodes.d), cut.mean(nodes.thickness)
+        for each, plate in plates:
+            yield _Worst(each, cut.place, *cut.forces(plate, v_c), d, thickness, plate is not each.plate)
 
 
 def _by_en1992(steel: Reinforcement, worst: _Worst) -> DesignCheck:
@@ -128,7 +151,8 @@ def _by_en1992(steel: Reinforcement, worst: _Worst) -> DesignCheck:
         thin = worst.thickness < LEAST_WITH_LINKS
         status = "fails" if np.isinf(area) or thin else "attention"
         words += (
-            "; no links help (6.2.3(3))" if np.isinf(area)
+            "; no links help at what presses there (6.2.1(8))" if worst.at_support
+            else "; no links help (6.2.3(3))" if np.isinf(area)
             else "; too thin for links (9.3.2(1))" if thin
             else f"; links of {area * 1e4:.3g} cm2/m2 are needed there (6.2.3)"
         )  # fmt: skip
@@ -153,65 +177,18 @@ def _by_aci318(steel: Reinforcement, worst: _Worst) -> DesignCheck:
     return worst.check(status, words, "ACI 318-19 22.5.5.1")
 
 
-def _section(steel: Reinforcement, results: list[CombinationResult], reach: Mapping[str, float]) -> _Section:
-    """Return depths, bars and what counts at the plate's nodes."""
-    plate = results[0].plate
-    thickness = results[0].elements.at_nodes(plate)[0]
-    d = thickness - max(sum(steel.bottom_axes), sum(steel.top_axes)) / 2
-    if steel.laid:
-        areas = {layer: laid_bars(steel, layer, plate.nodes).area for layer in LAYERS}
-    else:
-        found = reinforcement.required_areas(steel, results)
-        areas = {layer: reinforcement.largest_areas(found, layer)[0] for layer in LAYERS}
-    least = LEAST * thickness if steel.code == "ACI 318" else 0.0  # of a slab that has its least bars
-    ratios = {layer: np.minimum(np.maximum(area, least) / d, shear.MOST_BARS) for layer, area in areas.items()}
-    return _Section(d, thickness, ratios, _counts(results[0], d, thickness, reach))
-
-
-def _counts(results: CombinationResult, d: Array, thickness: Array, reach: Mapping[str, float]) -> Flags:
-    """Return at which nodes one-way shear is checked; `reach` is how far from columns punching is [m], else 2 d."""
-    from shapely import LineString, Point, distance, points, union_all
-
-    model, nodes = results.model, points(results.plate.nodes)
-    chord = 1e-3 * max(model.sides)
-    nearer = [distance(nodes, column.to_shapely(chord)) <= reach.get(column.name, 2 * d) for column in model.columns]
-    stands = [LineString(each.points) if isinstance(each, LineSupport) else Point(each.x, each.y)
-               for each in model.supports]  # fmt: skip
-    far = distance(nodes, union_all(stands)) > 2 * d if stands else np.ones(len(nodes), dtype=bool)
-    far = far & ~np.any(nearer, axis=0) if nearer else far
-    from_edges = distance(nodes, edges_of(results))
-    # of a narrow slab the middle half counts in any case
-    inner = from_edges > np.minimum(thickness, from_edges.max() / 2)
-    return np.asarray(far & inner & ~near_singular(model, results.plate.nodes, thickness))
-
-
-def _near_forces(results: CombinationResult, d: Array) -> Flags:
-    """Return which nodes are within 2 d of a force of a combination whose punching is checked as a floor's."""
-    from shapely import distance, points, union_all
-
-    model, factors = results.model, factors_of(results)
-    if not isinstance(model.floor, TR34Floor):
-        return np.zeros(len(d), dtype=bool)
-    chord = 1e-3 * max(model.plate.sides)
-    shapes = [
-        load.on(model.columns).to_shapely(chord)
-        for load in model.loads
-        if isinstance(load, PointLoad) and factors.get(load.case, 0.0) * load.P > 0
-    ]
-    footprints = union_all([shape for shape in shapes if shape.area > 0])
-    return np.asarray(distance(points(results.plate.nodes), footprints) <= 2 * d)
-
-
-def _demand(results: CombinationResult, section: _Section, steel: Reinforcement) -> tuple[Array, Array]:
-    """Return the largest shear force of any direction and what needs no links (n,) [N/m]."""
-    plate = results.plate
-    v, along = shear.principal_shear(plate.shear_x, plate.shear_y)
-    twist = 2 * np.sqrt(along * (1 - along)) * np.sign(plate.shear_x * plate.shear_y)
-    bottom = plate.moment_x * along + plate.moment_y * (1 - along) + plate.moment_xy * twist > 0
+def _demand(
+    results: CombinationResult, plate: PlateResult, places: Places, steel: Reinforcement
+) -> tuple[Array, Array]:
+    """Return the largest shear force of any direction and what needs no links (k,) [N/m]."""
+    f = places.forces(plate, results.elements)
+    v, along = shear.principal_shear(f["shear_x"], f["shear_y"])
+    twist = 2 * np.sqrt(along * (1 - along)) * np.sign(f["shear_x"] * f["shear_y"])
+    bottom = f["moment_x"] * along + f["moment_y"] * (1 - along) + f["moment_xy"] * twist > 0
     rho_x, rho_y = (
-        np.where(bottom, section.ratios[f"bottom_{axis}"], section.ratios[f"top_{axis}"]) for axis in ("x", "y")
+        np.where(bottom, places.ratios[f"bottom_{axis}"], places.ratios[f"top_{axis}"]) for axis in ("x", "y")
     )
     rho = shear.ratio_along(along, rho_x, rho_y)
     if steel.code == "ACI 318":
-        return v, PHI_SHEAR * aci318.without_links(reinforcement.aci318_materials(steel)[0], section.d, rho)
-    return v, shear.resistance_without_links(reinforcement.materials(steel, results.limit_state)[0], section.d, rho)
+        return v, PHI_SHEAR * aci318.without_links(reinforcement.aci318_materials(steel)[0], places.d, rho)
+    return v, shear.resistance_without_links(reinforcement.materials(steel, results.limit_state)[0], places.d, rho)

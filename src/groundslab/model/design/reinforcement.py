@@ -162,6 +162,12 @@ class Reinforcement(Section):
     size_effect: Annotated[
         bool, Boolean("whether shear strength falls with the depth, lambda_s of ACI 318 (13.2.6.2 lets it be 1)")
     ] = True
+    edge_line_force_relieves: Annotated[
+        bool,
+        Boolean(
+            "whether the line force of ground with shear along the plate's edge takes off punching and one-way shear"
+        ),
+    ] = False
     exposure: Annotated[
         Exposure | None, Choice(Exposure, "exposure class, for the cover and, with bars laid, the crack width")
     ] = None
