@@ -45,6 +45,7 @@ def check_case(options: argparse.Namespace) -> int:
         return EXIT_OK
     model = casefile.from_table(tables)
     from groundslab.analysis.check import check
+    from groundslab.model.columns import overlapping_columns
     from groundslab.model.loads.clipping import find_clipped_loads
     from groundslab.model.loads.patterns import absent_forces
 
@@ -57,6 +58,7 @@ def check_case(options: argparse.Namespace) -> int:
     lines += _columns_and_supports(model) + _cases_and_combinations(model)
     lines += [f"  remark: {each.words()}" for each in find_clipped_loads(model.plate, model.loads, model.plates)]
     lines += [f"  remark: {each}" for each in absent_forces(model.plate, model.patterns, model.moves, model.plates)]
+    lines += [f"  remark: {each}" for each in overlapping_columns(model.columns)]
     print_stdout("\n".join(lines))
     return EXIT_OK
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from groundslab.design.checks import bearing, equilibrium, floors, limits, provided, shear, strength
+from groundslab.design.checks import bearing, edge_force, equilibrium, floors, limits, provided, shear, strength
 from groundslab.design.checks.check import ORDER, DesignCheck, Status
 from groundslab.results.results import Results
 
@@ -21,6 +21,7 @@ CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
     provided.checks,
     floors.checks,
     bearing.checks,
+    edge_force.checks,
     equilibrium.checks,
     limits.checks,
 )

@@ -91,6 +91,8 @@ class ShearPlaces:
 
         nodes = self.nodes
         region = region_within_d(results.plate, shapes, nodes.d)
+        if region.is_empty:
+            return PlacesByReach((nodes,), nodes.of(np.zeros_like(nodes.counts)))
         near = np.asarray(contains_xy(region, *nodes.xy.T))
         beyond = nodes.of(nodes.counts & ~near)
         at_d = _on_border(results, region, shapes, nodes, self.reach)

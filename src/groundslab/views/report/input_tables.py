@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from groundslab.model.columns import overlapping_columns
 from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.clipping import find_clipped_loads
 from groundslab.model.loads.patterns import absent_forces
@@ -87,6 +88,8 @@ def input_tables(model: Model) -> list[InputTable]:
             grids = list(_part(value, ""))
         else:
             grids = list(_list(value or (), name, ""))
+        if name == "columns" and (overlaps := tuple(overlapping_columns(model.columns))):
+            grids[-1] = replace(grids[-1], notes=(*grids[-1].notes, *overlaps))
         if name == "loads" and (clipped := find_clipped_loads(model.plate, model.loads, model.plates)):
             grids[-1] = replace(grids[-1], notes=(*grids[-1].notes, *(each.words() for each in clipped)))
         if name == "moves" and (absent := tuple(absent_forces(model.plate, model.patterns, model.moves, model.plates))):
