@@ -107,6 +107,9 @@ def test_limits_without_results_need_attention() -> None:
     alone = replace(combined, results={"ULS": combined.results["ULS"]}, refused={
         name: InputError([]) for name in ("SLS 1", "SLS 2")})  # fmt: skip
     assert only(alone).status == "attention"
+    assert only(alone).words == "not checked: no combination of serviceability has a certified result"
+    none = replace(alone, combinations=combined.combinations[:1], refused={})
+    assert only(none).words == "not checked: the case has no combination of serviceability"
 
 
 def test_no_limit_is_an_error() -> None:
