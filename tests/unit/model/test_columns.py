@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from groundslab.cli.main import run
+from groundslab.cli import main
 from groundslab.model.columns import Column, overlapping_columns
 
 CASE = """
@@ -51,5 +51,5 @@ def test_check_remarks_columns_that_overlap(tmp_path: Path, capsys: pytest.Captu
     """The case is fine, as it can be solved, and the remark names both columns."""
     path = tmp_path / "case.toml"
     path.write_text(CASE, encoding="utf-8")
-    assert run(["check", str(path)]) == 0
+    assert main.main(["check", str(path)]) == 0
     assert "  remark: columns C1 and C2 overlap by 0.12 m2" in capsys.readouterr().out

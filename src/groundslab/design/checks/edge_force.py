@@ -28,7 +28,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     share = line_force_share(worst)
     if share <= MOST:
         return
-    relieves = model.reinforcement is not None and model.reinforcement.edge_line_force_relieves
+    relieves = model.reinforcement is not None and model.reinforcement.line_force_relieves
     effect = "it relieves shear and punching, as the case asks" if relieves else "it relieves no check"
     words = (
         f'{100 * share:.3g} % of the load in "{worst.combination}" is carried by the line force along the plate\'s edge, '

@@ -101,7 +101,7 @@ def _of_combination(results: CombinationResult, places: ShearPlaces, steel: Rein
 
 def _plates(results: CombinationResult, steel: Reinforcement) -> tuple[PlateResult, ...]:
     """Return the plate as it is and, unless the line force along its edge may relieve it, with that force spread."""
-    if steel.edge_line_force_relieves or not has_line_force(results):
+    if steel.line_force_relieves or not has_line_force(results):
         return (results.plate,)
     return results.plate, spread_edge_force(results)
 

@@ -118,7 +118,11 @@ def nodes_of(steel: Reinforcement, results: list[CombinationResult], reach: Mapp
 
 
 def _on_border(
-    results: CombinationResult, region: BaseGeometry, shapes: list[BaseGeometry], nodes: Places, reach: Mapping[str, float]
+    results: CombinationResult,
+    region: BaseGeometry,
+    shapes: list[BaseGeometry],
+    nodes: Places,
+    reach: Mapping[str, float],
 ) -> Places | None:
     """Return the places on the plate along the border of what lies within d of some shapes, None if there are none.
 
@@ -161,9 +165,7 @@ def _polygons(mesh: Mesh) -> Array:
     return found
 
 
-def _counts(
-    results: CombinationResult, xy: Array, d: Array, thickness: Array, reach: Mapping[str, float]
-) -> Flags:
+def _counts(results: CombinationResult, xy: Array, d: Array, thickness: Array, reach: Mapping[str, float]) -> Flags:
     """Return at which places (k, 2) one-way shear is checked, whatever acts."""
     from shapely import LineString, Point, distance, points, union_all
 

@@ -162,10 +162,11 @@ class Reinforcement(Section):
     size_effect: Annotated[
         bool, Boolean("whether shear strength falls with the depth, lambda_s of ACI 318 (13.2.6.2 lets it be 1)")
     ] = True
-    edge_line_force_relieves: Annotated[
+    line_force_relieves: Annotated[
         bool,
         Boolean(
-            "whether the line force of ground with shear along the plate's edge takes off punching and one-way shear"
+            "whether the ground's line force along the plate's edge relieves punching as pressure inside does, and "
+            "one-way shear"
         ),
     ] = False
     exposure: Annotated[

@@ -104,7 +104,6 @@ def build_page(
         "certificates": _certificates(combined, found),
         "extremes": list(_extremes(combined, found)),
         "tables": list(map(_table, tables)),
-        "unprinted": table_layout.find_unprinted(tables),
         "history": list_steps(found),
         "pictures": list(drawings.draw_pictures(combined)),
         "refused": [(entry.combination.name, str(entry.refused)) for entry in found if entry.refused is not None],

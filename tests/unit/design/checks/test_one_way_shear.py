@@ -64,7 +64,7 @@ def test_shear_begins_at_d_from_a_wall_on_its_worse_side() -> None:
 
 
 def test_shear_counts_up_to_a_wall_that_pulls() -> None:
-    """A wall that pulls 100 kN/m out of a slab under 100 kPa: the force nearer than d counts (ACI 318-19 7.4.3.2(a))."""
+    """A wall that pulls 100 kN/m out of a slab under 100 kPa: the force nearer than d counts (ACI 7.4.3.2(a))."""
     loads = [{"kind": "uniform", "q": 100e3, "case": "G"}, {**WALL, "q": -100e3, "case": "W"}]
     check = shear_of(solve(strip(loads, {"G": 1.0, "W": 1.0})))
     assert check.place is not None
@@ -99,14 +99,14 @@ def edge_walls(relieves: bool = False) -> Results:
         ground={"kind": "pasternak", "k0": K0, "k1": K1}, beyond={"kind": "infinite"}, mesh={"size": 0.5},
         combinations=[{"name": "ULS", "factors": {"G": 1.0}},
                       {"name": "SLS", "limit_state": "characteristic", "factors": {"G": 1.0}}],
-        reinforcement={**STEEL, "edge_line_force_relieves": relieves},
+        reinforcement={**STEEL, "line_force_relieves": relieves},
         limits={"pressure": 400e3}, soil_strength={"phi": 30, "unit_weight": 18e3},
     )  # fmt: skip
     return solve(model)
 
 
 def test_the_line_force_along_the_edge_relieves_no_shear() -> None:
-    """f = (k0 k1)^(1/2) w at the edge of a rigid plate takes f off the shear inside the wall, s = 0.5 m + d from it.
+    """A line force f = (k0 k1)^(1/2) w along the edge of a rigid plate takes f off the shear inside a wall, s = 0.5 m + d in.
 
     Spread over b = (k1/k0)^(1/2) = 2 m only f s / b of it lies ahead of the cut. The file can let it relieve.
     """
