@@ -195,8 +195,11 @@ def _report(options: argparse.Namespace) -> int:
     report.check(target)
     combined = results_folder.load_results(folder)
     text, comparison = report.text_of(folder, combined.model), load_comparison(folder)
-    report.write_report(combined, target, text=text, chapters=options.chapters, comparison=comparison)
+    remark = report.changes_since(folder, combined.model)
+    report.write_report(combined, target, text=text, chapters=options.chapters, comparison=comparison, remark=remark)
     console.print_stderr(f"wrote {target}")
+    if remark:
+        console.print_stderr(f"note: {remark}")
     if combined.refused:
         count = len(combined.combinations)
         console.print_stderr(f"note: {len(combined.refused)} of {count} combinations have no certified result")

@@ -17,6 +17,7 @@ from groundslab.results.record import Certificate
 from groundslab.results.soil_profile import list_columns
 from groundslab.schema.wording import listed
 from groundslab.views.report import drawings, table_layout
+from groundslab.views.report.assumptions import list_assumptions
 from groundslab.views.report.ground_models import build_chapter
 from groundslab.views.report.input_tables import input_tables
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout, drop_empty_columns, headers
@@ -96,6 +97,7 @@ def build_page(
         "verdict": dict(zip(("status", "words"), _verdict(combined, found), strict=True)),
         "design": check_design(combined),
         "case": input_tables(combined.model),
+        "assumptions": list_assumptions(combined),
         "drawings": list(_drawings(combined, leading)),
         "grounds": None if comparison is None else build_chapter(comparison),
         "loads": list(drawings.draw_loads(combined.model)),

@@ -16,8 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
-from groundslab.case import casefile
-from groundslab.errors import GroundslabError, InputError
+from groundslab.errors import GroundslabError
 from groundslab.results.results import CombinationResult, Results, results_of
 from groundslab.storage import atomic
 from groundslab.storage.ownership import check_replaceable, is_page
@@ -31,7 +30,6 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from groundslab.analysis.ground_comparison.comparison import GroundComparison
-    from groundslab.model.model import Model
     from groundslab.model.outputs import Chapter
 
 HERE = Path(__file__).parent
@@ -52,10 +50,12 @@ def render_report(
     file: str = "case.toml",
     chapters: Sequence[Chapter] | None = None,
     comparison: GroundComparison | None = None,
+    remark: str = "",
 ) -> str:
     """Return the report as the text of an HTML file; the same results always give the same text.
 
-    Text and file are those of the input; without them the text is that which the results' folder has as case.toml.
+    Text and file are those of the input; without them the text is that which the results' folder has as case.toml. The
+    first page has the remark, such as that the case has changed since.
     """
     combined = results if isinstance(results, Results) else results_of(results)
     from markupsafe import Markup
@@ -68,6 +68,7 @@ def render_report(
     return render_page(
         HERE / "templates" / "report.html",
         page=page,
+        remark=remark,
         left_out=left_out,
         scene=scene,
         style=Markup(style),
@@ -85,6 +86,7 @@ def write_report(
     file: str = "case.toml",
     chapters: Sequence[Chapter] | None = None,
     comparison: GroundComparison | None = None,
+    remark: str = "",
 ) -> Path:
     """Write the report of results: one HTML file that needs no network, or a PDF with page numbers and bookmarks.
 
@@ -102,6 +104,8 @@ def write_report(
         The chapters beside the first page; by default those of ``report.chapters`` of the case.
     comparison : GroundComparison, optional
         A comparison of grounds of the same model, which is a chapter then.
+    remark : str, optional
+        What the first page says besides, such as that the case has changed since.
 
     Returns
     -------
@@ -127,14 +131,14 @@ def write_report(
     """
     target = check(path)
     if not _is_pdf(target):
-        page = render_report(results, text=text, file=file, chapters=chapters, comparison=comparison)
+        page = render_report(results, text=text, file=file, chapters=chapters, comparison=comparison, remark=remark)
         write_file(target, target, page.encode())
         return Path(path)
     from groundslab.views.report.pdf import print_page
 
     wanted = results.model.report.chapters if chapters is None else chapters
     on_paper = [chapter for chapter in wanted if chapter != "viewer"]
-    page = render_report(results, text=text, file=file, chapters=on_paper, comparison=comparison)
+    page = render_report(results, text=text, file=file, chapters=on_paper, comparison=comparison, remark=remark)
     atomic.write(target, print_page(page) + f"{TAIL}{__version__}\n".encode())
     return Path(path)
 
@@ -160,15 +164,6 @@ def default_path(folder: str | Path, suffix: str = ".html") -> Path:
     """Return where the report of a folder of results is put: beside the folder, under its name."""
     whole = Path(os.path.realpath(folder))
     return whole.with_name(f"{whole.name}{suffix}")
-
-
-def text_of(folder: str | Path, model: Model) -> str | None:
-    """Return the text of the case in a folder of results, as it is there, if it describes the model of the results."""
-    try:
-        text = (Path(folder) / "case.toml").read_bytes().decode()
-        return text if casefile.loads(text) == model else None
-    except (OSError, UnicodeDecodeError, InputError):
-        return None
 
 
 def read_asset(name: str) -> str:
