@@ -50,7 +50,7 @@ def check_case(options: argparse.Namespace) -> int:
     from groundslab.model.loads.patterns import absent_forces
 
     check(model)
-    what = f"{len(model.every_plate)} plates" if model.plates else "plate"
+    what = f"in all, {len(model.every_plate)} plates" if model.plates else "plate"
     lines = [
         f"{options.case}: fine ({model.sides[0]:g} m x {model.sides[1]:g} m {what}, "
         f"{model.ground.kind} ground, {len(model.loads)} load{'s' if len(model.loads) > 1 else ''})"

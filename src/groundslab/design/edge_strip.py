@@ -80,7 +80,7 @@ def _sides(results: CombinationResult) -> tuple[Array, Array]:
 
 
 def _spread(places: Array, sides: Array, f: Array, b: float) -> tuple[Array, Array]:
-    """Return pressure (n,) [Pa] and change of the shear force (n, 2) [N/m] at places (n, 2) [m] by sides of elements."""
+    """Return pressure (n,) [Pa] and change of the shear force (n, 2) [N/m] at places (n, 2) [m] by elements' sides."""
     side, place = _pairs(places, sides, b)
     start, length = sides[:, 0], np.linalg.norm(sides[:, 2] - sides[:, 0], axis=1)
     along = (sides[:, 2] - start) / length[:, None]

@@ -5,6 +5,7 @@ import { decodeGzipBase64, type Scene, SceneError } from "../viewer/data/scene";
 import { Viewer } from "../viewer/panels/viewer";
 import { startTheme } from "../viewer/shared/theme";
 import "../viewer/shared/theme.css";
+import { openOnPaper } from "./paper";
 import "./report.css";
 
 async function start(): Promise<void> {
@@ -28,20 +29,6 @@ async function start(): Promise<void> {
         : `The viewer cannot start: ${String(error)}. The tables of this report do not need it.`;
     place.classList.add("viewer-failed");
   }
-}
-
-/** Open what is folded while the page is printed: paper has no way to open it. */
-export function openOnPaper(page: Document): void {
-  const opened: HTMLDetailsElement[] = [];
-  window.addEventListener("beforeprint", () => {
-    for (const each of page.querySelectorAll<HTMLDetailsElement>("details.folded:not([open])")) {
-      each.open = true;
-      opened.push(each);
-    }
-  });
-  window.addEventListener("afterprint", () => {
-    for (const each of opened.splice(0)) each.open = false;
-  });
 }
 
 /** Let elements with data-x and data-y lead to that point in the viewer, with data-field and data-combination if given. */

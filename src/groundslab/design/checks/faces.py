@@ -82,7 +82,8 @@ def _samples(shape: BaseGeometry) -> Array:
 
     if shape.geom_type == "LineString":
         shares = (np.arange(SAMPLES) + 0.5) / SAMPLES
-        return get_coordinates([shape.interpolate(share, normalized=True) for share in shares])
+        places: Array = get_coordinates([shape.interpolate(share, normalized=True) for share in shares])
+        return places
     return np.concatenate([get_coordinates(shape), get_coordinates(shape.centroid)])
 
 

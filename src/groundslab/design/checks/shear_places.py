@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -154,7 +155,7 @@ def _legs_of(line: BaseGeometry) -> list[Array]:
     from shapely import get_coordinates
 
     places = get_coordinates(line)
-    return [np.array(leg) for leg in zip(places[:-1], places[1:], strict=True) if (leg[0] != leg[1]).any()]
+    return [np.array(leg) for leg in pairwise(places) if (leg[0] != leg[1]).any()]
 
 
 def _polygons(mesh: Mesh) -> Array:

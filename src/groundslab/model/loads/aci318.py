@@ -7,8 +7,8 @@ Strength design:
     1.2 D + 1.6 (L_r or S)                  5.3.1c        0.9 D + 1.0 W                                   5.3.1f
           + (1.0 L or 0.5 W)                              0.9 D + 1.0 E                                   5.3.1g
 
-Allowable stress design of the ground (ASCE 7-16 2.4.1, and 2.4.5 with earthquakes), from memory, as two digests of 2.4.1
-have it; ACI 318-19 13.3.1.1 sizes foundations by such loads:
+Allowable stress design of the ground (ASCE 7-16 2.4.1, and 2.4.5 with earthquakes), from memory; digests of 2.4.1
+agree. ACI 318-19 13.3.1.1 sizes foundations by such loads.
 
     D                                 1       D + 0.75 L + 0.75 (0.6 W) + 0.75 (L_r or S)             6
     D + L                             2       0.6 D + 0.6 W                                           7
@@ -16,8 +16,10 @@ have it; ACI 318-19 13.3.1.1 sizes foundations by such loads:
     D + 0.75 L + 0.75 (L_r or S)      4       D + 0.525 E + 0.75 L + 0.75 S                           9
     D + 0.6 W                         5       0.6 D + 0.7 E                                          10
 
-Snow, wind and earthquakes are those of ASCE 7-16, which ACI 318-19 5.3.1 goes with; by ASCE 7-22 snow is larger, and has
-other factors in both. D are permanent cases, E seismic ones, in both directions; of variable cases W are those of the category "wind", S of
+Snow, wind and earthquakes are those of ASCE 7-16, which ACI 318-19 5.3.1 goes with; by ASCE 7-22 snow is larger, and
+has other factors in both.
+
+D are permanent cases, E seismic ones, in both directions; of variable cases W are those of the category "wind", S of
 snow, L_r of roofs ("H"), and L all others. L keeps its factor 1.0 (5.3.3 would let it be 0.5). As on ground without
 tension less load can be worse than more, every variable case of a combination is once present and once absent.
 """

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from groundslab.model.ground import Continuum, ContinuousGround, Winkler
+from groundslab.model.ground import ContinuousGround, Continuum, Winkler
 from groundslab.schema.wording import listed
 
 if TYPE_CHECKING:
@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from groundslab.results.results import Results
 
 _PLATE = (
-    "The plate is isotropic in each zone, with small displacements and shear deformation (Mindlin). Its midsurface stays "
-    "one plane. "
+    "The plate is isotropic in each zone, with small displacements and shear deformation (Mindlin). Its midsurface "
+    "stays one plane. "
 )
 _ELASTIC = "It is linearly elastic: nothing cracks, creeps or yields in it."
 _CRACKED = (
@@ -27,9 +27,10 @@ _LOADS = (
 )
 _GROUND = {
     "winkler": "The ground is made of springs that do not act on each other and stay linearly elastic",
-    "pasternak": "The ground is made of springs under a shear layer, all linearly elastic; its points move vertically only",
-    "layers": "The ground is linearly elastic on a rigid base under the lowest layer, and carries shear. Its points move "
-    "vertically only, which is stiffer than a true elastic layer",
+    "pasternak": "The ground is made of springs under a shear layer, all linearly elastic; its points move vertically "
+    "only",
+    "layers": "The ground is linearly elastic on a rigid base under the lowest layer, and carries shear. Its points "
+    "move vertically only, which is stiffer than a true elastic layer",
     "continuum": "The ground is a linearly elastic continuum that spreads loads in all directions, {below}",
     "constrained modulus": "The ground is linearly elastic, its layers are compressed by the stresses in a homogeneous "
     "half-space",
@@ -39,8 +40,8 @@ _SMOOTHED = (
     "thickness or material. Under a point load or a rigid point support they grow without limit as the mesh is refined."
 )
 _LINE_FORCE = (
-    "At the plate's edge the ground's shear acts by a line force beside the pressure. The limit of the pressure counts it "
-    "as pressure over a strip, and it relieves neither punching nor one-way shear{unless}."
+    "At the plate's edge the ground's shear acts by a line force beside the pressure. The limit of the pressure counts "
+    "it as pressure over a strip, and it relieves neither punching nor one-way shear{unless}."
 )
 _CELLS = (
     "Pressure at a node is the mean of the cells around it. It has no limit along the plate's edge: its largest value "

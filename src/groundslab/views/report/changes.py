@@ -26,8 +26,7 @@ def text_of(folder: str | Path, model: Model) -> str | None:
 def changes_since(folder: str | Path, model: Model) -> str:
     """Return what a report must say where the case in a folder of results, or that beside it, describes another model.
 
-    Beside a folder such as raft-results the case is raft.toml. A file that is not there, or cannot be read, says
-    nothing.
+    Beside a folder such as raft-results the case is raft.toml. A file that is not there says nothing.
     """
     whole = Path(folder)
     beside = whole.with_name(f"{whole.name.removesuffix('-results')}.toml")

@@ -268,16 +268,20 @@ def _table(table: Table) -> dict[str, Any]:
 
 
 def list_constants(found: Sequence[Entry]) -> TableLayout:
-    """Return the constants of the ground that each combination ended with."""
+    """Return the constants of the ground that the combinations ended with; those with the same ones share a row."""
     heads: list[TableHeader] = []
-    rows = []
+    names: dict[tuple[Cell, ...], list[str]] = {}
     for entry in found:
         if entry.results is None:
             continue
         shown = [(row, shown_row(row)) for row in sections.description_of_ground(entry.results).rows[1:]]
         heads = heads or [TableHeader(row.label, each.unit, True, row.symbol) for row, each in shown]
-        rows.append((Cell(entry.combination.name), *(Cell(each.figure, "number") for _, each in shown)))
-    return TableLayout("", (TableHeader("combination"), *heads), tuple(rows))
+        cells = tuple(Cell(each.figure, "number") for _, each in shown)
+        names.setdefault(cells, []).append(entry.combination.name)
+    if len(names) == 1:
+        return TableLayout("", tuple(heads), tuple(names))
+    rows = tuple((Cell(", ".join(those)), *cells) for cells, those in names.items())
+    return TableLayout("", (TableHeader("combination"), *heads), rows)
 
 
 def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[drawings.Drawing]:

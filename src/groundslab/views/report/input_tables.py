@@ -182,9 +182,7 @@ def _row(name: str, key: FieldType, value: Any, field: FieldInfo) -> tuple[Cell,
     return (Cell(words, "words"), symbol, Cell(format_value(key, value)), Cell(meaning, "muted"))
 
 
-def _list(
-    parts: Sequence[Section], name: str, title: str, hidden: Set[str] = frozenset()
-) -> Iterator[TableLayout]:
+def _list(parts: Sequence[Section], name: str, title: str, hidden: Set[str] = frozenset()) -> Iterator[TableLayout]:
     """Yield a list of parts, those of one kind in one grid, numbered as in the case; lists in them stand below."""
     kinds: dict[type[Section], list[tuple[int, Section]]] = {}
     for number, part in enumerate(parts, 1):

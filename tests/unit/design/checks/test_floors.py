@@ -204,7 +204,7 @@ def test_one_way_shear_is_that_beyond_2_d_of_forces_whose_punching_is_checked() 
         model = model_with(floor, loads, cases=cases, reinforcement=bars)
         results = solved(model)["ULS"]
         peak = 1e3 / (0.1 + np.hypot(*(results.plate.nodes - at).T))
-        none = {name: 0 * results.elements.shear_x for name in ("shear_x", "shear_y")}
+        none = dict.fromkeys(("shear_x", "shear_y"), 0 * results.elements.shear_x)
         plate = replace(results.plate, shear_x=peak, shear_y=0 * peak)
         peaked = replace(results, plate=plate, elements=replace(results.elements, **none))
         [found] = shear.checks(Results(model, model.combinations, {"ULS": peaked}, {}))

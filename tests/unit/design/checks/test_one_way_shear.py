@@ -106,7 +106,7 @@ def edge_walls(relieves: bool = False) -> Results:
 
 
 def test_the_line_force_along_the_edge_relieves_no_shear() -> None:
-    """A line force f = (k0 k1)^(1/2) w along the edge of a rigid plate takes f off the shear inside a wall, s = 0.5 m + d in.
+    """Along a rigid plate's edge f = (k0 k1)^(1/2) w takes f off the shear inside a wall, at s = 0.5 m + d.
 
     Spread over b = (k1/k0)^(1/2) = 2 m only f s / b of it lies ahead of the cut. The file can let it relieve.
     """

@@ -419,7 +419,7 @@ def asce(*cases: LoadCase) -> dict[str, set[tuple[tuple[str, float], ...]]]:
 
 
 def test_soil_pressures_with_aci_318_are_those_of_allowable_stresses() -> None:
-    """ASCE 7-16 2.4.1 by hand: 1 to 7; wind takes 0.6, and 0.45 beside 0.75 of live load and snow. No psi of EN 1990."""
+    """ASCE 7-16 2.4.1 by hand: 1 to 7; wind takes 0.6, and 0.45 beside 0.75 of live load and snow. No psi."""
     D, L = LoadCase(name="D"), LoadCase(name="L", action="variable", category="B")
     S = LoadCase(name="S", action="variable", category="snow")
     W = LoadCase(name="W", action="variable", category="wind")
