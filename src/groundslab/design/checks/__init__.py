@@ -8,8 +8,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from groundslab.design.checks import bearing, edge_force, equilibrium, floors, limits, provided, shear, strength
+from groundslab.design.checks import equilibrium, floors, limits, provided, strength
 from groundslab.design.checks.check import ORDER, DesignCheck, Status
+from groundslab.design.checks.ground import bearing, edge_force
+from groundslab.design.checks.one_way_shear import shear
 from groundslab.results.results import Results
 
 __all__ = ["CHECKS", "Design", "DesignCheck", "Status", "check_design"]

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.design.checks import DesignCheck, check_design, shear
+from groundslab.design.checks import DesignCheck, check_design
+from groundslab.design.checks.one_way_shear import shear
 from groundslab.design.floors import yield_lines
 from groundslab.design.floors.acting_loads import Borders, forces, groups
 from groundslab.errors import InputError

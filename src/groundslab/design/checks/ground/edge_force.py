@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from groundslab.design.checks.check import DesignCheck
-from groundslab.design.edge_strip import line_force_share, strip_width
+from groundslab.design.checks.ground.edge_strip import line_force_share, strip_width
 from groundslab.design.tables.quantities import solved_results
 from groundslab.results.results import Results
 

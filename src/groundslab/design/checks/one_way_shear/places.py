@@ -12,7 +12,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.aci318.bending import LEAST
 from groundslab.design.by_plate import edges_of, results_by_plate
-from groundslab.design.checks.faces import Bearer, pressing, region_within_d
+from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, region_within_d
 from groundslab.design.en1992 import shear
 from groundslab.design.floors.acting_loads import factors_of
 from groundslab.design.punching import outline

@@ -23,10 +23,10 @@ from groundslab.arrays import Array
 from groundslab.design.aci318 import shear as aci318
 from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.checks.check import DesignCheck, Status
-from groundslab.design.checks.faces import bearers
-from groundslab.design.checks.shear_places import Places, ShearPlaces, near_forces, nodes_of
-from groundslab.design.checks.wide_beam import cuts
-from groundslab.design.edge_strip import spread_edge_force
+from groundslab.design.checks.ground.edge_strip import spread_edge_force
+from groundslab.design.checks.one_way_shear.faces import bearers
+from groundslab.design.checks.one_way_shear.places import Places, ShearPlaces, near_forces, nodes_of
+from groundslab.design.checks.one_way_shear.wide_beam import cuts
 from groundslab.design.en1992 import shear
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.punching import demands
