@@ -130,17 +130,20 @@ def write_report(
     >>> path = groundslab.write_report(results, "report.html")
     """
     target = check(path)
+    render = partial(render_report, results, text=text, file=file, comparison=comparison, remark=remark)
     if not _is_pdf(target):
-        page = render_report(results, text=text, file=file, chapters=chapters, comparison=comparison, remark=remark)
-        write_file(target, target, page.encode())
+        write_file(target, target, render(chapters=chapters).encode())
         return Path(path)
+    wanted = results.model.report.chapters if chapters is None else chapters
+    atomic.write(target, _printed(render(chapters=[chapter for chapter in wanted if chapter != "viewer"])))
+    return Path(path)
+
+
+def _printed(page: str) -> bytes:
+    """Return a page as PDF that says at its end whose it is."""
     from groundslab.views.report.pdf import print_page
 
-    wanted = results.model.report.chapters if chapters is None else chapters
-    on_paper = [chapter for chapter in wanted if chapter != "viewer"]
-    page = render_report(results, text=text, file=file, chapters=on_paper, comparison=comparison, remark=remark)
-    atomic.write(target, print_page(page) + f"{TAIL}{__version__}\n".encode())
-    return Path(path)
+    return print_page(page) + f"{TAIL}{__version__}\n".encode()
 
 
 def _is_pdf(path: Path) -> bool:
