@@ -41,6 +41,17 @@ def edges_of(results: CombinationResult) -> BaseGeometry:
     return union_all([outline(plate).boundary for plate in results_by_plate(results).values()])
 
 
+def distances_to_edges(results: CombinationResult, places: Array) -> Array:
+    """Return how far places (k, 2) [m] are from the edges of all plates (k,) [m]."""
+    from shapely import STRtree, get_coordinates, get_parts, linestrings, points
+
+    rings = [get_coordinates(part) for part in get_parts(edges_of(results))]
+    sides = np.concatenate([np.stack([ring[:-1], ring[1:]], axis=1) for ring in rings])
+    nearest = STRtree(linestrings(sides)).query_nearest(points(places), return_distance=True, all_matches=False)
+    distances: Array = nearest[1]
+    return distances
+
+
 def steps_across(results: CombinationResult, between: tuple[str, str]) -> tuple[Array, Array, Array]:
     """Return places (k, 2) [m] along the line that two plates share, the length of each (k,) and the step there [m].
 

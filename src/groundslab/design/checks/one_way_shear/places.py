@@ -11,7 +11,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.aci318.bending import LEAST
-from groundslab.design.by_plate import edges_of, results_by_plate
+from groundslab.design.by_plate import distances_to_edges, results_by_plate
 from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, region_within_d
 from groundslab.design.en1992 import shear
 from groundslab.design.floors.acting_loads import factors_of
@@ -177,10 +177,9 @@ def _counts(results: CombinationResult, xy: Array, d: Array, thickness: Array, r
               for each in model.supports]  # fmt: skip
     far = distance(places, union_all(stands)) > 2 * d if stands else np.ones(len(places), dtype=bool)
     far = far & ~np.any(nearer, axis=0) if nearer else far
-    edges = edges_of(results)
     # of a narrow slab the middle half counts in any case
-    middle = distance(points(results.plate.nodes), edges).max() / 2
-    inner = distance(places, edges) > np.minimum(thickness, middle)
+    middle = distances_to_edges(results, results.plate.nodes).max() / 2
+    inner = distances_to_edges(results, xy) > np.minimum(thickness, middle)
     return np.asarray(far & inner & ~near_singular(model, xy, thickness))
 
 
