@@ -52,7 +52,7 @@ def check_case(options: argparse.Namespace) -> int:
     check(model)
     lost = find_unbalanced(model)
     verdict = "FOUNDATION FAILS" if lost else "fine"
-    what = f"{len(model.every_plate)} plates" if model.plates else "plate"
+    what = f"in all, {len(model.every_plate)} plates" if model.plates else "plate"
     lines = [
         f"{options.case}: {verdict} ({model.sides[0]:g} m x {model.sides[1]:g} m {what}, "
         f"{model.ground.kind} ground, {len(model.loads)} load{'s' if len(model.loads) > 1 else ''})"

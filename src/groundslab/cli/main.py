@@ -198,8 +198,11 @@ def _report(options: argparse.Namespace) -> int:
     report.check(target)
     combined = results_folder.load_results(folder)
     text, comparison = report.text_of(folder, combined.model), load_comparison(folder)
-    report.write_report(combined, target, text=text, chapters=options.chapters, comparison=comparison)
+    remark = report.changes_since(folder, combined.model)
+    report.write_report(combined, target, text=text, chapters=options.chapters, comparison=comparison, remark=remark)
     console.print_stderr(f"wrote {target}")
+    if remark:
+        console.print_stderr(f"note: {remark}")
     count = len(combined.combinations)
     if combined.without_equilibrium:
         lost = len(combined.without_equilibrium)

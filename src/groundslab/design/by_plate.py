@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from groundslab.arrays import Array
 from groundslab.design.punching import outline
 from groundslab.model.plates.further import first_sections
 from groundslab.model.plates.region import PlateRegion
@@ -37,3 +38,14 @@ def edges_of(results: CombinationResult) -> BaseGeometry:
     from shapely import union_all
 
     return union_all([outline(plate).boundary for plate in results_by_plate(results).values()])
+
+
+def distances_to_edges(results: CombinationResult, places: Array) -> Array:
+    """Return how far places (k, 2) [m] are from the edges of all plates (k,) [m]."""
+    from shapely import STRtree, get_coordinates, get_parts, linestrings, points
+
+    rings = [get_coordinates(part) for part in get_parts(edges_of(results))]
+    sides = np.concatenate([np.stack([ring[:-1], ring[1:]], axis=1) for ring in rings])
+    nearest = STRtree(linestrings(sides)).query_nearest(points(places), return_distance=True, all_matches=False)
+    distances: Array = nearest[1]
+    return distances

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
@@ -14,6 +15,9 @@ from groundslab.schema.repairs import remove
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
+
+#: Footprints that share less than this part of their area touch each other.
+SAME = 1e-6
 
 
 def check_footprint(width_x: float | None, width_y: float | None, diameter: float | None) -> Iterator[RelativeIssue]:
@@ -65,3 +69,17 @@ class Column(Section):
     def to_shapely(self, chord: float) -> BaseGeometry:
         """Return the footprint, arcs replaced by chords at most so far off [m]."""
         return self.ring().polygon(chord)
+
+
+def overlapping_columns(columns: tuple[Column, ...]) -> Iterator[str]:
+    """Yield a remark for each two columns whose footprints overlap: punching of one then counts the other as a load."""
+    from shapely import STRtree
+
+    if len(columns) < 2:
+        return
+    shapes = [column.to_shapely(1e-3 * math.sqrt(column.ring().area)) for column in columns]
+    one, other = STRtree(shapes).query(shapes, predicate="intersects")
+    for i, j in sorted(zip(one.tolist(), other.tolist(), strict=True)):
+        shared = shapes[i].intersection(shapes[j]).area if i < j else 0.0
+        if shared > SAME * shapes[i].area:
+            yield f"columns {columns[i].name} and {columns[j].name} overlap by {shared:.3g} m2 of their footprints"

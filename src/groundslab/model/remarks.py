@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from groundslab.model.case_use import CaseUse, case_uses
+from groundslab.model.columns import overlapping_columns
 from groundslab.model.loads.clipping import find_clipped_loads
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH, Combination, LimitState
 from groundslab.model.loads.load_types import AnyLoad
@@ -72,6 +73,7 @@ def find_remarks(model: Model, combinations: Sequence[Combination]) -> tuple[Rem
         *_on_cases(uses),
         *_on_limit_states(uses, combinations),
         *_on_cases_by_themselves(model, uses),
+        *_on_columns(model),
         *_on_clipped_loads(model),
         *_on_patterns(model),
         *_on_repeated(model, uses, combinations),
@@ -131,6 +133,12 @@ def _on_cases_by_themselves(model: Model, uses: Sequence[CaseUse]) -> Iterator[R
     checked = any(part is not None for part in (model.limits, model.soil_strength, model.floor))
     words = "each case is solved by itself: without [[combinations]] or [combine] no two of them act together"
     yield Remark(("cases",), words, doubtful=checked)
+
+
+def _on_columns(model: Model) -> Iterator[Remark]:
+    """Yield the columns that stand in each other."""
+    for words in overlapping_columns(model.columns):
+        yield Remark(("columns",), words)
 
 
 def _on_clipped_loads(model: Model) -> Iterator[Remark]:

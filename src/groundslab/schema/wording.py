@@ -25,8 +25,12 @@ def describe(value: object) -> str:
         return "a table"
     if isinstance(value, list | tuple):
         return f"a list of {len(value)}" if value else "an empty list"
-    name = type(value).__name__
-    return f"{'an' if name[:1].lower() in 'aeiou' else 'a'} {name}"
+    return with_article(type(value).__name__)
+
+
+def with_article(noun: str) -> str:
+    """Return a noun with "a" or "an" before it, by its first letter."""
+    return f"{'an' if noun[:1].lower() in 'aeiou' else 'a'} {noun}"
 
 
 def quote(text: str) -> str:
@@ -35,13 +39,16 @@ def quote(text: str) -> str:
 
 
 def escape(text: str) -> str:
-    """Return a text with its control characters, quotes and backslashes escaped as in TOML."""
-    return "".join(map(_escaped, text))
+    """Return a text with its control characters, quotes and backslashes escaped as in TOML, to stand in quotes."""
+    return "".join("\\" + letter if letter in '"\\' else _printable(letter) for letter in text)
 
 
-def _escaped(letter: str) -> str:
-    if letter in '"\\':
-        return "\\" + letter
+def printable(text: str) -> str:
+    """Return a text that stands outside of quotes with its control characters escaped, which a terminal would obey."""
+    return "".join(map(_printable, text))
+
+
+def _printable(letter: str) -> str:
     if letter.isprintable():
         return letter
     code = 0xFFFD if 0xD800 <= ord(letter) < 0xE000 else ord(letter)  # lone surrogates are no letters

@@ -5,10 +5,12 @@ import { decodeGzipBase64, type Scene, SceneError } from "../viewer/data/scene";
 import { Viewer } from "../viewer/panels/viewer";
 import { startTheme } from "../viewer/shared/theme";
 import "../viewer/shared/theme.css";
+import { openOnPaper } from "./paper";
 import "./report.css";
 
 async function start(): Promise<void> {
   startTheme();
+  openOnPaper(document);
   const place = document.getElementById("viewer");
   const packed = document.getElementById("scene");
   if (!place || !packed?.textContent?.trim()) return;

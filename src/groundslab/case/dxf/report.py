@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from groundslab import units
 from groundslab.case.dxf.drawing import Drawing
-from groundslab.schema.wording import escape
+from groundslab.schema.wording import printable
 
 
 def report_text(drawing: Drawing) -> str:
@@ -33,7 +33,7 @@ def report_text(drawing: Drawing) -> str:
         ),
     ]
     if notes:
-        text += ["", *(f"{f'layer {escape(note.layer)}' if note.layer else 'header'}: {note.why}" for note in notes)]
+        text += ["", *(f"{f'layer {printable(note.layer)}' if note.layer else 'header'}: {note.why}" for note in notes)]
     for heading, taken in (("ignored", False), ("taken", True)):
         rows = [(line.layer, line.entity, line.handle, line.why) for line in lines if line.taken is taken]
         if rows:
@@ -55,7 +55,7 @@ def _distributed_totals(drawing: Drawing) -> Iterator[str]:
 
 def _table(heading: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> list[str]:
     """Return the lines of a table, its columns as wide as they need be."""
-    cells = [heading, *((*map(escape, row[:-1]), row[-1]) for row in rows)]
+    cells = [heading, *((*map(printable, row[:-1]), row[-1]) for row in rows)]
     widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
     return [
         "  " + "  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True)).rstrip() for row in cells

@@ -9,8 +9,10 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from groundslab.arrays import Memo
-from groundslab.design.checks import bearing, equilibrium, floors, limits, loads, provided, reached, shear, strength
+from groundslab.design.checks import equilibrium, floors, limits, loads, provided, reached, strength
 from groundslab.design.checks.check import ORDER, DesignCheck, Status
+from groundslab.design.checks.ground import bearing, edge_force
+from groundslab.design.checks.one_way_shear import shear
 from groundslab.results.results import Results
 
 __all__ = ["CHECKS", "Design", "DesignCheck", "Status", "check_design"]
@@ -22,6 +24,7 @@ CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
     provided.checks,
     floors.checks,
     bearing.checks,
+    edge_force.checks,
     equilibrium.checks,
     reached.checks,
     limits.checks,

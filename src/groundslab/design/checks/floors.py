@@ -23,13 +23,13 @@ from groundslab.design.floors import acting_loads, resistance, strips, yield_lin
 from groundslab.design.floors.acting_loads import Borders, Force
 from groundslab.design.floors.yield_lines import Location, YieldSlab
 from groundslab.design.tables import reinforcement
-from groundslab.design.tables.quantities import solved_results
+from groundslab.design.tables.quantities import solved_results, why_none
 from groundslab.discretize.ground import grounds_of
 from groundslab.errors import InputError
 from groundslab.fem.foundation import Column
 from groundslab.model.design.floors import ACI360Floor, AnyFloor, TR34Floor
 from groundslab.model.ground import ContinuousGround
-from groundslab.model.loads.load_cases import SERVICEABILITY
+from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
 from groundslab.model.model import Model
 from groundslab.results.fields import extreme
 from groundslab.results.results import CombinationResult, Results
@@ -90,8 +90,8 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     by_tr34 = isinstance(floor, TR34Floor)
     found = reinforcement.ultimate_results(combined) if by_tr34 else _serviceable(combined)
     if not found:
-        state = "ultimate combination" if by_tr34 else "combination of serviceability"
-        yield DesignCheck("floor", "attention", f"not checked: no {state} has a certified result")
+        states = (STRENGTH, "ultimate combination") if by_tr34 else (SERVICEABILITY, "combination of serviceability")
+        yield DesignCheck("floor", "attention", f"not checked: {why_none(combined, *states)}")
         return
     yield from _by_tr34(floor, found) if isinstance(floor, TR34Floor) else _by_aci(floor, found)
 

@@ -13,7 +13,8 @@ import numpy as np
 
 from groundslab.design.by_plate import results_by_plate
 from groundslab.design.checks.check import DesignCheck
-from groundslab.design.tables.quantities import solved_results
+from groundslab.design.checks.ground.edge_strip import spread_edge_force, strip_width
+from groundslab.design.tables.quantities import solved_results, why_none
 from groundslab.design.tilt import deflections_between, settlement_differences, tilt
 from groundslab.model.loads.load_cases import SERVICEABILITY
 from groundslab.model.plates.region import PlateRegion
@@ -89,6 +90,17 @@ def _columns_by_plate(results: CombinationResult) -> Iterator[tuple[PlateResult,
             yield plate, columns
 
 
+def _pressure(results: CombinationResult) -> Demand:
+    """Return the largest pressure, the line force along the plate's edge spread over a strip beside it."""
+    spread = spread_edge_force(results)
+    value, place = extreme(spread.nodes, spread.pressure, 1)
+    node = int(np.argmax((spread.nodes == place).all(axis=1) & (spread.pressure == value)))
+    by_edge = spread.pressure[node] - results.plate.pressure[node]
+    if by_edge <= 0:
+        return value, "", place
+    return value, f"with {by_edge / 1e3:.4g} kPa of the edge's line force over {strip_width(results):.3g} m", place
+
+
 def _mean_pressure(results: CombinationResult) -> Demand:
     """Return the ground's force over the area in contact, of several plates the largest."""
     found = []
@@ -111,7 +123,7 @@ LIMITS = {
     "tilt": Limit("tilt", "mm/m", 1e3, _tilt),
     "angular_distortion": Limit("angular distortion", "mm/m", 1e3, _distortion),
     "deflection": Limit("deflection between columns", "mm/m", 1e3, _deflection),
-    "pressure": Limit("pressure", "kPa", 1e-3, _extreme("pressure", 1)),
+    "pressure": Limit("pressure", "kPa", 1e-3, _pressure),
     "mean_pressure": Limit("mean pressure", "kPa", 1e-3, _mean_pressure),
     "contact_share": Limit("area in contact", "%", 1e2, _contact, least=True),
 }
@@ -126,14 +138,15 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     for key, limit in LIMITS.items():
         allowed: float | None = getattr(limits, key)
         if allowed is not None:
-            yield _check(limit, allowed * limit.scale, results)
+            missing = why_none(combined, SERVICEABILITY, "combination of serviceability")
+            yield _check(limit, allowed * limit.scale, results, missing)
 
 
-def _check(limit: Limit, allowed: float, results: list[CombinationResult]) -> DesignCheck:
-    """Return the check of one limit in its unit of display."""
+def _check(limit: Limit, allowed: float, results: list[CombinationResult], missing: str) -> DesignCheck:
+    """Return the check of one limit in its unit of display; `missing` says why there are no results, if so."""
     found = [(demand, each.combination) for each in results if (demand := limit.demand(each)) is not None]
     if not found:
-        what = "no combination of serviceability has a certified result" if not results else "there are no two columns"
+        what = "there are no two columns" if results else missing
         return DesignCheck(limit.name, "attention", f"not checked: {what}", resistance=allowed, unit=limit.unit)
     (value, of, place), combination = (min if limit.least else max)(found, key=lambda each: each[0][0])
     value *= limit.scale

@@ -12,6 +12,7 @@ from groundslab.design.checks import punching, two_way
 from groundslab.design.checks.check import DesignCheck
 from groundslab.design.en1992.annex import unconfirmed
 from groundslab.design.tables import reinforcement
+from groundslab.design.tables.quantities import why_none
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.results.results import Results
 
@@ -29,7 +30,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         yield DesignCheck("strength", "not checked", "strength was not checked: the case has no [reinforcement]")
         return
     if not reinforcement.ultimate_results(combined):
-        words = "DESIGN NOT CHECKED: no ultimate combination has a certified result"
+        words = f"DESIGN NOT CHECKED: {why_none(combined, STRENGTH, 'ultimate combination')}"
         yield DesignCheck("strength", "not checked", words)
         return
     needs = reinforcement.governing_needs(combined, steel)

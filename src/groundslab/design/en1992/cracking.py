@@ -23,6 +23,8 @@ from groundslab.design.en1992.materials import Concrete, Steel
 _MPA = 1e6
 #: Bond of ribbed bars, and bending.
 K_1, K_2 = 0.8, 0.5
+#: Share of f_yk that bars may be stressed by in characteristic combinations, k_3 of 7.2(5).
+MOST_STRESS = 0.8
 #: k_t of loads that last, and of others (7.3.4(2)).
 LONG_TERM, SHORT_TERM = 0.4, 0.6
 
@@ -51,6 +53,16 @@ def neutral_axis(d: Array, area: Array, modular_ratio: float) -> Array:
 def steel_stress(m: Array, d: Array, area: Array, modular_ratio: float) -> Array:
     """Return the stress sigma_s (n,) [Pa] of the bars of a cracked section under moments m (n,) [N m/m]."""
     return np.asarray(m / (area * (d - neutral_axis(d, area, modular_ratio) / 3)))
+
+
+def bar_stress(m: Array, h: Array, bars: Bars, concrete: Concrete, steel: Steel, E_c: float | None = None) -> Array:
+    """Return sigma_s (n,) [Pa] of the bars of cracked sections, h (n,) [m] thick, under moments m (n,) [N m/m].
+
+    E_c [Pa] is the modulus of concrete under these loads, with creep; E_cm without it. Above f_yk the section is not
+    elastic, and the value says no more than that.
+    """
+    d = np.asarray(h, dtype=float) - bars.cover - bars.diameter / 2
+    return steel_stress(np.asarray(m), d, np.asarray(bars.area), steel.E_s / (E_c or concrete.E_cm))
 
 
 def effective_ratio(h: Array, d: Array, x: Array, area: Array) -> Array:
@@ -84,14 +96,15 @@ def crack_width(
     """Return w_k (n,) [m] on the face in tension under moments m >= 0 (n,) [N m/m] of a slab of thickness h (n,) [m].
 
     E_c [Pa] is the modulus of concrete under these loads, with creep; E_cm without it. A section whose concrete is
-    stressed below f_ctm is not taken as uncracked: the moment may have been larger before.
+    stressed below f_ctm is not taken as uncracked: the moment may have been larger before. The width holds for elastic
+    bars, up to f_yk (`bar_stress`).
     """
     h = np.asarray(h, dtype=float)
     d = h - bars.cover - bars.diameter / 2
     modular_ratio = steel.E_s / (E_c or concrete.E_cm)
     x = neutral_axis(d, np.asarray(bars.area), modular_ratio)
     rho = effective_ratio(h, d, x, np.asarray(bars.area))
-    sigma_s = steel_stress(np.asarray(m), d, np.asarray(bars.area), modular_ratio)
+    sigma_s = bar_stress(m, h, bars, concrete, steel, E_c)
     s_r = largest_spacing(bars, h, x, rho, concrete.annex)
     if concrete.annex.crack_spacing_by_stress:
         s_r = np.minimum(s_r, sigma_s * bars.diameter / (3.6 * concrete.f_ctm))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -37,6 +37,12 @@ def nodal_values(results: CombinationResult, name: str) -> Array:
 def solved_results(combined: Results) -> list[CombinationResult]:
     """Return the results there are, in the order of the combinations."""
     return [combined.results[each.name] for each in combined.combinations if each.name in combined.results]
+
+
+def why_none(combined: Results, states: Sequence[str], called: str) -> str:
+    """Return why no combination of some limit states has results, by what such a combination is called."""
+    there = any(each.limit_state in states for each in combined.combinations)
+    return f"no {called} has a certified result" if there else f"the case has no {called}"
 
 
 def mean_at_nodes(plate: PlateResult, values: Array) -> Array:

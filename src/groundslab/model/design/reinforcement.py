@@ -35,8 +35,8 @@ Code = Literal["EN 1992-1-1", "ACI 318"]
 AnnexName = Literal["recommended", "Germany", "United Kingdom"]
 Exposure = Literal["X0", "XC1", "XC2", "XC3", "XC4", "XD1", "XD2", "XD3", "XS1", "XS2", "XS3"]
 #: Keys that only EN 1992-1-1 has, and that only ACI 318 has.
-_ONLY_EN = ("concrete", "steel", "annex", "gamma_c", "gamma_s", "accidental", "alpha_cc", "w_max", "exposure")
-_ONLY_ACI = ("size_effect",)
+ONLY_EN = ("concrete", "steel", "annex", "gamma_c", "gamma_s", "accidental", "alpha_cc", "w_max", "exposure")
+ONLY_ACI = ("size_effect",)
 
 
 def _check_all_layers(
@@ -104,7 +104,7 @@ def _check_cover(
 
 def _check_code(code: str, given: set[str]) -> Iterator[RelativeIssue]:
     aci = code == "ACI 318"
-    for key in _ONLY_EN if aci else _ONLY_ACI:
+    for key in ONLY_EN if aci else ONLY_ACI:
         if key in given:
             hint = {"concrete": "f_ck is the specified strength f'c", "steel": "f_yk is f_y"}.get(key, "")
             yield RelativeIssue((key,), f"{key} with {code}", f"no {key}", hint)
@@ -162,6 +162,13 @@ class Reinforcement(Section):
     size_effect: Annotated[
         bool, Boolean("whether shear strength falls with the depth, lambda_s of ACI 318 (13.2.6.2 lets it be 1)")
     ] = True
+    line_force_relieves: Annotated[
+        bool,
+        Boolean(
+            "whether the ground's line force along the plate's edge relieves punching as pressure inside does, and "
+            "one-way shear"
+        ),
+    ] = False
     exposure: Annotated[
         Exposure | None, Choice(Exposure, "exposure class, for the cover and, with bars laid, the crack width")
     ] = None

@@ -1,4 +1,4 @@
-"""Combinations of actions by EN 1990, each as factors of the load cases; strength by ACI 318 if that is wanted.
+"""Combinations of actions by EN 1990, as factors of the load cases; by ACI 318 and ASCE 7 if those are wanted.
 
     ultimate           sum gamma_G G + gamma_Q,1 Q_1 + sum gamma_Q,i psi_0,i Q_i     expression 6.10,  6.4.3.2(3)
       or the two of    sum gamma_G G + gamma_Q,1 psi_0,1 Q_1 + sum gamma_Q,i psi_0,i Q_i         6.10a
@@ -92,8 +92,8 @@ def make_combinations(combine: Combine, cases: Sequence[LoadCase]) -> tuple[Comb
 
 def _all_terms(combine: Combine, cases: Sequence[LoadCase], limit_state: LimitState) -> Iterator[tuple[str, Terms]]:
     """Yield the factors of each combination of a limit state with its rule; some of them may come twice."""
-    if combine.expression == "ACI 318" and limit_state in ("ultimate", "seismic"):
-        for name, factors in aci318.combine(cases, limit_state == "seismic", _beside(cases, limit_state), _subsets):
+    if combine.expression == "ACI 318" and limit_state in ("ultimate", "seismic", "characteristic"):
+        for name, factors in aci318.combine(cases, limit_state, [*_beside(cases, "seismic")], _subsets):
             yield name, _in_order(cases, factors)
         return
     permanent = [case.name for case in cases if case.action == "permanent"]

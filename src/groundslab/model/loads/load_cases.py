@@ -135,7 +135,7 @@ def _check_expression(expression: str, given: set[str]) -> Iterator[RelativeIssu
 
 
 class Combine(Section):
-    """Automatic combinations of the load cases by EN 1990, or the strength combinations of ACI 318."""
+    """Automatic combinations of the load cases by EN 1990, or by ACI 318 and ASCE 7."""
 
     checks: ClassVar[tuple[Check, ...]] = (_check_partial_factors, _check_expression)
 
@@ -145,7 +145,11 @@ class Combine(Section):
     ]
     expression: Annotated[
         Expression,
-        Choice(Expression, "expressions of EN 1990 6.4.3.2(3), or ACI 318-19 5.3.1, for ultimate and seismic sets"),
+        Choice(
+            Expression,
+            "expressions of EN 1990 6.4.3.2(3), or ACI 318-19 5.3.1 for ultimate and seismic sets with the "
+            "allowable-stress ones of ASCE 7-16 2.4 for characteristic sets",
+        ),
     ] = "6.10"
     xi: Annotated[float, Number("xi", "reduction of unfavourable permanent actions in 6.10b", SHARE)] = 0.85
     separate: Annotated[

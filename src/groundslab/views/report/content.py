@@ -18,6 +18,7 @@ from groundslab.results.results import refusal_words
 from groundslab.results.soil_profile import list_columns
 from groundslab.schema.wording import listed
 from groundslab.views.report import drawings, table_layout
+from groundslab.views.report.assumptions import list_assumptions
 from groundslab.views.report.ground_models import build_chapter
 from groundslab.views.report.input_tables import input_tables
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout, drop_empty_columns, headers
@@ -97,6 +98,7 @@ def build_page(
         "verdict": dict(zip(("status", "words"), _verdict(combined, found), strict=True)),
         "design": check_design(combined),
         "case": input_tables(combined.model, combined.combinations),
+        "assumptions": list_assumptions(combined),
         "drawings": list(_drawings(combined, leading)),
         "grounds": None if comparison is None else build_chapter(comparison),
         "loads": list(drawings.draw_loads(combined.model, combined.solved_model)),
@@ -105,7 +107,6 @@ def build_page(
         "certificates": _certificates(combined, found),
         "extremes": list(_extremes(combined, found)),
         "tables": list(map(_table, tables)),
-        "unprinted": table_layout.find_unprinted(tables),
         "history": list_steps(found),
         "pictures": list(drawings.draw_pictures(combined)),
         "refused": [(name, refusal_words(error)) for name, error in combined.refused.items()],
@@ -265,16 +266,20 @@ def _table(table: Table) -> dict[str, Any]:
 
 
 def list_constants(found: Sequence[Entry]) -> TableLayout:
-    """Return the constants of the ground that each combination ended with."""
+    """Return the constants of the ground that the combinations ended with; those with the same ones share a row."""
     heads: list[TableHeader] = []
-    rows = []
+    names: dict[tuple[Cell, ...], list[str]] = {}
     for entry in found:
         if entry.results is None:
             continue
         shown = [(row, shown_row(row)) for row in sections.description_of_ground(entry.results).rows[1:]]
         heads = heads or [TableHeader(row.label, each.unit, True, row.symbol) for row, each in shown]
-        rows.append((Cell(entry.combination.name), *(Cell(each.figure, "number") for _, each in shown)))
-    return TableLayout("", (TableHeader("combination"), *heads), tuple(rows))
+        cells = tuple(Cell(each.figure, "number") for _, each in shown)
+        names.setdefault(cells, []).append(entry.combination.name)
+    if len(names) == 1:
+        return TableLayout("", tuple(heads), tuple(names))
+    rows = tuple((Cell(", ".join(those)), *cells) for cells, those in names.items())
+    return TableLayout("", (TableHeader("combination"), *heads), rows)
 
 
 def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[drawings.Drawing]:

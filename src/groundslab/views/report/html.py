@@ -16,8 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
-from groundslab.case import casefile
-from groundslab.errors import GroundslabError, InputError
+from groundslab.errors import GroundslabError
 from groundslab.results.results import CombinationResult, Results, results_of
 from groundslab.storage import atomic
 from groundslab.storage.ownership import check_replaceable, is_page
@@ -31,7 +30,6 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from groundslab.analysis.ground_comparison.comparison import GroundComparison
-    from groundslab.model.model import Model
     from groundslab.model.outputs import Chapter
 
 HERE = Path(__file__).parent
@@ -52,10 +50,12 @@ def render_report(
     file: str = "case.toml",
     chapters: Sequence[Chapter] | None = None,
     comparison: GroundComparison | None = None,
+    remark: str = "",
 ) -> str:
     """Return the report as the text of an HTML file; the same results always give the same text.
 
-    Text and file are those of the input; without them the text is that which the results' folder has as case.toml.
+    Text and file are those of the input; without them the text is that which the results' folder has as case.toml. The
+    first page has the remark, such as that the case has changed since.
     """
     combined = results if isinstance(results, Results) else results_of(results)
     from markupsafe import Markup
@@ -68,6 +68,7 @@ def render_report(
     return render_page(
         HERE / "templates" / "report.html",
         page=page,
+        remark=remark,
         left_out=left_out,
         scene=scene,
         style=Markup(style),
@@ -85,6 +86,7 @@ def write_report(
     file: str = "case.toml",
     chapters: Sequence[Chapter] | None = None,
     comparison: GroundComparison | None = None,
+    remark: str = "",
 ) -> Path:
     """Write the report of results: one HTML file that needs no network, or a PDF with page numbers and bookmarks.
 
@@ -102,6 +104,8 @@ def write_report(
         The chapters beside the first page; by default those of ``report.chapters`` of the case.
     comparison : GroundComparison, optional
         A comparison of grounds of the same model, which is a chapter then.
+    remark : str, optional
+        What the first page says besides, such as that the case has changed since.
 
     Returns
     -------
@@ -126,17 +130,20 @@ def write_report(
     >>> path = groundslab.write_report(results, "report.html")
     """
     target = check(path)
+    render = partial(render_report, results, text=text, file=file, comparison=comparison, remark=remark)
     if not _is_pdf(target):
-        page = render_report(results, text=text, file=file, chapters=chapters, comparison=comparison)
-        write_file(target, target, page.encode())
+        write_file(target, target, render(chapters=chapters).encode())
         return Path(path)
+    wanted = results.model.report.chapters if chapters is None else chapters
+    atomic.write(target, _printed(render(chapters=[chapter for chapter in wanted if chapter != "viewer"])))
+    return Path(path)
+
+
+def _printed(page: str) -> bytes:
+    """Return a page as PDF that says at its end whose it is."""
     from groundslab.views.report.pdf import print_page
 
-    wanted = results.model.report.chapters if chapters is None else chapters
-    on_paper = [chapter for chapter in wanted if chapter != "viewer"]
-    page = render_report(results, text=text, file=file, chapters=on_paper, comparison=comparison)
-    atomic.write(target, print_page(page) + f"{TAIL}{__version__}\n".encode())
-    return Path(path)
+    return print_page(page) + f"{TAIL}{__version__}\n".encode()
 
 
 def _is_pdf(path: Path) -> bool:
@@ -160,15 +167,6 @@ def default_path(folder: str | Path, suffix: str = ".html") -> Path:
     """Return where the report of a folder of results is put: beside the folder, under its name."""
     whole = Path(os.path.realpath(folder))
     return whole.with_name(f"{whole.name}{suffix}")
-
-
-def text_of(folder: str | Path, model: Model) -> str | None:
-    """Return the text of the case in a folder of results, as it is there, if it describes the model of the results."""
-    try:
-        text = (Path(folder) / "case.toml").read_bytes().decode()
-        return text if casefile.loads(text) == model else None
-    except (OSError, UnicodeDecodeError, InputError):
-        return None
 
 
 def read_asset(name: str) -> str:

@@ -5,7 +5,7 @@ All of it is derived from what ``model`` states of each key, so that a new key a
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +15,7 @@ from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.schema.base import Section, get_field_type, get_meaning, get_sections
 from groundslab.schema.fields import Boolean, Choice, Factors, FieldType, Integer, ListOf, Number, Quantity, Text
 from groundslab.units import format_coordinate, together
+from groundslab.views.report.applicable_keys import keys_without_use
 from groundslab.views.report.table_layout import (
     GREEK,
     Cell,
@@ -78,15 +79,17 @@ class InputTable:
 
 def input_tables(model: Model, combinations: Sequence[Combination]) -> list[InputTable]:
     """Return all of a case, section by section, with what was solved; what is not there is left out."""
-    found, remarks = [], find_remarks(model, combinations)
+    found = []
+    remarks = find_remarks(model, combinations)
+    without_use = keys_without_use(model)
     for name, title in SECTIONS.items():
-        value = getattr(model, name)
+        value, hidden = getattr(model, name), without_use.get(name, frozenset())
         if name == "combinations":
             grids = [_combinations(combinations)] if model.cases else []
         elif isinstance(value, Section):
-            grids = list(_part(value, ""))
+            grids = list(_part(value, "", hidden))
         else:
-            grids = list(_list(value or (), name, ""))
+            grids = list(_list(value or (), name, "", hidden))
         if name == "cases" and model.cases:
             grids.append(_acting(model, combinations))
         notes = [f"Remark: {each.words}." for each in remarks if each.path[0] == name]
@@ -146,12 +149,14 @@ def _several(key: ListOf, values: Sequence[Any]) -> str:
     return ", ".join(format_value(each, value) for value in values)
 
 
-def _part(part: Section, title: str) -> Iterator[TableLayout]:
-    """Yield what a part says itself, then the parts in it."""
+def _part(part: Section, title: str, hidden: Set[str] = frozenset()) -> Iterator[TableLayout]:
+    """Yield what a part says itself, then the parts in it; hidden keys stand there only if they are given."""
     rows: list[tuple[Cell, ...]] = []
     below: list[TableLayout] = []
     for name, field in type(part).model_fields.items():
         value, key = getattr(part, name), get_field_type(field)
+        if name in hidden and name not in part.model_fields_set:
+            continue
         if key is not None:
             if value is not None and value != ():
                 rows.append(_row(name, key, value, field))
@@ -177,7 +182,7 @@ def _row(name: str, key: FieldType, value: Any, field: FieldInfo) -> tuple[Cell,
     return (Cell(words, "words"), symbol, Cell(format_value(key, value)), Cell(meaning, "muted"))
 
 
-def _list(parts: Sequence[Section], name: str, title: str) -> Iterator[TableLayout]:
+def _list(parts: Sequence[Section], name: str, title: str, hidden: Set[str] = frozenset()) -> Iterator[TableLayout]:
     """Yield a list of parts, those of one kind in one grid, numbered as in the case; lists in them stand below."""
     kinds: dict[type[Section], list[tuple[int, Section]]] = {}
     for number, part in enumerate(parts, 1):
@@ -185,7 +190,7 @@ def _list(parts: Sequence[Section], name: str, title: str) -> Iterator[TableLayo
     for kind, numbered in kinds.items():
         tag = kind.model_fields.get("kind")
         own = f"{tag.default}, {get_meaning(tag)}" if tag is not None and get_field_type(tag) is None else ""
-        yield _columns(kind, numbered, ": ".join(filter(None, (title, own))))
+        yield _columns(kind, numbered, ": ".join(filter(None, (title, own))), hidden)
     for number, part in enumerate(parts, 1):
         called = ", ".join(filter(None, (f"{ONE.get(name, _words(name))} {number}", getattr(part, "name", ""))))
         for inner, field in type(part).model_fields.items():
@@ -196,14 +201,16 @@ def _list(parts: Sequence[Section], name: str, title: str) -> Iterator[TableLayo
                 yield from _part(value, f"{called}: {inner}")
 
 
-def _columns(kind: type[Section], numbered: list[tuple[int, Section]], title: str) -> TableLayout:
-    """Return parts of one kind, one a row; keys that are nowhere given have no column."""
+def _columns(
+    kind: type[Section], numbered: list[tuple[int, Section]], title: str, hidden: Set[str] = frozenset()
+) -> TableLayout:
+    """Return parts of one kind, one a row; keys that are nowhere given have no column, nor have hidden defaults."""
     heads, columns = ([TableHeader("no.", number=True)], [[Cell(str(number), "number") for number, _ in numbered]])
     for name, field in kind.model_fields.items():
         values = [getattr(part, name) for _, part in numbered]
         key, default = get_field_type(field), field.get_default()
         said = any(value not in (None, "", ()) and (field.is_required() or value != default) for value in values)
-        if not said and (name not in ALWAYS or key is None):
+        if not said and (name not in ALWAYS or name in hidden or key is None):
             continue
         if key is not None:
             head, cells = _column(name, key, values)

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
 #: Browsers by the names of their programs, and by those that Playwright knows installed ones by.
 PROGRAMS, CHANNELS = ("chromium", "chromium-browser", "google-chrome", "microsoft-edge"), ("msedge", "chrome")
+#: What is folded on the screen begins with this; its words are escaped, so that nothing else does.
+FOLDED = '<details class="folded"'
 INSTEAD = "a report without the ending .pdf opens in any browser, which can print it"
 
 
@@ -22,6 +24,11 @@ def print_page(html: str) -> bytes:
     # in a thread of its own, as Playwright refuses to wait where an event loop runs, such as in a notebook
     with ThreadPoolExecutor(1) as pool:
         return pool.submit(_print, html).result()
+
+
+def unfold(html: str) -> str:
+    """Return a page with all of its tables open: on paper nothing can be."""
+    return html.replace(FOLDED, f"{FOLDED} open")
 
 
 def _print(html: str) -> bytes:
@@ -33,7 +40,7 @@ def _print(html: str) -> bytes:
         raise InputError([Issue("playwright", "nothing that can be imported", "Playwright", hint)]) from None
     with sync_playwright() as playwright, _launch(playwright) as browser:
         page = browser.new_page(java_script_enabled=False, offline=True)
-        page.set_content(html)
+        page.set_content(unfold(html))
         return page.pdf(prefer_css_page_size=True, print_background=True, outline=True, tagged=True)
 
 

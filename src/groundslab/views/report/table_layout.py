@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from operator import itemgetter
@@ -18,10 +17,10 @@ Kind = Literal["", "number", "good", "bad", "muted", "symbol", "words"]
 
 #: More columns than these do not fit on paper.
 MOST_COLUMNS = 11
-#: Of the tables in FOLDED those with more rows are folded: they open on the screen, and are left out on paper.
+#: Of the tables in FOLDED those with more rows are folded on the screen; on paper they are complete.
 MOST_ROWS = 24
 FOLDED = {"extremes", "envelope", "points", "soil", "lines", "strips", "supports", "columns"}
-#: Tables of which other parts of the report tell the essence, so that nothing of long ones is on paper.
+#: Tables whose extremes are in other parts of the report.
 ELSEWHERE = {"extremes", "envelope", "columns"}
 #: Rows of a grid that are printed into a file at all; a table of more is read from its CSV file.
 MOST_IN_FILE = 3000
@@ -75,7 +74,7 @@ class TableLayout:
     heads: tuple[TableHeader, ...]
     rows: tuple[tuple[Cell, ...], ...]
     notes: tuple[str, ...] = ()
-    folded: bool = False  # whether it is too long for paper
+    folded: bool = False  # whether it is too long to stand open on the screen
 
 
 def drop_empty_columns(grid: TableLayout) -> TableLayout:
@@ -112,7 +111,7 @@ def errors_of(table: Table) -> dict[str, tuple[RawCell, ...]]:
 
 
 def summarize_table(table: Table) -> TableLayout | None:
-    """Return the extremes of each quantity along what a long table lists, over all combinations, for paper.
+    """Return the extremes of each quantity along what a long table lists, over all combinations.
 
     The second column says of what a row is; what stands at the left of the quantities, such as a place, is no quantity,
     and a direction has no extremes.
@@ -139,11 +138,6 @@ def summarize_table(table: Table) -> TableLayout | None:
     heads = headers(table.columns[1].name, "quantity", "unit")
     heads = (*heads, least, *s, combined, greatest, *s, combined)
     return TableLayout("", heads, tuple(rows), ("Extremes over all combinations.",))
-
-
-def find_unprinted(tables: Sequence[Table]) -> set[str]:
-    """Return the names of the tables that are not on paper: the checks stand on the first page."""
-    return {each.name for each in tables if each.name in ELSEWHERE and len(each) > MOST_ROWS} | {"checks"}
 
 
 def split_columns(grid: TableLayout, keys: int) -> list[TableLayout]:

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from groundslab.arrays import Array
     from groundslab.model.ground import SoilLayer
     from groundslab.model.model import Model
+    from groundslab.model.plate import Plate
     from groundslab.results.results import CombinationResult, SupportResult
 
 #: Of loads that are cut off at the plate's edge so many are shown.
@@ -111,11 +112,10 @@ def certified_words(count: int) -> str:
 
 
 def _plate(results: CombinationResult) -> SummarySection:
-    """Return the plate as it was analyzed."""
-    plate, edges = results.model.plate, results.model.plate.edges
-    edges_text = [
-        f"{side} {kind}" for side in ("left", "right", "bottom", "top") if (kind := getattr(edges, side)) != "free"
-    ]
+    """Return the plate as it was analyzed, or all of several plates."""
+    if results.model.plates:
+        return _plates(results)
+    plate = results.model.plate
     rows = (
         Row("length_x", "length along x", plate.sides[0], UNITS["m"]),
         Row("length_y", "length along y", plate.sides[1], UNITS["m"]),
@@ -123,10 +123,41 @@ def _plate(results: CombinationResult) -> SummarySection:
         Row("thickness", "thickness", plate.thickness, UNITS["m"], "t"),
         Row("E", "Young's modulus", plate.E, UNITS["MPa"], "E"),
         Row("nu", "Poisson's ratio", plate.nu, None, "nu"),
-        Row("supports", "supported edges", ", ".join(edges_text) or "none"),
+        _supported_edges(plate),
     )
     borders = _borders(results)
     return SummarySection("plate", "Plate", rows + borders, (CROSSED,) if borders else ())
+
+
+def _plates(results: CombinationResult) -> SummarySection:
+    """Return several plates as they were analyzed: what all of them make up, then one by one."""
+    plates, (x, y) = results.model.every_plate, results.model.sides
+    total = (
+        Row("plates", "plates", len(plates)),
+        Row("length_x", "all of them along x", x, UNITS["m"]),
+        Row("length_y", "all of them along y", y, UNITS["m"]),
+        Row("area", "area of all", float(results.plate.area.sum()), UNITS["m2"]),
+    )
+    one_by_one = tuple(
+        Row(
+            f"plate_{number}",
+            plate.name or f"plate {number}",
+            f"{plate.sides[0]:.6g} x {plate.sides[1]:.6g} m, t {plate.thickness:.6g} m, E {plate.E / 1e6:.6g} MPa, "
+            f"nu {plate.nu:.6g}",
+        )
+        for number, plate in enumerate(plates, 1)
+    )
+    borders = _borders(results)
+    supported = _supported_edges(results.model.plate)
+    rows = (*total, *one_by_one, *([] if supported.value == "none" else [supported]), *borders)
+    return SummarySection("plate", "Plates", rows, (CROSSED,) if borders else ())
+
+
+def _supported_edges(plate: Plate) -> Row:
+    """Return which edges of a plate are supported."""
+    sides = ("left", "right", "bottom", "top")
+    words = [f"{side} {kind}" for side in sides if (kind := getattr(plate.edges, side)) != "free"]
+    return Row("supports", "supported edges", ", ".join(words) or "none")
 
 
 def mesh_section(results: CombinationResult) -> SummarySection:

@@ -23,6 +23,7 @@ from groundslab.workbench.persistence.autosave import Autosave, UnsavedWork
 from groundslab.workbench.server import case_file
 from groundslab.workbench.server.case_file import CaseFile, Conflict
 from groundslab.workbench.solver.ground_comparison import GroundComparer
+from groundslab.workbench.solver.process import OUTDATED
 from groundslab.workbench.solver.thread import DELAY, Solver
 
 State = dict[str, Any]
@@ -217,7 +218,16 @@ class Session:
     def write_report(self, run: int) -> tuple[str, bytes]:
         """Return a name for the report on a run, and its content."""
         path = self._case_file.path or Path("case.toml")
-        return f"{path.stem}-report.html", self.solver.make_view(("report", run, path.name))
+        kind = OUTDATED if self._is_outdated(run) else "report"
+        return f"{path.stem}-report.html", self.solver.make_view((kind, run, path.name))
+
+    def _is_outdated(self, run: int) -> bool:
+        """Return whether the document describes another model by now than that of a run."""
+        result = self.solver.get_result(run)
+        with self._lock:
+            if result is None or result.text == self._document.text:
+                return False
+            return self._check_result is None or self._check_result.fingerprint != result.fingerprint
 
     def write_archive(self, run: int) -> tuple[str, bytes]:
         """Return a name for the archive of case, results and report of a run, and its content."""

@@ -37,8 +37,13 @@ ONLY = 1
 class ResultsView:
     """Results with their summary and scene, as the page of the workbench takes them."""
 
-    def __init__(self, name: str, combined: Results, text: str | None, comparison: GroundComparison | None) -> None:
-        """Begin with results; ``name`` says where they are from, ``text`` is that of their case where it is known."""
+    def __init__(
+        self, name: str, combined: Results, text: str | None, comparison: GroundComparison | None, remark: str = ""
+    ) -> None:
+        """Begin with results; ``name`` says where they are from, ``text`` is that of their case where it is known.
+
+        ``remark`` is what their report says besides.
+        """
         from groundslab.views.scene.binary import pack
         from groundslab.views.scene.fields import scene_of
         from groundslab.workbench.solver.summary import build_summary
@@ -49,6 +54,7 @@ class ResultsView:
         self.scene = pack(scene_of(combined))
         self.tables = layout_makers(combined)
         self._name, self._results, self._text, self._comparison = name, combined, text, comparison
+        self._remark = remark
         self._report: bytes | None = None
         self._lock = threading.Lock()
 
@@ -71,8 +77,8 @@ class ResultsView:
         from groundslab.views.ground_comparison.files import load_comparison
 
         combined = results_folder.load_results(folder)
-        text = report.text_of(folder, combined.model)
-        return cls(str(shown.absolute()), combined, text, load_comparison(folder))
+        text, remark = report.text_of(folder, combined.model), report.changes_since(folder, combined.model)
+        return cls(str(shown.absolute()), combined, text, load_comparison(folder), remark)
 
     def get_state(self) -> dict[str, Any]:
         """Return the state in the form of a document that nobody changes; ``view`` says where it is from."""
@@ -107,7 +113,9 @@ class ResultsView:
 
         with self._lock:
             if self._report is None:
-                page = report.render_report(self._results, text=self._text, comparison=self._comparison)
+                page = report.render_report(
+                    self._results, text=self._text, comparison=self._comparison, remark=self._remark
+                )
                 self._report = page.encode()
             return f"{Path(self._name).stem}-report.html", self._report
 

@@ -33,6 +33,8 @@ if TYPE_CHECKING:
 PROGRESS_INTERVAL = 0.1
 #: The files about a run that can be asked for.
 FILES = ("report", "archive")
+#: A report on results whose case has changed since.
+OUTDATED = "outdated report"
 
 
 @dataclass(frozen=True, slots=True)
@@ -235,17 +237,24 @@ def _send_view(pipe: Connection, view: View, latest: tuple[int, Any] | None) -> 
         pipe.send_bytes(content)
 
 
-def _render_report(solved: Solved, file: str) -> str:
+def _render_report(solved: Solved, file: str, remark: str = "") -> str:
     """Return the report; file is the name of the case."""
     from groundslab.views.report.html import render_report
 
     results = solved.results
-    return render_report(results, text=solved.text, file=file, comparison=_compare(results.model))
+    return render_report(results, text=solved.text, file=file, comparison=_compare(results.model), remark=remark)
 
 
 def _write_report(solved: Solved, file: str) -> bytes:
     """Return the report as a file."""
     return _render_report(solved, file).encode()
+
+
+def _write_outdated_report(solved: Solved, file: str) -> bytes:
+    """Return the report as a file, which says that the case has changed since."""
+    from groundslab.views.report.changes import CHANGED
+
+    return _render_report(solved, file, CHANGED.format(file=file)).encode()
 
 
 def _write_archive(solved: Solved, file: str) -> bytes:
@@ -263,4 +272,4 @@ def _write_table(solved: Solved, name: str) -> bytes:
 
 
 #: What writes each kind of view.
-WRITERS = {"report": _write_report, "archive": _write_archive, "table": _write_table}
+WRITERS = {"report": _write_report, OUTDATED: _write_outdated_report, "archive": _write_archive, "table": _write_table}

@@ -379,7 +379,9 @@ class TestBlocks:
             space.add_blockref("EMPTY", (0, 0), on("ZONES"))
             space.add_blockref("MISSING", (0, 0), on("ZONES"))
 
-        whys = [line.why for line in drawn(draw).report if line.entity.startswith("INSERT")]
+        drawing = drawn(draw)
+        assert 'INSERT block "EMPTY"' in dxf.report_text(drawing)
+        whys = [line.why for line in drawing.report if line.entity.startswith("INSERT")]
         assert whys == [
             "its block has nothing on the layers that are read",
             "its block is an external file or is missing",
@@ -830,10 +832,12 @@ class TestSpreadLoads:
                 beside(space, "LOAD_LINE", x, 0.1, words)
             space.add_line((0, 9), (1, 9), on("LOAD_AREA"))
             outline(space, [(0, 20), (9, 29), (9, 20), (0, 29)], "LOAD_AREA")
+            beside(space, "LOAD_AREA", 60, 60, "4 kPa")
 
         text = issues(draw, tmp_path)
         assert '"2 kN/m", a second value' in text or '"1 kN/m", a second value' in text
         assert '"3 kN/m", expected a line load beside the value' in text
+        assert '"4 kPa", expected an area load beside the value' in text
         assert "a gap of 1 m" in text
         assert "a curve that crosses or touches itself" in text
 

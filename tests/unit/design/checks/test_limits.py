@@ -109,6 +109,9 @@ def test_limits_without_results_need_attention() -> None:
     design = check_design(alone)
     assert [each.status for each in design.checks] == ["attention", "attention"]
     assert design.checks[0].words.endswith('not checked: "SLS 1", "SLS 2"')
+    none = replace(alone, combinations=combined.combinations[:1], refused={})
+    words = [each.words for each in check_design(none).checks]
+    assert "not checked: the case has no combination of serviceability" in words
 
 
 def test_no_limit_is_an_error() -> None:

@@ -11,6 +11,7 @@ import pytest
 from groundslab.design.checks import DesignCheck, check_design
 from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.materials import Concrete, Steel
+from groundslab.design.tables.quantities import why_none
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.results.results import Results
@@ -22,9 +23,9 @@ LAID: dict[str, Any] = dict.fromkeys(("bottom_x", "bottom_y", "top_x", "top_y"),
 STEEL = {"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.046, 0.058), "top": (0.046, 0.058)}
 
 
-def checks(m_x: float, **changes: Any) -> dict[str, DesignCheck]:
-    """Return the checks of a slab of 300 mm under one even moment m_x [N m/m] in every combination, by name."""
-    model = Model(
+def model_of(**changes: Any) -> Model:
+    """Return a slab of 300 mm with bars that are laid, and combinations of three limit states."""
+    return Model(
         plate={"length_x": LENGTH_X, "length_y": LENGTH_Y, "thickness": 0.3, "E": 30e9, "nu": 0.2},
         ground={"kind": "winkler", "k": 20e6},
         cases=[{"name": "G"}],
@@ -32,9 +33,15 @@ def checks(m_x: float, **changes: Any) -> dict[str, DesignCheck]:
         combinations=[
             {"name": "ULS", "factors": {"G": 1.35}},
             {"name": "QP", "limit_state": "quasi-permanent", "factors": {"G": 1.0}},
+            {"name": "SLS", "limit_state": "characteristic", "factors": {"G": 1.0}},
         ],
         reinforcement={**STEEL, **LAID, **changes},
     )
+
+
+def checks(m_x: float, **changes: Any) -> dict[str, DesignCheck]:
+    """Return the checks of the slab under one even moment m_x [N m/m] in every combination, by name."""
+    model = model_of(**changes)
     made = {}
     for each in model.combinations:
         one = synthetic.results(6, model=model, combination=each.name, limit_state=each.limit_state,
@@ -76,6 +83,65 @@ def test_crack_width() -> None:
     assert found["crack width at the bottom x"].demand == pytest.approx(1e3 * width)
     assert found["crack width at the top x"].demand == 0.0
     assert checks(m, w_max=0.99 * width)["crack width at the bottom x"].status == "fails"
+
+
+def stress_by_hand(m: float) -> float:
+    """Return sigma_s [Pa] of 12 mm bars at 150 mm, d = 254 mm: x^2 / 2 = alpha_e A_s (d - x), m / (A_s (d - x / 3))."""
+    area, d, ratio = np.pi * 0.012**2 / 4 / 0.15, 0.254, 200e9 / (22e9 * (38 / 10) ** 0.3)
+    x = np.roots([0.5, ratio * area, -ratio * area * d]).max()
+    return float(m / (area * (d - x / 3)))
+
+
+def test_bars_that_yield_fail_instead_of_cracks() -> None:
+    """Above f_yk = 500 MPa of an elastic section there is no crack width: the section fails, with its stress."""
+    elastic, yielding = 0.99 * 90e3, 1.3 * 90e3
+    assert stress_by_hand(elastic) < 500e6 < stress_by_hand(yielding)
+    assert checks(elastic, w_max=4e-4)["crack width at the bottom x"].unit == "mm"
+    row = checks(yielding, w_max=4e-4)["crack width at the bottom x"]
+    assert (row.status, row.unit, row.resistance) == ("fails", "MPa", 500)
+    assert row.demand == pytest.approx(stress_by_hand(yielding) / 1e6, rel=1e-3)
+    assert "the bars yield" in row.words
+    assert "w_k" not in row.words
+
+
+def test_stress_of_bars_in_characteristic_combinations() -> None:
+    """At most 0.8 f_yk = 400 MPa (7.2(5)); above it needs attention, above f_yk the section fails."""
+    for m, status, limit in ((60e3, "no failure found", 400), (80e3, "attention", 400), (117e3, "fails", 500)):
+        row = checks(m)["stress of the bars"]
+        assert (row.status, row.resistance, row.combination) == (status, limit, "SLS")
+        assert row.demand == pytest.approx(stress_by_hand(m) / 1e6, rel=1e-3)
+
+
+def test_cover_without_an_exposure_class() -> None:
+    """Bond asks for the bar's diameter, 10 mm at least, and 10 mm of deviation in any class (4.4.1.2(3), 4.4.1.3)."""
+    least = checks(1e3)["cover"]
+    assert (least.status, least.demand, least.resistance) == ("no failure found", pytest.approx(40), pytest.approx(22))
+    assert "durability is not checked" in least.words
+    thin = checks(1e3, bottom=(0.007, 0.019))["cover"]
+    assert (thin.status, thin.demand, thin.resistance) == ("fails", pytest.approx(1), pytest.approx(22))
+
+
+def test_cover_by_aci_318() -> None:
+    """75 mm cast against the ground, 38 mm of thin bars otherwise, 50 mm of thick ones, 19 mm inside (20.5.1.3.1)."""
+    aci = {"code": "ACI 318", "f_yk": 420e6}
+    thick = {"bottom_x": {"diameter": 0.022, "spacing": 0.15}}
+    for bottom, bars, status, demand, limit in (
+        ((0.081, 0.093), {}, "no failure found", 75, 38), ((0.06, 0.072), {}, "attention", 54, 75),
+        ((0.04, 0.052), {}, "fails", 34, 38), ((0.06, 0.093), thick, "fails", 49, 50),
+    ):  # fmt: skip
+        row = checks(1e3, **aci, bottom=bottom, **bars)["cover"]
+        assert row.status == status, row.words
+        if status != "no failure found":
+            assert (row.demand, row.resistance) == (pytest.approx(demand), pytest.approx(limit))
+    assert checks(1e3, **aci, bottom=(0.081, 0.093), top=(0.02, 0.032))["cover"].status == "fails"
+
+
+def test_combinations_that_are_not_there_are_said_to_be_none() -> None:
+    """A case without a quasi-permanent combination has none; one whose results are missing has no certified ones."""
+    combined = Results(model := model_of(w_max=3e-4), model.combinations[:1], {}, {})
+    assert why_none(combined, ("quasi-permanent",), "such combination") == "the case has no such combination"
+    missing = Results(model, model.combinations, {}, {})
+    assert why_none(missing, ("quasi-permanent",), "one") == "no one has a certified result"
 
 
 def test_layers_that_are_missing_and_bars_too_thick() -> None:

@@ -408,6 +408,43 @@ def test_earthquakes_of_aci_318() -> None:
     assert not [each for each in aci(D, L, S, quake).values() for factors in each if "E" in dict(factors)]
 
 
+def asce(*cases: LoadCase) -> dict[str, set[tuple[tuple[str, float], ...]]]:
+    """Return the factors of the characteristic combinations with ACI 318, by their equation."""
+    found: dict[str, set[tuple[tuple[str, float], ...]]] = {}
+    for each in make_combinations(Combine(sets=("characteristic",), expression="ACI 318"), cases):
+        assert each.limit_state == "characteristic"
+        assert each.rule.startswith("ASCE 7-16 2.4.")
+        found.setdefault(each.rule.rpartition(" ")[2], set()).add(each.factors)
+    return found
+
+
+def test_soil_pressures_with_aci_318_are_those_of_allowable_stresses() -> None:
+    """ASCE 7-16 2.4.1 by hand: 1 to 7; wind takes 0.6, and 0.45 beside 0.75 of live load and snow. No psi."""
+    D, L = LoadCase(name="D"), LoadCase(name="L", action="variable", category="B")
+    S = LoadCase(name="S", action="variable", category="snow")
+    W = LoadCase(name="W", action="variable", category="wind")
+    found = asce(D, L, S, W)
+    dead = ("D", 1.0)
+    assert found["1"] == {(dead,)}
+    assert found["2"] == {(dead, ("L", 1.0))}
+    assert found["3"] == {(dead, ("S", 1.0))}
+    assert found["4"] == {(dead, ("L", 0.75), ("S", 0.75)), (dead, ("L", 0.75)), (dead, ("S", 0.75))}
+    assert found["5"] == {(dead, ("W", 0.6))}
+    assert (dead, ("L", 0.75), ("S", 0.75), ("W", 0.45)) in found["6"]
+    assert found["7"] == {(("D", 0.6), ("W", 0.6)), (("D", 0.6),)}
+
+
+def test_earthquakes_with_allowable_stresses() -> None:
+    """ASCE 7-16 2.4.5: D + 0.7 E, D + 0.525 E + 0.75 L + 0.75 S and 0.6 D + 0.7 E, in both directions."""
+    D, L = LoadCase(name="D"), LoadCase(name="L", action="variable")
+    S, quake = LoadCase(name="S", action="variable", category="snow"), LoadCase(name="E", action="seismic")
+    found = asce(D, L, S, quake)
+    for sign in (1.0, -1.0):
+        assert (("D", 1.0), ("E", sign * 0.7)) in found["8"]
+        assert (("D", 1.0), ("L", 0.75), ("S", 0.75), ("E", sign * 0.525)) in found["9"]
+        assert (("D", 0.6), ("E", sign * 0.7)) in found["10"]
+
+
 def test_what_aci_318_has_no_combination_for() -> None:
     """Temperature is ruled elsewhere (5.3.6), partial factors of EN 1990 have no part in it."""
     with pytest.raises(InputError, match="temperature"):

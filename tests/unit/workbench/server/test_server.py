@@ -16,11 +16,12 @@ import pytest
 
 from groundslab.case import casefile
 from groundslab.errors import InputError
+from groundslab.results.results import results_of
 from groundslab.storage import atomic
 from groundslab.workbench import events
 from groundslab.workbench.events import Event, Hub
 from groundslab.workbench.persistence import files
-from helpers import asgi, workers
+from helpers import asgi, synthetic, workers
 from helpers.asgi import Answer, Headers
 
 pytest.importorskip("fastapi")
@@ -30,6 +31,7 @@ from groundslab.workbench.server.routes import create_app
 from groundslab.workbench.server.security import HEADERS, MAX_BODY, check_request
 from groundslab.workbench.server.session import Session
 from groundslab.workbench.server.tickets import Tickets
+from groundslab.workbench.solver.process import OUTDATED, WRITERS, Solved
 from groundslab.workbench.solver.thread import Solver
 
 PORT, TOKEN = 8765, "secret"
@@ -321,6 +323,37 @@ def test_a_state_that_is_wrong_keeps_the_last_good_result(bench: Bench) -> None:
     assert [name for name, _ in bench.session.get_current_events()] == ["state", "solved"]
     bench.post("/api/undo")
     assert bench.post("/api/undo")["text"] == CASE
+
+
+@pytest.mark.slow
+def test_a_report_on_an_earlier_case_says_so(bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
+    """After a change the report on the last run is that of a case which has changed since; undone, it is not."""
+    run = bench.hub.wait("solved")["run"]
+    asked: list[str] = []
+    monkeypatch.setattr(bench.session.solver, "make_view", lambda view: asked.append(view[0]) or b"")
+    bench.session.set_autosolve(False)
+    bench.session.write_report(run)
+    bench.set(["plate", "thickness"], "0.3 m")
+    bench.session.write_report(run)
+    bench.post("/api/undo")
+    bench.session.write_report(run)
+    assert asked == ["report", OUTDATED, "report"]
+
+
+def test_the_outdated_report_has_a_remark(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It says that the case has changed, by its name; the report on the same case says nothing."""
+    remarks: list[str] = []
+
+    def render_report(*_: Any, remark: str, **__: Any) -> str:
+        remarks.append(remark)
+        return ""
+
+    monkeypatch.setattr("groundslab.views.report.html.render_report", render_report)
+    solved = Solved("", results_of(synthetic.results()), {})
+    for kind in ("report", OUTDATED):
+        WRITERS[kind](solved, "pad.toml")
+    assert remarks[0] == ""
+    assert remarks[1].startswith("pad.toml has changed since this analysis.")
 
 
 @pytest.mark.slow

@@ -13,7 +13,7 @@ import numpy as np
 from groundslab import units
 from groundslab.case.dxf.drawing import FARTHEST, ReadContext, Source
 from groundslab.geometry.plan import Place
-from groundslab.schema.wording import describe
+from groundslab.schema.wording import describe, with_article
 
 if TYPE_CHECKING:
     from ezdxf.entities import DXFEntity
@@ -205,7 +205,9 @@ def assign_texts(marks: Sequence[PendingLoad], texts: Sequence[Label], role: str
             )
         else:
             hint = f"draw the load, at most {NEAR} heights of the text away, or move the text to another layer"
-            context.issue([text.source], text.start, describe(text.words), f"a {what} beside the value", hint)
+            context.issue(
+                [text.source], text.start, describe(text.words), f"{with_article(what)} beside the value", hint
+            )
 
 
 def choose_value(

@@ -1,0 +1,1 @@
+"""Checks of the ground: its bearing resistance, and what the line force along the edge carries."""

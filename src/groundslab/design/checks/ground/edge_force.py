@@ -1,0 +1,40 @@
+"""Whether checks hang on the line force along the plate's edge, which only some models of the ground have.
+
+Its size follows from k1, the ground's stiffness against shear, which is known less well than k0. A continuum has a rise
+of the pressure towards the edge in its place, springs have nothing: where it carries much, the model decides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from groundslab.design.checks.check import DesignCheck
+from groundslab.design.checks.ground.edge_strip import line_force_share, strip_width
+from groundslab.design.tables.quantities import solved_results
+from groundslab.results.results import Results
+
+#: Share of the ground's force above which the edge's line force is named.
+MOST = 0.10
+
+
+def checks(combined: Results) -> Iterator[DesignCheck]:
+    """Yield how much the line force carries in the combination where its share is largest, where that is much."""
+    model = combined.model
+    pressed = model.limits is not None and model.limits.pressure is not None
+    results = solved_results(combined)
+    if not results or (model.reinforcement is None and model.soil_strength is None and not pressed):
+        return
+    worst = max(results, key=line_force_share)
+    share = line_force_share(worst)
+    if share <= MOST:
+        return
+    relieves = model.reinforcement is not None and model.reinforcement.line_force_relieves
+    effect = "it relieves shear and punching, as the case asks" if relieves else "it relieves no check"
+    words = (
+        f'{100 * share:.3g} % of the load in "{worst.combination}" is carried by the line force along the edge, '
+        f"which follows from k1 (strip of {strip_width(worst):.3g} m); {effect}; compare the ground models"
+    )
+    yield DesignCheck(
+        "edge line force", "attention", words, demand=100 * share, resistance=100 * MOST, unit="%",
+        combination=worst.combination,
+    )  # fmt: skip

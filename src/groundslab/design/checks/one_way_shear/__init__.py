@@ -1,0 +1,1 @@
+"""One-way shear: where it is read, what begins at d from walls and columns, and whether it needs links."""

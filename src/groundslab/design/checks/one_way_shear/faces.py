@@ -1,0 +1,129 @@
+"""Where one-way shear begins beside walls and footprints: at d from them (EN 1992-1-1 6.2.1(8), ACI 318-19 7.4.3.2).
+
+A line load has no width: d counts from its axis. Of a force with a footprint that is no column it counts from the face.
+Only what presses on the plate in a combination has such a part around it; beside a wall that pulls, shear counts up to
+its axis (ACI 318-19 7.4.3.2(a)). Where several loads stand on a line, their sum decides, piece by piece.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.design.floors.acting_loads import factors_of
+from groundslab.fem.mesh import Mesh, locate
+from groundslab.geometry.plan import FLAT
+from groundslab.model.loads.acting import LineForce, PointForce
+from groundslab.model.loads.clipping import clip_line
+from groundslab.model.model import Model
+from groundslab.results.mesh_results import PlateResult
+from groundslab.results.results import CombinationResult
+
+if TYPE_CHECKING:
+    from shapely import LineString
+    from shapely.geometry.base import BaseGeometry
+
+#: Places along a piece of a line at which the depth of the plate is looked up.
+SAMPLES = 5
+#: Two lines closer than this lie on each other, as a share of the plate's largest side.
+SAME = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Bearer:
+    """A piece of a line or a footprint by which loads press on the plate."""
+
+    shape: BaseGeometry
+    force: dict[str, Array]  # by load case: q at both ends of a line (2,) [N/m], P of a footprint (1,) [N]
+
+    def presses(self, factors: dict[str, float]) -> bool:
+        """Return whether the loads press on the plate in a combination, all along the piece."""
+        acting = sum((factors.get(case, 0.0) * value for case, value in self.force.items()), np.zeros(1))
+        return bool(acting.min() >= 0 and acting.max() > 0)
+
+
+def bearers(model: Model) -> list[Bearer]:
+    """Return the pieces of lines that loads stand on, and the footprints of forces that are no columns."""
+    return [*_lines(model), *_footprints(model)]
+
+
+def pressing(results: CombinationResult, every: list[Bearer]) -> tuple[int, ...]:
+    """Return the positions of those that press on the plate in a combination."""
+    factors = factors_of(results)
+    return tuple(position for position, bearer in enumerate(every) if bearer.presses(factors))
+
+
+def region_within_d(plate: PlateResult, shapes: list[BaseGeometry], d: Array) -> BaseGeometry:
+    """Return the part of the plan nearer than d to some shapes, d (n,) [m] being the effective depth at the nodes.
+
+    Of different depths along a shape the least one counts.
+    """
+    from shapely import line_merge, union_all
+
+    mesh = Mesh(plate.nodes, plate.elements)
+    by_depth: dict[float, list[BaseGeometry]] = {}
+    for shape in shapes:
+        element, _ = locate(mesh, _samples(shape))
+        under = mesh.elements[element[element >= 0]]
+        if len(under):
+            by_depth.setdefault(float(d[under].min()), []).append(shape)
+    merged = ((depth, union_all(some)) for depth, some in by_depth.items())
+    joined = ((depth, line_merge(shape) if shape.geom_type == "MultiLineString" else shape) for depth, shape in merged)
+    return union_all([shape.buffer(depth, cap_style="flat", join_style="mitre") for depth, shape in joined])
+
+
+def _samples(shape: BaseGeometry) -> Array:
+    """Return places (k, 2) [m] on a line, or the corners of a footprint and its middle."""
+    from shapely import get_coordinates
+
+    if shape.geom_type == "LineString":
+        shares = (np.arange(SAMPLES) + 0.5) / SAMPLES
+        places: Array = get_coordinates([shape.interpolate(share, normalized=True) for share in shares])
+        return places
+    return np.concatenate([get_coordinates(shape), get_coordinates(shape.centroid)])
+
+
+def _lines(model: Model) -> Iterator[Bearer]:
+    """Yield the lines of all line loads, cut where they meet, with the loads on each piece."""
+    from shapely import LineString, STRtree, get_parts, union_all
+
+    size = max(model.sides)
+    found: list[tuple[str, LineString, tuple[float, float]]] = []
+    for load, shape in model.acting:
+        if isinstance(shape, LineForce) and any(shape.q):
+            for piece in clip_line(model.plate, shape, model.plates):
+                n = piece.edge.chords(FLAT * size)
+                found.append((load.case, LineString(piece.edge.at(np.arange(n + 1) / n)), piece.q))
+    if not found:
+        return
+    tree = STRtree([line for _, line, _ in found])
+    for part in get_parts(union_all([line for _, line, _ in found])):
+        middle, force = part.interpolate(0.5, normalized=True), dict[str, Array]()
+        for number in tree.query(middle, predicate="dwithin", distance=SAME * size):
+            case, line, q = found[number]
+            force[case] = force.get(case, np.zeros(2)) + _at_ends(part, line, q)
+        yield Bearer(part, force)
+
+
+def _at_ends(part: LineString, line: LineString, q: tuple[float, float]) -> Array:
+    """Return q (2,) [N/m] at both ends of a part of a line, linear between those of the line."""
+    from shapely import get_point
+
+    ways = np.array([line.project(get_point(part, end), normalized=True) for end in (0, -1)])
+    return q[0] + (q[1] - q[0]) * ways
+
+
+def _footprints(model: Model) -> Iterator[Bearer]:
+    """Yield the footprints of forces that stand on no column, those at one place together."""
+    chord = FLAT * max(model.sides)
+    force: dict[bytes, Bearer] = {}
+    for load, point in model.acting:
+        if isinstance(point, PointForce) and point.ring is not None and not getattr(load, "column", ""):
+            shape = point.to_shapely(chord)
+            bearer = force.setdefault(shape.wkb, Bearer(shape, {}))
+            bearer.force[load.case] = bearer.force.get(load.case, np.zeros(1)) + point.P
+    yield from force.values()

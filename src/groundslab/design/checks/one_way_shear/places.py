@@ -1,0 +1,199 @@
+"""Where a slab's one-way shear is read: at its nodes, and at d from walls and footprints, with what resists there."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.arrays import Array, Flags, Integers
+from groundslab.design.aci318.bending import LEAST
+from groundslab.design.by_plate import distances_to_edges, results_by_plate
+from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, region_within_d
+from groundslab.design.en1992 import shear
+from groundslab.design.floors.acting_loads import factors_of
+from groundslab.design.punching import outline
+from groundslab.design.tables import reinforcement
+from groundslab.discretize.singular_places import near_singular
+from groundslab.fem.line_traversal import interpolation, pieces
+from groundslab.fem.mesh import Mesh
+from groundslab.model.design.floors import TR34Floor
+from groundslab.model.design.laid_bars import laid_bars
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.model.loads.acting import PointForce
+from groundslab.results.fields import LAYERS
+from groundslab.results.mesh_results import ElementResult, PlateResult
+from groundslab.results.results import CombinationResult
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
+#: What the largest shear force in any direction, and the bars that count, are made of.
+FORCES = ("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
+
+
+@dataclass(frozen=True, slots=True)
+class Places:
+    """Places at which one-way shear is read, k of them, and what is the same there in every combination."""
+
+    xy: Array  # (k, 2) [m]
+    nodes: Integers  # (k, a): that the values come from
+    weights: Array  # (k, a): of the nodes' values
+    element: Integers  # (k,): whose own shear force counts if it is larger, -1 if none's
+    d: Array  # (k,): effective depth, the lesser of both faces [m]
+    thickness: Array  # (k,) [m]
+    ratios: Mapping[str, Array]  # (k,): bars over the depth, by layer
+    counts: Flags  # (k,): whether one-way shear is checked there
+
+    def forces(self, plate: PlateResult, elements: ElementResult) -> dict[str, Array]:
+        """Return moments [N m/m] and shear forces [N/m] by the names of FORCES, (k,) each."""
+        found = {name: (self.weights * getattr(plate, name)[self.nodes]).sum(axis=1) for name in FORCES}
+        inside = {name: getattr(elements, name)[self.element] for name in ("shear_x", "shear_y")}
+        size, its = (np.hypot(each["shear_x"], each["shear_y"]) for each in (found, inside))
+        larger = (self.element >= 0) & (its > size)
+        return found | {name: np.where(larger, values, found[name]) for name, values in inside.items()}
+
+    def of(self, counts: Flags) -> Places:
+        """Return the same places with others of them that count."""
+        return replace(self, counts=counts)
+
+
+@dataclass(frozen=True, slots=True)
+class PlacesByReach:
+    """Places beyond d from what presses on the plate in a combination, and nodes nearer to it."""
+
+    beyond: tuple[Places, ...]  # nodes, and places at d
+    within: Places  # nodes
+
+
+@dataclass(frozen=True, slots=True)
+class ShearPlaces:
+    """The places of a slab, sorted in each combination by what presses on the plate there."""
+
+    nodes: Places
+    bearers: list[Bearer]
+    reach: Mapping[str, float]  # how far from columns punching is checked [m], by name
+    _known: dict[tuple[int, ...], PlacesByReach] = field(default_factory=dict)
+
+    def of(self, results: CombinationResult) -> PlacesByReach:
+        """Return the places of a combination."""
+        which = pressing(results, self.bearers)
+        if which not in self._known:
+            self._known[which] = self._sort(results, [self.bearers[position].shape for position in which])
+        return self._known[which]
+
+    def _sort(self, results: CombinationResult, shapes: list[BaseGeometry]) -> PlacesByReach:
+        """Return the places sorted by their distance from some shapes."""
+        from shapely import contains_xy
+
+        nodes = self.nodes
+        region = region_within_d(results.plate, shapes, nodes.d)
+        if region.is_empty:
+            return PlacesByReach((nodes,), nodes.of(np.zeros_like(nodes.counts)))
+        near = np.asarray(contains_xy(region, *nodes.xy.T))
+        beyond = nodes.of(nodes.counts & ~near)
+        at_d = _on_border(results, region, shapes, nodes, self.reach)
+        return PlacesByReach((beyond,) if at_d is None else (beyond, at_d), nodes.of(nodes.counts & near))
+
+
+def nodes_of(steel: Reinforcement, results: list[CombinationResult], reach: Mapping[str, float]) -> Places:
+    """Return the plate's nodes; `reach` is how far from columns punching is checked [m], else 2 d."""
+    plate = results[0].plate
+    thickness = results[0].elements.at_nodes(plate)[0]
+    d = thickness - max(sum(steel.bottom_axes), sum(steel.top_axes)) / 2
+    if steel.laid:
+        areas = {layer: laid_bars(steel, layer, plate.nodes).area for layer in LAYERS}
+    else:
+        found = reinforcement.required_areas(steel, results)
+        areas = {layer: reinforcement.largest_areas(found, layer)[0] for layer in LAYERS}
+    least = LEAST * thickness if steel.code == "ACI 318" else 0.0  # of a slab that has its least bars
+    ratios = {layer: np.minimum(np.maximum(area, least) / d, shear.MOST_BARS) for layer, area in areas.items()}
+    numbers = np.arange(len(d))
+    counts = _counts(results[0], plate.nodes, d, thickness, reach)
+    ones = np.ones((len(d), 1))
+    return Places(plate.nodes, numbers[:, None], ones, np.full(len(d), -1), d, thickness, ratios, counts)
+
+
+def _on_border(
+    results: CombinationResult,
+    region: BaseGeometry,
+    shapes: list[BaseGeometry],
+    nodes: Places,
+    reach: Mapping[str, float],
+) -> Places | None:
+    """Return the places on the plate along the border of what lies within d of some shapes, None if there are none.
+
+    There are three in each element that the border crosses. In an element that meets a line, whose nodes there have
+    the mean of both sides, its own shear force is the better one where it is larger.
+    """
+    from shapely import STRtree, get_parts, union_all
+
+    plan = union_all([outline(plate) for plate in results_by_plate(results).values()])
+    legs = [leg for line in get_parts(region.boundary.intersection(plan)) for leg in _legs_of(line)]
+    if not legs:
+        return None
+    mesh = Mesh(results.plate.nodes, results.plate.elements)
+    line = pieces(mesh, np.array(legs))
+    piece = np.tile(np.arange(len(line.low)), 3)
+    s = np.concatenate([line.low, (line.low + line.high) / 2, line.high])
+    found, weights = interpolation(mesh, line, piece, s)
+    d, thickness = ((weights * values[found]).sum(axis=1) for values in (nodes.d, nodes.thickness))
+    ratios = {layer: (weights * rho[found]).sum(axis=1) for layer, rho in nodes.ratios.items()}
+    xy = line.points(piece, s)
+    meets = np.zeros(len(mesh.elements), dtype=bool)
+    meets[STRtree(_polygons(mesh)).query(shapes, predicate="intersects")[1]] = True
+    element = np.where(meets[line.element[piece]], line.element[piece], -1)
+    return Places(xy, found, weights, element, d, thickness, ratios, _counts(results, xy, d, thickness, reach))
+
+
+def _legs_of(line: BaseGeometry) -> list[Array]:
+    """Return the straight legs (2, 2) of a line [m], nothing of a point."""
+    from shapely import get_coordinates
+
+    places = get_coordinates(line)
+    return [np.array(leg) for leg in pairwise(places) if (leg[0] != leg[1]).any()]
+
+
+def _polygons(mesh: Mesh) -> Array:
+    """Return the elements as polygons of their corners (m,)."""
+    from shapely import polygons
+
+    found: Array = polygons(mesh.xy[:, :4])
+    return found
+
+
+def _counts(results: CombinationResult, xy: Array, d: Array, thickness: Array, reach: Mapping[str, float]) -> Flags:
+    """Return at which places (k, 2) one-way shear is checked, whatever acts."""
+    from shapely import LineString, Point, distance, points, union_all
+
+    model, places = results.solved_model, points(xy)
+    chord = 1e-3 * max(model.sides)
+    nearer = [distance(places, column.to_shapely(chord)) <= reach.get(column.name, 2 * d) for column in model.columns]
+    stands = [LineString(support.points) if support.edges else Point(support.points[0]) for support in model.supports]
+    far = distance(places, union_all(stands)) > 2 * d if stands else np.ones(len(places), dtype=bool)
+    far = far & ~np.any(nearer, axis=0) if nearer else far
+    # of a narrow slab the middle half counts in any case
+    middle = distances_to_edges(results, results.plate.nodes).max() / 2
+    inner = distances_to_edges(results, xy) > np.minimum(thickness, middle)
+    return np.asarray(far & inner & ~near_singular(model, xy, thickness))
+
+
+def near_forces(results: CombinationResult, xy: Array, d: Array) -> Flags:
+    """Return which places are within 2 d of a force of a combination whose punching is checked as a floor's."""
+    from shapely import distance, points, union_all
+
+    model = results.solved_model
+    factors = factors_of(results)
+    if not isinstance(model.floor, TR34Floor):
+        return np.zeros(len(d), dtype=bool)
+    chord = 1e-3 * max(model.plate.sides)
+    shapes = [
+        point.to_shapely(chord)
+        for load, point in model.acting
+        if isinstance(point, PointForce) and factors.get(load.case, 0.0) * point.P > 0
+    ]
+    footprints = union_all([shape for shape in shapes if shape.area > 0])
+    return np.asarray(distance(points(xy), footprints) <= 2 * d)

@@ -1,0 +1,44 @@
+"""Which keys of a case say nothing in it, because its code or its combinations have no use for them.
+
+The report leaves them out where the case does not give them: a design by ACI 318 has no factors of EN 1990.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from groundslab.model.design.reinforcement import ONLY_ACI, ONLY_EN
+from groundslab.model.loads.load_cases import Combine
+
+if TYPE_CHECKING:
+    from groundslab.model.model import Model
+
+
+def keys_without_use(model: Model) -> dict[str, frozenset[str]]:
+    """Return the keys that have no effect, by the section of the case."""
+    found = {"cases": frozenset[str]() if _takes_psi(model.combine) else frozenset({"psi_0", "psi_1", "psi_2"})}
+    if model.combine is not None:
+        found["combine"] = frozenset(_of_combine(model.combine))
+    if model.reinforcement is not None:
+        aci = model.reinforcement.code == "ACI 318"
+        found["reinforcement"] = frozenset(ONLY_EN if aci else ONLY_ACI)
+    return found
+
+
+def _takes_psi(combine: Combine | None) -> bool:
+    """Return whether any combinations are made by EN 1990, with the cases' psi."""
+    by_aci318 = {"ultimate", "seismic", "characteristic"}
+    return combine is not None and (combine.expression != "ACI 318" or not by_aci318 >= {*combine.sets})
+
+
+def _of_combine(combine: Combine) -> set[str]:
+    """Return the keys of automatic combinations that the sets asked for do not take."""
+    sets, unused = set(combine.sets), set[str]()
+    if combine.expression == "ACI 318" or "ultimate" not in sets:
+        unused |= {"permanent", "variable", "xi", "separate"}
+    if combine.expression != "6.10a and 6.10b":
+        unused.add("xi")
+    unused |= {state for state in ("equilibrium", "uplift") if state not in sets}
+    if "accidental" not in sets:
+        unused.add("accidental_leader")
+    return unused

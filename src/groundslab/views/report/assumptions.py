@@ -1,0 +1,127 @@
+"""What the report says of the assumptions of a case: those that its own keys make, and no others."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from groundslab.model.ground import ContinuousGround, Continuum, Winkler
+from groundslab.schema.wording import listed
+
+if TYPE_CHECKING:
+    from groundslab.model.model import Model
+    from groundslab.results.results import Results
+
+_PLATE = (
+    "The plate is isotropic in each zone, with small displacements and shear deformation (Mindlin). Its midsurface "
+    "stays one plane. "
+)
+_ELASTIC = "It is linearly elastic: nothing cracks, creeps or yields in it."
+_CRACKED = (
+    "In {states} combinations it has the secant stiffness of cracked sections with the bars that are laid (EN 1992-1-1 "
+    "7.4.3){creep}; the bars stay elastic. In all others it is linearly elastic and uncracked."
+)
+_LOADS = (
+    "Loads act at the midsurface and vertically, moments about horizontal axes. Self-weight counts only where the case "
+    "has it as a load."
+)
+_GROUND = {
+    "winkler": "The ground is made of springs that do not act on each other and stay linearly elastic",
+    "pasternak": "The ground is made of springs under a shear layer, all linearly elastic; its points move vertically "
+    "only",
+    "layers": "The ground is linearly elastic on a rigid base under the lowest layer, and carries shear. Its points "
+    "move vertically only, which is stiffer than a true elastic layer",
+    "continuum": "The ground is a linearly elastic continuum that spreads loads in all directions, {below}",
+    "constrained modulus": "The ground is linearly elastic, its layers are compressed by the stresses in a homogeneous "
+    "half-space",
+}
+_SMOOTHED = (
+    "Moments and shear forces at nodes are smoothed over the elements that meet there, never across a change of "
+    "thickness or material. Under a point load or a rigid point support they grow without limit as the mesh is refined."
+)
+_LINE_FORCE = (
+    "At the plate's edge the ground's shear acts by a line force beside the pressure. The limit of the pressure counts "
+    "it as pressure over a strip, and it relieves neither punching nor one-way shear{unless}."
+)
+_CELLS = (
+    "Pressure at a node is the mean of the cells around it. It has no limit along the plate's edge: its largest value "
+    "grows as the mesh is refined."
+)
+
+
+def list_assumptions(combined: Results) -> list[str]:
+    """Return the assumptions of a solved case, a sentence or two each."""
+    model = combined.model
+    found = [_PLATE + _of_plate(model), _LOADS, _of_contact(model), _of_ground(model), *_of_supports(model)]
+    if len(combined.combinations) > 1:
+        found.append(
+            "Each combination is solved by itself with all its loads growing together"
+            + (", as contact makes the response nonlinear" if model.contact.tensionless else "")
+            + ". Results of different combinations must not be added up."
+        )
+    found += [_SMOOTHED, *_of_pressure(combined)]
+    if len(combined.combinations) > 1:
+        found.append(
+            "Envelopes hold the extreme of each quantity by itself; values in different rows need not act together."
+        )
+    return found
+
+
+def _of_plate(model: Model) -> str:
+    """Return whether the plate cracks."""
+    if model.cracking is None:
+        return _ELASTIC
+    creep = f", creep coefficient {model.cracking.creep:g}" if model.cracking.creep else ", without creep"
+    return _CRACKED.format(states=listed(model.cracking.limit_states, "and"), creep=creep)
+
+
+def _of_contact(model: Model) -> str:
+    """Return what happens between plate and ground."""
+    lifts = "The ground cannot pull: the plate lifts off." if model.contact.tensionless else (
+        "The case glues them together: the ground can pull."
+    )  # fmt: skip
+    return f"Plate and ground exchange vertical pressure without friction. {lifts}"
+
+
+def _of_ground(model: Model) -> str:
+    """Return how the ground resists, where it ends and where it yields."""
+    ground = model.ground
+    kind = ground.kind if ground.kind in _GROUND else "layers"
+    below = ""
+    if isinstance(ground, Continuum):
+        below = "on a rigid base" if ground.half_space is None else "on a half-space"
+    parts = [_GROUND[kind].format(below=below)]
+    if model.contact.limit_pressure is not None:
+        parts.append(f", up to its limit pressure of {model.contact.limit_pressure / 1e3:.6g} kPa, at which it yields")
+    parts.append(".")
+    if not isinstance(ground, Winkler | ContinuousGround):
+        ends = {
+            "none": "The ground ends with the plate.",
+            "margin": "The ground ends at the outer edge of a strip beside the plate.",
+            "infinite": "The ground has no end beside the plate.",
+        }
+        parts.append(f" {ends[model.beyond.kind]}")
+    if model.long_term is not None:
+        states = listed(model.long_term.limit_states, "and")
+        parts.append(f" In {states} combinations it has {model.long_term.stiffness:g} of its stiffness.")
+    return "".join(parts)
+
+
+def _of_supports(model: Model) -> Iterator[str]:
+    """Yield what supports, piles and joints do beside being elastic."""
+    limited = [support.name or f"support {number}" for number, support in enumerate(model.supports, 1)
+               if support.limit is not None or getattr(support, "limit_tension", None)]  # fmt: skip
+    if limited:
+        names = ", ".join(limited[:5]) + (f" and {len(limited) - 5} more" if len(limited) > 5 else "")
+        yield f"Supports and piles with a limit yield there and keep that force: {names}."
+    if model.joints:
+        yield "Joints pass shear by the difference of settlement of both sides, without moments."
+
+
+def _of_pressure(combined: Results) -> Iterator[str]:
+    """Yield how pressures along the plate's edge are to be read."""
+    if isinstance(combined.model.ground, ContinuousGround):
+        yield _CELLS
+    elif any(any(each.constants.k1) for each in combined.results.values()):
+        steel = combined.model.reinforcement
+        yield _LINE_FORCE.format(unless=", but the case lets it" if steel and steel.line_force_relieves else "")

@@ -1,0 +1,45 @@
+"""Whether the case has changed since it was solved, which a report on the results must say."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from groundslab.case import casefile
+from groundslab.errors import InputError
+
+if TYPE_CHECKING:
+    from groundslab.model.model import Model
+
+#: What the first page says then.
+CHANGED = (
+    "{file} has changed since this analysis. Results, checks and text in this report are those of the case as it was "
+    "solved; solve again for those of the case as it is now."
+)
+
+
+def text_of(folder: str | Path, model: Model) -> str | None:
+    """Return the text of the case in a folder of results, as it is there, if it describes the model of the results."""
+    return _text_of(Path(folder) / "case.toml", model)
+
+
+def changes_since(folder: str | Path, model: Model) -> str:
+    """Return what a report must say where the case in a folder of results, or that beside it, describes another model.
+
+    Beside a folder such as raft-results the case is raft.toml. A file that is not there says nothing.
+    """
+    whole = Path(folder)
+    beside = whole.with_name(f"{whole.name.removesuffix('-results')}.toml")
+    for path, called in ((whole / "case.toml", f"case.toml in {whole.name}"), (beside, beside.name)):
+        if path.is_file() and _text_of(path, model) is None:
+            return CHANGED.format(file=called)
+    return ""
+
+
+def _text_of(path: Path, model: Model) -> str | None:
+    """Return the text of a case file if it describes a model."""
+    try:
+        text = path.read_bytes().decode()
+        return text if casefile.loads(text) == model else None
+    except (OSError, UnicodeDecodeError, InputError):
+        return None
