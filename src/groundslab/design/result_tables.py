@@ -64,10 +64,11 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
 def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
     """Return what makes each table of `tables_of` by the table's name; a table that others are made of is made once."""
     model = combined.model
-    has_checks = bool(check_design(combined).checks)
-    checks: dict[str, Callable[[], Table]] = {"checks": lambda: checks_table(combined)} if has_checks else {}
+    checks: dict[str, Callable[[], Table]] = {}
+    if check_design(combined).checks:
+        checks["checks"] = lambda: checks_table(combined)
     if not combined.results:
-        return {"combinations": lambda: combinations(combined)} | checks
+        return {"combinations": lambda: combinations(combined), **checks}
     each = cache(lambda: errors.with_errors_of_extremes(extremes(combined), combined))
     columns = cache(lambda: errors.with_errors(column_table, combined))
     makers: dict[str, Callable[[], Table]] = {
@@ -75,7 +76,8 @@ def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
         "extremes": each,
         "envelope": lambda: errors.with_errors_of_envelope(envelopes(combined), each()),
         "tilt": lambda: errors.with_errors(tilts, combined),
-    } | checks
+        **checks,
+    }
     wanted = {
         "points": (model.output.points, points),
         "soil": (isinstance(model.ground, ContinuousGround) and model.output.points, soil),
