@@ -52,15 +52,15 @@ def solve(model: Model, on_step: OnStep | None = None, on_combination: OnCombina
     Returns
     -------
     Results
-        The results of all combinations, by name. Of a model with several combinations, one that has no equilibrium or
-        no certified result does not stop the others: `refused` says why it has none.
+        The results of all combinations, by name. Of a model with several combinations, one whose foundation fails
+        (`without_equilibrium`) or that has no certified result (`unsolved`) does not stop the others.
 
     Raises
     ------
     InputError
         If the model describes no problem that can be solved.
     NoEquilibrium
-        If the only combination cannot be balanced by ground and supports.
+        If the foundation fails: ground and supports cannot balance the only combination.
     NotConverged
         If the only combination does not converge; holds history and last iterate.
     IllConditioned, SingularMatrix

@@ -105,6 +105,10 @@ def _parser() -> argparse.ArgumentParser:
     )
 
     check = _command(commands, "check", case.check_case, "read a case file or a study file, and list all its issues")
+    check.epilog = (
+        "Combinations whose loads ground and supports cannot balance are named: the foundation fails, and the exit "
+        "code is 3. Other checks of the design need a solution."
+    )
     check.add_argument("case", help="case file or study file (TOML)")
 
     new = _command(commands, "new", case.write_starter, "write a case file to start from")
