@@ -6,21 +6,40 @@ govern. Only one of the same limit state with the same factors repeats another.
 
 from __future__ import annotations
 
+import re
+from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from groundslab.model.case_use import CaseUse, case_uses
-from groundslab.model.loads.clipping import find_clipped_loads
+from groundslab.model.combinations import list_combinations
+from groundslab.model.loads.clipping import clip_line_load, find_clipped_loads, get_plate_region, integral
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH, Combination, LimitState
-from groundslab.model.loads.load_types import AnyLoad, AreaLoad, LineLoad, PatchLoad, PointLoad, UniformLoad
+from groundslab.model.loads.load_types import (
+    AnyLoad,
+    AreaLoad,
+    LineLoad,
+    PatchLoad,
+    PointLoad,
+    SelfWeight,
+    UniformLoad,
+    presses_ground,
+    pressure_function,
+)
 from groundslab.model.loads.patterns import absent_forces
+from groundslab.model.plates.region import PlateRegion
+from groundslab.model.shapes import CHORD
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import listed, quote
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
 
+#: What cases of variable actions are called.
+VARIABLE = re.compile(r"(Q|live|imposed|variable|traffic|wind|snow)([ _-]?loads?)?[ _-]?\d*", re.IGNORECASE)
+#: A sum of forces below this, relative to the sum of their sizes, is nothing but rounding.
+BALANCED = 1e-6
 #: So many combinations that repeat others are named.
 MOST_NAMED = 3
 
@@ -52,21 +71,32 @@ class Remark:
         return RelativeIssue(self.path, "", "").issue("").location
 
 
-def find_remarks(model: Model, combinations: Sequence[Combination]) -> tuple[Remark, ...]:
-    """Return the remarks on a model and its combinations, in the order of the file.
+def find_remarks(model: Model, combinations: Sequence[Combination] | None = None) -> tuple[Remark, ...]:
+    """Return the remarks on a model: loads that act in no combination, and what else may not say what was meant.
 
     Parameters
     ----------
     model : Model
         The case as written.
-    combinations : sequence of Combination
-        What is solved of it.
+    combinations : sequence of Combination, optional
+        What is solved of it; made of the model if it is not known yet.
 
     Returns
     -------
     tuple of Remark
-        The remarks.
+        The remarks; none where there is nothing to remark on.
+
+    See Also
+    --------
+    check : Validate a model without solving it.
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> groundslab.find_remarks(model)
+    ()
     """
+    combinations = list_combinations(model) if combinations is None else combinations
     uses = case_uses(model, combinations)
     return (
         *_on_cases(uses),
@@ -76,6 +106,7 @@ def find_remarks(model: Model, combinations: Sequence[Combination]) -> tuple[Rem
         *_on_patterns(model),
         *_on_repeated(model, uses, combinations),
         *_on_combine(model, uses, combinations),
+        *_on_names(model, uses),
         *_on_uplift(model, uses, combinations),
     )
 
@@ -188,11 +219,25 @@ def _on_combine(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Co
         yield Remark(("combine",), words, doubtful="ultimate" in model.combine.sets)
 
 
+def _on_names(model: Model, uses: Sequence[CaseUse]) -> Iterator[Remark]:
+    """Yield the permanent cases beside variable ones with names of live loads, where [combine] tells them apart.
+
+    A case that states no action is permanent.
+    """
+    if model.combine is None or not any(case.action == "variable" for case in model.cases):
+        return
+    for position, use in enumerate(uses):
+        case = use.case
+        if case.action == "permanent" and not use.empty and VARIABLE.fullmatch(case.name):
+            words = f'case {quote(case.name)} is permanent, as any without an action; a live load is "variable"'
+            yield Remark(("cases", position), words, doubtful="ultimate" in model.combine.sets, of=case.name)
+
+
 def _on_uplift(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Combination]) -> Iterator[Remark]:
     """Yield that nothing acts upwards in the combinations of uplift, and cases upwards that take no part in them."""
     if not any(combination.limit_state == "uplift" for combination in combinations):
         return
-    lifting = {load.case for load in model.loads if acts_upwards(load)}
+    lifting = _lifting_cases(model)
     inside = {use.case.name for use in uses if any(part.limit_state == "uplift" for part in use.acting)}
     if not lifting & inside:
         key = "combine" if model.combine is not None and "uplift" in model.combine.sets else "combinations"
@@ -207,10 +252,31 @@ def _on_uplift(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Com
             yield Remark(("cases", position), words, doubtful=True, of=case.name)
 
 
-def acts_upwards(load: AnyLoad) -> bool:
-    """Return whether a load lifts the plate somewhere, by its values where they are given."""
+def _lifting_cases(model: Model) -> set[str]:
+    """Return the cases whose loads on the plates are directed upwards in sum; a couple lifts nothing in sum.
+
+    A thickness of zones does not count in self-weight.
+    """
+    region = get_plate_region(model.plate, model.plates)
+    total: dict[str, float] = defaultdict(float)
+    size: dict[str, float] = defaultdict(float)
+    for load in model.loads:
+        force = _force(load, region)
+        total[load.case] += force
+        size[load.case] += abs(force)
+    return {case for case, force in total.items() if force < -BALANCED * size[case]}
+
+
+def _force(load: AnyLoad, region: PlateRegion) -> float:
+    """Return the vertical force of a load on the plates [N], downwards positive."""
     if isinstance(load, PointLoad):
-        return load.P < 0
+        return load.P
     if isinstance(load, LineLoad):
-        return min(load.q, load.q if load.q_end is None else load.q_end) < 0
-    return isinstance(load, UniformLoad | PatchLoad | AreaLoad) and load.q < 0
+        return sum(piece.force for piece in clip_line_load(region.plate, load, region.plates))
+    if isinstance(load, UniformLoad):
+        return integral(region.area, pressure_function(load))
+    if isinstance(load, PatchLoad | AreaLoad) and not presses_ground(load):
+        return integral(load.to_shapely(CHORD * region.size).intersection(region.area), pressure_function(load))
+    if isinstance(load, SelfWeight):
+        return load.unit_weight * region.plate.thickness * float(region.area.area)
+    return 0.0

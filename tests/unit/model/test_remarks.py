@@ -92,6 +92,23 @@ def test_no_variable_case() -> None:
     assert remarks(**parts, loads=[uniform("G"), uniform("Q", -1e3)], combine={"sets": ["uplift"]}) == []
 
 
+@pytest.mark.parametrize("name", ["Q", "q2", "Live load", "imposed", "wind", "SNOW_1"])
+def test_a_permanent_case_with_the_name_of_a_live_load(name: str) -> None:
+    """Beside a variable case one that is typed without its action would have the factor of dead loads."""
+    cases = [G, {"name": name}, {"name": "R", "action": "variable"}]
+    loads = [uniform(case["name"]) for case in cases]
+    words = f'case "{name}" is permanent, as any without an action; a live load is "variable"'
+    assert only(cases=cases, loads=loads, combine={"sets": ["ultimate"]}) == ("cases[2]", words, True)
+    assert remarks(cases=cases, loads=loads, combinations=[{"name": "U", "factors": {"G": 1, name: 1, "R": 1}}]) == []
+
+
+@pytest.mark.parametrize("name", ["G", "wind turbine", "equipment", "wall"])
+def test_names_of_dead_loads(name: str) -> None:
+    """What may as well be a weight is not remarked on."""
+    cases = [{"name": name}, {"name": "R", "action": "variable"}]
+    assert remarks(cases=cases, loads=[uniform(name), uniform("R")], combine={"sets": ["ultimate"]}) == []
+
+
 def test_a_set_without_combinations() -> None:
     """Of psi_2 = 0 alone no quasi-permanent combination is made."""
     wind = Q | {"category": "wind"}
@@ -121,7 +138,7 @@ def test_uplift_without_water() -> None:
     "lifting",
     [
         {"kind": "point", "P": -1e3, "x": 0, "y": 0},
-        {"kind": "line", "q": 1e3, "q_end": -1e3, "points": [(-1, 0), (1, 0)]},
+        {"kind": "line", "q": 1e3, "q_end": -1.1e3, "points": [(-1, 0), (1, 0)]},
         {"kind": "patch", "q": -1e3, "x": (-1, 1), "y": (-1, 1)},
         {"kind": "area", "q": -1e3, "shape": {"kind": "circle", "centre": (0, 0), "radius": 1}},
     ],
@@ -130,6 +147,17 @@ def test_what_lifts(lifting: dict[str, Any]) -> None:
     """Forces, lines and pressures upwards lift, whatever their kind."""
     loads = [uniform("G"), lifting | {"case": "Q"}]
     assert remarks(loads=loads, combine={"sets": ["ultimate", "uplift"]}) == []
+
+
+def test_what_lifts_nothing_in_sum() -> None:
+    """A couple of two forces is no uplift, nor is a pressure that changes its sign over the plate."""
+    for couple in (
+        [{"kind": "point", "P": sign * 1e3, "x": sign, "y": 0, "case": "Q"} for sign in (-1, 1)],
+        [{"kind": "uniform", "q": 0, "slope": (1e3, 0), "case": "Q"}],
+    ):
+        loads = [uniform("G"), *couple]
+        (remark,) = remarks(loads=loads, combine={"sets": ["ultimate", "uplift"]})
+        assert remark.words.startswith("nothing acts upwards")
 
 
 def test_combinations_that_repeat_others() -> None:
