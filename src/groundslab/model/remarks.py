@@ -7,39 +7,25 @@ govern. Only one of the same limit state with the same factors repeats another.
 from __future__ import annotations
 
 import re
-from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from groundslab.model.case_use import CaseUse, case_uses
 from groundslab.model.combinations import list_combinations
-from groundslab.model.loads.clipping import clip_line_load, find_clipped_loads, get_plate_region, integral
-from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH, Combination, LimitState
-from groundslab.model.loads.load_types import (
-    AnyLoad,
-    AreaLoad,
-    LineLoad,
-    PatchLoad,
-    PointLoad,
-    SelfWeight,
-    UniformLoad,
-    presses_ground,
-    pressure_function,
-)
+from groundslab.model.loads.clipping import find_clipped_loads
+from groundslab.model.loads.load_cases import SERVICEABILITY, Combination, LimitState
 from groundslab.model.loads.patterns import absent_forces
-from groundslab.model.plates.region import PlateRegion
-from groundslab.model.shapes import CHORD
+from groundslab.model.resultants import case_forces
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import listed, quote
+from groundslab.units import show
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
 
 #: What cases of variable actions are called.
 VARIABLE = re.compile(r"(Q|live|imposed|variable|traffic|wind|snow)([ _-]?loads?)?[ _-]?\d*", re.IGNORECASE)
-#: A sum of forces below this, relative to the sum of their sizes, is nothing but rounding.
-BALANCED = 1e-6
 #: So many combinations that repeat others are named.
 MOST_NAMED = 3
 
@@ -99,7 +85,7 @@ def find_remarks(model: Model, combinations: Sequence[Combination] | None = None
     combinations = list_combinations(model) if combinations is None else combinations
     uses = case_uses(model, combinations)
     return (
-        *_on_cases(uses),
+        *_on_cases(model, uses),
         *_on_limit_states(uses, combinations),
         *_on_cases_by_themselves(model, uses),
         *_on_clipped_loads(model),
@@ -111,15 +97,18 @@ def find_remarks(model: Model, combinations: Sequence[Combination] | None = None
     )
 
 
-def _on_cases(uses: Sequence[CaseUse]) -> Iterator[Remark]:
-    """Yield the cases without loads, and those that act in no combination."""
+def _on_cases(model: Model, uses: Sequence[CaseUse]) -> Iterator[Remark]:
+    """Yield the cases without loads, and those that act in no combination, with their vertical force."""
+    unused = [use for use in uses if not use.acting]
+    forces = case_forces(model) if unused else {}
     for position, use in enumerate(uses):
-        place, name = ("cases", position), quote(use.case.name)
+        place, name = ("cases", position), use.case.name
         if use.empty:
-            yield Remark(place, f"case {name} has no loads", doubtful=True, of=use.case.name)
-        elif not use.acting:
+            yield Remark(place, f"case {quote(name)} has no loads", doubtful=True, of=name)
+        elif use in unused:
             where = "has the factor 0 wherever it is named" if use.named else "acts in no combination"
-            yield Remark(place, f"case {name} {where}: {_loads(use)} left out", doubtful=True, of=use.case.name)
+            force = f" ({show(forces[name], 'force')})" if forces.get(name) else ""
+            yield Remark(place, f"case {quote(name)} {where}: {_loads(use)} left out{force}", doubtful=True, of=name)
 
 
 def _loads(use: CaseUse) -> str:
@@ -129,14 +118,14 @@ def _loads(use: CaseUse) -> str:
     return "its load is" if use.loads == 1 else f"its {use.loads} loads are"
 
 
-#: Limit states that are judged together, and their name.
+#: Limit states that are judged together, and what their combinations are called.
 _FAMILIES: tuple[tuple[str, tuple[LimitState, ...]], ...] = (
-    ("of strength", STRENGTH), ("of serviceability", SERVICEABILITY),
+    ("ultimate combination", ("ultimate",)), ("combination of serviceability", SERVICEABILITY),
 )  # fmt: skip
 
 
 def _on_limit_states(uses: Sequence[CaseUse], combinations: Sequence[Combination]) -> Iterator[Remark]:
-    """Yield the cases that act in some combinations, but in none for strength, or in none for serviceability.
+    """Yield the cases that act in some combinations, but in none that is ultimate, or in none of serviceability.
 
     A variable case may have no part in serviceability, as with psi_2 = 0; accidental and seismic ones have none.
     """
@@ -149,8 +138,8 @@ def _on_limit_states(uses: Sequence[CaseUse], combinations: Sequence[Combination
             acting = {part.limit_state for part in use.acting}
             if use.empty or not acting or acting & set(states) or action not in ("permanent", "variable"):
                 continue
-            doubtful = action == "permanent" or states == STRENGTH
-            text = f"case {quote(name)} acts in no combination {words}"
+            doubtful = action == "permanent" or "ultimate" in states
+            text = f"case {quote(name)} acts in no {words}"
             yield Remark(("cases", position), text, doubtful, name)
 
 
@@ -237,7 +226,7 @@ def _on_uplift(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Com
     """Yield that nothing acts upwards in the combinations of uplift, and cases upwards that take no part in them."""
     if not any(combination.limit_state == "uplift" for combination in combinations):
         return
-    lifting = _lifting_cases(model)
+    lifting = {case for case, force in case_forces(model).items() if force < 0}
     inside = {use.case.name for use in uses if any(part.limit_state == "uplift" for part in use.acting)}
     if not lifting & inside:
         key = "combine" if model.combine is not None and "uplift" in model.combine.sets else "combinations"
@@ -250,33 +239,3 @@ def _on_uplift(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Com
             words = f"case {quote(case.name)} acts upwards, but in no combination of uplift"
             words += hint if case.action == "accidental" else ""
             yield Remark(("cases", position), words, doubtful=True, of=case.name)
-
-
-def _lifting_cases(model: Model) -> set[str]:
-    """Return the cases whose loads on the plates are directed upwards in sum; a couple lifts nothing in sum.
-
-    A thickness of zones does not count in self-weight.
-    """
-    region = get_plate_region(model.plate, model.plates)
-    total: dict[str, float] = defaultdict(float)
-    size: dict[str, float] = defaultdict(float)
-    for load in model.loads:
-        force = _force(load, region)
-        total[load.case] += force
-        size[load.case] += abs(force)
-    return {case for case, force in total.items() if force < -BALANCED * size[case]}
-
-
-def _force(load: AnyLoad, region: PlateRegion) -> float:
-    """Return the vertical force of a load on the plates [N], downwards positive."""
-    if isinstance(load, PointLoad):
-        return load.P
-    if isinstance(load, LineLoad):
-        return sum(piece.force for piece in clip_line_load(region.plate, load, region.plates))
-    if isinstance(load, UniformLoad):
-        return integral(region.area, pressure_function(load))
-    if isinstance(load, PatchLoad | AreaLoad) and not presses_ground(load):
-        return integral(load.to_shapely(CHORD * region.size).intersection(region.area), pressure_function(load))
-    if isinstance(load, SelfWeight):
-        return load.unit_weight * region.plate.thickness * float(region.area.area)
-    return 0.0

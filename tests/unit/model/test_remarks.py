@@ -43,7 +43,7 @@ def only(**parts: Any) -> tuple[str, str, bool]:
 def test_a_case_in_no_combination() -> None:
     """The column of 600 kN in G is never used; an H alone is a load, too."""
     point = {"kind": "point", "case": "G", "P": 600e3, "x": 1, "y": 0}
-    words = 'case "G" acts in no combination: its load is left out'
+    words = 'case "G" acts in no combination: its load is left out (600 kN)'
     assert only(loads=[point, uniform("Q")], combinations=[ULS]) == ("cases[1]", words, True)
     words = 'case "G" acts in no combination: its horizontal force is left out'
     assert only(cases=[G | {"H_x": 1e3}, Q], loads=[uniform("Q")], combinations=[ULS])[1] == words
@@ -51,7 +51,7 @@ def test_a_case_in_no_combination() -> None:
 
 def test_a_factor_of_zero_everywhere() -> None:
     """A case that is named with the factor 0 is left out just so."""
-    words = 'case "G" has the factor 0 wherever it is named: its 2 loads are left out'
+    words = 'case "G" has the factor 0 wherever it is named: its 2 loads are left out (240 kN)'
     loads = [uniform("G"), uniform("G"), uniform("Q")]
     assert only(loads=loads, combinations=[{"name": "U", "factors": {"G": 0, "Q": 1.5}}])[1:] == (words, True)
 
@@ -64,7 +64,7 @@ def test_a_case_without_loads() -> None:
 def test_an_accidental_case_without_its_set() -> None:
     """[combine] takes accidental actions in accidental combinations alone."""
     flood = {"name": "flood", "action": "accidental"}
-    words = 'case "flood" acts in no combination: its load is left out'
+    words = 'case "flood" acts in no combination: its load is left out (120 kN)'
     loads = [uniform("G"), uniform("Q"), uniform("flood")]
     combine = {"sets": ["ultimate", "characteristic"]}
     assert only(cases=[G, Q, flood], loads=loads, combine=combine)[1:] == (words, True)
@@ -74,7 +74,7 @@ def test_a_case_without_part_in_strength_or_serviceability() -> None:
     """Strength without Q is in doubt; serviceability without it may be meant, as where psi_2 is 0."""
     dead = {"name": "dead", "factors": {"G": 1.35}}
     serviceable = {"name": "SLS", "limit_state": "characteristic", "factors": {"G": 1, "Q": 1}}
-    words = 'case "Q" acts in no combination of strength'
+    words = 'case "Q" acts in no ultimate combination'
     assert only(combinations=[dead, serviceable]) == ("cases[2]", words, True)
     words = 'case "Q" acts in no combination of serviceability'
     assert only(combinations=[BOTH, serviceable | {"factors": {"G": 1}}]) == ("cases[2]", words, False)
@@ -205,4 +205,4 @@ def test_check_prints_them(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     assert main(["check", str(tmp_path / "case.toml")]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert "  case G: permanent, 1 load; in no combination" in lines
-    assert '  remark: case "G" acts in no combination: its load is left out' in lines
+    assert '  remark: case "G" acts in no combination: its load is left out (120 kN)' in lines

@@ -145,7 +145,7 @@ def test_remarks_on_a_case_without_issues(checks: Checks) -> None:
     assert remark == {
         "location": "cases[1]",
         "path": ["cases", 0],
-        "words": 'case "G" acts in no combination: its load is left out',
+        "words": 'case "G" acts in no combination: its load is left out (150 kN)',
         "doubtful": True,
         "line": line,
     }
