@@ -6,22 +6,27 @@ govern. Only one of the same limit state with the same factors repeats another.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from groundslab.model.case_use import CaseUse, case_uses
 from groundslab.model.columns import overlapping_columns
+from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.clipping import find_clipped_loads
-from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH, Combination, LimitState
-from groundslab.model.loads.load_types import AnyLoad
+from groundslab.model.loads.load_cases import SERVICEABILITY, Combination, LimitState
 from groundslab.model.loads.patterns import absent_forces
+from groundslab.model.resultants import case_forces
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import listed, quote
+from groundslab.units import show
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
 
+#: What cases of variable actions are called.
+VARIABLE = re.compile(r"(Q|live|imposed|variable|traffic|wind|snow)([ _-]?loads?)?[ _-]?\d*", re.IGNORECASE)
 #: So many combinations that repeat others are named.
 MOST_NAMED = 3
 
@@ -53,24 +58,35 @@ class Remark:
         return RelativeIssue(self.path, "", "").issue("").location
 
 
-def find_remarks(model: Model, combinations: Sequence[Combination]) -> tuple[Remark, ...]:
-    """Return the remarks on a model and its combinations, in the order of the file.
+def find_remarks(model: Model, combinations: Sequence[Combination] | None = None) -> tuple[Remark, ...]:
+    """Return the remarks on a model: loads that act in no combination, and what else may not say what was meant.
 
     Parameters
     ----------
     model : Model
         The case as written.
-    combinations : sequence of Combination
-        What is solved of it.
+    combinations : sequence of Combination, optional
+        What is solved of it; made of the model if it is not known yet.
 
     Returns
     -------
     tuple of Remark
-        The remarks.
+        The remarks; none where there is nothing to remark on.
+
+    See Also
+    --------
+    check : Validate a model without solving it.
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> groundslab.find_remarks(model)
+    ()
     """
+    combinations = list_combinations(model) if combinations is None else combinations
     uses = case_uses(model, combinations)
     return (
-        *_on_cases(uses),
+        *_on_cases(model, uses),
         *_on_limit_states(uses, combinations),
         *_on_cases_by_themselves(model, uses),
         *_on_columns(model),
@@ -78,19 +94,23 @@ def find_remarks(model: Model, combinations: Sequence[Combination]) -> tuple[Rem
         *_on_patterns(model),
         *_on_repeated(model, uses, combinations),
         *_on_combine(model, uses, combinations),
+        *_on_names(model, uses),
         *_on_uplift(model, uses, combinations),
     )
 
 
-def _on_cases(uses: Sequence[CaseUse]) -> Iterator[Remark]:
-    """Yield the cases without loads, and those that act in no combination."""
+def _on_cases(model: Model, uses: Sequence[CaseUse]) -> Iterator[Remark]:
+    """Yield the cases without loads, and those that act in no combination, with their vertical force."""
+    unused = [use for use in uses if not use.acting]
+    forces = case_forces(model) if unused else {}
     for position, use in enumerate(uses):
-        place, name = ("cases", position), quote(use.case.name)
+        place, name = ("cases", position), use.case.name
         if use.empty:
-            yield Remark(place, f"case {name} has no loads", doubtful=True, of=use.case.name)
-        elif not use.acting:
+            yield Remark(place, f"case {quote(name)} has no loads", doubtful=True, of=name)
+        elif use in unused:
             where = "has the factor 0 wherever it is named" if use.named else "acts in no combination"
-            yield Remark(place, f"case {name} {where}: {_loads(use)} left out", doubtful=True, of=use.case.name)
+            force = f" ({show(forces[name], 'force')})" if forces.get(name) else ""
+            yield Remark(place, f"case {quote(name)} {where}: {_loads(use)} left out{force}", doubtful=True, of=name)
 
 
 def _loads(use: CaseUse) -> str:
@@ -100,14 +120,14 @@ def _loads(use: CaseUse) -> str:
     return "its load is" if use.loads == 1 else f"its {use.loads} loads are"
 
 
-#: Limit states that are judged together, and their name.
+#: Limit states that are judged together, and what their combinations are called.
 _FAMILIES: tuple[tuple[str, tuple[LimitState, ...]], ...] = (
-    ("of strength", STRENGTH), ("of serviceability", SERVICEABILITY),
+    ("ultimate combination", ("ultimate",)), ("combination of serviceability", SERVICEABILITY),
 )  # fmt: skip
 
 
 def _on_limit_states(uses: Sequence[CaseUse], combinations: Sequence[Combination]) -> Iterator[Remark]:
-    """Yield the cases that act in some combinations, but in none for strength, or in none for serviceability.
+    """Yield the cases that act in some combinations, but in none that is ultimate, or in none of serviceability.
 
     A variable case may have no part in serviceability, as with psi_2 = 0; accidental and seismic ones have none.
     """
@@ -120,8 +140,8 @@ def _on_limit_states(uses: Sequence[CaseUse], combinations: Sequence[Combination
             acting = {part.limit_state for part in use.acting}
             if use.empty or not acting or acting & set(states) or action not in ("permanent", "variable"):
                 continue
-            doubtful = action == "permanent" or states == STRENGTH
-            text = f"case {quote(name)} acts in no combination {words}"
+            doubtful = action == "permanent" or "ultimate" in states
+            text = f"case {quote(name)} acts in no {words}"
             yield Remark(("cases", position), text, doubtful, name)
 
 
@@ -196,11 +216,25 @@ def _on_combine(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Co
         yield Remark(("combine",), words, doubtful="ultimate" in model.combine.sets)
 
 
+def _on_names(model: Model, uses: Sequence[CaseUse]) -> Iterator[Remark]:
+    """Yield the permanent cases beside variable ones with names of live loads, where [combine] tells them apart.
+
+    A case that states no action is permanent.
+    """
+    if model.combine is None or not any(case.action == "variable" for case in model.cases):
+        return
+    for position, use in enumerate(uses):
+        case = use.case
+        if case.action == "permanent" and not use.empty and VARIABLE.fullmatch(case.name):
+            words = f'case {quote(case.name)} is permanent, as any without an action; a live load is "variable"'
+            yield Remark(("cases", position), words, doubtful="ultimate" in model.combine.sets, of=case.name)
+
+
 def _on_uplift(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Combination]) -> Iterator[Remark]:
     """Yield that nothing acts upwards in the combinations of uplift, and cases upwards that take no part in them."""
     if not any(combination.limit_state == "uplift" for combination in combinations):
         return
-    lifting = {load.case for load in model.loads if acts_upwards(load)}
+    lifting = {case for case, force in case_forces(model).items() if force < 0}
     inside = {use.case.name for use in uses if any(part.limit_state == "uplift" for part in use.acting)}
     if not lifting & inside:
         key = "combine" if model.combine is not None and "uplift" in model.combine.sets else "combinations"
@@ -213,9 +247,3 @@ def _on_uplift(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Com
             words = f"case {quote(case.name)} acts upwards, but in no combination of uplift"
             words += hint if case.action == "accidental" else ""
             yield Remark(("cases", position), words, doubtful=True, of=case.name)
-
-
-def acts_upwards(load: AnyLoad) -> bool:
-    """Return whether a load lifts the plate somewhere, by its values where they are given."""
-    lifting = ("force", "force per length", "pressure")
-    return any(value < 0 for _, value, dimension in load.magnitudes if dimension in lifting)

@@ -43,7 +43,7 @@ def only(**parts: Any) -> tuple[str, str, bool]:
 def test_a_case_in_no_combination() -> None:
     """The column of 600 kN in G is never used; an H alone is a load, too."""
     point = {"kind": "point", "case": "G", "P": 600e3, "x": 1, "y": 0}
-    words = 'case "G" acts in no combination: its load is left out'
+    words = 'case "G" acts in no combination: its load is left out (600 kN)'
     assert only(loads=[point, uniform("Q")], combinations=[ULS]) == ("cases[1]", words, True)
     words = 'case "G" acts in no combination: its horizontal force is left out'
     assert only(cases=[G | {"H_x": 1e3}, Q], loads=[uniform("Q")], combinations=[ULS])[1] == words
@@ -51,7 +51,7 @@ def test_a_case_in_no_combination() -> None:
 
 def test_a_factor_of_zero_everywhere() -> None:
     """A case that is named with the factor 0 is left out just so."""
-    words = 'case "G" has the factor 0 wherever it is named: its 2 loads are left out'
+    words = 'case "G" has the factor 0 wherever it is named: its 2 loads are left out (240 kN)'
     loads = [uniform("G"), uniform("G"), uniform("Q")]
     assert only(loads=loads, combinations=[{"name": "U", "factors": {"G": 0, "Q": 1.5}}])[1:] == (words, True)
 
@@ -64,7 +64,7 @@ def test_a_case_without_loads() -> None:
 def test_an_accidental_case_without_its_set() -> None:
     """[combine] takes accidental actions in accidental combinations alone."""
     flood = {"name": "flood", "action": "accidental"}
-    words = 'case "flood" acts in no combination: its load is left out'
+    words = 'case "flood" acts in no combination: its load is left out (120 kN)'
     loads = [uniform("G"), uniform("Q"), uniform("flood")]
     combine = {"sets": ["ultimate", "characteristic"]}
     assert only(cases=[G, Q, flood], loads=loads, combine=combine)[1:] == (words, True)
@@ -74,7 +74,7 @@ def test_a_case_without_part_in_strength_or_serviceability() -> None:
     """Strength without Q is in doubt; serviceability without it may be meant, as where psi_2 is 0."""
     dead = {"name": "dead", "factors": {"G": 1.35}}
     serviceable = {"name": "SLS", "limit_state": "characteristic", "factors": {"G": 1, "Q": 1}}
-    words = 'case "Q" acts in no combination of strength'
+    words = 'case "Q" acts in no ultimate combination'
     assert only(combinations=[dead, serviceable]) == ("cases[2]", words, True)
     words = 'case "Q" acts in no combination of serviceability'
     assert only(combinations=[BOTH, serviceable | {"factors": {"G": 1}}]) == ("cases[2]", words, False)
@@ -90,6 +90,23 @@ def test_no_variable_case() -> None:
     assert only(**parts, combine={"sets": ["ultimate"], "expression": "ACI 318"})[2]
     assert not only(**parts, combine={"sets": ["quasi-permanent"]})[2]
     assert remarks(**parts, loads=[uniform("G"), uniform("Q", -1e3)], combine={"sets": ["uplift"]}) == []
+
+
+@pytest.mark.parametrize("name", ["Q", "q2", "Live load", "imposed", "wind", "SNOW_1"])
+def test_a_permanent_case_with_the_name_of_a_live_load(name: str) -> None:
+    """Beside a variable case one that is typed without its action would have the factor of dead loads."""
+    cases = [G, {"name": name}, {"name": "R", "action": "variable"}]
+    loads = [uniform(case["name"]) for case in cases]
+    words = f'case "{name}" is permanent, as any without an action; a live load is "variable"'
+    assert only(cases=cases, loads=loads, combine={"sets": ["ultimate"]}) == ("cases[2]", words, True)
+    assert remarks(cases=cases, loads=loads, combinations=[{"name": "U", "factors": {"G": 1, name: 1, "R": 1}}]) == []
+
+
+@pytest.mark.parametrize("name", ["G", "wind turbine", "equipment", "wall"])
+def test_names_of_dead_loads(name: str) -> None:
+    """What may as well be a weight is not remarked on."""
+    cases = [{"name": name}, {"name": "R", "action": "variable"}]
+    assert remarks(cases=cases, loads=[uniform(name), uniform("R")], combine={"sets": ["ultimate"]}) == []
 
 
 def test_a_set_without_combinations() -> None:
@@ -121,7 +138,7 @@ def test_uplift_without_water() -> None:
     "lifting",
     [
         {"kind": "point", "P": -1e3, "x": 0, "y": 0},
-        {"kind": "line", "q": 1e3, "q_end": -1e3, "points": [(-1, 0), (1, 0)]},
+        {"kind": "line", "q": 1e3, "q_end": -1.1e3, "points": [(-1, 0), (1, 0)]},
         {"kind": "patch", "q": -1e3, "x": (-1, 1), "y": (-1, 1)},
         {"kind": "area", "q": -1e3, "shape": {"kind": "circle", "centre": (0, 0), "radius": 1}},
     ],
@@ -130,6 +147,17 @@ def test_what_lifts(lifting: dict[str, Any]) -> None:
     """Forces, lines and pressures upwards lift, whatever their kind."""
     loads = [uniform("G"), lifting | {"case": "Q"}]
     assert remarks(loads=loads, combine={"sets": ["ultimate", "uplift"]}) == []
+
+
+def test_what_lifts_nothing_in_sum() -> None:
+    """A couple of two forces is no uplift, nor is a pressure that changes its sign over the plate."""
+    for couple in (
+        [{"kind": "point", "P": sign * 1e3, "x": sign, "y": 0, "case": "Q"} for sign in (-1, 1)],
+        [{"kind": "uniform", "q": 0, "slope": (1e3, 0), "case": "Q"}],
+    ):
+        loads = [uniform("G"), *couple]
+        (remark,) = remarks(loads=loads, combine={"sets": ["ultimate", "uplift"]})
+        assert remark.words.startswith("nothing acts upwards")
 
 
 def test_combinations_that_repeat_others() -> None:
@@ -177,4 +205,4 @@ def test_check_prints_them(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     assert main(["check", str(tmp_path / "case.toml")]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert "  case G: permanent, 1 load; in no combination" in lines
-    assert '  remark: case "G" acts in no combination: its load is left out' in lines
+    assert '  remark: case "G" acts in no combination: its load is left out (120 kN)' in lines

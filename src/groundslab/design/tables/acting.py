@@ -2,20 +2,9 @@
 
 from __future__ import annotations
 
-from groundslab.design.punching import outline
-from groundslab.design.tables.column_loads import sum_of_others
-from groundslab.design.tables.quantities import solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.model.resultants import case_forces
 from groundslab.results.results import Results
-
-
-def case_forces(combined: Results) -> dict[str, float]:
-    """Return the sum of the vertical loads on the plate of each case as solved [N], downwards positive, unfactored.
-
-    Nothing where no combination has a certified result, as there is no mesh to integrate on.
-    """
-    solved = solved_results(combined)
-    return sum_of_others(solved[0], outline(solved[0].plate), None) if solved else {}
 
 
 def acting_cases(combined: Results) -> Table:
@@ -27,18 +16,17 @@ def acting_cases(combined: Results) -> Table:
         ("case", ""), ("action", ""), ("combination", ""), ("limit state", ""), ("factor", ""),
         ("force of the case", "kN"), ("force with the factor", "kN"),
     ]  # fmt: skip
-    forces = case_forces(combined)
+    forces = case_forces(combined.solved_model)
     rows: list[list[Cell]] = []
     for case in combined.solved_model.cases:
         force = forces.get(case.name, 0.0) / 1e3
-        factors = [dict(combination.factors).get(case.name, 0.0) for combination in combined.combinations]
-        acting: list[list[Cell]] = [
-            [combination.name, combination.limit_state, factor]
-            for combination, factor in zip(combined.combinations, factors, strict=True)
-            if factor
+        acting = [(combination, dict(combination.factors).get(case.name, 0.0)) for combination in combined.combinations]
+        acting = [(combination, factor) for combination, factor in acting if factor]
+        rows += [
+            [case.name, case.action, combination.name, combination.limit_state, factor, force, factor * force]
+            for combination, factor in acting
         ]
-        for where in acting or [[None, None, 0.0]]:
-            shown: list[Cell] = [force, float(where[2] or 0.0) * force] if forces else [None, None]
-            rows.append([case.name, case.action, *where, *shown])
+        if not acting:
+            rows.append([case.name, case.action, None, None, 0.0, force, 0.0])
     notes = ["A case that moves is a case at each of its positions. A row without a combination acts nowhere."]
     return table_of("acting", "What acts where", heads, rows, notes)

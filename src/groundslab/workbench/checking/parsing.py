@@ -24,7 +24,7 @@ class CheckResult:
     """The result of checking a text.
 
     The fingerprint is the same for texts that describe the same model, and empty for one that describes none;
-    ``issues_json`` and ``remarks_json`` hold the issues, and remarks on a case without any, as the page shows them,
+    ``issues_json`` and ``remarks_json`` hold the issues, and the remarks on a case without any, as the page shows them,
     with paths and lines.
     """
 

@@ -100,7 +100,7 @@ def test_a_column_that_is_never_used(tmp_path: Path, capsys: pytest.CaptureFixtu
     ]
     summary = json.loads((tmp_path / "out/summary.json").read_text(encoding="utf-8"))
     assert summary["design"]["status"] == "attention"
-    assert summary["remarks"] == ['case "G" acts in no combination: its load is left out']
+    assert summary["remarks"] == ['case "G" acts in no combination: its load is left out (600 kN)']
     assert [(each["name"], each["acting"]) for each in summary["cases"]] == [
         ("G", {}), ("Q", {"ultimate": {"combinations": 1, "total": 1, "least": 1.5, "greatest": 1.5}}),
     ]  # fmt: skip

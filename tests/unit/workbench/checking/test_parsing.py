@@ -132,6 +132,26 @@ def test_what_a_text_means(checks: Checks) -> None:
     assert wrong.issues_json[0]["line"] == 1 + casefile.starter().split("\n").index('thickness = "250 mm"')
 
 
+def test_remarks_on_a_case_without_issues(checks: Checks) -> None:
+    """A load that acts in no combination is told with its place and line, and the case can be solved all the same."""
+    cases = '[[cases]]\nname = "G"\n[[cases]]\nname = "Q"\naction = "variable"\n'
+    loads = '[[loads]]\nkind = "uniform"\nq = "5 kPa"\ncase = "Q"\n'
+    used = '[[combinations]]\nname = "U"\nfactors = {Q = 1.5}\n'
+    text = casefile.starter().replace('# case = "permanent"', 'case = "G"', 1) + cases + loads + used
+    found = checks.check(1, text)
+    assert found.fingerprint
+    (remark,) = found.remarks_json
+    line = 1 + text.split("\n").index('name = "G"') - 1
+    assert remark == {
+        "location": "cases[1]",
+        "path": ["cases", 0],
+        "words": 'case "G" acts in no combination: its load is left out (150 kN)',
+        "doubtful": True,
+        "line": line,
+    }
+    assert checks.check(2, casefile.starter()).remarks_json == []
+
+
 def test_edits_go_before_a_text_that_takes_long(checks: Checks, monkeypatch: pytest.MonkeyPatch) -> None:
     """An edit is done while a text is being read for ever, and the text after it is read."""
     monkeypatch.setattr(parsing, "check", workers.check_slowly)

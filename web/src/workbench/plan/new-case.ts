@@ -31,6 +31,9 @@ export function newCase(store: Store, push: (change: Change) => void, done: (nam
       ["apart", "in a permanent case of their own"],
     ]);
     others.hidden = count === 0;
+    // options that are the same keep what was chosen for the case before
+    action.value = "";
+    others.value = "";
     if (isAsked) name.focus();
   };
   const isKnown = () => namesIn(listAt(store.data, ["cases"])).includes(name.value.trim());

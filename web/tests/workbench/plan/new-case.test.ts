@@ -76,6 +76,15 @@ test("a case that is there is chosen, and Escape makes none", () => {
   expect(second.field("name of the new load case").parentElement?.hidden).toBe(true);
 });
 
+test("a second case is asked again", () => {
+  const { push, type } = plan({ cases: [{ name: "G" }] });
+  type("name of the new load case", "Q", "Enter");
+  type("action of the new load case", "variable");
+  document.querySelector<HTMLButtonElement>(".case-choice > button")!.click();
+  type("name of the new load case", "W", "Enter");
+  expect(push).toHaveBeenCalledOnce();
+});
+
 test("beside other cases loads without one are left to the user", () => {
   const data = { cases: [{ name: "G" }], loads: [WEIGHT] };
   expect(addLoadCase(data, "Q", "variable").edits).toEqual([
