@@ -359,9 +359,7 @@ def test_hinges_of_four_slabs_at_a_point() -> None:
     joints = [{"kind": "hinge", "between": pair} for pair in (("A", "B"), ("B", "C"), ("C", "D"), ("D", "A"))]
     press = {"kind": "patch", "q": 200e3, "x": (-0.25, 0.25), "y": (-0.25, 0.25)}
     parts = {"ground": {"kind": "winkler", "k": 2e7}, "loads": [WEIGHT, press], "mesh": {"size": 0.5}}
-    results = solve(
-        Model.model_validate({"plate": slabs[0], "plates": slabs[1:], "joints": joints, **parts})
-    ).only
+    results = solve(Model.model_validate({"plate": slabs[0], "plates": slabs[1:], "joints": joints, **parts})).only
     assert results.certificate.holds
     for joint in results.joints:
         assert not joint.step.any()

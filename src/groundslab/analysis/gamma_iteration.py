@@ -67,7 +67,16 @@ class _ContactIteration:
             )
         try:
             found = contact.solve(
-                A, f, level.factorization, law, self.state, step.max_iterations, report, self.near, level.motions
+                A,
+                f,
+                level.factorization,
+                law,
+                self.state,
+                step.max_iterations,
+                report,
+                self.near,
+                level.motions,
+                step.system.problem.part,
             )
         except NotConverged as error:
             last = error.last
@@ -83,7 +92,7 @@ class _ContactIteration:
     def _refine(self, found: Contact, A: Symmetric) -> Contact:
         """Return a solution just found without the rounding of its factorization."""
         f = right_hand_side(self.step.system, self.step.factor)
-        return contact.refine(A, f, self.step.level.factorization, self.law, found)
+        return contact.refine(A, f, self.step.level.factorization, self.law, found, self.step.system.problem.part)
 
     def solution(self, found: Contact, column: Column, gamma: float | None) -> Solution:
         """Return the solution of the load step; on the finest mesh raises NeutralEquilibrium if nothing holds it."""

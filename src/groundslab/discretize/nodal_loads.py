@@ -45,9 +45,13 @@ def _loading(
     """Return the loading of some loads; distributed ones are integrated exactly over the meshed part of the plate."""
     mesh, elements = plan.mesh, plan.plate_elements
     n = len(mesh.nodes)
-    forces, couples, size = np.zeros((len(elements), 9)), np.zeros((2, len(elements), 9)), 0.0
+    forces, couples, size = (
+        np.zeros((len(elements), 9)),
+        np.zeros((2, len(elements), 9)),
+        np.zeros(len(model.every_plate)),
+    )
     beside, pressing = np.zeros(n), [np.zeros((0, 3))]
-    length = np.ptp(mesh.nodes[plan.plate_nodes], axis=0).max()
+    length = plan.plate_lengths
     warp, settlement = np.zeros(len(elements)), np.zeros(len(model.supports))
     thickness = np.array([t for _, _, t in materials(model)])[plan.section]
     expansion = np.array([each.thermal_expansion for each in model.every_plate])[plan.plate]
@@ -63,14 +67,14 @@ def _loading(
         elif isinstance(load, loads.PointLoad):
             force, couple = _at_point(load.on(model.columns), model, plan)
             forces, couples = forces + force, couples + couple
-            size += float(np.abs(force).sum() + np.abs(couple).sum() / length)
+            size += _by_plate(force, plan) + _by_plate(np.abs(couple).sum(axis=0), plan) / length
         elif loads.presses_ground(load):
             beside += _on_ground(load, plan)
             pressing.append(_points_on_ground(load, model))
         else:
             force = _spread(load, model, plan, thickness)
             forces += force
-            size += float(np.abs(force).sum())
+            size += _by_plate(force, plan)
     if not element.center_w:
         forces = np.einsum("ea,eab->eb", forces, element.w_functions(mesh.xy[elements]))
     table = np.zeros((n, fields))
@@ -85,6 +89,11 @@ def _loading(
         if couples[axis].any():
             table[:, BETA_X + axis] = scatter(mesh.elements[elements], couples[axis], n)
     return Loading(table, np.column_stack([warp, warp]), settlement, size, np.vstack(pressing))
+
+
+def _by_plate(forces: Array, plan: Layout) -> Array:
+    """Return the sum of sizes of nodal forces (mp, 9) on each plate, (plates,)."""
+    return np.bincount(plan.plate, np.abs(forces).sum(axis=1), len(plan.plate_lengths))
 
 
 def _on_ground(load: loads.OnGround, plan: Layout) -> Array:

@@ -26,6 +26,8 @@ from groundslab.fem.vlasov import Soil
 W, BETA_X, BETA_Y, TOP = range(4)
 #: Shares of an element's area that differ by less than this are equal.
 TIE = 1e-6
+#: What plates do is told from the rounding of what others do down to this share of it.
+LEAST = 1e-8
 #: The middles of an element's sides.
 MIDSIDES = slice(4, 8)
 
@@ -37,7 +39,7 @@ class Loading:
     load: Array  # (n, F) [N, N m]: in TOP those on the ground's surface beside the plate
     free_curvature: Array  # (mp, 2) [1/m]: beta_x,x and beta_y,y that each plate element would take freely
     settlement: Array  # (s,) [m]: of each support
-    size: float  # [N]: sizes of all forces on the plate, and of moments over its length, whatever they cancel
+    size: Array  # (plates,) [N]: sizes of all forces on each, and of moments over its length, whatever they cancel
     beside: Array  # (f, 3): places x, y [m] and forces [N] of what presses an elastic continuum beside the plate
 
     def __add__(self, other: Loading) -> Loading:
@@ -166,10 +168,36 @@ class Problem:
         number[self.mesh.elements[self.plate_elements]] = self.plate_number[:, None]
         return number
 
+    @property
+    def part(self) -> Integers | None:
+        """Return the number of the plate that each unknown belongs to, -1 beside all plates, (size,); of one, None.
+
+        Plates are judged by their own loads and settlements, however large those of others are.
+        """
+        if len(self.plate_names) == 1:
+            return None
+        has, part = self.unknown >= 0, np.full(self.unknown.max(initial=-1) + 1, -1)
+        part[self.unknown[has]] = np.broadcast_to(self.plate_at_nodes[:, None], self.unknown.shape)[has]
+        return part
+
     def combine(self, factors: Array) -> Problem:
         """Return the problem under the sum of its load cases times factors (cases,)."""
         first, *others = (case.scale(factor) for case, factor in zip(self.cases, factors, strict=True) if factor != 0)
         return replace(self, loading=sum(others, first))
+
+
+def largest_of_parts(values: Array, part: Integers | None) -> Array:
+    """Return the largest size of values (k,) in the part that each of them belongs to (k,), see `Problem.part`.
+
+    None is less than a share LEAST of the largest of all, which is the rounding of that.
+    """
+    sizes = np.abs(values)
+    if part is None or not len(values):
+        return np.full(len(values), sizes.max(initial=0.0))
+    largest = np.zeros(part.max() + 2)  # the last one of what is beside all plates, whose number is -1
+    np.maximum.at(largest, part, sizes)
+    found: Array = np.maximum(largest, LEAST * largest.max())[part]
+    return found
 
 
 def plate_unknowns(problem: Problem, U: Array) -> Array:
@@ -341,7 +369,7 @@ def _restrict(problem: Problem, numbers: tuple[int, ...]) -> tuple[Problem, Flag
         plate_names=tuple(problem.plate_names[number] for number in numbers),
         bearing=problem.bearing.select(held),
         links=problem.links.select(np.asarray(np.isin(problem.links.nodes, nodes).all(axis=1))),
-        loading=replace(problem.loading, load=load),
+        loading=replace(problem.loading, load=load, size=problem.loading.size[list(numbers)]),
         elastic=None if problem.elastic is None else problem.elastic.under(numbers),
     )
     return own, held

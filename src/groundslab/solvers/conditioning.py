@@ -29,7 +29,7 @@ def stiffness_ratio(s: System, column: Column) -> float:
 def require_digits(s: System, column: Column) -> None:
     """Raise IllConditioned if plate and ground differ so much in stiffness that no result can be certified."""
     ratio = stiffness_ratio(s, column)
-    carried = s.problem.loading.size > 0 and free_motions(s.problem).shape[1] > 0
+    carried = s.problem.loading.size.any() and free_motions(s.problem).shape[1] > 0
     if ratio > TOO_RIGID and carried:
         raise IllConditioned(
             f"the plate is {ratio:.1e} times as stiff as the ground, beyond what numbers of 16 digits can tell (about "

@@ -16,6 +16,7 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import NotConverged, SingularMatrix
 from groundslab.fem.assembly import scatter
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings, Contact
+from groundslab.fem.problem import largest_of_parts
 from groundslab.fem.sparse import Symmetric
 from groundslab.solvers import interior_point
 from groundslab.solvers.factor_reuse import CachedFactorization, ConstrainedSystem
@@ -50,13 +51,15 @@ def solve(
     report: Callable[[int, int, int], None],
     near: Array | None = None,
     motions: Array | None = None,
+    part: Integers | None = None,
 ) -> Contact:
     """Return the solution of A u - f = forces of the bearings, to the digits of one substitution (see `refine`).
 
     start (c,) holds the initial states; near (size,) approximates the solution; motions (size, m) are those of the
-    plate as a rigid body, against which only the bearings hold it; report takes iteration, touching bearings and
-    changes. Without bearings this is one linear solution. Raises NotConverged after `limit` iterations, SingularMatrix
-    if A itself, held by all bearings, is not positive definite.
+    plate as a rigid body, against which only the bearings hold it; part (size,) is the plate of each unknown, where
+    there are several, by whose displacements and forces its bearings are judged; report takes iteration, touching
+    bearings and changes. Without bearings this is one linear solution. Raises NotConverged after `limit` iterations,
+    SingularMatrix if A itself, held by all bearings, is not positive definite.
 
     Where the bearings that touch in the end do not hold the plate, it returns one of many solutions, to some digits:
     that of the interior point method (see equilibrium.require_hold).
@@ -74,7 +77,7 @@ def solve(
     while len(history) < limit:
         found = None if floating.in_states(state) else _solve_states(A, f, b, state, factorization, near)
         if found is not None:
-            after = _next_states(A, b, found)
+            after = _next_states(A, b, found, part)
             wrong = after != state
             record(state, int(wrong.sum()))
             if not wrong.any():
@@ -133,7 +136,14 @@ def _solve_states(
     return contact(u, residual)
 
 
-def refine(A: Symmetric, f: Array, factorization: CachedFactorization, b: Bearings, found: Contact) -> Contact:
+def refine(
+    A: Symmetric,
+    f: Array,
+    factorization: CachedFactorization,
+    b: Bearings,
+    found: Contact,
+    part: Integers | None = None,
+) -> Contact:
     """Return a solution that `solve` has just found without the rounding of the factorization."""
     system, load = _constrain(A, f, b, found.state)
     if not factorization.holds(system) and not factorization.preconditions(system):
@@ -141,8 +151,10 @@ def refine(A: Symmetric, f: Array, factorization: CachedFactorization, b: Bearin
     u, before = found.u.copy(), np.inf
     for _ in range(MAX_REFINEMENTS):
         residual = load - A @ u
-        largest = np.abs((residual - system.diagonal_shift * u)[~system.fixed]).max(initial=0.0)
-        if largest <= REFINEMENT_TOLERANCE * np.abs(residual).max(initial=0.0) or largest > before / 2:
+        free = np.where(system.fixed, 0.0, np.abs(residual - system.diagonal_shift * u))
+        scale = largest_of_parts(residual, part)
+        largest = np.divide(free, scale, out=np.zeros_like(free), where=scale > 0).max(initial=0.0)
+        if largest <= REFINEMENT_TOLERANCE or largest > before / 2:
             break
         before = largest
         factorization.iterate(system, load, u, residual, 1)
@@ -161,11 +173,12 @@ def _bearing_forces(b: Bearings, state: Integers, u: Array, reaction: Array) -> 
     return force
 
 
-def _next_states(A: Symmetric, b: Bearings, found: Contact) -> Integers:
+def _next_states(A: Symmetric, b: Bearings, found: Contact, part: Integers | None) -> Integers:
     """Return the state (c,) in which each bearing should be, judged by the solution for the present states."""
+    own = None if part is None else part[b.unknown]
     u, state, force = found.u, found.state, found.force
-    penetration, tolerance = b.penetration(u), STATE_TOLERANCE * np.abs(u).max()
-    small = np.minimum(tolerance * A.diagonal[b.unknown], STATE_TOLERANCE * np.abs(force).max(initial=0))
+    penetration, tolerance = b.penetration(u), STATE_TOLERANCE * largest_of_parts(u, part)[b.unknown]
+    small = np.minimum(tolerance * A.diagonal[b.unknown], STATE_TOLERANCE * largest_of_parts(force, own))
     at_yield = np.zeros(len(b))  # penetration
     elastic = np.isfinite(b.stiffness)
     at_yield[elastic] = b.limit_force[elastic] / b.stiffness[elastic]
