@@ -36,6 +36,7 @@ from groundslab.fem.system import (
     surface_settlement,
 )
 from groundslab.results.record import Certificate
+from groundslab.solvers.conditioning import plate_stiffness
 from groundslab.solvers.cracking import error_of_law
 from groundslab.solvers.solution import Solution
 
@@ -317,12 +318,14 @@ def _residual(solution: Solution, inner: Array, left: Array, rounding: float) ->
 
     A load that a rigid support takes at once is no measure of what plate, ground and springs resist.
     """
-    problem, law, force = solution.system.problem, solution.law, np.abs(inner).max(axis=1)
+    problem, law = solution.system.problem, solution.law
     elastic = np.isfinite(law.stiffness)
-    np.maximum.at(force, problem.bearing.node[elastic], np.abs(solution.contact.force[elastic]))
+    borne = np.zeros_like(inner)
+    np.add.at(borne, (problem.bearing.node[elastic], problem.bearing.field[elastic]), solution.contact.force[elastic])
+    force = np.maximum(problem.nodal_sizes(inner), problem.nodal_sizes(borne))
     several = len(problem.plate_names) > 1
     scale = np.maximum(largest_of_parts(force, problem.plate_at_nodes if several else None), rounding)
-    largest = np.abs(left).max(axis=1)
+    largest = problem.nodal_sizes(left)
     return float(np.divide(largest, scale, out=np.zeros_like(largest), where=scale > 0).max())
 
 
@@ -330,7 +333,7 @@ def _rounding(solution: Solution) -> float:
     """Return the force [N] that counts as none: the rounding of stiffnesses times displacements, and of loads."""
     s, problem = solution.system, solution.system.problem
     way = np.abs(solution.law.offset[solution.contact.state == CLOSED]).max(initial=0.0)
-    rounding = max(ROUNDING * np.abs(s.blocks.plate).max() * way, NOTHING * np.abs(problem.load).max())
+    rounding = max(ROUNDING * plate_stiffness(s) * way, NOTHING * problem.nodal_sizes(problem.load).max())
     if len(problem.links.joint):
         stiffest = link_stiffness(s, solution.column)[problem.links.joint >= 0].max(initial=0.0)
         rounding = max(rounding, ROUNDING * stiffest * np.abs(solution.U[:, W]).max())
