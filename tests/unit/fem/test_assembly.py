@@ -183,3 +183,28 @@ def test_linked_nodes_have_a_pair_to_which_no_element_adds(chunk: int, monkeypat
                     expected[row, column] = expected[column, row] = block[i, j]
     dense = csr_array((A.data, A.indices, A.indptr), shape=expected.shape).toarray()
     np.testing.assert_array_equal(np.triu(dense) + np.triu(dense, 1).T, expected)
+
+
+def test_shared_unknowns_add_up() -> None:
+    """Where nodes share unknowns the matrix is C^T A C, of that with an unknown for each, u of which is C times theirs."""
+    rng = np.random.default_rng(0)
+    mesh = grid(np.linspace(0, 3, 4), np.linspace(0, 2, 3))
+    n, F = len(mesh.nodes), 2
+    present, rank = rng.random((n, F)) < 0.8, rng.permutation(n)
+    group = np.tile(np.arange(n)[:, None], F)
+    for nodes in ((0, 8, 15), (3, 4)):
+        group[list(nodes), 0] = nodes[0]
+        present[list(nodes), 0] = True
+    own, shared = number_unknowns(rank, present), number_unknowns(rank, present, group)
+    matrices = rng.normal(size=(1, 9, 9, F, F))
+    matrices = matrices + matrices.transpose(0, 2, 1, 4, 3)
+    apart, together = (
+        p.matrix(assemble(p, np.zeros(6, dtype=int), lambda kinds: matrices[kinds], NOTHING, np.zeros((0, F, F))))
+        for p in (build_pattern(mesh.elements, rank, unknown) for unknown in (own, shared))
+    )
+    C = np.zeros((own.max() + 1, shared.max() + 1))
+    C[own[present], shared[present]] = 1.0
+    assert C.shape[1] == C.shape[0] - 3
+    np.testing.assert_allclose(dense(together), C.T @ dense(apart) @ C, atol=1e-12)
+    assert (np.diff(together.indptr) > 0).all()
+    np.testing.assert_array_equal(together.indices[together.indptr[:-1]], np.arange(together.size))
