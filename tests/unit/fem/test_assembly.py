@@ -186,7 +186,7 @@ def test_linked_nodes_have_a_pair_to_which_no_element_adds(chunk: int, monkeypat
 
 
 def test_shared_unknowns_add_up() -> None:
-    """Where nodes share unknowns the matrix is C^T A C, of that with an unknown for each, u of which is C times theirs."""
+    """Where nodes share unknowns the matrix is C^T A C, of the one in which each node has its own."""
     rng = np.random.default_rng(0)
     mesh = grid(np.linspace(0, 3, 4), np.linspace(0, 2, 3))
     n, F = len(mesh.nodes), 2
