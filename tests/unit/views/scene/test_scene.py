@@ -147,7 +147,9 @@ class TestScene:
         plate = results.plate
         assert np.array_equal(values_of(scene, scene.head["mesh"]["elements"]), plate.elements)
         assert np.array_equal(values_of(scene, scene.head["mesh"]["section"]), results.elements.section)
-        assert values_of(scene, scene.head["mesh"]["nodes"]) == pytest.approx(plate.nodes, rel=1e-7)
+        mesh = scene.head["mesh"]
+        nodes = values_of(scene, mesh["nodes"]) + mesh["origin"]
+        assert nodes == pytest.approx(plate.nodes, rel=1e-7, abs=1e-7)
         found = fields(scene, 1)
         reported = {field["name"]: field for field in scene.head["fields"]}
         assert list(found) == list(reported)
