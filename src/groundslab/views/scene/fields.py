@@ -53,7 +53,11 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
         nodes, elements, section = plates[0].nodes, plates[0].elements, there[0].elements.section
     # single precision is too coarse for coordinates of national grids
     origin = plan_origin(combined.model)
-    mesh = {"origin": origin, "nodes": blocks.put(nodes - origin, "f32"), "elements": blocks.put(elements, "u32")}
+    mesh: dict[str, Any] = {
+        "origin": [*origin],
+        "nodes": blocks.put(nodes - origin, "f32"),
+        "elements": blocks.put(elements, "u32"),
+    }
     mesh["section"] = blocks.put(section, "u16")
     kept = _kept(found, names, len(found) if most is None else most)
     shared = {name: blocks.put_range(values) for name, values in of_bars.items()}

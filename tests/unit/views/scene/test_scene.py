@@ -264,7 +264,8 @@ class TestPacking:
         assert content.endswith(scene.data)
         assert (len(content) - len(scene.data)) % 8 == 0
         assert not any(content[4 + length : len(content) - len(scene.data)])
-        blocks = [*scene.head["mesh"].values(), *scene.head["combinations"][0]["values"].values()]
+        mesh = {name: block for name, block in scene.head["mesh"].items() if name != "origin"}
+        blocks = [*mesh.values(), *scene.head["combinations"][0]["values"].values()]
         assert [block["offset"] % 8 for block in blocks] == [0] * len(blocks)
         assert unpack(content) == scene
 
