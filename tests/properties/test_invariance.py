@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab import Model, solve
+from groundslab import Model, NoEquilibrium, solve
+from groundslab.design import punching
 from groundslab.design.result_tables import tables_of
 from groundslab.results.results import CombinationResult, results_of
 from helpers.similar import move_validated, rescale
@@ -161,3 +162,25 @@ def test_order_of_columns_changes_nothing(ground: str) -> None:
         for some, acting in ((columns, loads), (columns[::-1], loads[::-1]))
     )
     assert_same(one, other)
+
+
+def test_columns_punch_alike_in_a_national_grid() -> None:
+    """Perimeters at an edge and inside have the lengths, shapes and forces that they have near x = y = 0."""
+    here, by = slab("springs", mesh={"size": 0.5}), np.array(FAR_AWAY[1])
+    plates = [solve(each).only.plate for each in (here, move_validated(here, FAR_AWAY[1]))]
+    for x, y in ((0.2, 2.0), (0.2, 0.2), (3.0, 2.0)):
+        near = punching.RectangularColumn(x, y, 0.4, 0.4)
+        far = punching.RectangularColumn(x + by[0], y + by[1], 0.4, 0.4)
+        one, other = (punching.demand(p, c, 0.2, 1e5) for p, c in zip(plates, (near, far), strict=True))
+        assert (other.u, other.V_Ed) == pytest.approx((one.u, one.V_Ed), rel=SAME)
+        shapes = [punching.shape_of(each.perimeter.legs)[0] for each in (one, other)]
+        assert shapes[0] == shapes[1]
+        np.testing.assert_allclose(other.perimeter.legs - by, one.perimeter.legs, atol=2e-8)
+
+
+def test_messages_say_where_things_are_in_the_plan_that_was_given() -> None:
+    """A load that topples a slab in a national grid is named where it is, to the millimeter."""
+    loads = [{"kind": "point", "P": 2e5, "x": 5.999, "y": 2.0}, {"kind": "point", "P": -1e5, "x": 1.0, "y": 2.0}]
+    toppling = move_validated(slab("springs", loads=loads), FAR_AWAY[1])
+    with pytest.raises(NoEquilibrium, match=r"x = 32450010\.998 m, y = 5400002 m.*\(x 32450000 \.\. 32450006 m"):
+        solve(toppling)

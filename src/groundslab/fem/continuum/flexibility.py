@@ -10,7 +10,6 @@ from groundslab.arrays import Array
 from groundslab.fem.continuum.cells import Grid
 from groundslab.fem.continuum.kernels import SurfaceKernel, cell_means
 
-
 #: What a cell settles another one by less than this share of what it settles itself is rounding of the kernel: far away
 #: in a layer on a rigid base nothing is left, but a heavy load there would show it.
 NOTHING = 1e-12
