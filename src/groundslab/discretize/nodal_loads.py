@@ -93,7 +93,7 @@ def _loading(
 
 def _by_plate(forces: Array, plan: Layout) -> Array:
     """Return the sum of sizes of nodal forces (mp, 9) on each plate, (plates,)."""
-    return np.bincount(plan.plate, np.abs(forces).sum(axis=1), len(plan.plate_lengths))
+    return scatter(plan.plate, np.abs(forces).sum(axis=1), len(plan.plate_lengths))
 
 
 def _on_ground(load: loads.OnGround, plan: Layout) -> Array:

@@ -328,7 +328,8 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
             constraints = np.vstack([constraints, constraints * mirror_motion(axis)])
     _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([constraints * scale, np.zeros((3, 3))]), mode="r"))
     rank = int((sizes > 1e-10 * sizes.max()).sum())
-    return scale[:, None] * V[rank:].T
+    motions: Array = scale[:, None] * V[rank:].T
+    return motions
 
 
 def _without_steps(problem: Problem, motions: Array) -> Array:

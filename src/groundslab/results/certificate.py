@@ -323,8 +323,11 @@ def _residual(solution: Solution, inner: Array, left: Array, rounding: float) ->
     borne = np.zeros_like(inner)
     np.add.at(borne, (problem.bearing.node[elastic], problem.bearing.field[elastic]), solution.contact.force[elastic])
     force = np.maximum(problem.nodal_sizes(inner), problem.nodal_sizes(borne))
-    several = len(problem.plate_names) > 1
-    scale = np.maximum(largest_of_parts(force, problem.plate_at_nodes if several else None), rounding)
+    scale = np.full(len(force), force.max())
+    if len(problem.plate_names) > 1:
+        plate = problem.plate_at_nodes
+        scale = np.where(plate < 0, scale, largest_of_parts(force, plate))
+    scale = np.maximum(scale, rounding)
     largest = problem.nodal_sizes(left)
     return float(np.divide(largest, scale, out=np.zeros_like(largest), where=scale > 0).max())
 
