@@ -30,7 +30,7 @@ _CHUNK = 2**18
 class Merging:
     """Where the entries of a matrix of unknowns that each node has for itself go, if nodes share some of them."""
 
-    entry: Indices  # (addends,): which entry each of them adds to
+    entry: Integers  # (addends,): which entry each of them adds to
     weight: Array  # (addends,): 2 off the diagonal where row and column become one, else 1
 
 
@@ -151,7 +151,7 @@ def _merge(indptr: Indices, indices: Indices, own: Integers, unknown: Integers) 
     same = np.repeat(np.arange(len(shared)), np.diff(indptr)) == indices
     starts = np.searchsorted(rows, np.arange(size + 1)).astype(np.int32)
     weight = np.where((row == column) & ~same, 2.0, 1.0)
-    return starts, columns.astype(np.int32), Merging(entry.astype(np.int32), weight)
+    return starts, columns.astype(np.int32), Merging(entry, weight)
 
 
 def _add_pairs(keys: Integers, starts: Indices, linked: Integers, n: int) -> tuple[Integers, Indices]:
