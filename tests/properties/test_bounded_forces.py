@@ -32,8 +32,8 @@ def problems(draw: st.DrawFn) -> tuple[Array, Array, BoundedForces]:
     within = np.maximum(lower, 0) + rng.uniform(0.2, 0.8, n) * np.minimum(upper, 1)
     c = rng.standard_normal(n) * draw(st.sampled_from([0.0, 1e-3, 1.0]))
 
-    def gaps(x: Array) -> tuple[Array, float]:
-        return A @ x + c, float(np.abs(A @ x).max())
+    def gaps(x: Array) -> tuple[Array, Array]:
+        return A @ x + c, np.full(len(c), np.abs(A @ x).max())
 
     def precondition(y: Array) -> Array:
         found: Array = y / np.diag(A)

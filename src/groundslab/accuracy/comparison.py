@@ -5,10 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from math import sqrt
 
-from groundslab.accuracy.energy import energy_errors, error_density
+from groundslab.accuracy.energy import energy, energy_errors, error_density
 from groundslab.accuracy.prolongation import Prolongation
 from groundslab.model.model import Model
-from groundslab.results.certificate import resistance
 from groundslab.results.fields import ERROR
 from groundslab.results.recovery import (
     MeshedFields,
@@ -34,7 +33,7 @@ def compare(
     by_element = energy_errors(solution, frame, fields.forces)
     squared = float(by_element.sum())
     before = energy_errors(coarser, coarser_frame, coarser_fields.forces).sum()
-    total = float((resistance(solution).all * solution.U).sum()) + squared
+    total = energy(solution) + squared
     density = error_density(solution, frame, by_element, total)
     plate, elements, ground = expand(prolongation.apply(coarser_fields), frame)
     comparison = Comparison(
@@ -44,7 +43,7 @@ def compare(
         supports=support_results(model, coarser),
         joints=joint_results(model, coarser),
         constants=ground_constants(coarser),
-        energy_error=sqrt(squared / total) if squared > 0 else 0.0,
+        energy_error=sqrt(squared / total) if total > 0 else 0.0,
         reduction=sqrt(squared / before) if before > 0 else 0.0,
     )
     return comparison, replace(fields, elements=fields.elements | {ERROR: density})

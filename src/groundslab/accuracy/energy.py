@@ -12,16 +12,35 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.fem import plate
 from groundslab.fem.assembly import find_congruent, scatter
-from groundslab.fem.problem import Problem, plate_unknowns
+from groundslab.fem.problem import Problem, W, plate_unknowns
 from groundslab.fem.shape_functions import areas, gauss, jacobian, q9
 from groundslab.fem.system import surface_settlement
-from groundslab.results.certificate import apply
+from groundslab.results.certificate import apply, pressing_forces, resistance
 from groundslab.results.patch_recovery import extrapolation
 from groundslab.results.recovery import free_moments
 from groundslab.results.result_mesh import ResultMesh
 from groundslab.solvers.solution import Solution
 
 _CHUNK = 2048
+
+
+def energy(solution: Solution) -> float:
+    """Return twice the strain energy of plate, joints and ground under a solution [N m], which is never negative.
+
+    It is the square of a norm. On an elastic continuum that is the energy of the forces that press it alone: those of
+    loads beside the plate have a work on them, which is negative where they lift the plate.
+    """
+    U, problem, resisting = solution.U, solution.system.problem, resistance(solution)
+    work = float((resisting.all * U).sum())
+    elastic, pressed = problem.elastic, solution.pressed
+    if elastic is None or pressed is None:
+        return max(work, 0.0)
+    force, settled = pressed.force, elastic.settle(pressed.force)
+    stored = float(force @ settled) + work - float(pressing_forces(solution)[:, 0] @ U[:, W])
+    if elastic.piles is not None:
+        load = solution.contact.force[elastic.piles.bearing]
+        stored += float(load @ elastic.piles.settle(load, force) + force @ (load @ elastic.piles.on_cells))
+    return max(stored, 0.0)
 
 
 def energy_errors(solution: Solution, frame: ResultMesh, recovered: Array) -> Array:
@@ -31,7 +50,8 @@ def energy_errors(solution: Solution, frame: ResultMesh, recovered: Array) -> Ar
     """
     errors = _ground_errors(solution)
     errors[solution.system.problem.plate_elements] += _plate_errors(solution, frame, recovered)
-    return errors
+    # squares but for rounding
+    return np.maximum(errors, 0.0)
 
 
 def error_density(solution: Solution, frame: ResultMesh, squared: Array, total: float) -> Array:

@@ -101,7 +101,7 @@ def solve_adaptively(
 def extents_of(mesh: Mesh) -> Array:
     """Return the elements' extents along x and y (m, 2) [m]: sides of rectangles, else those of squares as large."""
     sides, area = np.ptp(mesh.xy[:, :4], axis=1), areas(mesh.xy)
-    rectangle = np.isclose(sides.prod(axis=1), area)
+    rectangle = np.isclose(sides.prod(axis=1), area, atol=0.0)
     return np.where(rectangle[:, None], sides, np.sqrt(area)[:, None])
 
 

@@ -12,7 +12,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.errors import NotConverged
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Contact, plastic_slip
 from groundslab.fem.foundation import Column
-from groundslab.fem.problem import TOP
+from groundslab.fem.problem import TOP, W
 from groundslab.fem.sparse import Symmetric
 from groundslab.fem.system import current_bearings, nodal_table, right_hand_side
 from groundslab.fem.vlasov import GAMMA_START, Soil
@@ -67,7 +67,16 @@ class _ContactIteration:
             )
         try:
             found = contact.solve(
-                A, f, level.factorization, law, self.state, step.max_iterations, report, self.near, level.motions
+                A,
+                f,
+                level.factorization,
+                law,
+                self.state,
+                step.max_iterations,
+                report,
+                self.near,
+                level.motions,
+                step.system.problem.measures,
             )
         except NotConverged as error:
             last = error.last
@@ -83,7 +92,7 @@ class _ContactIteration:
     def _refine(self, found: Contact, A: Symmetric) -> Contact:
         """Return a solution just found without the rounding of its factorization."""
         f = right_hand_side(self.step.system, self.step.factor)
-        return contact.refine(A, f, self.step.level.factorization, self.law, found)
+        return contact.refine(A, f, self.step.level.factorization, self.law, found, self.step.system.problem.measures)
 
     def solution(self, found: Contact, column: Column, gamma: float | None) -> Solution:
         """Return the solution of the load step; on the finest mesh raises NeutralEquilibrium if nothing holds it."""
@@ -124,7 +133,7 @@ def _iterate_gamma(iteration: _ContactIteration, soil: Soil, start: Solution | N
         U = nodal_table(problem, found.u)
         # a plate that its supports carry clear of the ground leaves nothing to find gamma from
         pushed = found.force[problem.bearing.support < 0].max(initial=0.0)
-        touches = pushed > NO_CONTACT * np.abs(step.factor * problem.load).max() or not problem.tensionless
+        touches = pushed > NO_CONTACT * np.abs(step.factor * problem.load[:, W]).max() or not problem.tensionless
         after = soil.gamma_of(decay_squared(step.system, U, column)) if touches else gamma
         history.append((gamma, after))
         change = abs(after - gamma) / max(after, GAMMA_SMALL)

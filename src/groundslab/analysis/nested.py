@@ -14,7 +14,7 @@ from groundslab.analysis.mesh_hierarchy import Level, MeshHierarchy
 from groundslab.arrays import Array
 from groundslab.discretize.plan_layout import coarsest, has_coarser
 from groundslab.errors import NoEquilibrium, NotConverged, SingularMatrix
-from groundslab.fem.problem import W
+from groundslab.fem.problem import W, largest_of_parts
 from groundslab.fem.system import System
 from groundslab.model.model import Model
 from groundslab.model.plates.joints import play_of
@@ -77,15 +77,16 @@ def _ignore(_: Step) -> None:
 def margin_effect(
     margins: Sequence[MeshHierarchy], combination: str, factors: Array, found: Sequence[Solution]
 ) -> float:
-    """Return the change of any settlement by a wider margin of infinite ground, over the largest settlement.
+    """Return the change of any settlement by a wider margin of infinite ground, over its plate's largest settlement.
 
     Both meshes are the same on the plate, where their nodes stand in the same order. They are coarser than that of the
     solutions found, one for each load increment, from which they start and whose gamma they have.
     """
     narrow, wide = (_solve_from(hierarchy, combination, factors, found) for hierarchy in margins)
     before, after = (each.U[each.system.problem.plate_nodes, W] for each in (narrow, wide))
-    largest = max(np.abs(before).max(), np.abs(after).max())
-    return float(np.abs(after - before).max() / largest) if largest else 0.0
+    problem = narrow.system.problem
+    largest = largest_of_parts(np.maximum(np.abs(before), np.abs(after)), problem.plate_at_nodes[problem.plate_nodes])
+    return float(np.divide(np.abs(after - before), largest, out=np.zeros_like(largest), where=largest > 0).max())
 
 
 def _solve_from(hierarchy: MeshHierarchy, combination: str, factors: Array, found: Sequence[Solution]) -> Solution:

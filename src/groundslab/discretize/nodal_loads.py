@@ -52,12 +52,11 @@ def _loading(acting: list[Acting], model: Model, plan: Layout, element: plate.Pl
     n = len(mesh.nodes)
     forces = np.zeros((len(elements), 9))
     couples = np.zeros((2, len(elements), 9))
-    size = 0.0
+    size = np.zeros(len(model.every_plate))
     beside = np.zeros(n)
     pressing = [np.zeros((0, 3))]
     warp = np.zeros(len(elements))
     settlement = np.zeros(len(model.supports))
-    length = np.ptp(mesh.nodes[plan.plate_nodes], axis=0).max()
     for shape in acting:
         if isinstance(shape, SupportSettlement):
             settlement[[support.name for support in model.supports].index(shape.support)] += shape.w
@@ -68,7 +67,7 @@ def _loading(acting: list[Acting], model: Model, plan: Layout, element: plate.Pl
             force, couple = _on_plate(shape, model, plan)
             forces += force
             couples += couple
-            size += float(np.abs(force).sum() + np.abs(couple).sum() / length)
+            size += _by_plate(force, plan) + _by_plate(np.abs(couple).sum(axis=0), plan) / plan.plate_lengths
             if isinstance(shape, PlateAction):
                 warp += _warp(shape, model, plan)
     if not element.center_w:
@@ -86,6 +85,11 @@ def _loading(acting: list[Acting], model: Model, plan: Layout, element: plate.Pl
         if couples[axis].any():
             table[:, BETA_X + axis] = scatter(mesh.elements[elements], couples[axis], n)
     return Loading(table, np.column_stack([warp, warp]), settlement, size, np.vstack(pressing))
+
+
+def _by_plate(forces: Array, plan: Layout) -> Array:
+    """Return the sum of sizes of nodal forces (mp, 9) on each plate, (plates,)."""
+    return scatter(plan.plate, np.abs(forces).sum(axis=1), len(plan.plate_lengths))
 
 
 def _on_ground(area: AreaPressure, plan: Layout) -> Array:

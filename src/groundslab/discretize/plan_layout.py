@@ -99,6 +99,16 @@ class Layout:
         return sides
 
     @property
+    def plate_lengths(self) -> Array:
+        """Return the longer side of each plate's meshed part, (plates,) [m]."""
+        xy = self.mesh.xy[self.plate_elements]
+        low, high = np.full((self.plate.max() + 1, 2), np.inf), np.full((self.plate.max() + 1, 2), -np.inf)
+        np.minimum.at(low, self.plate, xy.min(axis=1))
+        np.maximum.at(high, self.plate, xy.max(axis=1))
+        lengths: Array = (high - low).max(axis=1)
+        return lengths
+
+    @property
     def plate_nodes(self) -> Integers:
         """Return the nodes of the plate, ascending."""
         return unique_integers(self.mesh.elements[self.plate_elements])[0]

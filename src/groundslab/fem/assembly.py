@@ -30,7 +30,7 @@ _CHUNK = 2**18
 class Merging:
     """Where the entries of a matrix of unknowns that each node has for itself go, if nodes share some of them."""
 
-    entry: Indices  # (addends,): which entry each of them adds to
+    entry: Integers  # (addends,): which entry each of them adds to
     weight: Array  # (addends,): 2 off the diagonal where row and column become one, else 1
 
 
@@ -64,8 +64,9 @@ class Pattern:
     def matrix(self, addends: Array) -> Symmetric:
         """Return the matrix whose entries are sums of addends (addends,)."""
         m = self.merging
-        data = addends if m is None else np.bincount(m.entry, m.weight * addends, len(self.indices))
-        return Symmetric(self.indptr, self.indices, data)
+        if m is not None:
+            addends = scatter(m.entry, m.weight * addends, len(self.indices))
+        return Symmetric(self.indptr, self.indices, addends)
 
     def pairs(self, first: Integers, second: Integers) -> Integers:
         """Return the pair numbers of nodes that share an element."""
@@ -92,8 +93,8 @@ def _number_shared(rank: Integers, present: Flags, group: Integers) -> Integers:
     """Return unknown numbers (n, F) of which the nodes of one group in a field (n, F) share one."""
     n, fields = present.shape
     last = np.full((n, fields), -1)
-    for field in range(fields):
-        np.maximum.at(last[:, field], group[:, field], rank)
+    for each in range(fields):
+        np.maximum.at(last[:, each], group[:, each], rank)
     at_last = np.take_along_axis(last, group, axis=0) == rank[:, None]
     own = number_unknowns(rank, present & at_last)
     of_group = np.full((n, fields), -1)
@@ -150,7 +151,7 @@ def _merge(indptr: Indices, indices: Indices, own: Integers, unknown: Integers) 
     same = np.repeat(np.arange(len(shared)), np.diff(indptr)) == indices
     starts = np.searchsorted(rows, np.arange(size + 1)).astype(np.int32)
     weight = np.where((row == column) & ~same, 2.0, 1.0)
-    return starts, columns.astype(np.int32), Merging(entry.astype(np.int32), weight)
+    return starts, columns.astype(np.int32), Merging(entry, weight)
 
 
 def _add_pairs(keys: Integers, starts: Indices, linked: Integers, n: int) -> tuple[Integers, Indices]:

@@ -20,12 +20,14 @@ from groundslab.fem.concrete.cracked_section import CrackedSections
 from groundslab.fem.continuum.elastic_ground import ElasticGround
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import Mesh
-from groundslab.fem.shape_functions import unique_integers
+from groundslab.fem.shape_functions import areas, unique_integers
 from groundslab.fem.vlasov import Soil
 
 W, BETA_X, BETA_Y, TOP = range(4)
 #: Shares of an element's area that differ by less than this are equal.
 TIE = 1e-6
+#: What plates do is told from the rounding of what others do down to this share of it.
+LEAST = 1e-8
 #: The middles of an element's sides.
 MIDSIDES = slice(4, 8)
 
@@ -37,7 +39,7 @@ class Loading:
     load: Array  # (n, F) [N, N m]: in TOP those on the ground's surface beside the plate
     free_curvature: Array  # (mp, 2) [1/m]: beta_x,x and beta_y,y that each plate element would take freely
     settlement: Array  # (s,) [m]: of each support
-    size: float  # [N]: sizes of all forces on the plate, and of moments over its length, whatever they cancel
+    size: Array  # (plates,) [N]: sizes of all forces on each, and of moments over its length, whatever they cancel
     beside: Array  # (f, 3): places x, y [m] and forces [N] of what presses an elastic continuum beside the plate
 
     def __add__(self, other: Loading) -> Loading:
@@ -152,7 +154,9 @@ class Problem:
     def plate_load(self) -> Array:
         """Return the nodal loads on the plate alone (n, 3) [N, N m]."""
         load = self.loading.load[:, :TOP].copy()
-        load[self.plate_nodes, W] -= self.loading.load[self.plate_nodes, TOP]
+        # on an elastic continuum what presses beside the plate is in TOP alone
+        if self.elastic is None:
+            load[self.plate_nodes, W] -= self.loading.load[self.plate_nodes, TOP]
         return load
 
     def nodes_of(self, plate: int) -> Integers:
@@ -166,10 +170,63 @@ class Problem:
         number[self.mesh.elements[self.plate_elements]] = self.plate_number[:, None]
         return number
 
+    @property
+    def element_length(self) -> float:
+        """Return the root of the mean area of the plate's elements [m], over which rotations count as displacements."""
+        return float(np.sqrt(areas(self.mesh.xy[self.plate_elements]).mean()))
+
+    @property
+    def measures(self) -> Measures:
+        """Return what displacements and forces are measured by."""
+        has, size = self.unknown >= 0, self.unknown.max(initial=-1) + 1
+        lever, plate = np.ones(size), np.full(size, -1)
+        lever[self.unknown[:, BETA_X : BETA_Y + 1][has[:, BETA_X : BETA_Y + 1]]] = self.element_length
+        if len(self.plate_names) == 1:
+            return Measures(lever)
+        plate[self.unknown[has]] = np.broadcast_to(self.plate_at_nodes[:, None], self.unknown.shape)[has]
+        return Measures(lever, plate)
+
+    def nodal_sizes(self, forces: Array) -> Array:
+        """Return the largest of the forces (n, F) at each node, moments over the elements' length, (n,) [N]."""
+        lever = np.ones(forces.shape[1])
+        lever[BETA_X : BETA_Y + 1] = self.element_length
+        sizes: Array = (np.abs(forces) / lever).max(axis=1)
+        return sizes
+
     def combine(self, factors: Array) -> Problem:
         """Return the problem under the sum of its load cases times factors (cases,)."""
         first, *others = (case.scale(factor) for case, factor in zip(self.cases, factors, strict=True) if factor != 0)
         return replace(self, loading=sum(others, first))
+
+
+@dataclass(frozen=True, slots=True)
+class Measures:
+    """What displacements and forces are measured by, whatever the unit of length and what other plates do."""
+
+    lever: Array  # (size,): what makes a displacement [m] of an unknown: 1, or of a rotation a length [m]
+    plate: Integers | None = None  # (size,): of each unknown, -1 beside all plates; None of a single plate
+
+    def displacements(self, u: Array) -> Array:
+        """Return the largest displacement of each unknown's plate, (size,) [m]."""
+        return largest_of_parts(u * self.lever, self.plate)
+
+    def forces(self, f: Array) -> Array:
+        """Return the largest force on each unknown's plate, (size,) [N]."""
+        return largest_of_parts(f / self.lever, self.plate)
+
+
+def largest_of_parts(values: Array, part: Integers | None) -> Array:
+    """Return the largest size of values (k,) in the part that each of them belongs to, (k,), -1 beside all.
+
+    None is less than a share LEAST of the largest of all, which is the rounding of that.
+    """
+    sizes = np.abs(values)
+    if part is None or not len(values):
+        return np.full(len(values), sizes.max(initial=0.0))
+    largest = np.zeros(part.max() + 2)  # the last one of what is beside all plates, whose number is -1
+    np.maximum.at(largest, part, sizes)
+    found: Array = np.maximum(largest, LEAST * largest.max())[part]
+    return found
 
 
 def plate_unknowns(problem: Problem, U: Array) -> Array:
@@ -253,23 +310,26 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
             fixed[problem.mesh.nodes[:, axis] == 0.0, BETA_X + axis] = False
     fixed = fixed[nodes]
     x, y = problem.mesh.nodes[nodes].T
-    one, zero = np.ones_like(x), np.zeros_like(x)
+    # slopes times the plate's length are settlements
+    length = float(np.ptp(problem.mesh.nodes[nodes], axis=0).max())
+    scale, one, zero = np.array([1.0, 1 / length, 1 / length]), np.ones_like(x), np.zeros_like(x)
     own_w = np.ones(len(nodes), dtype=bool)
     if not problem.element.center_w:
         own_w[np.isin(nodes, problem.mesh.elements[problem.plate_elements, 8])] = False
     constraints = np.vstack(
         [
             np.column_stack([one, x, y])[fixed[:, W] & own_w],
-            np.column_stack([zero, one, zero])[fixed[:, BETA_X]],
-            np.column_stack([zero, zero, one])[fixed[:, BETA_Y]],
+            length * np.column_stack([zero, one, zero])[fixed[:, BETA_X]],
+            length * np.column_stack([zero, zero, one])[fixed[:, BETA_Y]],
         ]
     )
     for axis in (0, 1):
         if mirrored and problem.symmetry[axis]:
             constraints = np.vstack([constraints, constraints * mirror_motion(axis)])
-    _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([constraints, np.zeros((3, 3))]), mode="r"))
-    rank = int((sizes > 1e-10 * max(sizes.max(), 1e-300)).sum())
-    return V[rank:].T
+    _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([constraints * scale, np.zeros((3, 3))]), mode="r"))
+    rank = int((sizes > 1e-10 * sizes.max()).sum())
+    motions: Array = scale[:, None] * V[rank:].T
+    return motions
 
 
 def _without_steps(problem: Problem, motions: Array) -> Array:
@@ -286,7 +346,7 @@ def _without_steps(problem: Problem, motions: Array) -> Array:
     one, other = (motion_rows(problem, nodes, settling) for nodes in (first, second))
     steps = ((one - other) * scale) @ unit
     _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([steps, np.zeros((unit.shape[1],) * 2)]), mode="r"))
-    rank = int((sizes > 1e-9 * max(sizes.max(initial=0.0), 1e-300)).sum())
+    rank = int((sizes > 1e-9 * sizes.max(initial=0.0)).sum())
     found: Array = scale[:, None] * (unit @ V[rank:].T)
     return found
 
@@ -341,7 +401,7 @@ def _restrict(problem: Problem, numbers: tuple[int, ...]) -> tuple[Problem, Flag
         plate_names=tuple(problem.plate_names[number] for number in numbers),
         bearing=problem.bearing.select(held),
         links=problem.links.select(np.asarray(np.isin(problem.links.nodes, nodes).all(axis=1))),
-        loading=replace(problem.loading, load=load),
+        loading=replace(problem.loading, load=load, size=problem.loading.size[list(numbers)]),
         elastic=None if problem.elastic is None else problem.elastic.under(numbers),
     )
     return own, held

@@ -15,10 +15,12 @@ from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
 from groundslab.fem.problem import (
     BETA_X,
     BETA_Y,
+    LEAST,
     TOP,
     Problem,
     W,
     free_motions,
+    largest_of_parts,
     move_plates,
     plate_unknowns,
     settlement_by_loads_beside,
@@ -34,6 +36,7 @@ from groundslab.fem.system import (
     surface_settlement,
 )
 from groundslab.results.record import Certificate
+from groundslab.solvers.conditioning import plate_stiffness
 from groundslab.solvers.cracking import error_of_law
 from groundslab.solvers.solution import Solution
 
@@ -239,21 +242,17 @@ def _balancing(pairs: Integers, left: Array) -> Array:
 def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     """Return the certificate of a solution under the full load."""
     U, c, problem = solution.U, solution.contact, solution.system.problem
-    nodes, under, bearing = problem.mesh.nodes, problem.plate_nodes, problem.bearing
+    under, bearing = problem.plate_nodes, problem.bearing
     resisting, load = resistance(solution), problem.load
     inner, ground = resisting.all, resisting.ground
     rest = inner - load
 
     fixed, borne = problem.unknown < 0, bearing_forces(solution)
-    # a load that a rigid support takes at once is no measure of what plate, ground and springs resist
     elastic = np.isfinite(solution.law.stiffness)
-    springs = np.abs(c.force[elastic])
     rounding = _rounding(solution)
-    residual = float(
-        np.abs((rest - borne)[~fixed]).max() / (max(np.abs(inner).max(), springs.max(initial=0.0), rounding) or 1.0)
-    )
+    residual = _residual(solution, inner, np.where(fixed, 0.0, rest - borne), rounding)
 
-    # what the supports push on the plate, moments about the origin
+    # what the supports push on the plate
     support = np.where(fixed[:, :TOP], rest[:, :TOP], 0.0)
     support[:, W] *= _own_w(problem)
     own = bearing.field < TOP
@@ -264,16 +263,18 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     if solution.pressed is None:
         contact[under] -= load[under, TOP]
     pushed, beside = contact.sum(), load[:, TOP].sum()
+    sizes = problem.loading.size
     # what a plate without loads of its own carries is the rounding of those of others
-    least = max(rounding, NOTHING / Certificate.TOLERANCE * problem.loading.size)
+    nothing = NOTHING / Certificate.TOLERANCE * np.where(sizes > 0, sizes, sizes.max())
+    least = np.maximum(nothing, max(rounding, ROUNDING * sizes.max()))
     balances = [
-        _balance(plate, contact, support, np.abs(c.force[held & elastic]), least)
-        for plate, held in single_plates(problem)
+        _balance(plate, contact, support, np.abs(c.force[held & elastic]), float(least[number]))
+        for number, (plate, held) in enumerate(single_plates(problem))
     ]
     size = sum(each.size for each in balances)
 
-    settlement = max(np.abs(U[:, W]).max(), NOTHING * np.ptp(nodes[under], axis=0).max())
-    gap, force, product = _bearing_errors(solution, NOTHING / Certificate.TOLERANCE * size)
+    scales = _scales(problem, U, np.array([each.size for each in balances]))
+    gap, force, product = _bearing_errors(solution, scales)
     share = 2.0 ** sum(problem.symmetry)
     return Certificate(
         residual=residual,
@@ -282,22 +283,60 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
         force_balance=max(each.force for each in balances),
         moment_balance=max(each.moment for each in balances),
         ground_balance=float(abs(_sum_down(solution, rest) - pushed - beside) / (size + abs(beside))),
-        worst_gap=float(gap / settlement),
+        worst_gap=gap,
         worst_pressure=force,
-        worst_product=float(product / settlement),
+        worst_product=product,
         gamma_change=solution.gamma_change,
         margin_effect=margin_effect,
         section_law=None if problem.stiffness is None else error_of_law(problem, U),
         ground_load=float(beside * share),
-        joint_mismatch=_mismatch(problem, U) / settlement if len(problem.links.joint) else None,
+        joint_mismatch=_mismatch(problem, U, scales) if len(problem.links.joint) else None,
     )
+
+
+@dataclass(frozen=True, slots=True)
+class _Scales:
+    """What errors are judged by, of each plate by itself, so that a heavy load on one hides nothing on another."""
+
+    settlement: Array  # (plates,) [m]: the largest
+    nothing: Array  # (plates,) [N]: a force that counts as none
+
+
+def _scales(problem: Problem, U: Array, size: Array) -> _Scales:
+    """Return the scales of plates whose forces have a size (plates,) [N]."""
+    settlement = np.zeros(len(size))
+    for number in range(len(size)):
+        own = problem.nodes_of(number)
+        length = np.ptp(problem.mesh.nodes[own], axis=0).max()
+        settlement[number] = max(np.abs(U[own, W]).max(), NOTHING * length)
+    least = LEAST * settlement.max()
+    return _Scales(np.maximum(settlement, least), NOTHING / Certificate.TOLERANCE * size)
+
+
+def _residual(solution: Solution, inner: Array, left: Array, rounding: float) -> float:
+    """Return the largest force that is left over at a node (n, F), over the largest one of its plate.
+
+    A load that a rigid support takes at once is no measure of what plate, ground and springs resist.
+    """
+    problem, law = solution.system.problem, solution.law
+    elastic = np.isfinite(law.stiffness)
+    borne = np.zeros_like(inner)
+    np.add.at(borne, (problem.bearing.node[elastic], problem.bearing.field[elastic]), solution.contact.force[elastic])
+    force = np.maximum(problem.nodal_sizes(inner), problem.nodal_sizes(borne))
+    scale = np.full(len(force), force.max())
+    if len(problem.plate_names) > 1:
+        plate = problem.plate_at_nodes
+        scale = np.where(plate < 0, scale, largest_of_parts(force, plate))
+    scale = np.maximum(scale, rounding)
+    largest = problem.nodal_sizes(left)
+    return float(np.divide(largest, scale, out=np.zeros_like(largest), where=scale > 0).max())
 
 
 def _rounding(solution: Solution) -> float:
     """Return the force [N] that counts as none: the rounding of stiffnesses times displacements, and of loads."""
     s, problem = solution.system, solution.system.problem
     way = np.abs(solution.law.offset[solution.contact.state == CLOSED]).max(initial=0.0)
-    rounding = max(ROUNDING * np.abs(s.blocks.plate).max() * way, NOTHING * np.abs(problem.load).max())
+    rounding = max(ROUNDING * plate_stiffness(s) * way, NOTHING * problem.nodal_sizes(problem.load).max())
     if len(problem.links.joint):
         stiffest = link_stiffness(s, solution.column)[problem.links.joint >= 0].max(initial=0.0)
         rounding = max(rounding, ROUNDING * stiffest * np.abs(solution.U[:, W]).max())
@@ -319,6 +358,8 @@ def _balance(plate: Problem, contact: Array, support: Array, springs: Array, rou
     """Return the balance of a single plate: what ground (n,) and supports (n, 3) push on it, and forces of springs."""
     under, load = plate.plate_nodes, plate.plate_load
     nodes, load, contact, support = (each[under] for each in (plate.mesh.nodes, load, contact, support))
+    # moments about the plate's middle, as far from it they would be differences of large numbers
+    nodes = nodes - (nodes.min(axis=0) + nodes.max(axis=0)) / 2
     up = np.column_stack([contact, np.zeros((len(nodes), 2))])
     reaction, wanted = _resultant(nodes, up - support), _resultant(nodes, load)
     missing, length = np.abs(reaction - wanted), np.ptp(nodes, axis=0).max()
@@ -341,10 +382,14 @@ def _sum_down(solution: Solution, rest: Array) -> float:
     return _sum_lost_forces(solution.system, solution.U, solution.column, rest)
 
 
-def _mismatch(problem: Problem, U: Array) -> float:
-    """Return the largest difference [m] across links that should have none: of the ground's surface, and of hinges."""
+def _mismatch(problem: Problem, U: Array, scales: _Scales) -> float:
+    """Return the largest difference across links that should have none, over the larger settlement of both plates.
+
+    These are links of the ground's surface, and hinges.
+    """
     links = problem.links
-    return float(np.abs(links.difference(U)[links.rigid]).max(initial=0.0))
+    settlement = scales.settlement[problem.plate_at_nodes[links.nodes]].max(axis=1)
+    return float((np.abs(links.difference(U)) / settlement)[links.rigid].max(initial=0.0))
 
 
 def worst(proofs: Sequence[Certificate]) -> Certificate:
@@ -353,23 +398,20 @@ def worst(proofs: Sequence[Certificate]) -> Certificate:
     return replace(proofs[0], **{name: max(getattr(proof, name) for proof in proofs) for name in names})
 
 
-def _bearing_errors(solution: Solution, nothing: float) -> tuple[float, float, float]:
-    """Return how badly the laws of the bearings are broken: way [m], force, and force times way [m].
+def _bearing_errors(solution: Solution, scales: _Scales) -> tuple[float, float, float]:
+    """Return how badly the laws of the bearings are broken: way, force, and force times way.
 
     One-sided bearings may not be driven in further than their force says, pull, exceed their capacity, or carry
     anything while there is a way to go. Forces are relative to those of their own kind: at a node of the ground to what
     the largest pressure would give on its area, at a support to the largest force of a support, and each to a force
-    that counts as nothing.
+    that counts as nothing. Ways are relative to the largest settlement. All that is of the same plate.
     """
     problem, law, c = solution.system.problem, solution.law, solution.contact
-    of_cells = _cell_errors(solution, nothing)
+    of_cells = _cell_errors(solution, scales)
     if not len(law):
         return of_cells
-    ground = problem.bearing.support < 0
-    scale = np.full(len(law), np.abs(c.force[~ground]).max(initial=0.0))
-    area = problem.depths.area[problem.bearing.node[ground], problem.bearing.depth[ground]]
-    scale[ground] = area * np.abs(c.force[ground][area > 0] / area[area > 0]).max(initial=0.0)
-    scale = np.maximum(scale, nothing)
+    plate = problem.plate_at_nodes[problem.bearing.node]
+    scale = np.maximum(_forces_of_kind(problem, c.force, plate), scales.nothing[plate])
     elastic = np.isfinite(law.stiffness)
     way = law.penetration(c.u)
     way[elastic] -= c.force[elastic] / law.stiffness[elastic]
@@ -379,12 +421,29 @@ def _bearing_errors(solution: Solution, nothing: float) -> tuple[float, float, f
     if problem.elastic is not None and problem.elastic.piles is not None:
         piles = problem.elastic.piles.bearing
         broken[piles] = _pile_errors(solution, problem.elastic.piles)
-    broken = broken[law.limit_force > 0]
+    settlement = scales.settlement[plate]
+    broken = (broken / settlement)[law.limit_force > 0]
     force = np.where(one_sided, np.maximum(-c.force, c.force - law.limit_force), 0.0) / scale
-    product = np.where(one_sided & ~yielding, np.abs(c.force * way), 0.0) / scale
+    product = np.where(one_sided & ~yielding, np.abs(c.force * way), 0.0) / scale / settlement
     of_bearings = float(broken.max(initial=0.0)), float(force.max()), float(product.max())
     way_off, force_off, product_off = (max(0.0, *each) for each in zip(of_bearings, of_cells, strict=True))
     return way_off, force_off, product_off
+
+
+def _forces_of_kind(problem: Problem, force: Array, plate: Integers) -> Array:
+    """Return for each bearing (c,) the largest force (c,) of its kind on its plate (c,).
+
+    At a node of the ground it is what the largest pressure would give on its area, at a support the largest force of a
+    support.
+    """
+    bearing, scale = problem.bearing, np.zeros(len(force))
+    ground = bearing.support < 0
+    part = plate if len(problem.plate_names) > 1 else None
+    scale[~ground] = largest_of_parts(force[~ground], None if part is None else part[~ground])
+    area = problem.depths.area[bearing.node[ground], bearing.depth[ground]]
+    pressure = np.divide(force[ground], area, out=np.zeros_like(area), where=area > 0)
+    scale[ground] = area * largest_of_parts(pressure, None if part is None else part[ground])
+    return scale
 
 
 def _pile_errors(solution: Solution, piles: PileGroup) -> Array:
@@ -402,7 +461,7 @@ def _pile_errors(solution: Solution, piles: PileGroup) -> Array:
     return found
 
 
-def _cell_errors(solution: Solution, nothing: float) -> tuple[float, float, float]:
+def _cell_errors(solution: Solution, scales: _Scales) -> tuple[float, float, float]:
     """Return the same for the cells of an elastic continuum, whose gaps follow from its settlement and the plate's."""
     elastic, pressed, problem = solution.system.problem.elastic, solution.pressed, solution.system.problem
     if elastic is None or pressed is None:
@@ -412,14 +471,16 @@ def _cell_errors(solution: Solution, nothing: float) -> tuple[float, float, floa
     gap += settlement_by_loads_beside(problem, elastic.cells.center)
     if elastic.piles is not None:
         gap += solution.contact.force[elastic.piles.bearing] @ elastic.piles.on_cells
-    scale = np.maximum(area * np.abs(force / area).max(), nothing)
+    plate = elastic.cells.plate
+    pressure = largest_of_parts(force / area, plate if len(problem.plate_names) > 1 else None)
+    scale, settlement = np.maximum(area * pressure, scales.nothing[plate]), scales.settlement[plate]
     yielding = (force >= limit) & (limit > 0)
     bears = limit > 0
     if not problem.tensionless:
-        return float(np.abs(gap).max()), 0.0, 0.0
-    broken = np.where(yielding, gap, -gap)[bears]
+        return float((np.abs(gap) / settlement).max()), 0.0, 0.0
+    broken = (np.where(yielding, gap, -gap) / settlement)[bears]
     wrong = np.maximum(-force, np.where(np.isinf(limit), 0.0, force - limit)) / scale
-    product = np.where(yielding, 0.0, np.abs(force * gap)) / scale
+    product = np.where(yielding, 0.0, np.abs(force * gap)) / scale / settlement
     return float(broken.max(initial=0.0)), float(wrong.max(initial=0.0)), float(product.max(initial=0.0))
 
 

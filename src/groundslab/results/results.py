@@ -140,24 +140,24 @@ class Comparison:
         The ground.
     supports : tuple of SupportResult
         What the supports carry, at nodes of the coarser mesh.
-    joints : tuple of JointResult
-        What the joints carry, at nodes of the coarser mesh.
     constants : Constants
         The ground's constants that the coarser mesh ended with.
     energy_error : float
         The error of the finer mesh in the energy norm, over that of its solution.
     reduction : float
         That error over the one of the coarser mesh.
+    joints : tuple of JointResult
+        What the joints carry, at nodes of the coarser mesh.
     """
 
     plate: PlateResult
     elements: ElementResult
     ground: GroundResult
     supports: tuple[SupportResult, ...]
-    joints: tuple[JointResult, ...]
     constants: Constants
     energy_error: float
     reduction: float
+    joints: tuple[JointResult, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, weakref_slot=True, repr=False)

@@ -17,7 +17,7 @@ from functools import partial
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags
+from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import NoEquilibrium, NotConverged
 
 #: Conjugate gradients on one set end when the gaps of free forces are below this share of what is wrong at the bounds.
@@ -53,7 +53,7 @@ DEPENDENT = 1e-12
 class BoundedForces:
     """The problem of n forces, of which r combinations are given."""
 
-    gaps: Callable[[Array], tuple[Array, float]]  # A x + c for x with G x = e, and the size of displacements
+    gaps: Callable[[Array], tuple[Array, Array]]  # A x + c for x with G x = e, and the size of displacements there
     multiply: Callable[[Array], Array]  # A q for q with G q = 0
     precondition: Callable[[Array], Array]  # about the inverse of A, symmetric positive definite
     G: Array  # (r, n)
@@ -110,16 +110,16 @@ def iterate(
     """Return the solution, as `solve` does, from balanced forces x (n,) by products with A alone."""
     g, size = p.gaps(x)
     free, best, history = p.within(x), (x, g), list[dict[str, int]]()
-    products, patience, waited, least = 1, PATIENCE, 0, NEGLIGIBLE * max(size, float(np.abs(g).max()))
+    products, patience, waited, least = 1, PATIENCE, 0, NEGLIGIBLE * np.maximum(size, np.abs(g).max())
     while True:
-        small = tolerance * max(size, least)
+        small = tolerance * np.maximum(size, least)
         face, used = relax(p, make_face(p, x, g, free), small, limit - products)
         products += used
         x, wrong = face.x, face.wrong(small)
         changed, bearing = int(wrong.sum()), int((p.clip(x) != 0).sum())
         history.append({"iteration": len(history) + 1, "closed": bearing, "changed": changed, "products": products})
         report(len(history), bearing, changed)
-        if not changed and not used and face.residual <= small:
+        if not changed and not used and face.residual(small) <= 1:
             return BoundedSolution(x, face.y, face.alpha, products)
         if products >= limit:
             raise NotConverged("the contact pressure", history, {"x": p.clip(x)})
@@ -150,13 +150,13 @@ def correct(
     """
     (g, size), products, last = p.gaps(x), 1, np.inf
     while products < limit - 1:
-        face, scale = make_face(p, x, g, p.within(x)), max(size, NEGLIGIBLE * float(np.abs(g).max()))
-        error = max(face.residual, face.violation(tolerance * scale))
-        if error <= tolerance * scale or error > PAYS * last:
+        face, scale = make_face(p, x, g, p.within(x)), np.maximum(size, NEGLIGIBLE * np.abs(g).max())
+        error = tolerance * max(face.residual(tolerance * scale), face.violation(tolerance * scale))
+        if error <= tolerance or error > PAYS * last:
             break
         inner = replace(p, gaps=partial(_continue, approximate, x, g, scale), multiply=approximate, approximate=None)
         try:
-            found = iterate(inner, x, max(tolerance / 2, CORRECTED * error / scale), MOST_CHEAP, lambda *_: None)
+            found = iterate(inner, x, max(tolerance / 2, CORRECTED * error), MOST_CHEAP, lambda *_: None)
         except NotConverged:
             break
         s = found.x - x
@@ -167,8 +167,8 @@ def correct(
     return x, products
 
 
-def _continue(multiply: Callable[[Array], Array], x: Array, g: Array, size: float, to: Array) -> tuple[Array, float]:
-    """Return the gaps (n,) of forces to (n,) from those g (n,) of forces x (n,), and the size of displacements."""
+def _continue(multiply: Callable[[Array], Array], x: Array, g: Array, size: Array, to: Array) -> tuple[Array, Array]:
+    """Return the gaps (n,) of forces to (n,) from those g (n,) of forces x (n,), and the sizes of displacements."""
     return g + multiply(to - x), size
 
 
@@ -196,40 +196,73 @@ class Face:
         # what is fixed stays so, whatever the rounding of the planes
         return np.where(self.free, v - self.planes @ (self.planes.T @ v), 0.0)
 
-    @property
-    def residual(self) -> float:
-        """Return the largest gap of a free force."""
-        return float(np.abs(self.y[self.free]).max(initial=0.0))
+    def residual(self, small: Array) -> float:
+        """Return the largest gap of a free force over what is small there (n,)."""
+        return _largest(self.y, small, self.free)
 
-    def wrong(self, small: float) -> Flags:
-        """Return the free forces beyond their bounds, and those at bounds that gaps above a small one contradict."""
+    def wrong(self, small: Array) -> Flags:
+        """Return the free forces beyond their bounds, and those at bounds that gaps above small ones contradict."""
         p, x, y = self.p, self.x, self.y
         beyond = (x < p.lower) | (x > p.upper)
         contradicted = ((x <= p.lower) & (y < -small) | (x >= p.upper) & (y > small)) & p.can_change
         return np.where(self.free, beyond, contradicted)
 
-    def violation(self, small: float) -> float:
-        """Return the largest gap that contradicts a force at its bound, or that cutting off a free force opens."""
+    def violation(self, small: Array) -> float:
+        """Return the largest gap that contradicts a force at its bound, or that cutting off a free force opens.
+
+        It is over what is small there (n,).
+        """
         beyond = self.p.flexibility * np.abs(self.x - self.p.clip(self.x))
-        return float(np.where(self.free, beyond, np.abs(self.y))[self.wrong(small)].max(initial=0.0))
+        return _largest(np.where(self.free, beyond, self.y), small, self.wrong(small))
+
+
+def _largest(gaps: Array, small: Array, which: Flags) -> float:
+    """Return the largest of some gaps (n,) over small ones (n,), where nothing is small enough infinite."""
+    sizes = np.abs(gaps[which])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        shares = np.where(sizes > 0, sizes / small[which], 0.0)
+    return float(shares.max(initial=0.0))
 
 
 def make_face(p: BoundedForces, x: Array, g: Array, free: Flags) -> Face:
     """Return the face of some free forces (n,) among forces x (n,) with gaps g (n,)."""
-    planes, size, rows = np.linalg.svd(np.where(free, p.G, 0.0).T, full_matrices=False)
-    known = size > DEPENDENT * size.max(initial=0.0)
-    to_alpha = -(rows[known].T / size[known])
-    return Face(p, free, planes[:, known], to_alpha, x, g, np.zeros(len(p.G)), g).move(x, g)
+    combined = np.where(free, p.G, 0.0).T
+    planes, to_alpha = [np.zeros((len(x), 0))], [np.zeros((len(p.G), 0))]
+    for own in _apart(p.G):
+        acting = p.G[own].any(axis=0)
+        found, size, rows = np.linalg.svd(combined[np.ix_(acting, own)], full_matrices=False)
+        known = size > DEPENDENT * size.max(initial=0.0)
+        back = np.zeros((len(x), int(known.sum())))
+        back[acting] = found[:, known]
+        multipliers = np.zeros((len(p.G), int(known.sum())))
+        multipliers[own] = -(rows[known].T / size[known])
+        planes.append(back)
+        to_alpha.append(multipliers)
+    return Face(p, free, np.hstack(planes), np.hstack(to_alpha), x, g, np.zeros(len(p.G)), g).move(x, g)
 
 
-def relax(p: BoundedForces, face: Face, small: float, limit: int) -> tuple[Face, int]:
+def _apart(G: Array) -> list[Integers]:
+    """Return the combinations (r,) in groups that have no force in common, such as those of plates apart.
+
+    What rounding leaves of the large forces of one is then none of the small forces of another.
+    """
+    from scipy.sparse.csgraph import connected_components
+
+    if not len(G):
+        return []
+    acting = G != 0
+    count, group = connected_components(acting @ acting.T, directed=False)
+    return [np.flatnonzero(group == number) for number in range(count)]
+
+
+def relax(p: BoundedForces, face: Face, small: Array, limit: int) -> tuple[Face, int]:
     """Return a face after steps of conjugate gradients, and how many.
 
     They end when the gaps of free forces are small, or no more than PROPORTION of what is wrong at the bounds.
     """
     q, rz = np.zeros_like(face.x), np.inf
     for step in range(limit):
-        if face.residual <= max(PROPORTION * face.violation(small), small):
+        if face.residual(small) <= max(PROPORTION * face.violation(small), 1.0):
             return face, step
         r = face.project(-face.y)
         z = face.project(p.precondition(r))
@@ -337,7 +370,7 @@ def _project(p: BoundedForces, x: Array, W: Array) -> Array | None:
         z = p.clip(moved)
         size = np.maximum(np.abs(z), np.where(W > 0, np.abs(p.clip(x)), 0.0))
         missing = p.e - p.G @ z
-        if np.abs(missing).max(initial=0.0) <= BALANCED * (np.abs(p.G) @ size).max(initial=0.0):
+        if (np.abs(missing) <= BALANCED * (np.abs(p.G) @ size)).all():
             return z
         if missing @ step < -TOO_FAR * (before @ step):
             beta, step = beta - step / 2, step / 2

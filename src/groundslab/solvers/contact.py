@@ -16,6 +16,7 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import NotConverged, SingularMatrix
 from groundslab.fem.assembly import scatter
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings, Contact
+from groundslab.fem.problem import Measures, largest_of_parts
 from groundslab.fem.sparse import Symmetric
 from groundslab.solvers import interior_point
 from groundslab.solvers.factor_reuse import CachedFactorization, ConstrainedSystem
@@ -50,18 +51,20 @@ def solve(
     report: Callable[[int, int, int], None],
     near: Array | None = None,
     motions: Array | None = None,
+    measures: Measures | None = None,
 ) -> Contact:
     """Return the solution of A u - f = forces of the bearings, to the digits of one substitution (see `refine`).
 
     start (c,) holds the initial states; near (size,) approximates the solution; motions (size, m) are those of the
-    plate as a rigid body, against which only the bearings hold it; report takes iteration, touching bearings and
-    changes. Without bearings this is one linear solution. Raises NotConverged after `limit` iterations, SingularMatrix
-    if A itself, held by all bearings, is not positive definite.
+    plate as a rigid body, against which only the bearings hold it; measures are what small displacements and forces
+    are told by; report takes iteration, touching bearings and changes. Without bearings this is one linear solution.
+    Raises NotConverged after `limit` iterations, SingularMatrix if A itself, held by all bearings, is not positive
+    definite.
 
     Where the bearings that touch in the end do not hold the plate, it returns one of many solutions, to some digits:
     that of the interior point method (see equilibrium.require_hold).
     """
-    b, floating = bearings, _FloatingCheck(bearings, motions)
+    b, floating, measures = bearings, _FloatingCheck(bearings, motions), measures or Measures(np.ones(A.size))
     history: list[dict[str, int]] = []
 
     def record(states: Integers, changed: int) -> None:
@@ -74,7 +77,7 @@ def solve(
     while len(history) < limit:
         found = None if floating.in_states(state) else _solve_states(A, f, b, state, factorization, near)
         if found is not None:
-            after = _next_states(A, b, found)
+            after = _next_states(A, b, found, measures)
             wrong = after != state
             record(state, int(wrong.sum()))
             if not wrong.any():
@@ -85,7 +88,7 @@ def solve(
             if inside is not None or not progress.stalled:
                 continue
         elif inside is not None:
-            if _is_balanced(A, f, b, inside):
+            if _is_balanced(A, f, b, inside, measures):
                 return inside
             break
         inside = interior_point.solve(A, f, factorization, b, record)
@@ -94,12 +97,13 @@ def solve(
     raise NotConverged("the contact zone", history, {"u": last, "closed": state != OPEN} | forces)
 
 
-def _is_balanced(A: Symmetric, f: Array, b: Bearings, found: Contact) -> bool:
+def _is_balanced(A: Symmetric, f: Array, b: Bearings, found: Contact, measures: Measures) -> bool:
     """Return whether the interior point method has converged: no residual at unknowns that are free to move."""
     residual = f - A @ found.u + scatter(b.unknown, b.sign * found.force, A.size)
     residual[b.unknown[b.bilateral]] = 0.0
-    largest = max(np.abs(f).max(initial=0.0), np.abs(found.force).max())
-    return bool(np.abs(residual).max(initial=0.0) <= INTERIOR_POINT_TOLERANCE * largest)
+    lever = measures.lever
+    largest = max(np.abs(f / lever).max(initial=0.0), np.abs(found.force / lever[b.unknown]).max())
+    return bool(np.abs(residual / lever).max(initial=0.0) <= INTERIOR_POINT_TOLERANCE * largest)
 
 
 def _solve_states(
@@ -133,16 +137,25 @@ def _solve_states(
     return contact(u, residual)
 
 
-def refine(A: Symmetric, f: Array, factorization: CachedFactorization, b: Bearings, found: Contact) -> Contact:
+def refine(
+    A: Symmetric,
+    f: Array,
+    factorization: CachedFactorization,
+    b: Bearings,
+    found: Contact,
+    measures: Measures | None = None,
+) -> Contact:
     """Return a solution that `solve` has just found without the rounding of the factorization."""
     system, load = _constrain(A, f, b, found.state)
     if not factorization.holds(system) and not factorization.preconditions(system):
         return found  # one of many solutions, whose states no factor belongs to
-    u, before = found.u.copy(), np.inf
+    u, before, measures = found.u.copy(), np.inf, measures or Measures(np.ones(A.size))
     for _ in range(MAX_REFINEMENTS):
         residual = load - A @ u
-        largest = np.abs((residual - system.diagonal_shift * u)[~system.fixed]).max(initial=0.0)
-        if largest <= REFINEMENT_TOLERANCE * np.abs(residual).max(initial=0.0) or largest > before / 2:
+        free = np.where(system.fixed, 0.0, np.abs(residual - system.diagonal_shift * u)) / measures.lever
+        scale = measures.forces(residual)
+        largest = np.divide(free, scale, out=np.zeros_like(free), where=scale > 0).max(initial=0.0)
+        if largest <= REFINEMENT_TOLERANCE or largest > before / 2:
             break
         before = largest
         factorization.iterate(system, load, u, residual, 1)
@@ -161,18 +174,22 @@ def _bearing_forces(b: Bearings, state: Integers, u: Array, reaction: Array) -> 
     return force
 
 
-def _next_states(A: Symmetric, b: Bearings, found: Contact) -> Integers:
+def _next_states(A: Symmetric, b: Bearings, found: Contact, measures: Measures) -> Integers:
     """Return the state (c,) in which each bearing should be, judged by the solution for the present states."""
-    u, state, force = found.u, found.state, found.force
-    penetration, tolerance = b.penetration(u), STATE_TOLERANCE * np.abs(u).max()
-    small = np.minimum(tolerance * A.diagonal[b.unknown], STATE_TOLERANCE * np.abs(force).max(initial=0))
+    lever, plate = measures.lever[b.unknown], None if measures.plate is None else measures.plate[b.unknown]
+    state, force, limit_force = found.state, found.force / lever, b.limit_force / lever
+    penetration, tolerance = (
+        b.penetration(found.u) * lever,
+        STATE_TOLERANCE * measures.displacements(found.u)[b.unknown],
+    )
+    small = np.minimum(tolerance * A.diagonal[b.unknown] / lever**2, STATE_TOLERANCE * largest_of_parts(force, plate))
     at_yield = np.zeros(len(b))  # penetration
     elastic = np.isfinite(b.stiffness)
-    at_yield[elastic] = b.limit_force[elastic] / b.stiffness[elastic]
+    at_yield[elastic] = b.limit_force[elastic] / b.stiffness[elastic] * lever[elastic]
     after = state.copy()
     after[(state == OPEN) & (penetration > tolerance)] = CLOSED
     after[(state == CLOSED) & (force < -small)] = OPEN
-    after[(state == CLOSED) & (force > b.limit_force + small)] = YIELDING
+    after[(state == CLOSED) & (force > limit_force + small)] = YIELDING
     after[(state == YIELDING) & (penetration < at_yield - tolerance)] = CLOSED
     return b.admissible(after)
 

@@ -70,7 +70,7 @@ def _require_balance(problem: Problem, prefix: str) -> None:
     if _only_pushed(problem):
         generators = np.column_stack([np.ones(len(corners)), corners * scale[1:]]) @ motions
         worst = min((float(n @ work) for n in _faces(generators)), default=np.inf)
-        possible = worst > MARGIN * problem.loading.size
+        possible = worst > MARGIN * problem.loading.size.sum()
     else:
         possible = _share_balanced(problem, motions, scale, work, LIMIT_MARGIN)[0] >= 1
     if not possible:
@@ -146,7 +146,7 @@ def _require_plates_held(problem: Problem, state: Integers, force: Array, pressi
     about = np.array([[1.0, -centre[0] * scale[1], -centre[1] * scale[2]], [0, scale[1], 0], [0, 0, scale[2]]])
     about = np.kron(np.eye(len(problem.plate_names)), about)
     motions = np.linalg.qr(np.linalg.solve(about, free))[0]
-    size = max(force.sum(), problem.loading.size, np.finfo(float).tiny)
+    size = max(force.sum(), problem.loading.size.sum(), np.finfo(float).tiny)
     resisted = rows @ about @ motions
     shares, directions = np.linalg.eigh(resisted.T @ (force[:, None] / size * resisted))
     loose = about @ motions @ directions[:, shares < NEUTRAL]
@@ -244,7 +244,7 @@ def _share_balanced(problem: Problem, motions: Array, scale: Array, work: Array,
     full = np.zeros(len(b.up), dtype=bool)
     use = np.flatnonzero(b.limit_force > 0)
     # forced curvature, as by temperature, presses supports that pull against the ground without any force from outside
-    size = problem.loading.size or float(np.abs(problem.load[:, BETA_X : BETA_Y + 1]).sum() * scale[1])
+    size = float(problem.loading.size.sum()) or float(np.abs(problem.load[:, BETA_X : BETA_Y + 1]).sum() * scale[1])
     if not len(use) or size == 0:
         return 0.0, full
     generators = b.up[use, None] * ((b.row[use] * scale) @ motions)
@@ -313,7 +313,7 @@ def _within(corners: Array, place: Array, symmetry: tuple[bool, bool]) -> bool:
 def _reason(problem: Problem, corners: Array, motions: Array, scale: Array, work: Array) -> str:
     """Return a sentence that says where the load goes and where it would have to go."""
     F, Fx, Fy = _resultant(problem)
-    F = 0.0 if abs(F) <= MARGIN * problem.loading.size else F
+    F = 0.0 if abs(F) <= MARGIN * problem.loading.size.sum() else F
     share = 2.0 ** sum(problem.symmetry)
     b = _one_way(problem)
     pushing, pulling = b.up > 0, b.up < 0
@@ -335,7 +335,7 @@ def _reason(problem: Problem, corners: Array, motions: Array, scale: Array, work
             f"balance where they act: {100 * balanced:.4g} % of them bring {_limits(b, full)} to the limit; move "
             "the loads, or add to what carries them"
         )
-    if MARGIN * problem.loading.size >= F:
+    if MARGIN * problem.loading.size.sum() >= F:
         return (
             f"the loads do not press the plate down: their sum is {F * share / 1e3:.6g} kN (downwards positive), and "
             "ground that cannot pull holds nothing against it; add the missing load (self weight?), or glue the plate "

@@ -18,7 +18,7 @@ from groundslab.fem.bearings import Bearings
 from groundslab.fem.continuum.elastic_ground import ElasticGround
 from groundslab.fem.continuum.media import elastic_length
 from groundslab.fem.continuum.preconditioner import Preconditioner, make_preconditioner
-from groundslab.fem.problem import TOP, Problem, W, free_motions, move_plates
+from groundslab.fem.problem import TOP, Problem, W, free_motions, largest_of_parts, move_plates
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.sparse import Symmetric
 from groundslab.fem.system import System
@@ -96,12 +96,16 @@ def bound_forces(
     own = np.concatenate([ground.gap + further, -law.sign * law.offset])
     C, Ct, G = p.C, p.C.T.tocsr(), (p.C.T @ p.R).T
     planes_of_gaps = np.linalg.qr(G.T)[0]
+    part = None
+    if len(problem.plate_names) > 1:
+        part = np.concatenate([ground.cells.plate, problem.plate_at_nodes[problem.bearing.node]])
 
-    def gaps(x: Array) -> tuple[Array, float]:
+    def gaps(x: Array) -> tuple[Array, Array]:
         settled, bent = settle(x), Ct @ p.solve(f + C @ x)
         shape = bent - planes_of_gaps @ (planes_of_gaps.T @ bent)
-        size = max(np.abs(settled).max(), np.abs(settled[:c] + further).max(), np.abs(shape).max())
-        return settled + bent + own, float(size)
+        with_further = np.concatenate([np.abs(settled[:c] + further), np.zeros(len(settled) - c)])
+        sizes = np.maximum.reduce([np.abs(settled), with_further, np.abs(shape)])
+        return settled + bent + own, largest_of_parts(sizes, part)
 
     def multiply(x: Array) -> Array:
         bent: Array = Ct @ p.solve(C @ x)

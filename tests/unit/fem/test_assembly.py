@@ -43,7 +43,7 @@ def filled(p: Pattern, matrices: np.ndarray, kinds: np.ndarray) -> Symmetric:
     """Return kinds of element matrices (k, F, F, 9, 9) put together by the module."""
     F = matrices.shape[1]
     by_nodes = matrices.transpose(0, 3, 4, 1, 2)
-    return assemble(p, kinds, lambda some: by_nodes[some], NOTHING, np.zeros((0, F, F)))
+    return p.matrix(assemble(p, kinds, lambda some: by_nodes[some], NOTHING, np.zeros((0, F, F))))
 
 
 def dense(A: Symmetric) -> np.ndarray:
@@ -121,7 +121,8 @@ def test_further_blocks_go_to_their_pair_of_nodes_in_either_order(chunk: int, mo
         pair = p.pairs(np.array([a]), np.array([b]))
         assert pair == p.pairs(np.array([b]), np.array([a]))
         none = np.zeros((1, 9, 9, 2, 2))
-        A = dense(assemble(p, np.zeros(len(elements), dtype=int), lambda some, none=none: none[some], pair, one[None]))
+        addends = assemble(p, np.zeros(len(elements), dtype=int), lambda some, none=none: none[some], pair, one[None])
+        A = dense(p.matrix(addends))
         first, second = (a, b) if rank[a] < rank[b] else (b, a)
         wanted = np.zeros_like(A)
         wanted[np.ix_(unknown[first], unknown[second])] = one if a != b else [[1, 2], [0, 4]]
@@ -172,7 +173,7 @@ def test_linked_nodes_have_a_pair_to_which_no_element_adds(chunk: int, monkeypat
     blocks = np.array([[[1.0, 2.0], [2.0, 5.0]], [[3.0, 4.0], [4.0, 6.0]], [[7.0, 8.0], [8.0, 9.0]]])
     pairs = p.pairs(*linked.T)
     order = np.argsort(pairs)
-    A = assemble(p, kind, lambda kinds: np.zeros((len(kinds), 9, 9, F, F)), pairs[order], blocks[order])
+    A = p.matrix(assemble(p, kind, lambda kinds: np.zeros((len(kinds), 9, 9, F, F)), pairs[order], blocks[order]))
     expected = np.zeros((p.size, p.size))
     for (a, b), block in zip(linked, blocks, strict=True):
         for i in range(F):
@@ -182,3 +183,28 @@ def test_linked_nodes_have_a_pair_to_which_no_element_adds(chunk: int, monkeypat
                     expected[row, column] = expected[column, row] = block[i, j]
     dense = csr_array((A.data, A.indices, A.indptr), shape=expected.shape).toarray()
     np.testing.assert_array_equal(np.triu(dense) + np.triu(dense, 1).T, expected)
+
+
+def test_shared_unknowns_add_up() -> None:
+    """Where nodes share unknowns the matrix is C^T A C, of the one in which each node has its own."""
+    rng = np.random.default_rng(0)
+    mesh = grid(np.linspace(0, 3, 4), np.linspace(0, 2, 3))
+    n, F = len(mesh.nodes), 2
+    present, rank = rng.random((n, F)) < 0.8, rng.permutation(n)
+    group = np.tile(np.arange(n)[:, None], F)
+    for nodes in ((0, 8, 15), (3, 4)):
+        group[list(nodes), 0] = nodes[0]
+        present[list(nodes), 0] = True
+    own, shared = number_unknowns(rank, present), number_unknowns(rank, present, group)
+    matrices = rng.normal(size=(1, 9, 9, F, F))
+    matrices = matrices + matrices.transpose(0, 2, 1, 4, 3)
+    apart, together = (
+        p.matrix(assemble(p, np.zeros(6, dtype=int), lambda kinds: matrices[kinds], NOTHING, np.zeros((0, F, F))))
+        for p in (build_pattern(mesh.elements, rank, unknown) for unknown in (own, shared))
+    )
+    C = np.zeros((own.max() + 1, shared.max() + 1))
+    C[own[present], shared[present]] = 1.0
+    assert C.shape[1] == C.shape[0] - 3
+    np.testing.assert_allclose(dense(together), C.T @ dense(apart) @ C, atol=1e-12)
+    assert (np.diff(together.indptr) > 0).all()
+    np.testing.assert_array_equal(together.indices[together.indptr[:-1]], np.arange(together.size))

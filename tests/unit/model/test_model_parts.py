@@ -110,9 +110,9 @@ ONE_FAULT = [
     # supports: where they are
     (case(supports=[{**POINT, "x": "3.1 m"}]), "supports[1]", "a point off the plate at (3.1, 1)", "one on the plate"),
     (case(supports=[{**POINT, "x": "1e6 m"}]),
-     "supports[1]", "a place far off the plate, (1e+06, 1) m", "one on it"),
+     "supports[1]", "a place far off the plate, (1000000, 1) m", "one on it"),
     (case(supports=[{**WALL, "points": [["0 m", "-1e6 m"], ["0 m", "2 m"]]}]),
-     "supports[1]", "a place far off the plate, (0, -1e+06) m", "one on it"),
+     "supports[1]", "a place far off the plate, (0, -1000000) m", "one on it"),
     (case({"openings": [BOX]}, supports=[{**POINT, "x": "0 m", "y": "0 m"}]),
      "supports[1]", "a point off the plate at (0, 0)", "one on the plate"),
     (case(supports=[{**WALL, "points": [["0 m", "0 m"]]}]), "supports[1].points", "1 point", "at least two"),

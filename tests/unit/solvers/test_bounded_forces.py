@@ -21,8 +21,8 @@ def _pose(A: Array, c: Array, G: Array, e: Array, lower: Array, upper: Array, M:
     """Return the problem of a dense matrix A, preconditioned by M, the inverse of its diagonal by default."""
     inverse = np.diag(1 / np.diag(A)) if M is None else M
 
-    def gaps(x: Array) -> tuple[Array, float]:
-        return A @ x + c, float(np.abs(A @ x).max())
+    def gaps(x: Array) -> tuple[Array, Array]:
+        return A @ x + c, np.full(len(c), np.abs(A @ x).max())
 
     return BoundedForces(
         gaps, lambda q: A @ q, lambda r: inverse @ r, G, e, lower, upper, np.ones(len(c)), np.diag(A).copy()

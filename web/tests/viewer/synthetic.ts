@@ -33,7 +33,8 @@ export function grid(
     for (let i = 0; i < nx; i++)
       if (keep(i, j)) for (let a = 0; a < 9; a++) elements.push((2 * j + ROW[a]!) * across + 2 * i + COLUMN[a]!);
   return {
-    nodes,
+    origin: [0, 0],
+    nodes: Float64Array.from(nodes),
     elements: Uint32Array.from(elements),
     section: null,
     nodeCount: nodes.length / 2,
@@ -44,7 +45,8 @@ export function grid(
 /** Two meshes in one, sharing no nodes: as two sections of a plate are. */
 export function beside(a: Mesh, b: Mesh): Mesh {
   return {
-    nodes: Float32Array.from([...a.nodes, ...b.nodes]),
+    origin: [0, 0],
+    nodes: Float64Array.from([...a.nodes, ...b.nodes]),
     elements: Uint32Array.from([...a.elements, ...b.elements.map((node) => node + a.nodeCount)]),
     section: Uint16Array.from([...Array<number>(a.elementCount).fill(0), ...Array<number>(b.elementCount).fill(1)]),
     nodeCount: a.nodeCount + b.nodeCount,

@@ -10,6 +10,10 @@ from groundslab.arrays import Array
 from groundslab.fem.continuum.cells import Grid
 from groundslab.fem.continuum.kernels import SurfaceKernel, cell_means
 
+#: What a cell settles another one by less than this share of what it settles itself is rounding of the kernel: far away
+#: in a layer on a rigid base nothing is left, but a heavy load there would show it.
+NOTHING = 1e-12
+
 
 @dataclass(frozen=True, slots=True, weakref_slot=True)
 class Flexibility:
@@ -40,6 +44,7 @@ def make_flexibility(kernel: SurfaceKernel, grid: Grid) -> Flexibility:
 
     x, y = np.meshgrid(grid.dx * np.arange(grid.nx), grid.dy * np.arange(grid.ny), indexing="ij")
     means = cell_means(kernel, x, y, grid.dx, grid.dy)
+    means[np.abs(means) < NOTHING * means[0, 0]] = 0.0
     shape = next_fast_len(2 * grid.nx - 1, real=True), next_fast_len(2 * grid.ny - 1, real=True)
     padded = np.zeros(shape)
     padded[: grid.nx, : grid.ny] = means

@@ -116,7 +116,7 @@ class RequestedOutput(Section):
             return self.name
         words = [self.take or "", self.of]
         if self.take == "at":
-            words = [self.of, f"at {format_place((self.x, self.y))} m" if None not in (self.x, self.y) else ""]
+            words = [self.of, "" if self.x is None or self.y is None else f"at {format_place((self.x, self.y))} m"]
         if self.take == "everywhere":
             words = [self.of, "everywhere"]
         if self.of.replace("_", " ") in SOIL and None not in (self.x, self.y, self.z):

@@ -14,7 +14,19 @@ from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.views.plots.annotations import draw_title, panel_title, title_height
 from groundslab.views.plots.contours import draw_color_bar, triangulation
 from groundslab.views.plots.panels import NOT_CERTIFIED, Panel, build_panel, shared_scales
-from groundslab.views.plots.style import GREY, INK, PAGE_HEIGHT, PAGE_WIDTH, PT, SMALL, WIDE, Page, batch, number
+from groundslab.views.plots.style import (
+    GREY,
+    INK,
+    PAGE_HEIGHT,
+    PAGE_WIDTH,
+    PT,
+    SMALL,
+    WIDE,
+    Page,
+    batch,
+    label_of_axis,
+    number,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -247,8 +259,8 @@ def _set_axes(axes: Any, model: Model, settlement: Array, factor: float, box: tu
     heights = [tick / scale for tick in locator.tick_values(high * scale, low * scale)]
     axes.set_zticks([z for z in heights if low - 1e-9 <= z <= high + 1e-9])
     axes.zaxis.set_major_formatter(FuncFormatter(lambda z, _: f"{number(round(z * scale, 9))} mm"))
-    axes.set_xlabel("x [m]", labelpad=3)
-    axes.set_ylabel("y [m]", labelpad=3)
+    axes.set_xlabel(label_of_axis(axes.xaxis, "x", x0), labelpad=3)
+    axes.set_ylabel(label_of_axis(axes.yaxis, "y", y0), labelpad=3)
     axes.patch.set_alpha(0.0)
     for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
         axis.set_pane_color((1.0, 1.0, 1.0, 0.0))

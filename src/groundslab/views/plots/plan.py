@@ -23,6 +23,7 @@ from groundslab.views.plots.style import (
     Page,
     batch,
     format_place,
+    label_of_axis,
     number,
 )
 from groundslab.views.plots.symbols import load_filter
@@ -190,8 +191,9 @@ def _draw_case(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool], 
     legend |= symbols.draw_columns(axes, model, takes_part)
     legend |= symbols.draw_supports(axes, model)
     legend |= symbols.draw_loads(axes, model, lambda load: takes_part(load) and not presses_ground(load))
-    axes.set(xlim=(x0, x1), ylim=(y0, y1), aspect="equal", xlabel="x [m]", ylabel="y [m]")
-    for axis in (axes.xaxis, axes.yaxis):
+    axes.set(xlim=(x0, x1), ylim=(y0, y1), aspect="equal")
+    for axis, name, low in ((axes.xaxis, "x", x0), (axes.yaxis, "y", y0)):
+        axis.set_label_text(label_of_axis(axis, name, low))
         axis.set_major_locator(MaxNLocator(nbins=8 if width > 80 else 5, steps=[1, 2, 2.5, 5, 10]))
     axes.tick_params(which="both", length=2)
     axes.spines[:].set(linewidth=0.4, color=GREY)

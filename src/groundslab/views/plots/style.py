@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import math
 import textwrap
 import warnings
 from collections.abc import Iterator
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from matplotlib.axes import Axes
+    from matplotlib.axis import Axis
     from matplotlib.figure import Figure
     from matplotlib.text import Text
 
@@ -29,6 +31,7 @@ Item = TypeVar("Item")
 FOOT, SMALL, BASE, TITLE = 5.5, 7.0, 8.0, 9.5
 MM = 1 / 25.4  # of an inch
 PT = 25.4 / 72  # of a millimeter
+KILOMETER = 1000
 
 INK, GREY, FAINT, PANEL, LOAD, SUPPORT, GROUND, ACCENT, SECOND, BAD = (
     "#1b1f23", "#545c66", "#d3d8dd", "#f5f6f7", "#b3135f", "#16703a", "#7a5a1e", "#0b5fa5", "#c2540a", "#b3261e",
@@ -110,6 +113,17 @@ def format_place(place: tuple[float, float]) -> str:
     """Return a place [m] in words."""
     x, y = (number(round(value, 3)) if abs(value) < WHOLE else format_coordinate(value) for value in place)
     return f"({x}, {y}) m"
+
+
+def label_of_axis(axis: Axis, name: str, low: float) -> str:
+    """Return the label of an axis of coordinates from low [m] on; in national grids ticks count from a kilometer."""
+    from matplotlib.ticker import FuncFormatter
+
+    if abs(low) < WHOLE:
+        return f"{name} [m]"
+    start = KILOMETER * math.floor(low / KILOMETER)
+    axis.set_major_formatter(FuncFormatter(lambda value, _: format_coordinate(round(value - start, 6))))
+    return f"{name} \N{MINUS SIGN} {start} [m]"
 
 
 def math_symbol(name: str) -> str:

@@ -11,6 +11,7 @@ from groundslab._version import __version__
 from groundslab.design.tables.quantities import nodal_values
 from groundslab.design.tables.reinforcement import bar_fields
 from groundslab.errors import GroundslabError
+from groundslab.model.plan_origin import plan_origin
 from groundslab.results.contact_zone import contact_function, goes_below_zero, has_line_force
 from groundslab.results.fields import BAR_FIELDS, LINE_FORCE, PLATE_FIELDS, SHOWN_ELEMENT_FIELDS, extreme
 from groundslab.results.results import refusal_words
@@ -50,7 +51,13 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
     nodes, elements, section = np.zeros((0, 2)), np.zeros((0, 9), dtype=np.int64), np.zeros(0, dtype=np.int64)
     if there:
         nodes, elements, section = plates[0].nodes, plates[0].elements, there[0].elements.section
-    mesh = {"nodes": blocks.put(nodes, "f32"), "elements": blocks.put(elements, "u32")}
+    # single precision is too coarse for coordinates of national grids
+    origin = plan_origin(combined.model)
+    mesh: dict[str, Any] = {
+        "origin": [*origin],
+        "nodes": blocks.put(nodes - origin, "f32"),
+        "elements": blocks.put(elements, "u32"),
+    }
     mesh["section"] = blocks.put(section, "u16")
     kept = _kept(found, names, len(found) if most is None else most)
     shared = {name: blocks.put_range(values) for name, values in of_bars.items()}

@@ -10,8 +10,8 @@ import pytest
 from groundslab import InputError, Model
 from groundslab.case import casefile
 from groundslab.discretize.discretize import discretize
-from groundslab.fem.problem import TOP, W, free_motions, joined_plates
-from groundslab.model.plates.joints import HINGE, play_of, stiffness_of
+from groundslab.fem.problem import BETA_X, BETA_Y, TOP, W, free_motions, joined_plates
+from groundslab.model.plates.joints import play_of, stiffness_of
 
 STUFF = {"thickness": 0.3, "nu": 0.2}
 HINGED = {"kind": "hinge", "between": ("A", "B")}
@@ -84,15 +84,20 @@ def test_accepted_and_written() -> None:
     found = model([DOWELS | {"gap": 1e-3, "name": "dowels"}], supports=[wall])
     assert casefile.loads(casefile.to_toml(found)) == found
     (joint,) = found.joints
-    assert (joint.title, play_of(joint), stiffness_of(joint, found.plate, found.plates)) == ("dowels", 1e-3, 1e8)
+    assert (joint.title, play_of(joint), stiffness_of(joint)) == ("dowels", 1e-3, 1e8)
     problem = discretize(found)
     assert problem.bearing.length[problem.bearing.support == 0].sum() == pytest.approx(4.0)
 
 
-def test_hinges_are_as_stiff_as_the_softer_plate() -> None:
-    """The stiffness of a hinge goes with Young's modulus of the softer of both plates."""
-    found = model([HINGED])
-    assert stiffness_of(found.joints[0], found.plate, found.plates) == HINGE * 20e9
+def test_both_sides_of_a_hinge_share_the_settlement() -> None:
+    """Along a hinge the nodes of both plates have one unknown settlement, and rotations for each; dowels share none."""
+    for joint, shared in ((HINGED, True), (DOWELS | {"between": ("A", "B")}, False)):
+        problem = discretize(model([joint]))
+        first, second = problem.unknown[problem.links.nodes[problem.links.joint == 0]].transpose(1, 0, 2)
+        assert len(first) > 3
+        assert ((first[:, W] == second[:, W]) == shared).all()
+        assert (first[:, BETA_X : BETA_Y + 1] != second[:, BETA_X : BETA_Y + 1]).all()
+        assert problem.unknown.max() + 1 == len(np.unique(problem.unknown[problem.unknown >= 0]))
 
 
 @pytest.mark.parametrize("shear", [False, True])

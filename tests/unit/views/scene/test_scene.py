@@ -148,7 +148,9 @@ class TestScene:
         plate = results.plate
         assert np.array_equal(values_of(scene, scene.head["mesh"]["elements"]), plate.elements)
         assert np.array_equal(values_of(scene, scene.head["mesh"]["section"]), results.elements.section)
-        assert values_of(scene, scene.head["mesh"]["nodes"]) == pytest.approx(plate.nodes, rel=1e-7)
+        mesh = scene.head["mesh"]
+        nodes = values_of(scene, mesh["nodes"]) + mesh["origin"]
+        assert nodes == pytest.approx(plate.nodes, rel=1e-7, abs=1e-7)
         found = fields(scene, 1)
         reported = {field["name"]: field for field in scene.head["fields"]}
         assert list(found) == list(reported)
@@ -263,7 +265,8 @@ class TestPacking:
         assert content.endswith(scene.data)
         assert (len(content) - len(scene.data)) % 8 == 0
         assert not any(content[4 + length : len(content) - len(scene.data)])
-        blocks = [*scene.head["mesh"].values(), *scene.head["combinations"][0]["values"].values()]
+        mesh = {name: block for name, block in scene.head["mesh"].items() if name != "origin"}
+        blocks = [*mesh.values(), *scene.head["combinations"][0]["values"].values()]
         assert [block["offset"] % 8 for block in blocks] == [0] * len(blocks)
         assert unpack(content) == scene
 

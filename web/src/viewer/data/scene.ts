@@ -118,7 +118,7 @@ export interface Head {
   title: string;
   version: string;
   plan: Plan;
-  mesh: { nodes: Block; elements: Block; section?: Block };
+  mesh: { origin?: Point; nodes: Block; elements: Block; section?: Block }; // nodes are measured from the origin
   fields: Field[];
   combinations: Combination[];
   left_out: string[];
@@ -126,7 +126,8 @@ export interface Head {
 
 /** Nine-node quadrilaterals: four corners, four midsides, center, counter-clockwise. */
 export interface Mesh {
-  nodes: Float32Array; // x, y of each node [m]
+  origin: Point; // a place near the plate, from which pictures measure: single precision is too coarse far away [m]
+  nodes: Float64Array; // x, y of each node [m]
   elements: Uint32Array; // nine nodes of each element
   section: Uint16Array | null; // of each element: 0 outside all zones, else the zone's number
   nodeCount: number;
@@ -154,14 +155,15 @@ export function decodeScene(buffer: ArrayBuffer): Scene {
   if (head.format !== FORMAT)
     throw new SceneError(`The results have format ${head.format}; this page reads format ${FORMAT}.`);
   const start = Math.ceil((4 + length) / 8) * 8;
-  const nodes = readNumbers(buffer, start, head.mesh.nodes);
+  const origin = head.mesh.origin ?? [0, 0];
+  const nodes = Float64Array.from(readNumbers(buffer, start, head.mesh.nodes), (value, i) => value + origin[i % 2]!);
   const raw = readRaw(buffer, start, head.mesh.elements);
   const elements = raw instanceof Uint32Array ? raw : Uint32Array.from(raw);
   const nodeCount = nodes.length / 2;
   for (const node of elements)
     if (node >= nodeCount) throw new SceneError("The results are damaged: an element names a node that is not there.");
   const section = head.mesh.section ? Uint16Array.from(readRaw(buffer, start, head.mesh.section)) : null;
-  const mesh = { nodes, elements, section, nodeCount, elementCount: elements.length / 9 };
+  const mesh = { origin, nodes, elements, section, nodeCount, elementCount: elements.length / 9 };
   return { head, data: buffer, start, mesh };
 }
 

@@ -3,7 +3,7 @@
 import type { Camera } from "three";
 import type { Box } from "../data/boxes";
 import type { ColorScale } from "../data/color-scale";
-import type { Mesh } from "../data/scene";
+import type { Mesh, Point } from "../data/scene";
 import { type Range, type Tiling, visibleRanges } from "../data/triangulation";
 import type { Rgb } from "../shared/palette";
 import type { Theme } from "../shared/theme";
@@ -31,8 +31,8 @@ export interface View {
 
 /** Lines in space: x, y, z of both ends of each [m]. */
 export interface Lines {
-  flat: Float32Array; // where the plate was before it bent
-  columns: Float32Array;
+  flat: number[]; // where the plate was before it bent
+  columns: number[];
 }
 
 export interface FieldRenderer {
@@ -46,6 +46,18 @@ export interface FieldRenderer {
   setLines(lines: Lines): void;
   setTheme(theme: Theme): void;
   draw(view: View): void;
+}
+
+/** Return points x, y, z [m] measured from an origin in plan, in single precision. */
+export function fromOrigin(points: ArrayLike<number>, [x, y]: Point): Float32Array {
+  return Float32Array.from(points, (value, i) => value - [x, y, 0][i % 3]!);
+}
+
+/** Return the mesh's nodes as points in space, measured from its origin. */
+export function nodesFromOrigin({ nodes, nodeCount, origin }: Mesh): Float32Array {
+  const places = new Float32Array(3 * nodeCount);
+  for (let i = 0; i < nodeCount; i++) places.set([nodes[2 * i]! - origin[0], nodes[2 * i + 1]! - origin[1]], 3 * i);
+  return places;
 }
 
 /** How much the elements' sides cover what is below them. */

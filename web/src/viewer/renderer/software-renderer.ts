@@ -1,14 +1,16 @@
 // Draws a field by the processor alone: for browsers without WebGL or a graphics card behind it.
 import { BufferAttribute, Matrix4, Vector3 } from "three";
 import { bandOf } from "../data/color-scale";
-import type { Mesh } from "../data/scene";
+import type { Mesh, Point } from "../data/scene";
 import { borderLines, makeTiling, type Range, sideLines, type Tiling } from "../data/triangulation";
 import { type Palette, paletteOf, type Rgb, rgbOf } from "../shared/palette";
 import type { Theme } from "../shared/theme";
 import {
   AMBIENT,
   type FieldRenderer,
+  fromOrigin,
   type Lines,
+  nodesFromOrigin,
   type Picture,
   rangesIn,
   SIDE_ALPHA,
@@ -155,7 +157,16 @@ export class SoftwareRenderer implements FieldRenderer {
       [this.lines?.flat, rgbOf(palette.ink2)],
       [this.lines?.columns, ink],
     ] as const)
-      if (ends) drawLines(raster, pixels, projectPoints(ends, view), null, color, 1, view.ratio);
+      if (ends)
+        drawLines(
+          raster,
+          pixels,
+          projectPoints(fromOrigin(ends, mesh.origin), mesh.origin, view),
+          null,
+          color,
+          1,
+          view.ratio,
+        );
     this.context.putImageData(new ImageData(pixels, width, height), 0, 0);
     this.cost = performance.now() - begun;
   }
@@ -174,22 +185,20 @@ function isOther(neighbor: number, band: number): boolean {
   return neighbor !== band && neighbor < UNDER;
 }
 
-/** Return x and y [dots] and depth of points in space on the screen; the depth of those behind the eye is beyond 1. */
-function projectPoints(points: Float32Array, view: View): Float32Array {
+/** Return x and y [dots] and depth of points, measured from an origin, on the screen; the depth of those behind the eye is beyond 1. */
+function projectPoints(points: Float32Array, origin: Point, view: View): Float32Array {
   const [width, height] = dotsOf(view);
   const screen = new Matrix4().makeScale(width / 2, -height / 2, 1).setPosition(width / 2, height / 2, 0);
   screen.multiply(view.camera.projectionMatrix).multiply(view.camera.matrixWorldInverse);
-  return new BufferAttribute(points.slice(), 3).applyMatrix4(screen).array as Float32Array;
+  screen.multiply(new Matrix4().makeTranslation(...origin, 0));
+  return new BufferAttribute(points, 3).applyMatrix4(screen).array as Float32Array;
 }
 
-function projectNodes({ nodes, nodeCount }: Mesh, { settlement }: Picture, view: View): Float32Array {
-  const places = new Float32Array(3 * nodeCount);
-  for (let i = 0; i < nodeCount; i++) {
-    places[3 * i] = nodes[2 * i]!;
-    places[3 * i + 1] = nodes[2 * i + 1]!;
-    if (settlement) places[3 * i + 2] = (-settlement[i]! * view.exaggeration) / 1000;
-  }
-  return projectPoints(places, view);
+function projectNodes(mesh: Mesh, { settlement }: Picture, view: View): Float32Array {
+  const places = nodesFromOrigin(mesh);
+  if (settlement)
+    for (let i = 0; i < mesh.nodeCount; i++) places[3 * i + 2] = (-settlement[i]! * view.exaggeration) / 1000;
+  return projectPoints(places, mesh.origin, view);
 }
 
 /** Return the light on a triangle, 0 .. 255; both faces are lit alike. */

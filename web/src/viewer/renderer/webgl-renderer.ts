@@ -14,14 +14,16 @@ import {
   WebGLRenderer,
 } from "three";
 import { BEYOND } from "../data/color-scale";
-import type { Mesh } from "../data/scene";
+import type { Mesh, Point } from "../data/scene";
 import { borderLines, makeTiling, sideLines, type Tiling } from "../data/triangulation";
 import { paletteOf, rgbOf } from "../shared/palette";
 import type { Theme } from "../shared/theme";
 import {
   AMBIENT,
   type FieldRenderer,
+  fromOrigin,
   type Lines,
+  nodesFromOrigin,
   type Picture,
   rangesIn,
   SIDE_ALPHA,
@@ -165,9 +167,8 @@ export class WebglRenderer implements FieldRenderer {
       part.visible = false;
     }
     if (!mesh) return;
-    const places = new Float32Array(3 * mesh.nodeCount);
-    for (let i = 0; i < mesh.nodeCount; i++) places.set([mesh.nodes[2 * i]!, mesh.nodes[2 * i + 1]!], 3 * i);
-    const position = new BufferAttribute(places, 3);
+    for (const part of this.parts) part.position.set(...mesh.origin, 0);
+    const position = new BufferAttribute(nodesFromOrigin(mesh), 3);
     for (const part of [this.surface, this.sides, this.border]) part.geometry.setAttribute("position", position);
     this.surface.geometry.setIndex(new BufferAttribute(this.tiling!.triangles, 1));
     this.border.geometry.setIndex(new BufferAttribute(borderLines(mesh), 1));
@@ -196,7 +197,8 @@ export class WebglRenderer implements FieldRenderer {
   setLines(lines: Lines): void {
     for (const name of ["flat", "columns"] as const) {
       this[name].geometry.dispose();
-      this[name].geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(lines[name], 3));
+      const places = fromOrigin(lines[name], this.origin);
+      this[name].geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(places, 3));
       this[name].visible = lines[name].length > 0;
     }
   }
@@ -226,12 +228,16 @@ export class WebglRenderer implements FieldRenderer {
     this.uniforms.uRatio.value = ratio;
     this.uniforms.uSun.value.set(...SUN).transformDirection(camera.matrixWorldInverse);
     // stripes stay where they are on the plate while it moves
-    const origin = new Vector3().project(camera);
+    const origin = new Vector3(...this.origin).project(camera);
     this.uniforms.uAnchor.value.set(((origin.x + 1) * width * ratio) / 2, ((origin.y + 1) * height * ratio) / 2);
     this.surface.geometry.clearGroups();
     if (this.tiling)
       for (const [start, count] of rangesIn(this.tiling, view)) this.surface.geometry.addGroup(start, count, 0);
     this.renderer.render(this.scene, camera);
+  }
+
+  private get origin(): Point {
+    return this.mesh?.origin ?? [0, 0];
   }
 
   private setScale(scale: Picture["scale"]): void {

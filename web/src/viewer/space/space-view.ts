@@ -114,23 +114,22 @@ export class SpaceView extends FieldView {
   }
 
   /** Return the outline and the openings where they were. */
-  private flatLines({ head: { plan } }: Scene): Float32Array {
+  private flatLines({ head: { plan } }: Scene): number[] {
     const rings = [plan.outline, ...plan.openings.map((each) => each.ring)];
-    return Float32Array.from(rings.flatMap((ring) => sidesOf(ring, ([x, y], [u, v]) => [x, y, 0, u, v, 0])));
+    return rings.flatMap((ring) => sidesOf(ring, ([x, y], [u, v]) => [x, y, 0, u, v, 0]));
   }
 
   /** Return each column as an upright prism that stands on the bent plate. */
-  private columnLines(scene: Scene, choice: Choice): Float32Array {
+  private columnLines(scene: Scene, choice: Choice): number[] {
     const settlement = nodalValues(scene, choice, "settlement"); // [mm]
     const height = 0.07 * this.extent();
-    const lines = scene.head.plan.columns.flatMap(({ ring }, k) => {
+    return scene.head.plan.columns.flatMap(({ ring }, k) => {
       const foot = (-settlement[this.feet[k]!]! * this.exaggeration) / 1000;
       const top = foot + height;
       // corners of a rectangle; of a round one every few
       const corners = ring.length > 8 ? ring.filter((_, i) => i % Math.ceil(ring.length / 8) === 0) : ring;
       return sidesOf(corners, ([x, y], [u, v]) => [x, y, foot, x, y, top, x, y, top, u, v, top]);
     });
-    return Float32Array.from(lines);
   }
 
   protected step([x, y]: readonly [number, number]): void {

@@ -16,6 +16,18 @@ describe("a packed scene", () => {
     expect(settlement[2]).toBe(5);
   });
 
+  it("measures nodes from an origin, so that they keep their digits far away", () => {
+    const packer = new Packer();
+    const blocks = {
+      nodes: packer.add(mesh.nodes, "f32", [15, 2]),
+      elements: packer.add(mesh.elements, "u32", [2, 9]),
+    };
+    const { head } = decodeScene(buffer);
+    const scene = decodeScene(packer.packed({ ...head, mesh: { origin: [32_450_000, 5_400_000], ...blocks } }));
+    expect(scene.mesh.nodes[2]).toBe(32_450_000.25);
+    expect(scene.mesh.nodes[3]).toBe(5_400_000);
+  });
+
   it("reads every type of number with its scale and shift", () => {
     const packer = new Packer();
     const mesh = grid(1, 1);

@@ -51,6 +51,19 @@ describe("drawing without a graphics card", () => {
     expect(wrong).toBeLessThan(0.001 * width * height);
   });
 
+  it("draws a plate in a national grid as it draws one near the origin", () => {
+    const [dx, dy] = [32_450_000, 5_400_000];
+    const far = {
+      ...mesh,
+      origin: [dx, dy] as [number, number],
+      nodes: mesh.nodes.map((v, i) => v + (i % 2 ? dy : dx)),
+    };
+    const view = viewOf({ x: camera.x + dx, y: camera.y + dy, scale: camera.scale }, width, height);
+    const { bands } = rasterize(far, faces, [[0, faces.length]], picture, view);
+    const wrong = bands.filter((band, i) => band !== raster.bands[i]).length;
+    expect(wrong).toBeLessThan(0.001 * width * height);
+  });
+
   it("leaves no pixel between neighboring triangles", () => {
     // sides through the very middle of pixels, where rounding decides
     const plain = grid(30, 20, (x, y) => [30 * x, 20 * y]);
