@@ -212,6 +212,32 @@ class TestStore:
         assert main.main(["study", str(path), "--workers", "0", "--quiet", "--resume"]) == 0
         assert study.worker_failures() == {}
 
+    def test_variants_that_end_the_only_process(self, tmp_path: Path) -> None:
+        """Without workers two variants end the command each time; continued, it solves all others before them."""
+        program = (
+            "import os, sys\nfrom groundslab.cli import main\nfrom groundslab.study.execution.variant import Worker\n"
+            "row = Worker.row\n"
+            "def row_or_end(self, variant, known=()):\n"
+            "    return os._exit(9) if variant.number in (2, 5) else row(self, variant, known)\n"
+            "Worker.row = row_or_end\nsys.exit(main.main(sys.argv[1:]))\n"
+        )
+        options = ["study", str(write(tmp_path)), "--workers", "0", "--quiet", "--resume"]
+        rows = []
+        for _ in range(4):
+            ended = subprocess.run([sys.executable, "-c", program, *options], capture_output=True, text=True)
+            assert ended.returncode == 9, ended.stderr
+            rows.append(len(groundslab.open_study(tmp_path / "study-study")))
+        assert rows == [1, 3, 10, 10]
+        assert main.main(options) == 0
+        study = groundslab.open_study(tmp_path / "study-study")
+        assert study.worker_failures() == {}
+        assert (
+            study.table()
+            .drop(columns="seconds")
+            .equals(run(tmp_path, out=tmp_path / "whole").table().drop(columns="seconds"))
+        )
+        assert not (study.folder / store.SOLVING).exists()
+
     @pytest.mark.skipif(sys.platform == "win32" or os.geteuid() == 0, reason="needs a folder that cannot be written")
     def test_read_where_nothing_can_be_written(self, tmp_path: Path) -> None:
         """A study can be read from a folder without leave to write."""
