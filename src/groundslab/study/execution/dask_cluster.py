@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import functools
 import gc
+import itertools
 import logging
 import secrets
 import socket
@@ -23,7 +24,7 @@ from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.study.execution import versions
-from groundslab.study.execution.tasks import Loss, Tasks, describe_exit
+from groundslab.study.execution.tasks import Loss, Outcome, Tasks, describe_exit
 from groundslab.study.execution.variant import WorkerFailure, describe_error
 from groundslab.study.optional import import_optional
 
@@ -213,7 +214,7 @@ def rows(
     client = cluster.client
     packages = packages_of(setup)
     client.register_plugin(Plugin(name, setup, packages, versions.versions(packages), cluster.own), name=name)
-    run, tasks = secrets.token_hex(4), Tasks(variants)
+    run, serial, tasks = secrets.token_hex(4), itertools.count(), Tasks(variants)
     pending: dict[Any, Sequence[Variant]] = {}
     updated, threads = -UPDATE_INTERVAL, 1
     pool = distributed.as_completed([])
@@ -225,18 +226,19 @@ def rows(
             room = limit - len(pending) if len(pending) <= limit // 2 else 0
             if more := tasks.next(room, threads, idle=not pending):
                 rows_of = functools.partial(solve, name, known_meshes=known_meshes())
-                keys = [f"{name}-{run}-{each[0].number}-{len(each)}" for each in more]
+                # a name that was used before may still stand for how that task ended
+                keys = [f"{name}-{run}-{task[0].number}-{next(serial)}" for task in more]
                 futures = client.map(rows_of, more, key=keys, pure=False)
                 pending |= zip(futures, more, strict=True)
                 pool.update(futures)
             if not pending:
                 return
-            batch = next(pool.batches())
-            # results of a worker that dies before they are fetched are lost; the scheduler has them solved again
-            pool.update([future for future in batch if future.status in ("lost", "pending")])
-            ended = [future for future in batch if future in pending and future.status not in ("lost", "pending")]
+            ended = [future for future in next(pool.batches()) if future in pending]
             done: list[Row | WorkerFailure] = []
             for future, outcome in _outcomes(cluster, ended):
+                if outcome is None:
+                    pool.update([future])
+                    continue
                 task = pending.pop(future)
                 if isinstance(outcome, str):
                     outcome = [WorkerFailure(variant.number, outcome) for variant in task]
@@ -251,18 +253,22 @@ def rows(
                 client.unregister_worker_plugin(name)
 
 
-def _outcomes(cluster: Cluster, ended: Sequence[Any]) -> Iterator[tuple[Any, Sequence[Row] | Loss | str]]:
-    """Yield each task that has ended with its rows, fetched together, or why it has none; raises LostScheduler."""
+def _outcomes(cluster: Cluster, ended: Sequence[Any]) -> Iterator[tuple[Any, Outcome | str | None]]:
+    """Yield each task that has ended with its rows, fetched together, or why it has none; raises LostScheduler.
+
+    None: its rows are lost, as the worker died before they were fetched, and the scheduler has it solved again.
+    """
     fetched = _fetch(cluster.client, [future for future in ended if future.status == "finished"])
     yield from fetched.items()
     for future in ended:
         if future not in fetched:
-            if future.status != "error":
+            status = future.status
+            if status == "cancelled":
                 raise _lost(None)
-            yield future, _loss(cluster, future.exception())
+            yield future, _loss(cluster, future.exception()) if status == "error" else None
 
 
-def _fetch(client: Any, finished: Sequence[Any]) -> dict[Any, Sequence[Row]]:
+def _fetch(client: Any, finished: Sequence[Any]) -> dict[Any, Sequence[Row | WorkerFailure]]:
     """Return the rows of tasks by task, without those that failed after all; raises LostScheduler.
 
     The results of a worker that dies before they are fetched are made anew, beside other tasks, one of which may kill

@@ -13,7 +13,7 @@ import signal
 from collections import Counter, deque
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 from groundslab.study.execution.variant import Row, WorkerFailure
 
@@ -33,6 +33,10 @@ class Loss:
 
     message: str
     deaths: int = 0  # workers that died of it, one after the other; 0: one that lives had no memory left
+
+
+#: What a task has come to.
+Outcome: TypeAlias = "Sequence[Row | WorkerFailure] | Loss"
 
 
 class Tasks:
@@ -56,9 +60,7 @@ class Tasks:
             tasks.append([self.left.popleft() for _ in range(min(size, len(self.left)))])
         return tasks
 
-    def finish(
-        self, variants: Sequence[Variant], outcome: Sequence[Row | WorkerFailure] | Loss
-    ) -> Sequence[Row | WorkerFailure]:
+    def finish(self, variants: Sequence[Variant], outcome: Outcome) -> Sequence[Row | WorkerFailure]:
         """Return what a task's variants have come to, nothing of those that are to be solved again."""
         suspect, self._tried = self._tried, None
         if not isinstance(outcome, Loss):

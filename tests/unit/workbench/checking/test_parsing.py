@@ -31,7 +31,7 @@ from helpers import workers
 
 pytestmark = pytest.mark.slow
 
-PATIENCE = 60.0
+PATIENCE = 120.0
 
 
 @pytest.fixture
