@@ -98,8 +98,8 @@ def test_nobody_is_blamed_for_another(seed: int) -> None:
         beside = chance.randint(0, len(pending)) if dies else 0
         ended = [(task, DIED if dies else rows_of(task)), *((other, DIED) for other in pending[:beside])]
         pending = pending[beside:]
-        for each, outcome in ended:
-            for made in tasks.finish(each, outcome):
+        for variants_of_task, outcome in ended:
+            for made in tasks.finish(variants_of_task, outcome):
                 outcomes[made.number, isinstance(made, Row)] += 1
     assert outcomes == Counter({(number, number not in killers): 1 for number in range(1, count + 1)})
 
