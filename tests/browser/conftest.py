@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from helpers.browsing import ARGUMENTS, PATIENCE, SMALL, Bench, Server, chromium, missing
+from helpers.browsing import ARGUMENTS, PATIENCE, SMALL, Bench, Server, SharedServer, chromium, missing
 
 
 def pytest_terminal_summary(terminalreporter: Any) -> None:
@@ -31,9 +31,17 @@ def browser() -> Iterator[Any]:
         browser.close()
 
 
+@pytest.fixture(scope="session")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    """The workbench that shows each test's own case."""
+    server = SharedServer(tmp_path_factory.mktemp("server"))
+    yield server
+    server.stop()
+
+
 @pytest.fixture
-def server(tmp_path: Path) -> Iterator[Server]:
-    """A server that is not started yet."""
+def own_server(tmp_path: Path) -> Iterator[Server]:
+    """A server for one test, which may end it; it is not started yet."""
     server = Server(tmp_path / "state")
     yield server
     server.stop()

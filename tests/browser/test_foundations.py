@@ -104,10 +104,17 @@ class Hands:
         self.page.get_by_label("table", exact=True).select_option(name)
 
     def cell(self, row: int, column: str, value: str) -> None:
-        """Enter a value into a cell of the table, by the column's head."""
-        heads = [text.strip() for text in self.page.locator("table.sheet thead th").all_inner_texts()]
+        """Enter a value into a cell of the table, by the column's head, or the end of it."""
+        heads: list[str] = []
+
+        def is_there() -> bool:
+            heads[:] = _heads(self.bench)
+            return any(head.endswith(column) for head in heads)
+
+        self.bench.until(is_there, lambda: f"{column} in {heads}")
+        head = column if column in heads else next(head for head in heads if head.endswith(column))
         cells = self.page.locator("table.sheet tbody tr").nth(row).locator("td")
-        self.click(cells.nth(heads.index(column) - 1))
+        self.click(cells.nth(heads.index(head) - 1))
         self.type(value)
 
     def open_section(self, name: str) -> None:
@@ -208,7 +215,7 @@ def test_a_house_raft(server: Server, bench: Bench) -> None:
     hands.tab("Tables")
     hands.table("cases")
     for column, value in {"ψ0": "0.6", "ψ1": "0.2", "ψ2": "0"}.items():
-        hands.cell(2, next(head for head in _heads(bench) if head.endswith(column)), value)
+        hands.cell(2, column, value)
     # the imposed loads of the columns are copies of the permanent ones, and wind lifts two of them
     hands.table("loads point")
     bench.page.locator("table.sheet").focus()
@@ -248,8 +255,7 @@ def test_a_house_raft(server: Server, bench: Bench) -> None:
     corners = ((0.0, 0.0), (12.0, 0.0), (12.0, 5.0), (7.0, 5.0), (7.0, 10.0), (0.0, 10.0))
     assert model.plate.outline == Polygon(kind="polygon", points=corners)
     assert len(model.boreholes) == 2
-    combinations = list_combinations(model)
-    first = solve(model)[combinations[0].name]
+    [first] = solve(model.replace(combine=None, combinations=list_combinations(model)[:1])).values()
     bench.until(lambda: bench.largest("largest settlement") == pytest.approx(1e3 * first.plate.settlement.max(), 1e-3))
 
 
@@ -316,10 +322,13 @@ def test_a_tank_from_a_drawing(server: Server, bench: Bench, tmp_path: Path) -> 
     found = {load.kind: load for load in model.loads}
     assert found["line"].shape == Circle(kind="circle", radius=7.75)
     assert found["area"].shape == Circle(kind="circle", radius=7.75)
-    heaviest = max(
-        sum(factor * own[name] for name, factor in combination.factors) for combination in list_combinations(model)
-    )
-    assert max(each.certificate.load for each in solve(model).values()) == pytest.approx(heaviest, rel=2e-3)
+    weights = {
+        combination: sum(factor * own[name] for name, factor in combination.factors)
+        for combination in list_combinations(model)
+    }
+    heaviest = max(weights, key=weights.__getitem__)
+    [results] = solve(model.replace(combine=None, combinations=(heaviest,), reinforcement=None)).values()
+    assert results.certificate.load == pytest.approx(weights[heaviest], rel=2e-3)
 
 
 def _heads(bench: Bench) -> list[str]:

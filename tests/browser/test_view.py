@@ -13,21 +13,21 @@ from helpers.browsing import Bench, Server
 pytestmark = pytest.mark.slow
 
 
-def test_results_saved_as_one_file_are_looked_at(server: Server, bench: Bench, case: Path, tmp_path: Path) -> None:
+def test_results_saved_as_one_file_are_looked_at(own_server: Server, bench: Bench, case: Path, tmp_path: Path) -> None:
     """The workbench saves one file with the case to the byte; the viewer shows the same settlement of it."""
-    bench.open(server.start(case))
+    bench.open(own_server.start(case))
     bench.wait_solved()
     settlement = bench.largest("largest settlement")
     with bench.page.expect_download() as download:
         bench.page.get_by_role("button", name="One file").click()
     path = tmp_path / download.value.suggested_filename
     download.value.save_as(path)
-    server.stop()
+    own_server.stop()
     assert path.name == "slab-results.zip"
     with zipfile.ZipFile(path) as packed:
         assert packed.read("case.toml") == case.read_bytes()
         assert b"<html" in packed.read("report.html")[:400]
-    bench.page.goto(server.start(path, command="view"))
+    bench.page.goto(own_server.start(path, command="view"))
     bench.wait_solved()
     assert bench.largest("largest settlement") == settlement
     bench.wait_seen(".result-status", "nothing can be changed")
@@ -39,10 +39,10 @@ def test_results_saved_as_one_file_are_looked_at(server: Server, bench: Bench, c
     assert download.value.suggested_filename == "slab-results-report.html"
 
 
-def test_a_folder_of_results_is_looked_at(server: Server, bench: Bench, case: Path, tmp_path: Path) -> None:
+def test_a_folder_of_results_is_looked_at(own_server: Server, bench: Bench, case: Path, tmp_path: Path) -> None:
     """A folder shows picture, summary, certificate, values and section as the workbench does."""
     folder = groundslab.save_results(groundslab.solve(groundslab.load(case)), tmp_path / "slab-results")
-    bench.page.goto(server.start(folder, command="view"))
+    bench.page.goto(own_server.start(folder, command="view"))
     bench.wait_solved()
     tabs = bench.page.locator(".result").get_by_role("tab")
     assert {"Summary", "Values", "Section"} <= {each.split("\n")[0] for each in tabs.all_inner_texts()}

@@ -75,9 +75,9 @@ def test_fields_of_several_items_are_changed_in_one_step(server: Server, bench: 
     bench.page.keyboard.up("Shift")
     bench.wait_seen(".properties h3", "2 columns selected")
     width = bench.field("columns", 0, "width_x").locator("input")
-    assert width.input_value() == ""
-    assert width.get_attribute("placeholder") == "different values"
-    assert bench.field("columns", 0, "width_y").locator("input").input_value() == "400 mm"
+    bench.wait_equal(width.input_value, "")
+    bench.wait_equal(lambda: width.get_attribute("placeholder"), "different values")
+    bench.wait_equal(bench.field("columns", 0, "width_y").locator("input").input_value, "400 mm")
     bench.fill("350 mm", "columns", 0, "width_x")
     bench.until(lambda: [each["width_x"] for each in _data(bench)["columns"]] == ["350 mm", "350 mm"])
     assert bench.text() == before.replace('"30 cm"', '"350 mm"').replace('width_x = "400 mm"', 'width_x = "350 mm"')
@@ -96,35 +96,33 @@ def test_fields_of_several_items_are_changed_in_one_step(server: Server, bench: 
     bench.until(lambda: bench.text() == before)
 
 
-def test_items_go_from_one_workbench_to_another(server: Server, tabs: Any, case: Path, tmp_path: Path) -> None:
+def test_items_go_from_one_workbench_to_another(
+    server: Server, own_server: Server, tabs: Any, case: Path, tmp_path: Path
+) -> None:
     """Copied tables are TOML text; pasted ones get free names, and loads stand on the pasted columns."""
     other_case = tmp_path / "other.toml"
     other_case.write_text(case.read_text())
-    other = Server(tmp_path / "other state")
-    try:
-        one, two = tabs().open(server.start(case)), tabs().open(other.start(other_case))
-        one.page.bring_to_front()
-        one.drag((-2.6, 1.6), (-1.4, 0.4))
-        one.wait_seen(".properties h3", "1 column, 1 load selected")
-        one.page.keyboard.press("Control+c")
-        one.wait_seen(".drawing-hint", "1 column, 1 load copied")
-        two.page.bring_to_front()
-        two.click(1.0, -0.5)
-        two.page.keyboard.press("Control+v")
-        two.until(lambda: len(_data(two)["columns"]) == 2)
-        data = _data(two)
-        assert data["columns"][1]["name"] == data["loads"][1]["column"] == "A2"
-        assert (data["columns"][1]["x"], data["columns"][1]["y"]) == ("1 m", "-0.5 m")
-        # in a text field the keys keep their meaning
-        name = two.page.locator(".properties input").first
-        name.focus()
-        two.page.keyboard.press("Control+v")
-        two.page.keyboard.press("Escape")
-        assert len(_data(two)["columns"]) == 2
-        two.page.locator("svg.drawing").focus()
-        two.page.keyboard.press("Control+z")
-    finally:
-        other.stop()
+    one, two = tabs().open(server.start(case)), tabs().open(own_server.start(other_case))
+    one.page.bring_to_front()
+    one.drag((-2.6, 1.6), (-1.4, 0.4))
+    one.wait_seen(".properties h3", "1 column, 1 load selected")
+    one.page.keyboard.press("Control+c")
+    one.wait_seen(".drawing-hint", "1 column, 1 load copied")
+    two.page.bring_to_front()
+    two.click(1.0, -0.5)
+    two.page.keyboard.press("Control+v")
+    two.until(lambda: len(_data(two)["columns"]) == 2)
+    data = _data(two)
+    assert data["columns"][1]["name"] == data["loads"][1]["column"] == "A2"
+    assert (data["columns"][1]["x"], data["columns"][1]["y"]) == ("1 m", "-0.5 m")
+    # in a text field the keys keep their meaning
+    name = two.page.locator(".properties input").first
+    name.focus()
+    two.page.keyboard.press("Control+v")
+    two.page.keyboard.press("Escape")
+    assert len(_data(two)["columns"]) == 2
+    two.page.locator("svg.drawing").focus()
+    two.page.keyboard.press("Control+z")
 
 
 def test_what_is_turned_and_mirrored_is_written_exactly(server: Server, bench: Bench, case: Path) -> None:
@@ -188,8 +186,10 @@ def test_a_slab_is_drawn_by_typed_lengths_and_places(server: Server, bench: Benc
 def test_plates_are_drawn_and_joined(server: Server, bench: Bench, case: Path) -> None:
     """A further plate beside the slab is drawn and joined to it; a circle is drawn where the mesh is finer."""
     bench.open(server.start(case))
+    view = bench.page.locator("svg.drawing").get_attribute("data-view")
     bench.page.mouse.move(*bench.pixel(0.0, 0.0))
     bench.page.mouse.wheel(0, 600)
+    bench.until(lambda: bench.page.locator("svg.drawing").get_attribute("data-view") != view)
     bench.tool("plate")
     bench.drag((3.0, -2.0), (5.0, 2.0))
     bench.until(lambda: "plates" in _data(bench))

@@ -50,7 +50,7 @@ def test_an_issue_is_repaired_with_one_click(server: Server, bench: Bench, case:
     bench.wait_seen(".issue-count", "No errors")
     assert "width =" not in bench.text()
     undo = bench.page.get_by_role("button", name="undo")
-    assert "remove width" in undo.get_attribute("title")
+    bench.until(lambda: "remove width" in undo.get_attribute("title"))
     undo.click()
     bench.wait_text('width = "2 m"')
     undo.click()
@@ -74,7 +74,7 @@ def test_a_field_with_the_focus_is_explained(server: Server, bench: Bench, case:
     thickness.focus()
     panel = bench.page.locator(".panel:not([hidden]) .field-help")
     panel.get_by_text("length, such as 0.2 m").wait_for()
-    assert panel.locator(".lit text").text_content() == "t"
+    bench.wait_equal(panel.locator(".lit text").text_content, "t")
     described = thickness.get_attribute("aria-describedby").split()[0]
     assert "thickness" in bench.page.locator(f"#{described}").inner_text().lower()
     check_axe(bench.page)
@@ -84,7 +84,7 @@ def test_a_field_with_the_focus_is_explained(server: Server, bench: Bench, case:
     thickness.focus()
     panel.get_by_role("button", name="hide the meaning of fields").click()
     bench.field("plate", "E").locator("input").focus()
-    assert not panel.is_visible()
+    panel.wait_for(state="hidden")
 
 
 def test_f1_opens_the_place_of_a_key(server: Server, bench: Bench, case: Path) -> None:
@@ -112,13 +112,13 @@ def test_a_new_case_from_an_example(server: Server, bench: Bench) -> None:
     dialog = bench.page.get_by_role("dialog", name="New case")
     cards = dialog.get_by_role("list", name="examples").get_by_role("button")
     cards.first.wait_for()
-    assert cards.count() == len(list((ROOT / "examples").glob("*.toml")))
-    assert dialog.locator(".thumbnail .slab").count() >= cards.count()
+    bench.wait_equal(cards.count, len(list((ROOT / "examples").glob("*.toml"))))
+    bench.until(lambda: dialog.locator(".thumbnail .slab").count() >= cards.count())
     check_axe(bench.page)
     dialog.get_by_role("button", name="Slab over a cavity").press("Enter")
     bench.wait_text('title = "Slab over a cavity"')
     assert bench.text() == (ROOT / "examples" / "void.toml").read_text()
-    assert bench.page.locator(".file-title").inner_text() == "untitled"
+    bench.wait_equal(bench.page.locator(".file-title").inner_text, "untitled")
 
 
 PLACES = """() => {
@@ -127,6 +127,13 @@ PLACES = """() => {
   const inside = box.left >= 0 && box.top >= 0 && box.right <= innerWidth && box.bottom <= innerHeight;
   return { apart, inside, corner: [spot.left, spot.top] };
 }"""
+
+
+def stands_beside(page: Any, control: str) -> bool:
+    """Return whether the tour's box is on the page, beside its spot, and that is around a control."""
+    places, box = page.evaluate(PLACES), page.locator(control).bounding_box()
+    is_around = (box["x"] - 4, box["y"] - 4) == pytest.approx(places["corner"], abs=1)
+    return bool(places["apart"] and places["inside"] and is_around)
 
 
 def test_the_tour_at_the_first_start(server: Server, newcomer: Bench, case: Path) -> None:
@@ -142,12 +149,8 @@ def test_the_tour_at_the_first_start(server: Server, newcomer: Bench, case: Path
     }
     for number, (title, control) in enumerate(titles.items(), start=1):
         dialog.get_by_role("heading", name=title).wait_for()
-        assert f"{number} of 5" in dialog.inner_text()
-        places = page.evaluate(PLACES)
-        assert places["apart"]
-        assert places["inside"]
-        found = page.locator(control).bounding_box()
-        assert (found["x"] - 4, found["y"] - 4) == pytest.approx(places["corner"], abs=1)
+        newcomer.until(lambda number=number: f"{number} of 5" in dialog.inner_text(), dialog.inner_text)
+        newcomer.until(lambda control=control: stands_beside(page, control), lambda: str(page.evaluate(PLACES)))
         if number == 1:
             check_axe(page)
         page.keyboard.press("Enter")

@@ -35,7 +35,7 @@ def test_a_decimal_comma_and_a_bare_number(server: Server, bench: Bench, case: P
     thickness.fill("312,5")
     thickness.press("Tab")
     bench.wait_text('thickness = "312.5 mm"  # as on the drawing')
-    assert thickness.input_value() == "312.5 mm"
+    bench.wait_equal(thickness.input_value, "312.5 mm")
     bench.fill("1,500", "plate", "thickness")
     bench.wait_seen(".issue-count", "1 error")
     assert 'thickness = "1,500"' in bench.text()
@@ -65,4 +65,4 @@ def test_small_screens_hold_the_page(server: Server, bench: Bench, case: Path, w
     bench.page.set_viewport_size({"width": width, "height": height})
     bench.open(server.start(case))
     bench.wait_solved()
-    assert find_overflow(bench.page) == []
+    bench.wait_equal(lambda: find_overflow(bench.page), [])

@@ -110,13 +110,7 @@ def test_the_keyboard_alone_moves_and_removes(server: Server, bench: Bench, case
     """Things are selected, moved by steps and removed by keys; a row of steps is one edit."""
     bench.open(server.start(case))
     drawing = bench.page.locator("svg.drawing")
-    drawing.focus()
-    title = bench.page.locator(".properties h3")
-    for _ in range(5):
-        drawing.press("n")
-        if "olumn A1" in title.inner_text():
-            break
-    assert "olumn A1" in title.inner_text()
+    bench.step("n", "olumn A1")
     # one after the other without a pause, however busy the machine is
     drawing.evaluate(
         """(drawing) => {
@@ -171,29 +165,29 @@ def test_broken_text_can_be_fixed_where_it_is_broken(server: Server, bench: Benc
     bench.page.wait_for_selector(".line-issue")
     bench.wait_seen(".code-gutter .bad", "8")
     bench.page.wait_for_selector(".broken:not([hidden])")
-    assert bench.page.locator('svg.drawing [data-kind="slab"]').count() == 1
+    bench.wait_equal(bench.page.locator('svg.drawing [data-kind="slab"]').count, 1)
     area.fill(whole)
     bench.page.wait_for_selector(".broken", state="hidden")
     bench.wait_seen(".issue-count", "No errors")
 
 
-def test_nothing_is_lost_when_the_server_dies(server: Server, tabs: Any, case: Path) -> None:
+def test_nothing_is_lost_when_the_server_dies(own_server: Server, tabs: Any, case: Path) -> None:
     """Killed while solving: edits made before are offered by a new server, edits made since are sent to it."""
-    bench = tabs().open(server.start(case, free_port()))
+    bench = tabs().open(own_server.start(case, free_port()))
     bench.wait_solved()
     bench.tab("Form")
     bench.page.locator('[data-section="mesh"] > summary').click()
     bench.fill("0.05 m", "mesh", "size")
     bench.page.wait_for_selector('.result-status[data-state="solving"]')
-    server.kill()
+    own_server.kill()
     bench.page.wait_for_selector(".banner:not([hidden])")
     bench.fill("275 mm", "plate", "thickness")
     bench.until(lambda: "1 edit is kept here" in bench.seen(".banner"))
     assert 'size = "0.05 m"' not in case.read_text()
 
-    port = server.port
+    port = own_server.port
     other = tabs()
-    other.page.goto(server.start(case, port))
+    other.page.goto(own_server.start(case, port))
     for each in (bench, other):
         each.page.get_by_role("dialog").get_by_text("Unsaved work was found").wait_for()
     bench.page.get_by_role("button", name="Restore").click()
@@ -256,8 +250,8 @@ def test_the_result_is_read_at_places_and_along_lines(server: Server, bench: Ben
     with page.expect_response(lambda answer: "/scene" in answer.url):
         bench.fill("400 mm", "plate", "thickness")
     bench.wait_solved()
-    assert page.locator(".field-choice").input_value() == "moment_x"
-    assert page.locator(".value-box .gs-values-at").text_content() == place
+    bench.wait_equal(page.locator(".field-choice").input_value, "moment_x")
+    bench.wait_equal(page.locator(".value-box .gs-values-at").text_content, place)
     page.locator(".stage-bar").get_by_role("button", name="3-D").click()
     page.locator(".gs-space canvas").wait_for()
 
@@ -281,16 +275,17 @@ def test_the_mesh_is_drawn_over_the_field(server: Server, bench: Bench, case: Pa
     bench.open(server.start(case))
     page = bench.page
     bench.wait_solved()
+    scale = bench.seen(".gs-scale")
     page.locator(".field-choice").select_option("discretization_error")
+    bench.until(lambda: bench.seen(".gs-scale") != scale)
     toggle = page.locator(".stage-bar").get_by_role("button", name="Mesh")
     for mode, view in (("Plan", ".gs-plan"), ("3-D", ".gs-space")):
         page.locator(".stage-bar").get_by_role("button", name=mode).click()
         picture = page.locator(f"{view} canvas")
         picture.wait_for()
-        page.wait_for_timeout(500)
-        without = picture.screenshot()
+        without = bench.still(picture)
         toggle.click()
-        bench.until(lambda: toggle.get_attribute("aria-pressed") == "true")
+        bench.wait_equal(lambda: toggle.get_attribute("aria-pressed"), "true")
         bench.until(lambda picture=picture, without=without: picture.screenshot() != without)
         toggle.click()
         bench.until(lambda picture=picture, without=without: picture.screenshot() == without)
@@ -308,7 +303,7 @@ def test_the_ground_becomes_a_continuum(server: Server, bench: Bench, case: Path
     choice.select_option(label="continuum")
     bench.wait_text('kind = "continuum"', 'half_space = {E = "60 MPa", nu = 0.3}')
     assert "soil_zones" not in bench.text()
-    bench.until(lambda: bench.page.locator(".layers rect").count() == 2)
+    bench.wait_equal(bench.page.locator(".layers rect").count, 2)
     bench.wait_solved()
     bench.until(lambda: bench.largest("largest settlement") != springs)
     summary = bench.page.locator(".result")
@@ -333,15 +328,15 @@ def test_a_refused_combination_tells_why(server: Server, bench: Bench, case: Pat
     bench.wait_seen(".refused-over", "do not press the plate down")
 
 
-def test_the_report_is_saved_and_its_tools_work(server: Server, bench: Bench, case: Path, tmp_path: Path) -> None:
+def test_the_report_is_saved_and_its_tools_work(own_server: Server, bench: Bench, case: Path, tmp_path: Path) -> None:
     """The report is one file that shows values at picked points and along sections without a server."""
-    bench.open(server.start(case))
+    bench.open(own_server.start(case))
     bench.wait_solved()
     with bench.page.expect_download() as download:
         bench.page.get_by_role("button", name="Report").click()
     report = tmp_path / "report.html"
     download.value.save_as(report)
-    server.stop()
+    own_server.stop()
     page = bench.page
     page.goto(report.as_uri())
     plan = page.locator(".gs-plan")

@@ -33,5 +33,5 @@ def test_a_preview_comes_before_the_result(server: Server, bench: Bench, tmp_pat
     assert seen
     assert all(each == first or "being refined" in each for each in seen)
     assert first not in seen[1:]
-    assert bench.page.locator(".preview-over:visible").count() == 0
+    bench.wait_equal(bench.page.locator(".preview-over:visible").count, 0)
     assert bench.largest("largest settlement") > 0

@@ -58,7 +58,7 @@ def test_tables_are_shown_sorted_filtered_and_followed(server: Server, bench: Be
     bench.until(lambda: page.get_by_label("Field").input_value() == "pressure")
     chosen = "document.querySelector('.combination-choice').selectedOptions[0].textContent"
     bench.until(lambda: "light" in page.evaluate(chosen))
-    assert page.locator(".gs-overlay .place").count() == 1
+    bench.wait_equal(page.locator(".gs-overlay .place").count, 1)
     result.get_by_role("tab", name="Combinations").click()
     table.get_by_text("light").first.wait_for()
     head = table.get_by_role("columnheader", name="sum of loads")
@@ -108,7 +108,7 @@ def test_grounds_without_layers_cannot_be_compared(server: Server, bench: Bench,
     bench.page.locator(".result").get_by_role("tab", name="Ground").click()
     bench.page.get_by_role("button", name="Compare ground models").click()
     bench.wait_seen(".comparison-words", "without layers of soil")
-    assert bench.page.get_by_role("button", name="Compare ground models").is_visible()
+    bench.page.get_by_role("button", name="Compare ground models").wait_for()
 
 
 def test_a_section_that_was_cut_is_kept_as_line_and_as_strip(server: Server, bench: Bench, case: Path) -> None:
@@ -153,9 +153,8 @@ def test_a_reference_stands_beside_the_next_result(server: Server, bench: Bench,
     largest = "parseFloat(document.querySelector('.gs-scale').textContent.match(/max ([\\d.]+)/)[1])"
     now = page.evaluate(largest)
     picture.click()
-    bench.until(lambda: page.evaluate(largest) != now)
-    assert page.evaluate(largest) == pytest.approx(before, rel=1e-3)
-    assert page.locator(".preview-over:visible").inner_text() == "Reference"
+    bench.wait_equal(lambda: page.evaluate(largest), pytest.approx(before, rel=1e-3))
+    bench.wait_equal(page.locator(".preview-over:visible").inner_text, "Reference")
     picture.click()
-    bench.until(lambda: page.evaluate(largest) == now)
+    bench.wait_equal(lambda: page.evaluate(largest), now)
     assert cells[3] == f"{100 * (after - before) / before:+.1f} %".replace("-", "\N{MINUS SIGN}")

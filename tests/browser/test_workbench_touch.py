@@ -44,7 +44,7 @@ def test_fingers_select_drag_move_and_zoom(server: Server, browser: Any, case: P
         .filter((each) => each.checkVisibility() && each.getBoundingClientRect().right > (
             each.closest(".model") ? document.querySelector(".model") : document.body).getBoundingClientRect().right)
         .map((each) => each.textContent)"""
-    assert page.evaluate(cut) == []
+    bench.wait_equal(lambda: page.evaluate(cut), [])
     drag((bench.pixel(-2, 1), bench.pixel(-1, 0)))
     bench.wait_seen(".last-edit", "move column A1")
     column = tomllib.loads(bench.text())["columns"][0]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import socket
@@ -13,10 +14,18 @@ from dataclasses import dataclass, field
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
+from urllib.parse import parse_qs, urlsplit
+from urllib.request import Request, urlopen
 
 from helpers.paths import ROOT
 
-PATIENCE = 60_000  # ms that anything may take on a busy machine
+PATIENCE = 120_000  # ms that anything may take on a busy machine
+#: Box of the plan on the screen and the view that it is drawn in, after the next frame.
+VIEW = """async (drawing) => {
+  await new Promise(requestAnimationFrame);
+  const { left, top, width, height } = drawing.getBoundingClientRect();
+  return [left, top, width, height, drawing.dataset.view];
+}"""
 ARGUMENTS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 STATIC = ROOT / "src" / "groundslab" / "workbench" / "static"
 
@@ -117,6 +126,30 @@ class Server:
             self.process.stdout.close()
 
 
+class SharedServer(Server):
+    """One workbench for many tests; each of them begins with a document of its own, as after a start."""
+
+    def start(self, case: Path | None, port: int = 0, command: str = "app") -> str:
+        """Show a case, or a new one, in place of the document of the test before; returns the address of the page."""
+        assert (port, command) == (0, "app"), "that takes a server of its own"
+        if self.process is None or self.process.poll() is not None:
+            super().start(None)
+        # lets go of the unsaved work of the test before, which would be offered to the next one
+        self._post("new")
+        for path in self.state.rglob("unsaved/*"):
+            path.unlink()
+        self._post("autosolve", on=True)
+        self._post("new") if case is None else self._post("open", file=str(case))
+        return self.url
+
+    def _post(self, name: str, **body: object) -> None:
+        parts = urlsplit(self.url)
+        headers = {"X-Groundslab-Token": parse_qs(parts.query)["token"][0], "Content-Type": "application/json"}
+        request = Request(f"http://{parts.netloc}/api/{name}", json.dumps(body).encode(), headers)
+        with urlopen(request, timeout=PATIENCE / 1000) as answer:
+            answer.read()
+
+
 @dataclass
 class Bench:
     """The page in a tab, and what a user does with it."""
@@ -136,10 +169,14 @@ class Bench:
 
     def pixel(self, x: float, y: float) -> tuple[float, float]:
         """Return where a place of the plan [m] is on the screen."""
-        drawing = self.page.locator("svg.drawing")
-        box = drawing.bounding_box()
-        cx, cy, scale = map(float, drawing.get_attribute("data-view").split())
-        return box["x"] + box["width"] / 2 + (x - cx) * scale, box["y"] + box["height"] / 2 - (y - cy) * scale
+        [pixel] = self.pixels((x, y))
+        return pixel
+
+    def pixels(self, *places: tuple[float, float]) -> list[tuple[float, float]]:
+        """Return where places of the plan [m] are on the screen, in the view that the next frame shows."""
+        left, top, width, height, view = self.page.locator("svg.drawing").evaluate(VIEW)
+        cx, cy, scale = map(float, view.split())
+        return [(left + width / 2 + (x - cx) * scale, top + height / 2 - (y - cy) * scale) for x, y in places]
 
     def click(self, x: float, y: float) -> None:
         """Click on a place of the plan [m]."""
@@ -147,11 +184,12 @@ class Bench:
 
     def drag(self, start: tuple[float, float], end: tuple[float, float]) -> None:
         """Drag from one place of the plan to another [m]."""
-        self.page.mouse.move(*self.pixel(*start))
+        (x, y), (x2, y2) = start, end
+        first, *others = self.pixels(*((x + share * (x2 - x), y + share * (y2 - y)) for share in (0.0, 0.3, 0.7, 1.0)))
+        self.page.mouse.move(*first)
         self.page.mouse.down()
-        for share in (0.3, 0.7, 1.0):
-            at = self.pixel(*(a + share * (b - a) for a, b in zip(start, end, strict=True)))
-            self.page.mouse.move(*at)
+        for pixel in others:
+            self.page.mouse.move(*pixel)
         self.page.mouse.up()
 
     def tool(self, name: str) -> None:
@@ -177,6 +215,30 @@ class Bench:
         while not holds():
             assert time.monotonic() < end, f"waited in vain: {what()}"
             self.page.wait_for_timeout(50)
+
+    def wait_equal(self, read: Callable[[], Any], expected: Any) -> None:
+        """Wait until what is read from the page is as expected."""
+        self.until(lambda: read() == expected, lambda: f"{read()!r}, not {expected!r}")
+
+    def still(self, picture: Any) -> bytes:
+        """Return a picture once it no longer changes from one look to the next."""
+        looks = [b""]
+
+        def is_still() -> bool:
+            looks.append(picture.screenshot())
+            return looks[-3:] == [looks[-1]] * 3
+
+        self.until(is_still)
+        return looks[-1]
+
+    def step(self, key: str, words: str) -> None:
+        """Press a key of the drawing until what it selects is called so; each time the next frame shows it."""
+        for _ in range(9):
+            self.page.locator("svg.drawing").press(key)
+            self.page.evaluate("() => new Promise(requestAnimationFrame)")
+            if words in self.seen(".properties h3"):
+                return
+        raise AssertionError(f"{key} never selects {words}")
 
     def wait_text(self, *words: str) -> None:
         """Wait until the case file holds some words."""

@@ -461,10 +461,12 @@ class TestOthers:
 
 
 #: Runs the program in a process that is interrupted as a module is imported; what comes of the interrupt is turned into
-#: an error of another kind if asked for, as libraries with parts in C do.
+#: an error of another kind if asked for, as libraries with parts in C do. A shell that starts a process in the
+#: background has it ignore interrupts; whether this one does is its third argument.
 INTERRUPTED = """
 import os, signal, sys
 module, turned = sys.argv[1], sys.argv[2] == "True"
+signal.signal(signal.SIGINT, signal.SIG_IGN if sys.argv[3] == "True" else signal.default_int_handler)
 class Interrupting:
     def find_spec(self, name, *_):
         if name != module:
@@ -482,7 +484,7 @@ class Interrupting:
                 sys.excepthook(*sys.exc_info())
             raise ImportError("half imported") from None
 sys.meta_path.insert(0, Interrupting())
-sys.argv[1:] = sys.argv[3:]
+sys.argv[1:] = sys.argv[4:]
 from groundslab.__main__ import main
 sys.exit(main())
 """
@@ -498,11 +500,23 @@ class TestProgram:
     )
     def test_an_interrupt_while_something_is_imported(self, case: Path, module: str, turned: bool) -> None:
         """The program ends with 130, or by the signal, which a shell calls so; one line says it, with no traceback."""
-        command = [sys.executable, "-c", INTERRUPTED, module, str(turned), "solve", str(case), "--quiet"]
-        ended = subprocess.run(command, capture_output=True, text=True, check=False)
+        ended = self.interrupt(module, turned, False, "solve", str(case), "--quiet")
         assert ended.returncode in (130, -signal.SIGINT), ended.stderr
         assert ended.stderr.split("\n")[-2:] == ["interrupted", ""] or (turned and ended.stderr)
         assert "Traceback" not in ended.stderr
+
+    @pytest.mark.slow
+    def test_a_program_in_the_background_is_not_interrupted(self) -> None:
+        """Started by a shell that has it ignore Ctrl-C, which is meant for another program, it goes on to its end."""
+        ended = self.interrupt("groundslab.cli.main", False, True, "--version")
+        assert (ended.returncode, ended.stderr) == (0, "")
+        assert ended.stdout == f"groundslab {groundslab.__version__}\n"
+
+    @staticmethod
+    def interrupt(module: str, turned: bool, ignoring: bool, *arguments: str) -> subprocess.CompletedProcess[str]:
+        """Return what became of the program with these arguments, interrupted as it imports a module."""
+        command = [sys.executable, "-c", INTERRUPTED, module, str(turned), str(ignoring), *arguments]
+        return subprocess.run(command, capture_output=True, text=True, check=False)
 
     @pytest.mark.slow
     @pytest.mark.parametrize("closed", ["2>&-", ">&-", "2>&- >&- <&-", "2>/dev/full"])

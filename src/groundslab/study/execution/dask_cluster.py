@@ -1,10 +1,8 @@
 """Solves variants on Dask: on the cores of this machine, or on an existing cluster.
 
 The setup of a study is sent to each worker once, as a plugin that new and restarted workers get, too; tasks are small.
-A task is one variant, or as many as take a fraction of a second, since the scheduler needs milliseconds for each task.
-Only a few more tasks than there are threads are submitted at a time. Dask's scheduler gives the task of a worker that
-died to another one; a variant that has killed several workers comes back as a WorkerFailure, those that were in a task
-with it are solved again.
+Only a few more tasks than there are threads are submitted at a time. Dask's scheduler reports the tasks of a worker
+that died, here at once, elsewhere when several have died; `tasks` finds out which variant it was.
 
 The processes of this machine talk to each other over TLS with keys that are made for the run and stay in their memory:
 no other process can have them run anything.
@@ -19,7 +17,6 @@ import logging
 import secrets
 import socket
 import time
-from collections import deque
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
@@ -27,19 +24,19 @@ from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.study.execution import versions
+from groundslab.study.execution.tasks import Loss, Outcome, Tasks, describe_exit
+from groundslab.study.execution.variant import WorkerFailure, describe_error
 from groundslab.study.optional import import_optional
 
 if TYPE_CHECKING:
     from groundslab.study.definition.setup import Setup
+    from groundslab.study.execution.dask_plugin import ExitCodes
     from groundslab.study.execution.variant import Row
     from groundslab.study.sampling.designs import Variant
 
 #: Tasks submitted for each thread: one runs, the others wait at the scheduler so that no thread idles. More are
 #: submitted when half of them are done, as each submission costs the scheduler milliseconds, however many tasks it has.
 TASKS_PER_THREAD = 16
-#: Variants that are solved faster share a task up to this time [s], and while each thread has so many tasks to come.
-TASK_SECONDS = 0.2
-TASKS_TO_COME = 4
 #: Time limit of a connection [s].
 CONNECT_TIMEOUT = 10.0
 #: Time limit for the first worker of a cluster [s].
@@ -51,8 +48,10 @@ ONE_THREAD = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THRE
 #: Dask's configuration of the local cluster.
 SETTINGS: dict[str, Any] = {
     "distributed.nanny.pre-spawn-environ": ONE_THREAD,
-    # no task waits at a worker, where it would be blamed for the worker's death
+    # no task waits at a worker, where it would be lost if the worker died of another one
     "distributed.scheduler.worker-saturation": 1.0,
+    # the first death is reported, and `tasks` finds out what it was of
+    "distributed.scheduler.allowed-failures": 0,
     # profiling every few milliseconds makes small cases take a fifth longer
     "distributed.worker.profile.enabled": False,
     # each process would serve pages over HTTP
@@ -69,20 +68,17 @@ class LostScheduler(GroundslabError):
 
 
 @dataclass(frozen=True, slots=True)
-class WorkerFailure:
-    """A variant without a row, because of the machine, not of the variant."""
-
-    number: int
-    message: str
-
-
-@dataclass(frozen=True, slots=True)
 class Cluster:
     """A connection to Dask's scheduler."""
 
     client: Any
     dashboard: str
-    own: bool  # made for the study, and closed with it
+    exit_codes: ExitCodes | None = None  # of the processes of a cluster that was made for the study
+
+    @property
+    def own(self) -> bool:
+        """Whether the cluster was made for the study, and is closed with it."""
+        return self.exit_codes is not None
 
     @property
     def threads(self) -> int:
@@ -104,8 +100,11 @@ def start_local(workers: int | None, most: int, dashboard: bool = False) -> Iter
     import dask.config
     import dask.system
 
+    from groundslab.study.execution.dask_plugin import ExitCodes, Nanny
+
     # a forgotten client that is collected while an event loop starts would wait for the lock of that start
     gc.collect()
+    exit_codes = ExitCodes()
     port = _free_port(DASHBOARD) if dashboard else 0
     pages: dict[str, list[str]] = {"distributed.scheduler.http.routes": []}
     if dashboard:
@@ -117,7 +116,8 @@ def start_local(workers: int | None, most: int, dashboard: bool = False) -> Iter
             cluster = distributed.LocalCluster(
                 n_workers=min(workers or dask.system.CPU_COUNT, most),
                 threads_per_worker=1,
-                processes=True,
+                worker_class=Nanny,
+                exit_codes=exit_codes,
                 host=LOOPBACK,
                 protocol="tls://",
                 # keys for this run alone, kept in memory
@@ -132,7 +132,7 @@ def start_local(workers: int | None, most: int, dashboard: bool = False) -> Iter
             raise InputError([Issue("workers", f"none that start ({error})", "processes of Python", hint)]) from error
         with cluster, distributed.Client(cluster) as client, _all_workers(cluster):
             _restrict_pages(cluster.scheduler, dashboard)
-            yield Cluster(client, cluster.dashboard_link if dashboard else "", own=True)
+            yield Cluster(client, cluster.dashboard_link if dashboard else "", exit_codes)
 
 
 @contextmanager
@@ -194,7 +194,7 @@ def connect(scheduler: str, setup: Setup) -> Iterator[Cluster]:
         if not client.nthreads():
             raise InputError([Issue("scheduler", f"{scheduler}, without workers", "at least one worker")])
         _require_same_versions(client, packages_of(setup))
-        yield Cluster(client, client.dashboard_link, own=False)
+        yield Cluster(client, client.dashboard_link)
     finally:
         with suppress(Exception):
             client.close(timeout=CONNECT_TIMEOUT if client.status == "running" else 0.1)
@@ -214,7 +214,7 @@ def rows(
     client = cluster.client
     packages = packages_of(setup)
     client.register_plugin(Plugin(name, setup, packages, versions.versions(packages), cluster.own), name=name)
-    run, tasks = secrets.token_hex(4), _Tasks(variants)
+    run, serial, tasks = secrets.token_hex(4), itertools.count(), Tasks(variants)
     pending: dict[Any, Sequence[Variant]] = {}
     updated, threads = -UPDATE_INTERVAL, 1
     pool = distributed.as_completed([])
@@ -224,21 +224,27 @@ def rows(
                 updated, threads = time.monotonic(), max(1, cluster.threads)
             limit = TASKS_PER_THREAD * threads
             room = limit - len(pending) if len(pending) <= limit // 2 else 0
-            if more := tasks.next(room, threads):
+            if more := tasks.next(room, threads, idle=not pending):
                 rows_of = functools.partial(solve, name, known_meshes=known_meshes())
-                keys = [f"{name}-{run}-{each[0].number}-{len(each)}" for each in more]
+                # a name that was used before may still stand for how that task ended
+                keys = [f"{name}-{run}-{task[0].number}-{next(serial)}" for task in more]
                 futures = client.map(rows_of, more, key=keys, pure=False)
                 pending |= zip(futures, more, strict=True)
                 pool.update(futures)
             if not pending:
                 return
-            batch = next(pool.batches())
-            # results of a worker that dies before they are fetched are lost; the scheduler has them solved again
-            pool.update([future for future in batch if future.status in ("lost", "pending")])
-            ended = [future for future in batch if future in pending and future.status not in ("lost", "pending")]
-            done = [tasks.finish(pending.pop(future), found) for future, found in _outcomes(client, ended)]
-            if any(done):
-                yield list(itertools.chain(*done))
+            ended = [future for future in next(pool.batches()) if future in pending]
+            done: list[Row | WorkerFailure] = []
+            for future, outcome in _outcomes(cluster, ended):
+                if outcome is None:
+                    pool.update([future])
+                    continue
+                task = pending.pop(future)
+                if isinstance(outcome, str):
+                    outcome = [WorkerFailure(variant.number, outcome) for variant in task]
+                done += tasks.finish(task, outcome)
+            if done:
+                yield done
     finally:
         # a lost scheduler cannot cancel anything
         if client.status == "running":
@@ -247,49 +253,46 @@ def rows(
                 client.unregister_worker_plugin(name)
 
 
-class _Tasks:
-    """The variants that are not submitted yet, and how many of them a task has."""
+def _outcomes(cluster: Cluster, ended: Sequence[Any]) -> Iterator[tuple[Any, Outcome | str | None]]:
+    """Yield each task that has ended with its rows, fetched together, or why it has none; raises LostScheduler.
 
-    def __init__(self, variants: Sequence[Variant]) -> None:
-        self.left = deque(variants)
-        self.alone: list[Variant] = []  # of tasks that failed: by themselves they show which of them it was
-        self.seconds = TASK_SECONDS  # that the latest variants took, in the mean
-
-    def next(self, count: int, threads: int) -> list[list[Variant]]:
-        """Return the variants of so many further tasks, or fewer, for a number of threads."""
-        again, self.alone = self.alone[:count], self.alone[count:]
-        most = min(TASK_SECONDS / self.seconds, len(self.left) / (TASKS_TO_COME * threads))
-        found = [[each] for each in again]
-        while self.left and len(found) < count:
-            found.append([self.left.popleft() for _ in range(min(max(1, int(most)), len(self.left)))])
-        return found
-
-    def finish(self, variants: Sequence[Variant], outcome: list[Row] | str) -> Sequence[Row | WorkerFailure]:
-        """Return the rows of a task's variants, or why it failed; those of several are to be solved again."""
-        if not isinstance(outcome, str):
-            self.seconds += (max(1e-3, sum(row.seconds for row in outcome) / len(outcome)) - self.seconds) / 8
-            return outcome
-        if len(variants) == 1:
-            return [WorkerFailure(variants[0].number, outcome)]
-        self.alone += variants
-        return []
-
-
-def _outcomes(client: Any, ended: Sequence[Any]) -> Iterator[tuple[Any, list[Row] | str]]:
-    """Yield each task that has ended with its rows, fetched together, or why it failed; raises LostScheduler."""
-    finished = [future for future in ended if future.status == "finished"]
-    try:
-        yield from zip(finished, client.gather(finished), strict=True)
-    except Exception as error:
-        raise _lost(error) from error
+    None: its rows are lost, as the worker died before they were fetched, and the scheduler has it solved again.
+    """
+    fetched = _fetch(cluster.client, [future for future in ended if future.status == "finished"])
+    yield from fetched.items()
     for future in ended:
-        if future.status == "error":
-            raised = future.exception()
-            killed = type(raised).__name__ == "KilledWorker"
-            died = f"{raised.allowed_failures + 1} workers died of it, perhaps out of memory" if killed else ""
-            yield future, died or f"{type(raised).__name__}: {raised}"
-        elif future.status != "finished":
-            raise _lost(None)
+        if future not in fetched:
+            status = future.status
+            if status == "cancelled":
+                raise _lost(None)
+            yield future, _loss(cluster, future.exception()) if status == "error" else None
+
+
+def _fetch(client: Any, finished: Sequence[Any]) -> dict[Any, Sequence[Row | WorkerFailure]]:
+    """Return the rows of tasks by task, without those that failed after all; raises LostScheduler.
+
+    The results of a worker that dies before they are fetched are made anew, beside other tasks, one of which may kill
+    the worker that does it.
+    """
+    while finished:
+        try:
+            return dict(zip(finished, client.gather(finished), strict=True))
+        except Exception as error:
+            left = [future for future in finished if future.status != "error"]
+            if len(left) == len(finished):
+                raise _lost(error) from error
+            finished = left
+    return {}
+
+
+def _loss(cluster: Cluster, error: BaseException) -> Loss | str:
+    """Return why a task has no rows; as text, if trying again is of no use."""
+    if type(error).__name__ == "KilledWorker":
+        dead: Any = error
+        code = cluster.exit_codes.wait(dead.last_worker.address) if cluster.exit_codes else None
+        return Loss(describe_exit(code, dead.last_worker.memory_limit), dead.allowed_failures + 1)
+    message = describe_error(error)
+    return Loss(message) if isinstance(error, MemoryError) else message
 
 
 def _lost(error: Exception | None) -> LostScheduler:

@@ -1,4 +1,4 @@
-"""Plugin of Dask's workers that solves variants of a study; imported only where Dask is."""
+"""Plugin of Dask's workers that solves variants of a study, and what looks after them; imported only where Dask is."""
 
 from __future__ import annotations
 
@@ -8,17 +8,54 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import distributed
 from distributed import WorkerPlugin, get_worker
 
 from groundslab.study.definition.setup import Setup
 from groundslab.study.execution import versions as package_versions
-from groundslab.study.execution.variant import Row, Worker
+from groundslab.study.execution.variant import Row, Worker, WorkerFailure
 from groundslab.study.sampling.designs import Variant
+
+#: Time limit for the exit code of a worker that is known to be dead [s].
+EXIT_TIMEOUT = 30.0
 
 
 def dask_setup(worker: Any) -> None:
     """Close a worker's port for HTTP; Dask calls this when it starts a worker of the local cluster."""
     worker.http_server.stop()
+
+
+class ExitCodes:
+    """How the processes of workers ended, by their addresses."""
+
+    def __init__(self) -> None:
+        self._codes: dict[str | None, int] = {}
+        self._added = threading.Condition()
+
+    def add(self, address: str | None, code: int) -> None:
+        """Note how a process ended."""
+        with self._added:
+            self._codes[address] = code
+            self._added.notify_all()
+
+    def wait(self, address: str) -> int | None:
+        """Return how the process of a worker that is known to be dead ended, None if nobody can tell."""
+        with self._added:
+            self._added.wait_for(lambda: address in self._codes, EXIT_TIMEOUT)
+            return self._codes.get(address)
+
+
+class Nanny(distributed.Nanny):  # type: ignore[misc]
+    """Starts a worker's process, again when it dies, and notes how it ended."""
+
+    def __init__(self, *arguments: Any, exit_codes: ExitCodes, **options: Any) -> None:
+        super().__init__(*arguments, **options)
+        self._exit_codes = exit_codes
+
+    def _on_worker_exit_sync(self, exitcode: int) -> None:
+        """Note how the process ended, and start another one."""
+        self._exit_codes.add(self.worker_address, exitcode)
+        super()._on_worker_exit_sync(exitcode)
 
 
 @dataclass(eq=False)
@@ -46,20 +83,21 @@ class Plugin(WorkerPlugin):  # type: ignore[misc]
         """End on a worker, and release the study."""
         self.own = None
 
-    def row(self, variant: Variant, known_meshes: Sequence[str]) -> Row:
-        """Return the row of a variant."""
+    def outcome(self, variant: Variant, known_meshes: Sequence[str]) -> Row | WorkerFailure:
+        """Return the row of a variant, or why it has none."""
         if self.own is None:
             raise RuntimeError("the study ended on this worker")
         if not hasattr(self.own, "worker"):
             self.own.worker = Worker(self.study)
-        found: Row = self.own.worker.row(variant, known_meshes)
-        return found
+        outcome: Row | WorkerFailure = self.own.worker.outcome(variant, known_meshes)
+        return outcome
 
 
-def solve(name: str, variants: Sequence[Variant], known_meshes: Sequence[str]) -> list[Row]:
-    """Return the rows of variants, on a worker that has the plugin of that name."""
+def solve(name: str, variants: Sequence[Variant], known_meshes: Sequence[str]) -> list[Row | WorkerFailure]:
+    """Return the rows of variants, or why they have none, on a worker that has the plugin of that name."""
     plugin: Plugin = get_worker().plugins[name]
-    found: list[Row] = []
+    outcomes: list[Row | WorkerFailure] = []
     for variant in variants:
-        found.append(plugin.row(variant, (*known_meshes, *(row.mesh for row in found))))
-    return found
+        made = (row.mesh for row in outcomes if isinstance(row, Row))
+        outcomes.append(plugin.outcome(variant, (*known_meshes, *made)))
+    return outcomes

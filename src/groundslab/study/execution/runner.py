@@ -15,8 +15,7 @@ from groundslab.errors import InputError, Issue
 from groundslab.study.definition import files
 from groundslab.study.definition.setup import column_units, warnings_of
 from groundslab.study.execution import dask_cluster, store, versions
-from groundslab.study.execution.dask_cluster import WorkerFailure
-from groundslab.study.execution.variant import SOLVED, Row, Worker
+from groundslab.study.execution.variant import SOLVED, Row, Worker, WorkerFailure, describe_error
 from groundslab.study.sampling import random_fields
 from groundslab.study.sampling.designs import VariantList, list_variants
 
@@ -76,33 +75,31 @@ def run(study: files.StudyInput, folder: Path, resources: Resources, resume: boo
         progress = Progress(
             folder, len(variants), there, there - solved, solved, warnings=tuple(warnings_of(study.setup))
         )
-        done = rows.numbers()
-        todo = [variants[number] for number in range(1, len(variants) + 1) if number not in done]
+        rows.add_killer()
+        done, failures = rows.numbers(), rows.failure_counts()
+        # what ended a run before must not keep the others from being solved
+        numbers = sorted(range(1, len(variants) + 1), key=failures.__getitem__)
+        todo = [variants[number] for number in numbers if number not in done]
         on_progress(progress)
         if not todo:
             return progress
         rows.add_run(versions.versions(RECORDED))
-        with closing(_solve(study, folder, resources, todo, rows.mesh_keys, progress)) as outcomes:
+        with closing(_solve(study, resources, todo, rows, progress)) as outcomes:
             for batch in outcomes:
                 made = [each for each in batch if isinstance(each, Row)]
-                failures = [each for each in batch if isinstance(each, WorkerFailure)]
+                failed = [each for each in batch if isinstance(each, WorkerFailure)]
                 rows.add(*made)
-                for failure in failures:
+                for failure in failed:
                     rows.add_failure(failure.number, failure.message)
                 progress.solved += sum(row.status == SOLVED for row in made)
                 progress.failed += sum(row.status != SOLVED for row in made)
-                progress.failures += failures
+                progress.failures += failed
                 on_progress(progress)
     return progress
 
 
 def _solve(
-    study: files.StudyInput,
-    folder: Path,
-    resources: Resources,
-    todo: Sequence[Variant],
-    known_meshes: Callable[[], Sequence[str]],
-    progress: Progress,
+    study: files.StudyInput, resources: Resources, todo: Sequence[Variant], rows: store.Store, progress: Progress
 ) -> Generator[list[Row | WorkerFailure]]:
     """Yield the rows of variants, wherever they are solved; first none, when it is known where."""
     if resources.scheduler is None and resources.workers == 0:
@@ -110,10 +107,12 @@ def _solve(
         yield []
         worker = Worker(study.setup)
         for variant in todo:
-            try:
-                yield [worker.row(variant, known_meshes())]
-            except Exception as error:
-                yield [WorkerFailure(variant.number, f"{type(error).__name__}: {error}")]
+            with rows.solving(variant.number):
+                try:
+                    outcome = worker.outcome(variant, rows.mesh_keys())
+                except MemoryError as error:
+                    outcome = WorkerFailure(variant.number, describe_error(error))
+            yield [outcome]
         return
     if resources.scheduler is None:
         cluster = dask_cluster.start_local(resources.workers, len(todo), resources.dashboard)
@@ -124,8 +123,8 @@ def _solve(
         progress.where, progress.dashboard = f"on {count} worker{'s' if count != 1 else ''}", found.dashboard
         yield []
         # of a folder that is locked no other run can have the same name
-        mark = sha256(f"{folder.resolve()} {' '.join(study.checksums.values())}".encode()).hexdigest()[:12]
-        with closing(dask_cluster.rows(found, f"groundslab-{mark}", study.setup, todo, known_meshes)) as outcomes:
+        mark = sha256(f"{rows.folder.resolve()} {' '.join(study.checksums.values())}".encode()).hexdigest()[:12]
+        with closing(dask_cluster.rows(found, f"groundslab-{mark}", study.setup, todo, rows.mesh_keys)) as outcomes:
             yield from outcomes
 
 

@@ -5,6 +5,7 @@
         about.json               seed, versions, SHA-256 of both files, units of the columns
         rows.sqlite              tables of rows, meshes, discretization errors, runs, mishaps
         lock.sqlite              empty; locked while a study runs
+        solving.txt              the variant that a study without workers is solving; stays if that ends the process
 
 A folder is made under another name and renamed when it is complete. Rows are added in transactions that have reached
 the disk when `add` returns (SQLite in WAL mode with synchronous = FULL); a row's number is the table's key, so that
@@ -17,6 +18,7 @@ import json
 import os
 import sqlite3
 import zlib
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass
@@ -37,6 +39,7 @@ if TYPE_CHECKING:
     from groundslab.study.execution.variant import Row
 
 STUDY, CASE, ABOUT, ROWS, LOCK = "study.toml", "case.toml", "about.json", "rows.sqlite", "lock.sqlite"
+SOLVING = "solving.txt"
 FORMAT = 1
 #: Types of the values in about.json that are read from there.
 _TYPES = {"seed": int, "variants": int, "made": str, "study_sha256": str, "case_sha256": str, "versions": dict}
@@ -174,6 +177,28 @@ class Store:
         """Record why a worker made no row of a variant; raises StoreFull."""
         with self._writing("the failure of a worker"):
             self._connection.execute("INSERT INTO mishaps VALUES (?, ?, ?)", (number, _now(), message))
+
+    @contextmanager
+    def solving(self, number: int) -> Iterator[None]:
+        """Note which variant this process solves, for the next run to know if that ends the process."""
+        # a disk that is full has no room for the row either, and says so then
+        with suppress(OSError):
+            (self.folder / SOLVING).write_text(str(number), encoding="utf-8")
+        try:
+            yield
+        finally:
+            (self.folder / SOLVING).unlink(missing_ok=True)
+
+    def add_killer(self) -> None:
+        """Record as a failure that an earlier run ended while it solved a variant; raises StoreFull."""
+        with suppress(OSError, ValueError):
+            number = int((self.folder / SOLVING).read_text(encoding="utf-8"))
+            self.add_failure(number, "the process ended while it was solved")
+            (self.folder / SOLVING).unlink()
+
+    def failure_counts(self) -> Counter[int]:
+        """Return how often each variant has failed without a row."""
+        return Counter(dict(self._connection.execute("SELECT number, COUNT(*) FROM mishaps GROUP BY number")))
 
     def worker_failures(self) -> dict[int, str]:
         """Return the last failure of a worker for each variant that has no row."""

@@ -70,6 +70,14 @@ class Row:
     base: tuple[tuple[float, float] | None, ...] = ()
 
 
+@dataclass(frozen=True, slots=True)
+class WorkerFailure:
+    """A variant without a row, because of the machine or a defect of the program, not of the variant's values."""
+
+    number: int
+    message: str
+
+
 class Worker:
     """Solves variants of one study in this process, reusing what they have in common.
 
@@ -93,6 +101,15 @@ class Worker:
             None if base is None else outputs.error_of(each, base, self._names_for(each, names))
             for each in setup.scalar_outputs
         )
+
+    def outcome(self, variant: Variant, known_meshes: Sequence[str] = ()) -> Row | WorkerFailure:
+        """Return the row of a variant, or why it has none; raises MemoryError, as others may hold the memory."""
+        try:
+            return self.row(variant, known_meshes)
+        except MemoryError:
+            raise
+        except Exception as error:
+            return WorkerFailure(variant.number, describe_error(error))
 
     def row(self, variant: Variant, known_meshes: Sequence[str] = ()) -> Row:
         """Return the row of a variant; errors of REASONS make rows too, others are raised."""
@@ -171,6 +188,11 @@ class Worker:
                 raise
             return lambda model, factors: solve_combinations(model), None  # noqa: ARG005
         return variants.solve_combinations, variants.base
+
+
+def describe_error(error: BaseException) -> str:
+    """Return an error with the name of its kind."""
+    return f"{type(error).__name__}: {error}"
 
 
 def _outcome_of(error: GroundslabError) -> tuple[str, str, str]:

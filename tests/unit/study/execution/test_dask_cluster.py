@@ -6,15 +6,16 @@ import http.client
 import os
 import signal
 import socket
+import sqlite3
 import ssl
 import subprocess
 import sys
-import threading
 import time
-from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, closing, contextmanager, suppress
+from dataclasses import dataclass
 from pathlib import Path
+from types import SimpleNamespace
 
 import dask.config
 import psutil
@@ -23,17 +24,46 @@ import pytest
 import groundslab
 from groundslab.errors import InputError
 from groundslab.study.evaluation.study import Study
-from groundslab.study.execution import dask_cluster, versions
-from groundslab.study.execution.variant import SOLVED, Row
-from groundslab.study.sampling.designs import Variant
+from groundslab.study.execution import dask_cluster, store, versions
+from groundslab.study.execution.tasks import Loss
 from helpers.studies import STUDY, write
 
 pytestmark = pytest.mark.slow
 
-#: Enough variants for something to happen in between, however fast they are.
-COUNT = 300
+#: Enough variants for some of them to share a task.
+COUNT = 60
 MANY = STUDY.replace("count = 12", f"count = {COUNT}")
-PATIENCE = 60.0  # seconds, on a machine that has other things to do
+PATIENCE = 300.0  # seconds, on a machine that has other things to do
+
+#: What every process of Python does at its start where this is its sitecustomize: before the variant of a number is
+#: solved, something else happens.
+HOOK = """
+import os, signal, time
+from pathlib import Path
+from groundslab.study.execution.variant import Worker
+
+def before(number):
+    {before}
+
+def row_after(self, variant, known=()):
+    before(variant.number)
+    return row(self, variant, known)
+
+row, Worker.row = Worker.row, row_after
+"""
+#: Some variants come to their end only when a file is there.
+WAIT = """
+    while number > {first} and not Path({gate!r}).exists():
+        time.sleep(0.01)
+"""
+
+
+def hooked(folder: Path, before: str) -> dict[str, str]:
+    """Return the environment of processes in which something happens before variants are solved."""
+    hook = folder / "hook"
+    hook.mkdir()
+    (hook / "sitecustomize.py").write_text(HOOK.format(before=before.strip()))
+    return {"PYTHONPATH": os.pathsep.join([str(hook), *sys.path])}
 
 
 def wait_for(what: Callable[[], bool]) -> None:
@@ -41,14 +71,15 @@ def wait_for(what: Callable[[], bool]) -> None:
     end = time.monotonic() + PATIENCE
     while not what():
         assert time.monotonic() < end
-        time.sleep(0.02)
+        time.sleep(0.05)
 
 
 def count(folder: Path) -> int:
     """Return how many rows a study has so far, 0 if there is none yet."""
     try:
-        return len(groundslab.open_study(folder))
-    except InputError:
+        with closing(sqlite3.connect(f"{(folder / store.ROWS).as_uri()}?mode=ro", uri=True)) as rows:
+            return int(rows.execute("SELECT COUNT(*) FROM rows").fetchone()[0])
+    except sqlite3.OperationalError:
         return 0
 
 
@@ -98,43 +129,132 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Study:
 
 
 def test_killed_worker(tmp_path: Path, whole: Study) -> None:
-    """Two workers of this machine, one of them killed, make the rows that one process makes, each once."""
-    folder = tmp_path / "study-study"
-
-    def kill() -> None:
-        wait_for(lambda: count(folder) >= 3)
-        workers = [each for each in psutil.Process().children(recursive=True) if "spawn_main" in str(each.cmdline())]
-        killed.append(workers[0].pid)
+    """Two workers of this machine, one of them killed while it solves, make the rows that one process makes."""
+    gate, folder = tmp_path / "gate", tmp_path / "study-study"
+    environment = hooked(tmp_path, WAIT.format(first=4, gate=str(gate)))
+    command = ("groundslab", "study", str(write(tmp_path, MANY)), "--workers", "2", "--quiet")
+    with ended(started(*command, **environment)) as process:
+        wait_for(lambda: count(folder) == 4)
+        children = psutil.Process(process.pid).children(recursive=True)
+        workers = [child for child in children if "spawn_main" in str(child.cmdline())]
+        assert len(workers) == 2
         workers[0].kill()
-
-    killed: list[int] = []
-    killer = threading.Thread(target=kill)
-    killer.start()
-    study = groundslab.study(write(tmp_path, MANY), workers=2, quiet=True)
-    killer.join()
-    assert killed
+        gate.touch()
+        said = process.communicate(timeout=PATIENCE)
+    assert process.returncode == 0, said
+    study = groundslab.open_study(folder)
     assert study.worker_failures() == {}
     assert same(study, whole)
 
 
-@pytest.mark.parametrize(("variant", "text", "of"), [(3, STUDY, 12), (200, MANY, COUNT)])
-def test_variant_that_kills_its_worker(tmp_path: Path, variant: int, text: str, of: int) -> None:
-    """A variant that brings down every worker, as for want of memory, has no row; all others have one.
+def test_variants_that_kill_their_workers(tmp_path: Path, whole: Study) -> None:
+    """Variants that bring down every worker have no row and are named with what happened; all others have one.
 
-    Those, too, that were handed to a worker together with it.
+    Those, too, that shared a task with them, and those whose rows were lost with the worker. One of the killers takes
+    more memory than Dask leaves a worker, which then ends it.
     """
-    (tmp_path / "sitecustomize.py").write_text(
-        "import os\nfrom groundslab.study.execution.variant import Worker\nrow = Worker.row\n"
-        f"Worker.row = lambda self, one, known=(): os._exit(9) if one.number == {variant} else row(self, one, known)\n"
-    )
-    places = os.pathsep.join([str(tmp_path), *sys.path])
-    command = ("groundslab", "study", str(write(tmp_path, text)), "--workers", "2", "--quiet")
-    with ended(started(*command, PYTHONPATH=places)) as process:
-        stdout, stderr = process.communicate(timeout=4 * PATIENCE)
+    deaths = tmp_path / "deaths"
+    killers = f"""
+    if number in (3, 50):
+        with open({str(deaths)!r}, "a") as file:
+            file.write(f"{{number}} ")
+    if number == 3:
+        os._exit(9)
+    if number == 50:
+        kept = [bytes(range(250)) * 40_000 for _ in range(100)]
+        time.sleep(600)
+    if number == 40:
+        raise MemoryError("no room")
+    if number == 41:
+        raise ZeroDivisionError("a defect")
+    """
+    environment = hooked(tmp_path, killers) | {"DASK_DISTRIBUTED__WORKER__MEMORY__TERMINATE": str(1e9 / memory_share())}
+    command = ("groundslab", "study", str(write(tmp_path, MANY)), "--workers", "2", "--quiet")
+    with ended(started(*command, **environment)) as process:
+        stdout, stderr = process.communicate(timeout=PATIENCE)
     assert process.returncode == 1, stderr
-    assert f"{of - 1} of {of} variants have a row" in stdout, stderr
-    assert f"variant {variant} has none: 4 workers died of it" in stdout
+    assert f"{COUNT - 4} of {COUNT} variants have a row" in stdout, stderr
+    study = groundslab.open_study(tmp_path / "study-study")
+    died = "2 workers died of it with nothing else running: "
+    failures = {
+        3: f"{died}exit code 9",
+        40: "MemoryError: no room",
+        41: "ZeroDivisionError: a defect",
+        50: f"{died}more memory than a worker's share of {memory_share() / 2**30:.3g} GiB",
+    }
+    assert study.worker_failures() == failures
+    # one beside others, two alone
+    assert sorted(deaths.read_text().split()) == ["3"] * 3 + ["50"] * 3
+    assert all(f"variant {number} has none: {message}" in stdout for number, message in failures.items())
+    assert f"{COUNT - 4} of {COUNT} rows are kept" in stderr
     assert "--resume" in stderr
+    columns = whole.table().columns.drop("seconds")
+    assert study.table()[columns].equals(whole.table().drop(index=list(failures))[columns])
+
+
+def memory_share() -> float:
+    """Return how much memory Dask gives a worker of one thread [bytes]."""
+    from dask.system import CPU_COUNT
+    from distributed.system import MEMORY_LIMIT
+
+    return float(MEMORY_LIMIT / CPU_COUNT)
+
+
+class Task:
+    """What Dask tells of a task."""
+
+    def __init__(self, status: str, error: Exception | None = None) -> None:
+        self.status, self.error = status, error
+
+    def exception(self) -> Exception | None:
+        """Return why it has failed."""
+        return self.error
+
+
+class KilledWorker(Exception):
+    """What Dask raises in place of a result when workers have died."""
+
+    allowed_failures = 3
+    last_worker = SimpleNamespace(memory_limit=0)
+
+
+@dataclass
+class Client:
+    """Fetches rows; those of one task were lost with their worker, and workers died as they were made anew."""
+
+    lost: Task
+    others: list[str]
+
+    def gather(self, tasks: list[Task]) -> list[str]:
+        """Return the rows of tasks."""
+        if self.lost in tasks:
+            self.lost.status, self.lost.error = "error", KilledWorker("Attempted to run task on 4 different workers")
+            raise self.lost.error
+        return self.others
+
+
+def test_rows_that_are_lost_before_they_are_fetched() -> None:
+    """A task that ended well, and of which workers die when it is done again, is one to be tried alone, not the end."""
+    lost, fine, failed = Task("finished"), Task("finished"), Task("error", ValueError("no"))
+    again = Task("pending")
+    cluster = dask_cluster.Cluster(Client(lost, ["rows"]), "")
+    outcomes = dict(dask_cluster._outcomes(cluster, [lost, fine, failed, again]))
+    loss = Loss("perhaps out of memory", 4)
+    assert outcomes == {fine: "rows", lost: loss, failed: "ValueError: no", again: None}
+
+
+def test_a_scheduler_that_is_lost_while_rows_are_fetched() -> None:
+    """What is no task's fault ends the study."""
+
+    class Lost:
+        def gather(self, tasks: list[Task]) -> list[str]:
+            raise OSError(f"{len(tasks)} away")
+
+    cluster = dask_cluster.Cluster(Lost(), "")
+    with pytest.raises(dask_cluster.LostScheduler, match="1 away"):
+        list(dask_cluster._outcomes(cluster, [Task("finished")]))
+    with pytest.raises(dask_cluster.LostScheduler):
+        list(dask_cluster._outcomes(cluster, [Task("cancelled")]))
 
 
 def test_worker_that_dask_gives_up() -> None:
@@ -147,21 +267,23 @@ def test_worker_that_dask_gives_up() -> None:
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of this kind are POSIX")
 @pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT])
+@pytest.mark.usefixtures("interruptible")
 def test_killed_study(tmp_path: Path, whole: Study, how: signal.Signals) -> None:
     """A study that is killed or interrupted leaves whole rows and no process; it goes on with the rest only."""
     path, folder = write(tmp_path, MANY), tmp_path / "study-study"
-    with ended(started("groundslab", "study", str(path), "--workers", "2")) as process:
-        wait_for(lambda: count(folder) >= 3)
+    environment = hooked(tmp_path, WAIT.format(first=4, gate=str(tmp_path / "never")))
+    with ended(started("groundslab", "study", str(path), "--workers", "2", **environment)) as process:
+        wait_for(lambda: count(folder) == 4)
         children = psutil.Process(process.pid).children(recursive=True)
         # Ctrl-C reaches every process of the terminal
         os.kill(process.pid, how) if how == signal.SIGKILL else os.killpg(process.pid, how)
         _, stderr = process.communicate(timeout=PATIENCE)
         assert psutil.wait_procs(children, timeout=PATIENCE)[1] == []
     before = groundslab.open_study(folder).table()
-    assert 3 <= len(before) < COUNT
+    assert len(before) == 4
     if how == signal.SIGINT:
         assert process.returncode == 130
-        assert f"{len(before)} of {COUNT} rows are kept" in stderr
+        assert f"4 of {COUNT} rows are kept" in stderr
         assert "Traceback" not in stderr
     study = alone(path, folder, "--resume")
     assert study.table().loc[before.index].equals(before)
@@ -206,21 +328,25 @@ def test_cluster(
 ) -> None:
     """A scheduler and two workers make the same rows; when the scheduler is killed, the rest is done elsewhere."""
     address, process, worker = scheduler
-    worker()
-    worker()
+    gate = tmp_path / "gate"
+    gate.touch()
+    environment = hooked(tmp_path, WAIT.format(first=4, gate=str(gate)))
+    worker(**environment)
+    worker(**environment)
     first, second = tmp_path / "first", tmp_path / "second"
     path = write(tmp_path, MANY)
     assert same(groundslab.study(path, scheduler=address, out=first, quiet=True), whole)
+    gate.unlink()
     command = ("groundslab", "study", str(path), "--scheduler", address, "--out", str(second), "--quiet")
     with ended(started(*command)) as study:
-        wait_for(lambda: count(second) >= 3)
+        wait_for(lambda: count(second) == 4)
         process.kill()
         _, stderr = study.communicate(timeout=PATIENCE)
     assert study.returncode == 1
     assert "lost" in stderr
     assert "--resume" in stderr
     before = groundslab.open_study(second).table()
-    assert len(before) < COUNT
+    assert len(before) == 4
     after = alone(path, second, "--resume")
     assert after.table().loc[before.index].equals(before)
     assert same(after, whole)
@@ -246,27 +372,6 @@ def test_no_scheduler(tmp_path: Path) -> None:
     """An address where no scheduler answers is an error of the input."""
     with pytest.raises(InputError, match="Dask scheduler such as"):
         groundslab.study(write(tmp_path), scheduler="nothing at all", quiet=True)
-
-
-def test_fast_variants_share_a_task() -> None:
-    """A task lasts a fraction of a second, and none is so large that threads idle in the end."""
-    variants = [Variant(number, (), ()) for number in range(1, 1001)]
-    tasks = dask_cluster._Tasks(variants)
-    first = tasks.next(32, 2)
-    assert [len(each) for each in first] == [1] * 32
-    for (variant,) in first:
-        row = Row(variant.number, SOLVED, "", "", 0.01, (), ())
-        assert list(tasks.finish([variant], [row])) == [row]
-    (some,) = tasks.next(1, 2)
-    assert 10 <= len(some) <= 0.2 / 0.01
-    # which of several it was that failed shows when each is a task of its own
-    assert list(tasks.finish(some, "4 workers died of it")) == []
-    assert tasks.next(len(some), 2) == [[each] for each in some]
-    (failure,) = tasks.finish(some[:1], "4 workers died of it")
-    assert failure == dask_cluster.WorkerFailure(some[0].number, "4 workers died of it")
-    tasks.left = deque(variants[-48:])
-    assert [len(each) for each in tasks.next(32, 2)] == [6] * 8
-    assert tasks.next(32, 2) == []
 
 
 def test_differences() -> None:
@@ -323,7 +428,7 @@ def test_strangers_are_kept_out() -> None:
         for other in (address, address.replace("tls://", "tcp://")):
             keys = distributed.Security.temporary() if other.startswith("tls") else None
             with pytest.raises(OSError, match=r"TLS certificate|TCP|timed out"):
-                distributed.Client(other, timeout=5, security=keys)
+                distributed.Client(other, timeout=2, security=keys)
         assert found.threads == 2
 
 

@@ -212,6 +212,41 @@ class TestStore:
         assert main.main(["study", str(path), "--workers", "0", "--quiet", "--resume"]) == 0
         assert study.worker_failures() == {}
 
+    def test_variants_that_end_the_only_process(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        """Without workers two variants end the study each time; continued, it solves all others before them."""
+        path, folder = write(tmp_path), tmp_path / "study-study"
+        note, row = folder / store.SOLVING, variant.Worker.row
+        left: list[str] = []
+
+        class End(BaseException):
+            """What ends the process, and leaves no time for anything."""
+
+        def row_or_end(self: variant.Worker, one: designs.Variant, known: tuple[str, ...] = ()) -> variant.Row:
+            if one.number in (2, 5):
+                left.append(note.read_text())
+                raise End
+            return row(self, one, known)
+
+        rows = []
+        with monkeypatch.context() as patch:
+            patch.setattr(variant.Worker, "row", row_or_end)
+            for _ in range(4):
+                with pytest.raises(End):
+                    groundslab.study(path, workers=0, resume=True, quiet=True)
+                assert not note.exists()
+                # as the end of the process leaves it
+                note.write_text(left[-1])
+                rows.append(len(groundslab.open_study(folder)))
+        assert left == ["2", "5", "2", "5"]
+        assert rows == [1, 3, 10, 10]
+        study = groundslab.study(path, workers=0, resume=True, quiet=True)
+        assert len(study) == 12
+        assert study.worker_failures() == {}
+        assert not note.exists()
+        with sqlite3.connect(folder / "rows.sqlite") as kept:
+            mishaps = kept.execute("SELECT number, message FROM mishaps").fetchall()
+        assert mishaps == [(number, "the process ended while it was solved") for number in (2, 5, 2, 5)]
+
     @pytest.mark.skipif(sys.platform == "win32" or os.geteuid() == 0, reason="needs a folder that cannot be written")
     def test_read_where_nothing_can_be_written(self, tmp_path: Path) -> None:
         """A study can be read from a folder without leave to write."""

@@ -207,10 +207,10 @@ def test_a_case_is_edited_solved_saved(start: Start, case: Path, tmp_path: Path)
     state = app.set(["plate", "thickness"], "300 mm")
     reported = app.wait("solved", version=state["version"])
     assert reported["refused"] == {}
-    assert [name for name, about in app.events if about.get("run") == reported["run"] and name != "progress"] == [
-        "solving",
-        "solved",
-    ]
+    # a preview comes where the machine is slow
+    on_the_way = ("progress", "preview")
+    names = [name for name, about in app.events if about.get("run") == reported["run"] and name not in on_the_way]
+    assert names == ["solving", "solved"]
     scene = unpack(app.ask("GET", f"/api/results/{reported['run']}/scene")[1])
     assert scene.head["plan"]["bounds"] == state["plan"]["bounds"] == [-3, -2, 3, 2]
     (combination,) = app.get(f"/api/results/{reported['run']}/summary")["combinations"]

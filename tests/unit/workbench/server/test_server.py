@@ -36,7 +36,7 @@ from groundslab.workbench.solver.thread import Solver
 
 PORT, TOKEN = 8765, "secret"
 HOST = f"127.0.0.1:{PORT}"
-PATIENCE = 60.0
+PATIENCE = 120.0
 GOOD = [("host", HOST), ("x-groundslab-token", TOKEN)]
 CASE = """\
 # A plate to edit.

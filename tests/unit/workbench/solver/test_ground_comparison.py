@@ -16,7 +16,7 @@ from groundslab.views.ground_comparison.rows import constant_rows, figure_rows
 from groundslab.workbench.solver import ground_comparison
 from groundslab.workbench.solver.ground_comparison import GroundComparer
 
-PATIENCE = 60.0
+PATIENCE = 120.0
 SOFT = """
 [plate]
 length_x = "4 m"

@@ -21,7 +21,7 @@ from helpers.scenes import unpack
 
 pytestmark = pytest.mark.slow
 
-PATIENCE = 60.0
+PATIENCE = 120.0
 
 
 class Events:
