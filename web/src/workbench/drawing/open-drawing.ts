@@ -3,10 +3,9 @@
 import { button, h } from "../../viewer/shared/dom";
 import type { Api, DocState, Refused } from "../client/api";
 import type { Store } from "../client/store";
-import { closeDialog, openDialog } from "../shell/dialogs";
+import { closeDialog, openDialog } from "../controls/dialogs";
+import { centeringOffset, type DrawingChoice, type Survey } from "../model/survey";
 import { askAboutDrawing } from "./drawing-dialog";
-import type { DrawingChoice, Survey } from "./survey";
-import { centeringOffset } from "./underlay";
 
 /** Whether a file is a drawing by its name. */
 export function isDrawing(file: string): boolean {

@@ -1,10 +1,9 @@
 // The drawing with its tools, keys and properties.
 import { button, h, setText } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
-import { underlayBar } from "../drawing/underlay-bar";
 import type { FormContext } from "../form/context";
 import { joinEdits } from "../model/changes/batches";
-import type { Change } from "../model/changes/edits";
+import type { Change } from "../model/edits";
 import { countItems } from "../model/items";
 import { type Path, startsWith, valueAt } from "../model/paths";
 import { actionButtons } from "./actions/action-bar";
@@ -18,6 +17,7 @@ import { caseChoice, unplacedLoads } from "./loads";
 import { propertyPanel } from "./properties";
 import { toolBar } from "./tool-bar";
 import type { Tool } from "./tools";
+import { underlayBar } from "./underlay/underlay-bar";
 import "./plan-editor.css";
 
 const EMPTY = "Draw the slab: choose Slab (B), then drag a rectangle or click corner after corner.";

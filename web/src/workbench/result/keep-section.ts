@@ -2,8 +2,8 @@
 import type { SectionLine } from "../../viewer/panels/section-panel";
 import { button, h } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
-import type { Change } from "../model/changes/edits";
 import { addLine } from "../model/changes/new-items";
+import type { Change } from "../model/edits";
 import { freeName, namesIn } from "../model/names";
 import { listAt, type Table } from "../model/paths";
 import { formatLength } from "../model/quantities";

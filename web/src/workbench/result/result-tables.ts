@@ -1,7 +1,7 @@
 // The tabs of tables below the picture: which tables each has; a table is asked for when it is first seen.
 import { fillOptions, h } from "../../viewer/shared/dom";
 import type { Api, ResultTable } from "../client/api";
-import type { Tab } from "../shell/tabs";
+import type { Tab } from "../controls/tabs";
 import type { Target } from "./table-rows";
 import { TableView } from "./table-view";
 

@@ -1,7 +1,7 @@
 // All issues of the case file below the model; each leads to its field.
 import { fill, h } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
-import { type Push, repairButtons } from "../help/repairs";
+import { type Push, repairButtons } from "../form/repairs";
 import type { Issue } from "../model/issues";
 import { issueCount, issueLine } from "../model/issues";
 

@@ -1,10 +1,10 @@
 // The underlay's button in the corner of the plan: whether it is shown, its unit, and where it lies.
 
-import { button, h, newId } from "../../viewer/shared/dom";
-import type { Store } from "../client/store";
-import { formatDecimals, parseTyped } from "../model/quantities";
-import { unitsFor } from "./survey";
-import type { Underlay } from "./underlay";
+import { button, h, newId } from "../../../viewer/shared/dom";
+import type { Store } from "../../client/store";
+import { formatDecimals, parseTyped } from "../../model/quantities";
+import { type Underlay, unitsFor } from "../../model/survey";
+import "./underlay.css";
 
 /** Return the button with its fields, hidden where there is no underlay; the canvas shows what they say. */
 export function underlayBar(store: Store, canvas: { showUnderlay(underlay: Underlay | null): void }): HTMLElement {
