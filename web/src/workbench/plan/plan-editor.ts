@@ -57,26 +57,11 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
   });
   new Keyboard(canvas, pointer, store, push, tools, actions, dialog, showHint);
   useClipboard(canvas.element, actions, () => pointer.place);
-  const cases = caseChoice(store, push, (name) => {
-    canvas.loadCase = name;
-    canvas.redraw();
-  });
+  const box = drawingBox(store, canvas, push);
   const loads = unplacedLoads(store, push, () => canvas.loadCase);
-  const empty = h("p", { class: "drawing-empty" }, EMPTY);
-  const bar = [underlayBar(store, canvas), cases.element, ...viewButtons(canvas)];
-  const corner = h("div", { class: "drawing-corner" }, ...bar);
-  const box = h("div", { class: "drawing-box" }, canvas.element, corner, empty);
   const middle = h("div", { class: "plan-middle" }, box, loads.element, hint);
   const element = h("div", { class: "plan-editor" }, tools.element, middle, panel.element);
   showHint(tools.current().hint);
-  new ResizeObserver(() => canvas.resize(box.clientWidth, box.clientHeight)).observe(box);
-  store.on(["data"], () => {
-    canvas.refresh();
-    // what has been removed is no longer selected
-    store.selectAll(store.selected.filter((path) => valueAt(store.data, path) !== undefined));
-    cases.update();
-    empty.hidden = canvas.items.some((item) => item.kind === "slab");
-  });
   store.on(["doc"], () => {
     canvas.redraw();
     panel.update();
@@ -99,6 +84,27 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
     return panel.reveal(path);
   };
   return { element, reveal };
+}
+
+/** Make the drawing with the controls in its corner, and with what it says while there is no slab. */
+function drawingBox(store: Store, canvas: Canvas, push: (change: Change) => void): HTMLElement {
+  const cases = caseChoice(store, push, (name) => {
+    canvas.loadCase = name;
+    canvas.redraw();
+  });
+  const empty = h("p", { class: "drawing-empty" }, EMPTY);
+  const bar = [underlayBar(store, canvas), cases.element, ...viewButtons(canvas)];
+  const corner = h("div", { class: "drawing-corner" }, ...bar);
+  const box = h("div", { class: "drawing-box" }, canvas.element, corner, empty);
+  new ResizeObserver(() => canvas.resize(box.clientWidth, box.clientHeight)).observe(box);
+  store.on(["data"], () => {
+    canvas.refresh();
+    // what has been removed is no longer selected
+    store.selectAll(store.selected.filter((path) => valueAt(store.data, path) !== undefined));
+    cases.update();
+    empty.hidden = canvas.items.some(({ kind }) => kind === "slab");
+  });
+  return box;
 }
 
 /** Make the buttons that show or hide axes and dimensions, and show everything. */

@@ -74,10 +74,6 @@ export class ResultTables {
     return this.groups.map(({ name, label, panel }) => ({ name, label, panel }));
   }
 
-  get panels(): HTMLElement[] {
-    return this.groups.map(({ panel }) => panel);
-  }
-
   /** Put something before the rows of a tab. */
   addTo(tab: string, element: HTMLElement): void {
     this.groups.find(({ name }) => name === tab)?.panel.prepend(element);

@@ -1,5 +1,6 @@
 // The rows of a table: sorted, filtered, as text. No elements here.
 import type { ResultTable, TableCell, TableHead } from "../client/api";
+import { headWidth } from "../controls/virtual-rows";
 
 export interface Sorting {
   column: number;
@@ -84,13 +85,7 @@ export function targetOf(table: ResultTable, row: number, column: number): Targe
 /** Return the widths of the columns in letters, so that no row that comes into view later changes them. */
 export function columnWidths({ heads, rows }: ResultTable): number[] {
   return heads.map((head, n) => {
-    const longest = Math.max(
-      ...headText(head)
-        .split(" ")
-        .map((word) => word.length),
-      headText(head).length / 2,
-    );
-    const widest = rows.reduce((most, row) => Math.max(most, lengthOf(row[n])), longest);
+    const widest = rows.reduce((most, row) => Math.max(most, lengthOf(row[n])), headWidth(headText(head)));
     return Math.min(Math.max(widest, 4), 44) + 2;
   });
 }
