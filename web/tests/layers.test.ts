@@ -10,7 +10,7 @@ const rows = page
   .split("\n\n")[0]!
   .split("\n")
   .slice(2)
-  .map((line) => Array.from(line.split("|")[1]!.matchAll(/`([^`]+)`/g), ([, folder]) => folder!));
+  .map((line) => Array.from(line.split("|")[1]!.matchAll(/`([^`]+)\/`/g), ([, folder]) => folder!));
 const ranks = new Map(rows.flatMap((folders, rank) => folders.map((folder) => [folder, rank] as const)));
 
 /** Return the folder of the table that a file is in, without `../src/`. */
