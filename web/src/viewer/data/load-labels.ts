@@ -2,8 +2,8 @@
 import { formatShort } from "./numbers";
 import type { Load } from "./scene";
 
-/** Kinds of loads without a place of their own. */
-const EVERYWHERE: ReadonlySet<string> = new Set(["uniform", "self weight", "temperature", "shrinkage"]);
+/** Kinds of loads that act on the entire slab. */
+export const EVERYWHERE: ReadonlySet<string> = new Set(["uniform", "self weight", "temperature", "shrinkage"]);
 const round = (value: number) => formatShort(value, 5);
 
 /** A load that is drawn, and its label; empty where the label of another load at the same place includes it. */

@@ -1,5 +1,5 @@
 // The symbols of a solved plan.
-import { labelLoads } from "../data/load-labels";
+import { EVERYWHERE, labelLoads } from "../data/load-labels";
 import type { Area, Line, Load, Place, Plan } from "../data/scene";
 import { plainSymbols } from "../shared/symbols";
 import { type PlanSymbol, thicknessText } from "./symbols";
@@ -65,9 +65,9 @@ export function symbolsOf(plan: Plan, layers: Layers, factors: ReadonlyMap<strin
 function loadSymbol({ kind, points, ring, holes, footprint }: Load, text: string): PlanSymbol[] {
   const texts = text ? [plainSymbols(text)] : [];
   const load = { kind: "load", texts } as const;
-  if (kind === "uniform") return [];
+  if (EVERYWHERE.has(kind)) return [];
   if (ring) return [{ ...load, shape: "area", points: ring, holes: holes ?? [] }];
   if (!points?.length) return [];
   if (points.length > 1) return [{ ...load, shape: "line", points }];
-  return [{ ...load, shape: "point", points, foot: footprint, hidden: !text, upward: /= \u2212/.test(text) }];
+  return [{ ...load, shape: "point", points, foot: footprint, hidden: !text, upward: /^(P|w_s) = \u2212/.test(text) }];
 }

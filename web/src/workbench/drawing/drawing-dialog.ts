@@ -109,8 +109,8 @@ class DrawingDialog {
   private settings(): HTMLElement {
     const { unit } = this.survey;
     const choose = h("option", { value: "" }, "choose …");
-    const units = unitsFor(this.survey).map((each) => {
-      return h("option", { value: each, selected: each === unit }, each === unit ? `${each}, as it says` : each);
+    const units = unitsFor(this.survey).map((name) => {
+      return h("option", { value: name, selected: name === unit }, name === unit ? `${name}, as it says` : name);
     });
     fill(this.unit, unit === null ? choose : null, ...units);
     return h(

@@ -28,13 +28,13 @@ export interface DrawingOpener {
 export async function openDrawing(file: string, opener: DrawingOpener): Promise<void> {
   const { api, store } = opener;
   const name = file.replace(/^.*[\\/]/, "");
-  let found: Survey | null = null;
+  let answer: Survey | null = null;
   store.set("notice", { kind: "info", text: `Reading ${name} …` });
   const isRead = await opener.run(async () => {
-    found = await api.surveyDrawing(file);
+    answer = await api.surveyDrawing(file);
     store.set("notice", null);
   });
-  const survey = found as Survey | null;
+  const survey = answer as Survey | null;
   if (!isRead || !survey) return;
   await askAboutDrawing(name, survey, {
     makeCase: (choice, shown) => makeCase(file, name, survey, choice, shown, opener),

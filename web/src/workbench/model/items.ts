@@ -1,5 +1,6 @@
 // Items of the case file that have a place in plan.
 
+import { EVERYWHERE } from "../../viewer/data/load-labels";
 import type { Kind } from "../../viewer/plan/symbols";
 import {
   boundsOf,
@@ -61,13 +62,7 @@ const SOURCES: readonly Source[] = [
 ];
 
 /** Kinds of loads that have no place of their own in plan. */
-export const UNPLACED: ReadonlySet<string> = new Set([
-  "uniform",
-  "self weight",
-  "temperature",
-  "shrinkage",
-  "settlement",
-]);
+export const UNPLACED: ReadonlySet<string> = new Set([...EVERYWHERE, "settlement"]);
 
 /** Everything that can be drawn, from below upwards; what cannot be read here is taken from the server's plan. */
 export function itemsOf(data: Table, plan: Table | null): Item[] {

@@ -78,7 +78,7 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
     panel.show(store.selected);
   });
   const reveal = (path: Path) => {
-    const item = canvas.items.findLast((each) => each.kind !== "slab" && startsWith(path, each.path));
+    const item = canvas.items.findLast((one) => one.kind !== "slab" && startsWith(path, one.path));
     if (!item && path[0] !== "plate") return false;
     store.select(item?.path ?? null);
     return panel.reveal(path);

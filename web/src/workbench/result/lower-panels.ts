@@ -60,7 +60,7 @@ export class LowerPanels {
     if (one && one.refused === null) this.summaryBox.prepend(this.reference.keepButton);
     this.reference.show(summary, one?.name ?? "");
     showCertificates(this.certificateBox, summary, (n) => view.show(n, view.field));
-    const bad = summary?.combinations.filter((each) => verdictOf(each) !== "certified").length ?? 0;
+    const bad = summary?.combinations.filter((combination) => verdictOf(combination) !== "certified").length ?? 0;
     this.tabs.mark("certificate", summary ? (bad > 0 ? String(bad) : "✓") : "", bad > 0);
     this.values.show(view.scene, view.locator, view.choice, pick, view.field);
     this.section.update();

@@ -1,4 +1,5 @@
 // The items of the case that a result's picture shows: by their list and name, and by a place.
+import { EVERYWHERE } from "../../viewer/data/load-labels";
 import type { Plan, Point, Ring } from "../../viewer/data/scene";
 import { isInside } from "../model/geometry";
 
@@ -34,7 +35,7 @@ export function itemsIn(plan: Plan, list: string): PlanItem[] {
   const lists: Record<string, readonly Source[]> = {
     columns: plan.columns,
     supports: plan.supports,
-    loads: plan.loads.filter((load) => load.kind !== "uniform"),
+    loads: plan.loads.filter((load) => !EVERYWHERE.has(load.kind)),
     boreholes: plan.boreholes,
     "output.points": plan.points,
     "output.lines": plan.lines,
@@ -71,7 +72,7 @@ export function itemAt(plan: Plan, at: Point, reach: number): PlanItem | null {
 /** Return the item at a path as plans write it, null if it has no place. */
 export function itemOf(plan: Plan, path: string): PlanItem | null {
   const list = path.replace(/\[\d+\](\.shape)?$/, "");
-  return itemsIn(plan, list).find((each) => each.path === path.replace(/\.shape$/, "")) ?? null;
+  return itemsIn(plan, list).find((item) => item.path === path.replace(/\.shape$/, "")) ?? null;
 }
 
 /** Return the least distance of a place from a point or a line. */

@@ -95,7 +95,7 @@ export class ResultTables {
 
   /** Show the chosen table of a tab that has come into view. */
   async see(tab: string): Promise<void> {
-    const group = this.groups.find((each) => each.name === tab);
+    const group = this.groups.find((one) => one.name === tab);
     const { run } = this;
     const name = group?.choice.value;
     if (!group || !name || run === null || group.shown === `${run} ${name}`) return;

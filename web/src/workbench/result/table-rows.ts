@@ -25,12 +25,12 @@ export function arrangeRows({ rows, heads }: ResultTable, filter: string, sortin
     const text = row.map(textOf).join("\n").toLowerCase();
     return words.every((word) => text.includes(word));
   };
-  const found = rows.flatMap((row, n) => (words.length === 0 || holds(row) ? [n] : []));
-  if (!sorting) return found;
+  const positions = rows.flatMap((row, n) => (words.length === 0 || holds(row) ? [n] : []));
+  if (!sorting) return positions;
   const { column, descending } = sorting;
   const compare = heads[column]?.number ? compareNumbers : compareTexts;
   const sign = descending ? -1 : 1;
-  return found.sort((a, b) => {
+  return positions.sort((a, b) => {
     const [first, second] = [rows[a]?.[column], rows[b]?.[column]];
     const empty = Number(textOf(first) === "") - Number(textOf(second) === "");
     return empty || sign * compare(first, second) || a - b;

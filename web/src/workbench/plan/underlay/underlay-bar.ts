@@ -40,8 +40,8 @@ export function underlayBar(store: Store, canvas: { showUnderlay(underlay: Under
 function makeFields(store: Store, underlay: Underlay, change: (changes: Partial<Underlay>) => void): HTMLElement[] {
   const shown = h("input", { type: "checkbox", checked: underlay.shown });
   shown.addEventListener("change", () => change({ shown: shown.checked }));
-  const units = unitsFor(underlay.survey).map((each) =>
-    h("option", { value: each, selected: each === underlay.unit }, each),
+  const units = unitsFor(underlay.survey).map((name) =>
+    h("option", { value: name, selected: name === underlay.unit }, name),
   );
   const unit = h("select", {}, ...units);
   unit.addEventListener("change", () => change({ unit: unit.value }));

@@ -63,8 +63,8 @@ export class UnderlayLines {
     const some = near.slice(0, MOST_CROSSED);
     const crossings = some.flatMap((one, n) =>
       some.slice(n + 1).flatMap((other): SnapPlace[] => {
-        const found = intersection(one, other);
-        return found ? [{ at: found, name: "intersection" }] : [];
+        const crossing = intersection(one, other);
+        return crossing ? [{ at: crossing, name: "intersection" }] : [];
       }),
     );
     return [...ends, ...crossings].filter(isNear);
@@ -77,15 +77,15 @@ export class UnderlayLines {
 
 /** Return the pieces whose boxes come near a place. */
 function piecesNear(pieces: Float64Array, [x, y]: Point, reach: number): [Point, Point][] {
-  const found: [Point, Point][] = [];
+  const near: [Point, Point][] = [];
   for (let n = 0; n < pieces.length; n += 4) {
     const [x0, y0, x1, y1] = [pieces[n]!, pieces[n + 1]!, pieces[n + 2]!, pieces[n + 3]!];
     if (x < Math.min(x0, x1) - reach || x > Math.max(x0, x1) + reach) continue;
     if (y < Math.min(y0, y1) - reach || y > Math.max(y0, y1) + reach) continue;
-    found.push([
+    near.push([
       [x0, y0],
       [x1, y1],
     ]);
   }
-  return found;
+  return near;
 }
