@@ -8,7 +8,7 @@ export default defineConfig({
     outDir: "../src/groundslab/views/report/static",
     emptyOutDir: true,
     target: "es2022",
-    rolldownOptions: { output: { postBanner: notice } },
+    rolldownOptions: { output: { postBanner: notice("three", "uplot") } },
     lib: {
       entry: "src/report/main.ts",
       formats: ["iife"],

@@ -1,8 +1,8 @@
 // A server in the page: keeps data as JSON, answers as the real one does, can be away.
 
 import { type DocState, Outdated, Unreachable } from "../../src/workbench/client/api";
-import type { Change } from "../../src/workbench/model/changes/edits";
 import { applyOptimistic } from "../../src/workbench/model/changes/optimistic-edits";
+import type { Change } from "../../src/workbench/model/edits";
 import type { Issue } from "../../src/workbench/model/issues";
 import type { Table } from "../../src/workbench/model/paths";
 

@@ -1,7 +1,7 @@
 import type { FormContext } from "../../src/workbench/form/context";
 import { partWidget } from "../../src/workbench/form/section";
-import type { Change } from "../../src/workbench/model/changes/edits";
 import { applyOptimistic } from "../../src/workbench/model/changes/optimistic-edits";
+import type { Change } from "../../src/workbench/model/edits";
 import type { Issue } from "../../src/workbench/model/issues";
 import { type Path, pathKey, type Table } from "../../src/workbench/model/paths";
 import { schema } from "./schema";

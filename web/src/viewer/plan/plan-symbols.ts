@@ -69,5 +69,5 @@ function loadSymbol({ everywhere, points, ring, holes, footprint }: Load, text: 
   if (ring) return [{ ...load, shape: "area", points: ring, holes: holes ?? [] }];
   if (!points?.length) return [];
   if (points.length > 1) return [{ ...load, shape: "line", points }];
-  return [{ ...load, shape: "point", points, foot: footprint, hidden: !text, upward: /= \u2212/.test(text) }];
+  return [{ ...load, shape: "point", points, foot: footprint, hidden: !text, upward: /^(P|w_s) = \u2212/.test(text) }];
 }

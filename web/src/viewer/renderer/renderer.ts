@@ -60,8 +60,17 @@ export function nodesFromOrigin({ nodes, nodeCount, origin }: Mesh): Float32Arra
   return places;
 }
 
-/** How much the elements' sides cover what is below them. */
-export const SIDE_ALPHA = 0.35;
+/** How a field looks, whoever draws it. */
+export const LOOK = {
+  /** How much the elements' sides cover what is below them. */
+  sideAlpha: 0.35,
+  /** Distance along x between the stripes where there is no contact [px]. */
+  stripes: 12,
+  /** Light where none falls directly. */
+  ambient: 0.5,
+  /** Whence the light comes: the lamp is high, at the left and in front. */
+  sun: [-0.4506, -0.3505, 0.8211],
+} as const;
 
 /** Return the color of the elements' sides: dark where the scale is light in its middle, else light. */
 export function sideColor({ diverging }: ColorScale): Rgb {
@@ -70,13 +79,6 @@ export function sideColor({ diverging }: ColorScale): Rgb {
 
 /** Elements smaller than this [dots] look the same in two triangles as in eight. */
 const SMALL = 3.5;
-
-/** Distance along x between the stripes where there is no contact [px]. */
-export const STRIPES = 12;
-
-/** Light where none falls directly; the lamp is high, at the left and in front. */
-export const AMBIENT = 0.5;
-export const SUN = [-0.4506, -0.3505, 0.8211] as const;
 
 /** Return the triangles that a view shows. */
 export function rangesIn(tiling: Tiling, { box, scale, ratio }: View): Range[] {

@@ -6,16 +6,13 @@ import { borderLines, makeTiling, type Range, sideLines, type Tiling } from "../
 import { type Palette, paletteOf, type Rgb, rgbOf } from "../shared/palette";
 import type { Theme } from "../shared/theme";
 import {
-  AMBIENT,
   type FieldRenderer,
   fromOrigin,
   type Lines,
+  LOOK,
   nodesFromOrigin,
   type Picture,
   rangesIn,
-  SIDE_ALPHA,
-  STRIPES,
-  SUN,
   sideColor,
   type View,
 } from "./renderer";
@@ -72,7 +69,7 @@ export function colorize(raster: Raster, picture: Picture, view: View, palette: 
   colors[OVER] = scale.over;
   colors[UNDER] = scale.under;
   const pixels = new Uint8ClampedArray(4 * width * height);
-  const pitch = STRIPES * view.ratio;
+  const pitch = LOOK.stripes * view.ratio;
   const origin = new Vector3().project(view.camera);
   const anchor = ((origin.x + 1) * width) / 2 - ((1 - origin.y) * height) / 2;
   const [paper, hatch] = [rgbOf(palette.paper), rgbOf(palette.hatch)];
@@ -147,7 +144,7 @@ export class SoftwareRenderer implements FieldRenderer {
     if (picture.mesh) {
       this.sides ??= sideLines(mesh);
       const color = sideColor(picture.scale);
-      drawLines(raster, pixels, projectNodes(mesh, picture, view), this.sides, color, SIDE_ALPHA, view.ratio);
+      drawLines(raster, pixels, projectNodes(mesh, picture, view), this.sides, color, LOOK.sideAlpha, view.ratio);
     }
     if (picture.settlement) {
       this.border ??= borderLines(mesh);
@@ -207,8 +204,8 @@ function lightOn({ nodes }: Mesh, settlement: Float32Array, times: number, a: nu
   const [vx, vy] = [nodes[2 * c]! - nodes[2 * a]!, nodes[2 * c + 1]! - nodes[2 * a + 1]!];
   const [uz, vz] = [(settlement[a]! - settlement[b]!) * times, (settlement[a]! - settlement[c]!) * times];
   const [nx, ny, nz] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-  const cosine = Math.abs(nx * SUN[0] + ny * SUN[1] + nz * SUN[2]) / (Math.hypot(nx, ny, nz) || 1);
-  return 255 * (AMBIENT + (1 - AMBIENT) * cosine);
+  const cosine = Math.abs(nx * LOOK.sun[0] + ny * LOOK.sun[1] + nz * LOOK.sun[2]) / (Math.hypot(nx, ny, nz) || 1);
+  return 255 * (LOOK.ambient + (1 - LOOK.ambient) * cosine);
 }
 
 function fillTriangle(

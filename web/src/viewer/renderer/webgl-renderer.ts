@@ -19,16 +19,13 @@ import { borderLines, makeTiling, sideLines, type Tiling } from "../data/triangu
 import { paletteOf, rgbOf } from "../shared/palette";
 import type { Theme } from "../shared/theme";
 import {
-  AMBIENT,
   type FieldRenderer,
   fromOrigin,
   type Lines,
+  LOOK,
   nodesFromOrigin,
   type Picture,
   rangesIn,
-  SIDE_ALPHA,
-  STRIPES,
-  SUN,
   sideColor,
   type View,
 } from "./renderer";
@@ -86,7 +83,7 @@ vec3 lifted(vec3 color) {
   float slope = length(vec2(dFdx(vContact), dFdy(vContact)));
   if (vContact > 0.0) {
     vec2 p = (gl_FragCoord.xy - uAnchor) / uRatio;
-    float stripe = abs(fract((p.x + p.y) / ${STRIPES.toFixed(1)}) - 0.5) * ${STRIPES.toFixed(1)} * 0.7071;
+    float stripe = abs(fract((p.x + p.y) / ${LOOK.stripes.toFixed(1)}) - 0.5) * ${LOOK.stripes.toFixed(1)} * 0.7071;
     color = mix(mix(color, uPaper, 0.55), uHatch, 0.6 * (1.0 - smoothstep(0.3, 1.0, stripe)));
   }
   float d = abs(vContact) / max(slope, 1e-30) / uRatio;
@@ -98,7 +95,7 @@ void main() {
   if (uContact > 0.0) color = lifted(color);
   // both faces are lit alike
   vec3 normal = normalize(cross(dFdx(vPlace), dFdy(vPlace)));
-  if (uLit > 0.0) color *= ${AMBIENT} + ${1 - AMBIENT} * abs(dot(normal, uSun));
+  if (uLit > 0.0) color *= ${LOOK.ambient} + ${1 - LOOK.ambient} * abs(dot(normal, uSun));
   result = vec4(color, 1.0);
 }`;
 
@@ -129,7 +126,7 @@ export class WebglRenderer implements FieldRenderer {
     uExaggeration: this.exaggeration,
   };
   private readonly surface: Surface<BufferGeometry, RawShaderMaterial[]>;
-  private readonly sides = this.makeLines(SIDE_ALPHA);
+  private readonly sides = this.makeLines(LOOK.sideAlpha);
   private readonly border = this.makeLines();
   private readonly flat = this.makeLines();
   private readonly columns = this.makeLines();
@@ -187,7 +184,7 @@ export class WebglRenderer implements FieldRenderer {
         setAttribute(part.geometry, "settlement", picture.settlement);
     if (picture.mesh && !this.sides.geometry.index)
       this.sides.geometry.setIndex(new BufferAttribute(sideLines(mesh), 1));
-    this.sides.material.uniforms.uColor!.value = [...shares(sideColor(picture.scale)), SIDE_ALPHA];
+    this.sides.material.uniforms.uColor!.value = [...shares(sideColor(picture.scale)), LOOK.sideAlpha];
     uniforms.uContact.value = picture.contact ? 1 : 0;
     uniforms.uLit.value = picture.settlement ? 1 : 0;
     uniforms.uLines.value = picture.lines ? 1 : 0;
@@ -226,7 +223,7 @@ export class WebglRenderer implements FieldRenderer {
     }
     this.exaggeration.value = view.exaggeration / 1000;
     this.uniforms.uRatio.value = ratio;
-    this.uniforms.uSun.value.set(...SUN).transformDirection(camera.matrixWorldInverse);
+    this.uniforms.uSun.value.set(...LOOK.sun).transformDirection(camera.matrixWorldInverse);
     // stripes stay where they are on the plate while it moves
     const origin = new Vector3(...this.origin).project(camera);
     this.uniforms.uAnchor.value.set(((origin.x + 1) * width * ratio) / 2, ((origin.y + 1) * height * ratio) / 2);

@@ -1,9 +1,9 @@
 // The server's HTTP interface.
 
-import type { DrawingChoice, Survey } from "../drawing/survey";
-import type { Change } from "../model/changes/edits";
+import type { Change } from "../model/edits";
 import { type Issue, issueLine, type Remark } from "../model/issues";
 import { isTable, type Json, type Table, tableAt } from "../model/paths";
+import type { DrawingChoice, Survey } from "../model/survey";
 
 /** Unsaved work that an earlier run of the server has kept. */
 export interface Offer {

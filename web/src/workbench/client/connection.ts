@@ -1,6 +1,6 @@
 // The connection to the server: its events, and reconnecting.
 
-import type { Change } from "../model/changes/edits";
+import type { Change } from "../model/edits";
 import type { Issue } from "../model/issues";
 import { type Api, type DocState, Lost, Unauthorized } from "./api";
 import type { EditQueue } from "./edit-queue";

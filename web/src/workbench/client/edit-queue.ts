@@ -1,6 +1,6 @@
 // Edits on their way to the server: one at a time, in order, none lost when the server is away.
 
-import type { Change } from "../model/changes/edits";
+import type { Change } from "../model/edits";
 import { type Api, type DocState, Lost, Outdated, Refused } from "./api";
 
 export interface QueueHooks {

@@ -1,10 +1,10 @@
 // The state of the page, and listeners to its changes. No elements here.
 
-import type { Underlay } from "../drawing/underlay";
-import type { Change, Edit } from "../model/changes/edits";
 import { applyOptimistic } from "../model/changes/optimistic-edits";
+import type { Change, Edit } from "../model/edits";
 import type { Issue } from "../model/issues";
 import { type Path, pathKey, samePath, type Table } from "../model/paths";
+import type { Underlay } from "../model/survey";
 import type { DocState } from "./api";
 
 /** The state of the connection. */

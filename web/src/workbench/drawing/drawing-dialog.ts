@@ -1,9 +1,17 @@
 // What is to be made of a drawing: what its layers hold, its unit, its origin; with a small picture of it.
 
 import { button, fill, h, newId } from "../../viewer/shared/dom";
-import { closeDialog, openDialog } from "../shell/dialogs";
+import { closeDialog, openDialog } from "../controls/dialogs";
+import {
+  contentText,
+  type DrawingChoice,
+  findProblem,
+  type Layer,
+  ROLES,
+  type Survey,
+  unitsFor,
+} from "../model/survey";
 import { drawPreview } from "./preview";
-import { contentText, type DrawingChoice, findProblem, type Layer, ROLES, type Survey, unitsFor } from "./survey";
 import "./drawing.css";
 
 /** What the dialog is used for. */
@@ -101,8 +109,8 @@ class DrawingDialog {
   private settings(): HTMLElement {
     const { unit } = this.survey;
     const choose = h("option", { value: "" }, "choose …");
-    const units = unitsFor(this.survey).map((each) => {
-      return h("option", { value: each, selected: each === unit }, each === unit ? `${each}, as it says` : each);
+    const units = unitsFor(this.survey).map((name) => {
+      return h("option", { value: name, selected: name === unit }, name === unit ? `${name}, as it says` : name);
     });
     fill(this.unit, unit === null ? choose : null, ...units);
     return h(

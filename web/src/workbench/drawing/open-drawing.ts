@@ -3,10 +3,9 @@
 import { button, h } from "../../viewer/shared/dom";
 import type { Api, DocState, Refused } from "../client/api";
 import type { Store } from "../client/store";
-import { closeDialog, openDialog } from "../shell/dialogs";
+import { closeDialog, openDialog } from "../controls/dialogs";
+import { centeringOffset, type DrawingChoice, type Survey } from "../model/survey";
 import { askAboutDrawing } from "./drawing-dialog";
-import type { DrawingChoice, Survey } from "./survey";
-import { centeringOffset } from "./underlay";
 
 /** Whether a file is a drawing by its name. */
 export function isDrawing(file: string): boolean {
@@ -29,13 +28,13 @@ export interface DrawingOpener {
 export async function openDrawing(file: string, opener: DrawingOpener): Promise<void> {
   const { api, store } = opener;
   const name = file.replace(/^.*[\\/]/, "");
-  let found: Survey | null = null;
+  let answer: Survey | null = null;
   store.set("notice", { kind: "info", text: `Reading ${name} …` });
   const isRead = await opener.run(async () => {
-    found = await api.surveyDrawing(file);
+    answer = await api.surveyDrawing(file);
     store.set("notice", null);
   });
-  const survey = found as Survey | null;
+  const survey = answer as Survey | null;
   if (!isRead || !survey) return;
   await askAboutDrawing(name, survey, {
     makeCase: (choice, shown) => makeCase(file, name, survey, choice, shown, opener),

@@ -1,7 +1,7 @@
 // A small picture of a drawing, a path for each layer.
 
 import { svg } from "../../viewer/shared/dom";
-import { boundsOfLayers, type Layer, pointsOf, type Survey } from "./survey";
+import { boundsOfLayers, type Layer, pointsOf, type Survey } from "../model/survey";
 
 const SIZE = 1000; // of the picture, in its own units
 const MARGIN = 30;

@@ -1,8 +1,8 @@
 // What the parts of a form share.
 
-import type { Change, Edit } from "../model/changes/edits";
 import { isReferenced, renameReferences } from "../model/changes/references";
 import type { Memory } from "../model/changes/variants";
+import type { Change, Edit } from "../model/edits";
 import type { Issue } from "../model/issues";
 import { titleAt } from "../model/items";
 import { type Json, type Path, sameValue, type Table, valueAt } from "../model/paths";

@@ -1,7 +1,7 @@
 // Issues shown in the form.
 import { fill, h } from "../../viewer/shared/dom";
-import { type Push, repairButtons } from "../help/repairs";
 import { type Issue, issueSentence } from "../model/issues";
+import { type Push, repairButtons } from "./repairs";
 
 const shown = new WeakMap<HTMLElement, string>();
 

@@ -1,9 +1,9 @@
 // The slab's outline: a rectangle about the origin, or a shape that is drawn where it lies.
 
 import { h, newId } from "../../viewer/shared/dom";
-import type { Edit } from "../model/changes/edits";
 import { outlineEdits } from "../model/changes/new-items";
 import { defaultPlacement } from "../model/changes/variants";
+import type { Edit } from "../model/edits";
 import { readSides } from "../model/geometry";
 import { type Path, pathKey, startsWith, tableAt } from "../model/paths";
 import { formatLength } from "../model/quantities";

@@ -1,7 +1,7 @@
 // What a new case starts with: nothing, or one of the examples.
 import { button, h, newId } from "../../viewer/shared/dom";
 import type { Api, Example } from "../client/api";
-import { closeDialog, openDialog } from "../shell/dialogs";
+import { closeDialog, openDialog } from "../controls/dialogs";
 import { thumbnail } from "./thumbnail";
 import "./help.css";
 

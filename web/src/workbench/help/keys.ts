@@ -1,8 +1,8 @@
 // Help: the keys of the page.
 import { button, h, newId } from "../../viewer/shared/dom";
+import { closeDialog, openDialog } from "../controls/dialogs";
 import { FORMS } from "../plan/actions/forms";
 import { GENERATORS } from "../plan/generators/generators";
-import { closeDialog, openDialog } from "../shell/dialogs";
 import { openDocumentation } from "./documentation";
 import { setFieldHelp, showsFieldHelp } from "./field-help";
 

@@ -1,7 +1,7 @@
 // A tour of five steps, shown at the first start: a box beside each control, with what it is for.
 import { button, h, newId, setText } from "../../viewer/shared/dom";
 import { readStored, writeStored } from "../../viewer/shared/storage";
-import { closeDialog, openDialog } from "../shell/dialogs";
+import { closeDialog, openDialog } from "../controls/dialogs";
 import { type Box, placeBeside } from "./placement";
 import "./help.css";
 

@@ -2,7 +2,7 @@
 
 import { type Box, boxAround } from "../../viewer/data/boxes";
 import { distanceBetween, offset, pointBetween } from "../../viewer/data/points";
-import type { Edit } from "./changes/edits";
+import type { Edit } from "./edits";
 import { isTable, type Json, type Path, valueAt } from "./paths";
 import { parseLength, parsePoint, parsePoints } from "./quantities";
 

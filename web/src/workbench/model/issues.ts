@@ -1,5 +1,5 @@
 // Issues of the case file: which field they belong to, and what they say.
-import type { Edit } from "./changes/edits";
+import type { Edit } from "./edits";
 import { type Path, startsWith } from "./paths";
 import type { Part } from "./schema";
 

@@ -8,10 +8,10 @@ import { drawPath, drawText } from "../../viewer/plan/symbols";
 import { svg } from "../../viewer/shared/dom";
 import { readStored, writeStored } from "../../viewer/shared/storage";
 import type { Store } from "../client/store";
-import { type Underlay, UnderlayLines } from "../drawing/underlay";
 import { type Geometry, isClosed, type Point, rectangleCorners, ringOf } from "../model/geometry";
 import { boundsOfItems, footprintOf, type Item, itemsOf } from "../model/items";
 import { type Path, pathKey } from "../model/paths";
+import type { Underlay } from "../model/survey";
 import { drawAxes } from "./axes";
 import { drawDistances } from "./distances";
 import { type Preview, shownBy } from "./interaction/gestures";
@@ -20,6 +20,7 @@ import { itemsAt } from "./interaction/hit-testing";
 import { snapPlaces } from "./interaction/snap-places";
 import { type Snapped, snap } from "./interaction/snapping";
 import { drawDimensions, drawItems } from "./rendering";
+import { UnderlayLines } from "./underlay/underlay-lines";
 
 const REACH = 9; // px: how near is near enough
 const HANDLE = 8; // px: side of a handle

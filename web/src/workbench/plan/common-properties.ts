@@ -2,8 +2,8 @@
 import { h } from "../../viewer/shared/dom";
 import type { FormContext, Widget } from "../form/context";
 import { nodeWidget } from "../form/section";
-import type { Change, Edit } from "../model/changes/edits";
 import { applyOptimistic } from "../model/changes/optimistic-edits";
+import type { Change, Edit } from "../model/edits";
 import { titleOfAll } from "../model/items";
 import { type Json, type Path, pathKey, sameValue, startsWith, type Table, tableAt, valueAt } from "../model/paths";
 import type { Field, Part, Schema } from "../model/schema";

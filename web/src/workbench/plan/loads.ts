@@ -1,8 +1,8 @@
 // Loads beside the drawing: the load case that stands out, and loads without a place in plan.
 import { button, fillOptions, h, setText } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
-import type { Change } from "../model/changes/edits";
 import { defaultsFor } from "../model/defaults";
+import type { Change } from "../model/edits";
 import { UNPLACED } from "../model/items";
 import { namesIn } from "../model/names";
 import { listAt, type Path, type Table, tableAt } from "../model/paths";

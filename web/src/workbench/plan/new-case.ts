@@ -1,8 +1,8 @@
 // What a new load case is asked for: its name, its action, and where loads belong that had no case before the first one.
 import { fillOptions, h } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
-import type { Change } from "../model/changes/edits";
 import { ACTIONS, type Action, addLoadCase, countUncased } from "../model/changes/new-items";
+import type { Change } from "../model/edits";
 import { freeName, namesIn } from "../model/names";
 import { listAt } from "../model/paths";
 

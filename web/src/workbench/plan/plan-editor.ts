@@ -1,10 +1,9 @@
 // The drawing with its tools, keys and properties.
 import { button, h, setText } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
-import { underlayBar } from "../drawing/underlay-bar";
 import type { FormContext } from "../form/context";
 import { joinEdits } from "../model/changes/batches";
-import type { Change } from "../model/changes/edits";
+import type { Change } from "../model/edits";
 import { countItems } from "../model/items";
 import { type Path, startsWith, valueAt } from "../model/paths";
 import { actionButtons } from "./actions/action-bar";
@@ -18,6 +17,7 @@ import { caseChoice, unplacedLoads } from "./loads";
 import { propertyPanel } from "./properties";
 import { toolBar } from "./tool-bar";
 import type { Tool } from "./tools";
+import { underlayBar } from "./underlay/underlay-bar";
 import "./plan-editor.css";
 
 const EMPTY = "Draw the slab: choose Slab (B), then drag a rectangle or click corner after corner.";
@@ -57,26 +57,11 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
   });
   new Keyboard(canvas, pointer, store, push, tools, actions, dialog, showHint);
   useClipboard(canvas.element, actions, () => pointer.place);
-  const cases = caseChoice(store, push, (name) => {
-    canvas.loadCase = name;
-    canvas.redraw();
-  });
+  const box = drawingBox(store, canvas, push);
   const loads = unplacedLoads(store, push, () => canvas.loadCase);
-  const empty = h("p", { class: "drawing-empty" }, EMPTY);
-  const bar = [underlayBar(store, canvas), cases.element, ...viewButtons(canvas)];
-  const corner = h("div", { class: "drawing-corner" }, ...bar);
-  const box = h("div", { class: "drawing-box" }, canvas.element, corner, empty);
   const middle = h("div", { class: "plan-middle" }, box, loads.element, hint);
   const element = h("div", { class: "plan-editor" }, tools.element, middle, panel.element);
   showHint(tools.current().hint);
-  new ResizeObserver(() => canvas.resize(box.clientWidth, box.clientHeight)).observe(box);
-  store.on(["data"], () => {
-    canvas.refresh();
-    // what has been removed is no longer selected
-    store.selectAll(store.selected.filter((path) => valueAt(store.data, path) !== undefined));
-    cases.update();
-    empty.hidden = canvas.items.some((item) => item.kind === "slab");
-  });
   store.on(["doc"], () => {
     canvas.redraw();
     panel.update();
@@ -93,12 +78,33 @@ export function planEditor(store: Store, context: FormContext, send: (change: Ch
     panel.show(store.selected);
   });
   const reveal = (path: Path) => {
-    const item = canvas.items.findLast((each) => each.kind !== "slab" && startsWith(path, each.path));
+    const item = canvas.items.findLast((one) => one.kind !== "slab" && startsWith(path, one.path));
     if (!item && path[0] !== "plate") return false;
     store.select(item?.path ?? null);
     return panel.reveal(path);
   };
   return { element, reveal };
+}
+
+/** Make the drawing with the controls in its corner, and with what it says while there is no slab. */
+function drawingBox(store: Store, canvas: Canvas, push: (change: Change) => void): HTMLElement {
+  const cases = caseChoice(store, push, (name) => {
+    canvas.loadCase = name;
+    canvas.redraw();
+  });
+  const empty = h("p", { class: "drawing-empty" }, EMPTY);
+  const bar = [underlayBar(store, canvas), cases.element, ...viewButtons(canvas)];
+  const corner = h("div", { class: "drawing-corner" }, ...bar);
+  const box = h("div", { class: "drawing-box" }, canvas.element, corner, empty);
+  new ResizeObserver(() => canvas.resize(box.clientWidth, box.clientHeight)).observe(box);
+  store.on(["data"], () => {
+    canvas.refresh();
+    // what has been removed is no longer selected
+    store.selectAll(store.selected.filter((path) => valueAt(store.data, path) !== undefined));
+    cases.update();
+    empty.hidden = canvas.items.some(({ kind }) => kind === "slab");
+  });
+  return box;
 }
 
 /** Make the buttons that show or hide axes and dimensions, and show everything. */

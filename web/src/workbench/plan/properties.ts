@@ -3,7 +3,7 @@ import { button, fill, h } from "../../viewer/shared/dom";
 import type { FormContext, Widget } from "../form/context";
 import { shapeEdits } from "../form/plate-shape";
 import { partWidget } from "../form/section";
-import type { Change } from "../model/changes/edits";
+import type { Change } from "../model/edits";
 import { titleOfAll } from "../model/items";
 import { type Path, pathKey, valueAt } from "../model/paths";
 import { commonProperties } from "./common-properties";

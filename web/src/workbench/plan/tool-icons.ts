@@ -1,5 +1,5 @@
 // Icons of the tools.
-import { lineIcon } from "../shell/icons";
+import { lineIcon } from "../controls/icons";
 import type { GeneratorName } from "./generators/generator";
 import type { ToolName } from "./tools";
 

@@ -15,7 +15,7 @@ export function comparisonBar(
     if (store.solved) api.compareGrounds(store.solved.run).catch(onError);
   });
   const cancel = button("Cancel", "Stop the comparison", () => void api.cancelComparison().catch(onError));
-  for (const each of [start, cancel]) each.classList.add("small");
+  for (const control of [start, cancel]) control.classList.add("small");
   const bar = h("progress", { max: 1, "aria-label": "progress of the comparison" });
   const words = h("span", { class: "comparison-words", role: "status" });
   const element = h("div", { class: "comparison-bar" }, start, cancel, bar, words);

@@ -2,8 +2,8 @@
 import type { SectionLine } from "../../viewer/panels/section-panel";
 import { button, h } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
-import type { Change } from "../model/changes/edits";
 import { addLine } from "../model/changes/new-items";
+import type { Change } from "../model/edits";
 import { freeName, namesIn } from "../model/names";
 import { listAt, type Table } from "../model/paths";
 import { formatLength } from "../model/quantities";
@@ -11,7 +11,7 @@ import { formatLength } from "../model/quantities";
 /** Return the change that adds a design strip along a section. */
 export function addStrip(data: Table, { start, end }: Pick<SectionLine, "start" | "end">, width: string): Change {
   const name = freeName(namesIn(listAt(data, ["output", "strips"])), "strip 1");
-  const place = (point: SectionLine["start"]) => point.map((each) => formatLength(each));
+  const place = (point: SectionLine["start"]) => point.map((coordinate) => formatLength(coordinate));
   const value = { name, start: place(start), end: place(end), width };
   return { edits: [{ op: "add", path: ["output", "strips"], value }], text: `add strip ${name}` };
 }
@@ -26,10 +26,10 @@ export function keepSection(store: Store, push: (change: Change) => void) {
   const keepStrip = button("Add strip", "Add a design strip of this width along it, for moments over the width", () => {
     if (section) push(addStrip(store.data, section, width.value.trim() || "1 m"));
   });
-  for (const each of [keepLine, keepStrip]) each.classList.add("small");
+  for (const control of [keepLine, keepStrip]) control.classList.add("small");
   const element = h("div", { class: "keep-section", hidden: true }, keepLine, keepStrip, width);
-  const set = (found: SectionLine | null) => {
-    section = found?.name ? null : found;
+  const set = (shown: SectionLine | null) => {
+    section = shown?.name ? null : shown;
     element.hidden = section === null;
   };
   return { element, set };

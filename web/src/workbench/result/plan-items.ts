@@ -71,7 +71,7 @@ export function itemAt(plan: Plan, at: Point, reach: number): PlanItem | null {
 /** Return the item at a path as plans write it, null if it has no place. */
 export function itemOf(plan: Plan, path: string): PlanItem | null {
   const list = path.replace(/\[\d+\](\.shape)?$/, "");
-  return itemsIn(plan, list).find((each) => each.path === path.replace(/\.shape$/, "")) ?? null;
+  return itemsIn(plan, list).find((item) => item.path === path.replace(/\.shape$/, "")) ?? null;
 }
 
 /** Return the least distance of a place from a point or a line. */

@@ -19,10 +19,10 @@ function hasShown(scene: Scene, view: ResultView): boolean {
   if (!view.scene) return true;
   const { combinations } = scene.head;
   const now = view.scene.head.combinations;
-  const hasField = fieldsOf(scene).some((each) => each.name === view.field);
+  const hasField = fieldsOf(scene).some(({ name }) => name === view.field);
   if (isEnvelope(view.choice)) return hasField && combinations.length === now.length;
   const name = now[view.choice]?.name;
-  return hasField && combinations.some((each) => each.name === name && each.values);
+  return hasField && combinations.some((combination) => combination.name === name && combination.values);
 }
 
 /** Shows the previews that the store names, and says over the picture what they are. */

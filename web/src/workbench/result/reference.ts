@@ -25,7 +25,7 @@ export function changeOf(before: string, now: string): number | null {
 
 /** Return the figures that both results have in a combination, then the utilisations of their checks. */
 export function compareFigures(reference: Summary, shown: Summary, combination: string): ComparedFigure[] {
-  const [before, now] = [reference, shown].map((each) => figuresOf(each, combination));
+  const [before, now] = [reference, shown].map((summary) => figuresOf(summary, combination));
   return [...now!].flatMap(([key, figure]) => {
     const other = before!.get(key);
     if (!other) return [];
@@ -36,21 +36,21 @@ export function compareFigures(reference: Summary, shown: Summary, combination: 
 type Figure = Pick<ComparedFigure, "label" | "symbol" | "unit"> & { value: string };
 
 function figuresOf({ combinations, design }: Summary, name: string): Map<string, Figure> {
-  const one: CombinationSummary | undefined = combinations.find((each) => each.name === name);
-  const found = new Map<string, Figure>();
+  const one: CombinationSummary | undefined = combinations.find((combination) => combination.name === name);
+  const figures = new Map<string, Figure>();
   for (const section of one?.sections ?? [])
     for (const { label, symbol, unit, value } of section.rows)
       if (value !== null && value !== "" && Number.isFinite(Number(value)))
-        found.set(`${section.title} ${label} ${symbol} ${unit}`, { label, symbol, unit, value: String(value) });
+        figures.set(`${section.title} ${label} ${symbol} ${unit}`, { label, symbol, unit, value: String(value) });
   for (const check of design?.checks ?? [])
     if (check.utilisation !== null)
-      found.set(`check ${check.name}`, {
+      figures.set(`check ${check.name}`, {
         label: `utilisation, ${check.name}`,
         symbol: "",
         unit: "",
         value: check.utilisation.toFixed(2),
       });
-  return found;
+  return figures;
 }
 
 export interface ReferenceHooks {
@@ -76,7 +76,7 @@ export class Reference {
   private combination = "";
 
   constructor(private readonly hooks: ReferenceHooks) {
-    for (const each of [this.keepButton, this.pictureButton]) each.classList.add("small");
+    for (const control of [this.keepButton, this.pictureButton]) control.classList.add("small");
     this.setPicture(false);
   }
 

@@ -1,7 +1,7 @@
 // The tabs of tables below the picture: which tables each has; a table is asked for when it is first seen.
 import { fillOptions, h } from "../../viewer/shared/dom";
 import type { Api, ResultTable } from "../client/api";
-import type { Tab } from "../shell/tabs";
+import type { Tab } from "../controls/tabs";
 import type { Target } from "./table-rows";
 import { TableView } from "./table-view";
 
@@ -74,10 +74,6 @@ export class ResultTables {
     return this.groups.map(({ name, label, panel }) => ({ name, label, panel }));
   }
 
-  get panels(): HTMLElement[] {
-    return this.groups.map(({ panel }) => panel);
-  }
-
   /** Put something before the rows of a tab. */
   addTo(tab: string, element: HTMLElement): void {
     this.groups.find(({ name }) => name === tab)?.panel.prepend(element);
@@ -99,7 +95,7 @@ export class ResultTables {
 
   /** Show the chosen table of a tab that has come into view. */
   async see(tab: string): Promise<void> {
-    const group = this.groups.find((each) => each.name === tab);
+    const group = this.groups.find((one) => one.name === tab);
     const { run } = this;
     const name = group?.choice.value;
     if (!group || !name || run === null || group.shown === `${run} ${name}`) return;

@@ -81,7 +81,7 @@ export function emptyResult(store: Store, solve: (() => void) | null): { element
     if (!solve) return show("Reading the results …", "");
     if (run.kind === "solving") return show("Solving …", "The first result appears here.");
     if (run.kind === "refused")
-      return show("Not solved", run.message, ...run.issues.map((each) => h("p", { class: "quiet" }, issueLine(each))));
+      return show("Not solved", run.message, ...run.issues.map((one) => h("p", { class: "quiet" }, issueLine(one))));
     const errors = count === 1 ? "error" : `${count} errors`;
     if (count > 0) return show("No result yet", `Fix the ${errors} listed below the model first.`);
     const how = "Solve the model to see settlement, contact pressure and moments here, or switch on Autosolve.";

@@ -90,16 +90,16 @@ export function showCertificates(element: HTMLElement, summary: Summary | null, 
   const heads = ["combination", "certificate", ...keys.map((key) => key.replaceAll("_", " "))];
   const head = h("tr", {}, ...heads.map((text) => h("th", { scope: "col" }, text)));
   const rows = combinations.map((one, n) => {
-    const own = verdictOf(one);
+    const verdict = verdictOf(one);
     const name = button(one.name || `combination ${n + 1}`, "", () => choose(n), "link");
     const figures =
-      own === "refused"
+      verdict === "refused"
         ? [h("td", { class: "why", colspan: Math.max(1, keys.length) }, one.refused ?? "")]
         : keys.map((key) => {
             const className = isTooLarge(one, key) ? "figure too-large" : "figure";
             return h("td", { class: className }, formatFigure(one.certificate?.[key]));
           });
-    const mark = h("span", { class: `verdict-mark ${own === "certified" ? "good" : "bad"}` }, TEXTS[own]);
+    const mark = h("span", { class: `verdict-mark ${verdict === "certified" ? "good" : "bad"}` }, TEXTS[verdict]);
     return h("tr", {}, h("th", { scope: "row" }, name), h("td", {}, mark), ...figures);
   });
   const table = h("table", { class: "certificates" }, h("thead", {}, head), h("tbody", {}, ...rows));

@@ -1,5 +1,6 @@
 // The rows of a table: sorted, filtered, as text. No elements here.
 import type { ResultTable, TableCell, TableHead } from "../client/api";
+import { headWidth } from "../controls/virtual-rows";
 
 export interface Sorting {
   column: number;
@@ -24,12 +25,12 @@ export function arrangeRows({ rows, heads }: ResultTable, filter: string, sortin
     const text = row.map(textOf).join("\n").toLowerCase();
     return words.every((word) => text.includes(word));
   };
-  const found = rows.flatMap((row, n) => (words.length === 0 || holds(row) ? [n] : []));
-  if (!sorting) return found;
+  const positions = rows.flatMap((row, n) => (words.length === 0 || holds(row) ? [n] : []));
+  if (!sorting) return positions;
   const { column, descending } = sorting;
   const compare = heads[column]?.number ? compareNumbers : compareTexts;
   const sign = descending ? -1 : 1;
-  return found.sort((a, b) => {
+  return positions.sort((a, b) => {
     const [first, second] = [rows[a]?.[column], rows[b]?.[column]];
     const empty = Number(textOf(first) === "") - Number(textOf(second) === "");
     return empty || sign * compare(first, second) || a - b;
@@ -84,13 +85,7 @@ export function targetOf(table: ResultTable, row: number, column: number): Targe
 /** Return the widths of the columns in letters, so that no row that comes into view later changes them. */
 export function columnWidths({ heads, rows }: ResultTable): number[] {
   return heads.map((head, n) => {
-    const longest = Math.max(
-      ...headText(head)
-        .split(" ")
-        .map((word) => word.length),
-      headText(head).length / 2,
-    );
-    const widest = rows.reduce((most, row) => Math.max(most, lengthOf(row[n])), longest);
+    const widest = rows.reduce((most, row) => Math.max(most, lengthOf(row[n])), headWidth(headText(head)));
     return Math.min(Math.max(widest, 4), 44) + 2;
   });
 }

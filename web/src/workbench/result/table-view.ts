@@ -2,11 +2,11 @@
 import { button, fill, h, setText } from "../../viewer/shared/dom";
 import { plainSymbols, symbolElement } from "../../viewer/shared/symbols";
 import type { ResultTable, TableCell, TableHead } from "../client/api";
+import { type RowBox, revealRow, rowsInView } from "../controls/virtual-rows";
 import { arrangeRows, columnWidths, type Sorting, type Target, targetOf, textOf, toTabSeparated } from "./table-rows";
 import "./table-view.css";
 
 const ROW_HEIGHT = 24; // px, as in table-view.css
-const MARGIN = 12; // rows beyond the view
 
 export class TableView {
   readonly element: HTMLElement;
@@ -17,6 +17,7 @@ export class TableView {
   private readonly columns = h("colgroup", {});
   private readonly grid: HTMLTableElement;
   private readonly scroller: HTMLElement;
+  private readonly box: RowBox;
   private readonly notes = h("div", { class: "table-notes" });
   private table: ResultTable | null = null;
   private order: number[] = [];
@@ -33,6 +34,7 @@ export class TableView {
     copy.classList.add("small");
     this.grid = h("table", { class: "result-table" }, this.columns, this.head, this.body);
     this.scroller = h("div", { class: "table-scroller", tabindex: 0, role: "group" }, this.grid, this.notes);
+    this.box = { scroller: this.scroller, head: this.head, height: ROW_HEIGHT, margin: 12 };
     this.element = h(
       "div",
       { class: "table-view" },
@@ -96,14 +98,8 @@ export class TableView {
 
   /** Put the rows in view into the page, and space for the others above and below them. */
   private draw(): void {
-    const { table, order, scroller } = this;
-    if (!table) return;
-    const first = Math.max(0, Math.floor(scroller.scrollTop / ROW_HEIGHT) - MARGIN);
-    const last = Math.min(order.length, first + Math.ceil(scroller.clientHeight / ROW_HEIGHT) + 2 * MARGIN);
-    const space = (rows: number) =>
-      rows > 0 ? h("tr", { class: "space", style: `height:${rows * ROW_HEIGHT}px`, "aria-hidden": "true" }) : null;
-    const rows = order.slice(first, last).map((position, n) => this.makeRow(table, position, first + n));
-    fill(this.body, space(first), ...rows, space(order.length - last));
+    const { table, order } = this;
+    if (table) fill(this.body, ...rowsInView(this.box, order.length, (n) => this.makeRow(table, order[n]!, n)));
   }
 
   private makeRow({ rows, heads }: ResultTable, position: number, place: number): HTMLElement {
@@ -132,7 +128,7 @@ export class TableView {
   }
 
   private handleKey(event: KeyboardEvent): void {
-    const { chosen, order, scroller } = this;
+    const { chosen, order } = this;
     const step = event.key === "ArrowDown" ? 1 : event.key === "ArrowUp" ? -1 : 0;
     if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "c" && chosen) {
       if (String(getSelection() ?? "")) return; // a text that was marked
@@ -141,9 +137,7 @@ export class TableView {
     } else if (step !== 0) {
       event.preventDefault();
       const next = Math.min(Math.max((chosen?.[1] ?? -1) + step, 0), order.length - 1);
-      const top = next * ROW_HEIGHT;
-      const height = scroller.clientHeight - this.head.offsetHeight - ROW_HEIGHT;
-      scroller.scrollTop = Math.max(top - height, Math.min(scroller.scrollTop, top));
+      revealRow(this.box, next);
       this.choose(next, event.shiftKey);
     }
   }

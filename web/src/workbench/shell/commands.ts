@@ -3,9 +3,9 @@
 import { type Api, type DocState, Lost, Refused } from "../client/api";
 import type { EditQueue } from "../client/edit-queue";
 import type { Store } from "../client/store";
+import { ask } from "../controls/dialogs";
 import { isDrawing, openDrawing } from "../drawing/open-drawing";
 import { chooseStart } from "../help/examples";
-import { ask } from "./dialogs";
 import { chooseFile } from "./file-dialog";
 
 export class Commands {

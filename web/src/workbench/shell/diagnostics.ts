@@ -1,7 +1,7 @@
 // All issues of the case file below the model, and remarks on one without any; each leads to its field.
 import { fill, h } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
-import { type Push, repairButtons } from "../help/repairs";
+import { type Push, repairButtons } from "../form/repairs";
 import type { Issue, Remark } from "../model/issues";
 import { countText, issueLine } from "../model/issues";
 

@@ -2,7 +2,7 @@
 
 import { button, fill, h, newId } from "../../viewer/shared/dom";
 import { type Api, type Folder, Refused } from "../client/api";
-import { ask, closeDialog, openDialog } from "./dialogs";
+import { ask, closeDialog, openDialog } from "../controls/dialogs";
 
 export interface ChosenFile {
   file: string;

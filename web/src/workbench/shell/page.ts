@@ -5,13 +5,15 @@ import { openSections } from "../client/browser-storage";
 import type { Connection } from "../client/connection";
 import type { EditQueue } from "../client/edit-queue";
 import type { Store } from "../client/store";
+import { splitter } from "../controls/splitter";
+import { tabs } from "../controls/tabs";
 import type { FormContext } from "../form/context";
 import { formPanel } from "../form/form-panel";
 import { openDocumentation, openFieldDocumentation } from "../help/documentation";
 import { fieldHelp } from "../help/field-help";
 import { asksForKeys, showKeys } from "../help/keys";
 import { isTourTaken, startTour } from "../help/tour";
-import type { Change } from "../model/changes/edits";
+import type { Change } from "../model/edits";
 import type { Issue, Remark } from "../model/issues";
 import type { Path } from "../model/paths";
 import { Schema } from "../model/schema";
@@ -23,8 +25,6 @@ import { TextPanel } from "../text/text-panel";
 import { banner, notices } from "./banner";
 import { Commands } from "./commands";
 import { issueList } from "./diagnostics";
-import { splitter } from "./splitter";
-import { tabs } from "./tabs";
 import { topBar, viewBar } from "./top-bar";
 import { showWarnings } from "./unsaved-work";
 import "./page.css";
@@ -86,15 +86,7 @@ export function buildView(api: HttpApi, store: Store, connection: Connection): v
 
 /** The left half: plan, form and text of the model, and its issues. */
 function modelPanel(store: Store, schema: Schema, push: (change: Change) => void) {
-  const ctx: FormContext = {
-    schema,
-    memory: new Map(),
-    data: () => store.data,
-    issues: () => store.doc?.issues ?? [],
-    change: push,
-    notify: (text) => store.set("notice", { kind: "info", text }),
-  };
-  store.on(["opened"], () => ctx.memory.clear());
+  const ctx = formContext(store, schema, push);
   const form = formPanel(ctx, openSections);
   const plan = planEditor(store, ctx, push);
   const sheets = new TablesPanel(store, ctx);
@@ -143,14 +135,32 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
   const title = h("h2", { class: "unseen" }, "Model");
   const children = [title, views.bar, broken, planTab, formTab, tablesTab, textTab, issues.element];
   const flush = () => {
-    const { activeElement } = document;
-    // a box that is ticked has sent its value, and would send it again and again
-    const isTyped = activeElement instanceof HTMLInputElement && activeElement.type === "text";
-    if (isTyped) activeElement.dispatchEvent(new Event("change"));
+    sendTyped();
     text.flush();
   };
   const element = h("section", { class: "model", "aria-label": "model" }, ...children);
   return { element, flush, openIssues: issues.open, show: views.show };
+}
+
+function formContext(store: Store, schema: Schema, push: (change: Change) => void): FormContext {
+  const memory: FormContext["memory"] = new Map();
+  store.on(["opened"], () => memory.clear());
+  return {
+    schema,
+    memory,
+    data: () => store.data,
+    issues: () => store.doc?.issues ?? [],
+    change: push,
+    notify: (text) => store.set("notice", { kind: "info", text }),
+  };
+}
+
+/** Send what is being typed into a field. */
+function sendTyped(): void {
+  const { activeElement } = document;
+  // a box that is ticked has sent its value, and would send it again and again
+  const isTyped = activeElement instanceof HTMLInputElement && activeElement.type === "text";
+  if (isTyped) activeElement.dispatchEvent(new Event("change"));
 }
 
 /** Help by keys: the list of them, and the documentation of the field that has the focus. */

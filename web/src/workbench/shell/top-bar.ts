@@ -3,8 +3,8 @@ import { button, h, setText } from "../../viewer/shared/dom";
 import { switchTheme } from "../../viewer/shared/theme";
 import type { Api } from "../client/api";
 import type { Store } from "../client/store";
+import { icon } from "../controls/icons";
 import type { Commands } from "./commands";
-import { icon } from "./icons";
 
 type Addresses = Pick<Api, "reportAddress" | "archiveAddress">;
 

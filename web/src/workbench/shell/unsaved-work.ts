@@ -1,8 +1,8 @@
 // Questions about unsaved work and texts that differ.
 import type { Api, DocState } from "../client/api";
 import type { Store } from "../client/store";
+import { ask } from "../controls/dialogs";
 import type { Commands } from "./commands";
-import { ask } from "./dialogs";
 
 /** Ask what to do with unsaved work that the server has found; returns the state after the answer. */
 export async function askOffer(api: Pick<Api, "restore">, state: DocState): Promise<DocState> {

@@ -1,8 +1,8 @@
 // The changes that a table makes: each one step of undo.
 import { joinEdits } from "../model/changes/batches";
-import type { Change, Edit } from "../model/changes/edits";
 import { renameReferences } from "../model/changes/references";
 import { editsToTable } from "../model/changes/transform";
+import type { Change, Edit } from "../model/edits";
 import { titleAt } from "../model/items";
 import { freeName, namesIn } from "../model/names";
 import { type Json, listAt, type Path, type Table, tableAt, valueAt } from "../model/paths";

@@ -1,6 +1,7 @@
 // A table as a grid: only the rows in view are in the page.
 import { fill, h } from "../../viewer/shared/dom";
 import { symbolElement } from "../../viewer/shared/symbols";
+import { headWidth, type RowBox, revealRow, rowsInView } from "../controls/virtual-rows";
 import { defaultText, hintOf } from "../form/labels";
 import type { Path } from "../model/paths";
 import { type Column, headText, isEditable } from "./columns";
@@ -8,7 +9,6 @@ import type { OpenTable } from "./open-table";
 import { type Block, blockAt, boundsOfBlock, type Cell, clampBlock } from "./selection";
 
 const ROW_HEIGHT = 25; // px, as in tables.css
-const MARGIN = 10; // rows beyond the view
 const WIDEST = 28; // letters of a column
 
 /** What shows the rows; `onChoose` is called when another block is chosen here. */
@@ -21,6 +21,7 @@ export class Grid {
   private readonly columns = h("colgroup", {});
   private readonly head = h("thead", {});
   private readonly body = h("tbody", {});
+  private readonly box: RowBox;
   private open: OpenTable | null = null;
 
   constructor(
@@ -37,6 +38,7 @@ export class Grid {
     );
     this.layer = h("div", { class: "sheet-layer" }, this.table);
     this.element = h("div", { class: "sheet-box" }, this.layer);
+    this.box = { scroller: this.element, head: this.head, height: ROW_HEIGHT, margin: 10 };
     this.element.addEventListener("scroll", () => this.draw());
     this.body.addEventListener("mousedown", (event) => this.press(event));
     this.head.addEventListener("mousedown", (event) => this.pressHead(event));
@@ -92,9 +94,7 @@ export class Grid {
   /** Bring a cell into view. */
   reveal({ row, column }: Cell): void {
     const { element, head } = this;
-    const top = row * ROW_HEIGHT;
-    const height = element.clientHeight - head.offsetHeight - ROW_HEIGHT;
-    element.scrollTop = Math.max(top - height, Math.min(element.scrollTop, top));
+    revealRow(this.box, row);
     const [first, over] = [head.querySelector("th"), head.querySelectorAll("th")[column + 1]];
     if (!first || !over) return;
     const left = over.offsetLeft - first.offsetWidth;
@@ -106,10 +106,7 @@ export class Grid {
   draw(): void {
     const { open, element } = this;
     if (!open || element.closest("[hidden]")) return;
-    const first = Math.max(0, Math.floor(element.scrollTop / ROW_HEIGHT) - MARGIN);
-    const last = Math.min(this.rowCount, first + Math.ceil(element.clientHeight / ROW_HEIGHT) + 2 * MARGIN);
-    const rows = Array.from({ length: last - first }, (_, n) => this.makeRow(open, first + n));
-    fill(this.body, makeSpace(first), ...rows, makeSpace(this.rowCount - last));
+    fill(this.body, ...rowsInView(this.box, this.rowCount, (row) => this.makeRow(open, row)));
     const active = this.cellAt(this.block.active);
     if (active) this.table.setAttribute("aria-activedescendant", active.id);
     else this.table.removeAttribute("aria-activedescendant");
@@ -205,10 +202,6 @@ export class Grid {
   }
 }
 
-function makeSpace(rows: number): HTMLElement | null {
-  return rows > 0 ? h("tr", { class: "space", style: `height:${rows * ROW_HEIGHT}px`, "aria-hidden": "true" }) : null;
-}
-
 function makeHead(column: Column): HTMLElement {
   const symbol = column.symbol ? symbolElement(column.symbol) : null;
   const parts = [column.words, column.words && symbol ? " " : "", symbol];
@@ -217,13 +210,7 @@ function makeHead(column: Column): HTMLElement {
 
 /** Return the width of a column in letters, from all rows, so that none that comes into view later changes it. */
 function widthOf(open: OpenTable, column: Column, n: number): number {
-  const longest = Math.max(
-    ...headText(column)
-      .split(" ")
-      .map((word) => word.length),
-    headText(column).length / 2,
-    6,
-  );
+  const longest = Math.max(headWidth(headText(column)), 6);
   const widest = open.rows.reduce((most, _, row) => Math.max(most, open.textAt({ row, column: n }).length), longest);
   return Math.min(widest, WIDEST) + 3;
 }

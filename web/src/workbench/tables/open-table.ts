@@ -1,6 +1,6 @@
 // The table that is open: its columns, its rows, what is wrong with them. No elements here.
 import type { FormContext } from "../form/context";
-import type { Change } from "../model/changes/edits";
+import type { Change } from "../model/edits";
 import { type Issue, issueSentence } from "../model/issues";
 import { type Json, listAt, type Path, pathKey, type Table, tableAt, valueAt } from "../model/paths";
 import { unitIn } from "../model/quantities";

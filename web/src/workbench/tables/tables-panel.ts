@@ -4,9 +4,8 @@ import type { Store } from "../client/store";
 import type { FormContext } from "../form/context";
 import { newItem } from "../form/lists/list";
 import { joinEdits } from "../model/changes/batches";
-import type { Change } from "../model/changes/edits";
 import { removeItems } from "../model/changes/references";
-import { issueCount, issueLine } from "../model/issues";
+import type { Change } from "../model/edits";
 import type { Path } from "../model/paths";
 import { type After, cellEditor, optionsFor } from "./cell-editor";
 import { duplicateRows, emptyCells } from "./changes";
@@ -16,9 +15,8 @@ import { type KeyTarget, keyHandler } from "./keys";
 import { OpenTable } from "./open-table";
 import { blockAt, boundsOfBlock, moveBlock, nextCell } from "./selection";
 import { positionsIn, type Sheet, sheetAt, sheetsOf } from "./sheets";
+import { countText, firstIssue, issueText, pasteText } from "./words";
 import "./tables.css";
-
-const NO_ROWS = "No rows yet. Paste them, best below heads such as “x [m]”, or type into the last row.";
 
 export class TablesPanel {
   readonly element: HTMLElement;
@@ -47,27 +45,26 @@ export class TablesPanel {
       () => this.selectItems(),
       () => this.edit(false),
     );
-    this.allColumns.classList.add("small");
-    this.allColumns.setAttribute("aria-pressed", "false");
-    const buttons = [
-      button("Add row", "Add a row with usual values (Ctrl and +)", () => this.add(), "small"),
-      button("Duplicate", "Duplicate the selected rows (Ctrl+D)", () => this.duplicate(), "small"),
-      button("Remove", "Remove the selected rows (Ctrl and -)", () => this.remove(), "small"),
-      this.allColumns,
-      button(
-        "Copy table",
-        "Copy all rows with their heads, to paste into a spreadsheet",
-        () => this.copyTable(),
-        "small",
-      ),
-    ];
-    const bar = h("div", { class: "sheet-bar", role: "toolbar", "aria-label": "rows" }, this.choice, ...buttons);
     const way = h("p", { class: "unseen", id: newId("hint") }, "Escape, then Tab leaves the table.");
     this.grid.table.setAttribute("aria-describedby", way.id);
-    this.element = h("div", { class: "tables" }, bar, this.grid.element, this.status, way);
+    this.element = h("div", { class: "tables" }, this.makeBar(), this.grid.element, this.status, way);
     this.choice.addEventListener("change", () => this.choose(this.choice.value));
     this.listen();
     store.on(["selection"], () => this.followSelection());
+  }
+
+  /** Make the choice of the table, and the buttons that change its rows. */
+  private makeBar(): HTMLElement {
+    this.allColumns.setAttribute("aria-pressed", "false");
+    const buttons = [
+      button("Add row", "Add a row with usual values (Ctrl and +)", () => this.add()),
+      button("Duplicate", "Duplicate the selected rows (Ctrl+D)", () => this.duplicate()),
+      button("Remove", "Remove the selected rows (Ctrl and -)", () => this.remove()),
+      this.allColumns,
+      button("Copy table", "Copy all rows with their heads, to paste into a spreadsheet", () => this.copyTable()),
+    ];
+    for (const one of buttons) one.classList.add("small");
+    return h("div", { class: "sheet-bar", role: "toolbar", "aria-label": "rows" }, this.choice, ...buttons);
   }
 
   /** Show the present data, if the panel is visible. */
@@ -197,19 +194,9 @@ export class TablesPanel {
   /** Say what the last action did, and what is wrong with the active cell, else with its row, else with the table. */
   private tell(): void {
     const { open, grid, said } = this;
-    const { active } = grid.block;
-    const total = open.issueTotal;
-    const first =
-      total > 0
-        ? `${issueCount(total)}${total > 1 ? ", the first" : ""} in row ${open.numberOf(open.firstFaulty)}.`
-        : "";
-    const [cell, row] = said
-      ? []
-      : [open.issuesAt(active).join(" "), open.issuesOf(active.row).map(issueLine).join("; ")];
-    const found = cell || row || first;
-    const count = open.rows.length === 0 ? NO_ROWS : `${open.rows.length} ${open.rows.length === 1 ? "row" : "rows"}`;
-    this.status.classList.toggle("bad", found !== "");
-    setText(this.status, [said, found].filter(Boolean).join(" ") || count);
+    const problem = said ? firstIssue(open) : issueText(open, grid.block.active);
+    this.status.classList.toggle("bad", problem !== "");
+    setText(this.status, [said, problem].filter(Boolean).join(" ") || countText(open));
   }
 
   private push(change: Change | null): void {
@@ -305,20 +292,14 @@ export class TablesPanel {
   private paste(text: string): void {
     if (text.trim() === "" || this.store.broken) return;
     const before = this.open.rows.length;
-    const { change, block, left } = this.open.paste(text, boundsOfBlock(this.grid.block));
-    this.push(change);
+    const paste = this.open.paste(text, boundsOfBlock(this.grid.block));
+    const { block } = paste;
+    this.push(paste.change);
     this.grid.choose({
       anchor: { row: block.bottom, column: block.right },
       active: { row: block.top, column: block.left },
     });
-    const rows = (count: number, what: string) => `${count} ${count === 1 ? "row" : "rows"} ${what}`;
-    const [changed, added] = [
-      Math.max(0, Math.min(block.bottom + 1, before) - block.top),
-      this.open.rows.length - before,
-    ];
-    const done = [changed > 0 ? rows(changed, "changed") : "", added > 0 ? rows(added, "added") : ""];
-    const rest = left.length > 0 ? ` Not taken: ${left.join(", ")}.` : "";
-    this.said = `${done.filter(Boolean).join(", ") || "Nothing pasted"}.${rest}`;
+    this.said = pasteText(paste, before, this.open.rows.length);
     this.tell();
   }
 }

@@ -2,7 +2,7 @@
 import { describe, expect, it } from "vitest";
 import type { DocState } from "../../../src/workbench/client/api";
 import { canMerge, EditQueue } from "../../../src/workbench/client/edit-queue";
-import type { Change } from "../../../src/workbench/model/changes/edits";
+import type { Change } from "../../../src/workbench/model/edits";
 import { sameValue, valueAt } from "../../../src/workbench/model/paths";
 import { FakeApi } from "../fake-api";
 

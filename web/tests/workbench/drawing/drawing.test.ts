@@ -6,15 +6,17 @@ import { askAboutDrawing } from "../../../src/workbench/drawing/drawing-dialog";
 import { isDrawing } from "../../../src/workbench/drawing/open-drawing";
 import {
   boundsOfLayers,
+  centeringOffset,
   contentText,
   type DrawingChoice,
   enlargement,
   findProblem,
   type Layer,
   type Survey,
+  type Underlay,
   unitsFor,
-} from "../../../src/workbench/drawing/survey";
-import { centeringOffset, type Underlay, UnderlayLines } from "../../../src/workbench/drawing/underlay";
+} from "../../../src/workbench/model/survey";
+import { UnderlayLines } from "../../../src/workbench/plan/underlay/underlay-lines";
 
 const layer = (name: string, more: Partial<Layer> = {}): Layer => ({
   name,

@@ -19,6 +19,9 @@ ground.kind = "layered"
 numbers = [
   1_000, 2.5e-3,  # two
 ]
+note = """
+two
+lines"""
 [[boreholes.layers]]
 E = "20 MPa"
 [[boreholes.layers]]
@@ -34,6 +37,7 @@ a = false
           x: "1 m",
           ground: { kind: "layered" },
           numbers: [1000, 0.0025],
+          note: "two\nlines",
           layers: [{ E: "20 MPa" }, { E: "30 µ" }],
           inner: { a: false },
         },
@@ -48,6 +52,8 @@ a = false
       "[[a]]\nx = ",
       "[[a]]\nx = 1\nx = 2",
       '[[a]]\n"__proto__" = 1',
+      "[[a]]\nwhen = 2024-02-29",
+      "[[a]]\nx = [inf]",
     ])
       expect(readTables(text), text).toBeNull();
     expect(readTables("")).toEqual([]);

@@ -2,9 +2,9 @@
 // A new load case is asked for its action, and where loads belong that had no case.
 import { beforeEach, expect, test, vi } from "vitest";
 import { Store } from "../../../src/workbench/client/store";
-import type { Change } from "../../../src/workbench/model/changes/edits";
 import { addLoadCase } from "../../../src/workbench/model/changes/new-items";
 import { applyOptimistic } from "../../../src/workbench/model/changes/optimistic-edits";
+import type { Change } from "../../../src/workbench/model/edits";
 import type { Table } from "../../../src/workbench/model/paths";
 import { caseChoice } from "../../../src/workbench/plan/loads";
 

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { FormContext } from "../../../src/workbench/form/context";
-import type { Change } from "../../../src/workbench/model/changes/edits";
 import { applyOptimistic } from "../../../src/workbench/model/changes/optimistic-edits";
+import type { Change } from "../../../src/workbench/model/edits";
 import type { Issue } from "../../../src/workbench/model/issues";
 import { type Json, listAt, type Table } from "../../../src/workbench/model/paths";
 import { duplicateRows, emptyCells } from "../../../src/workbench/tables/changes";

@@ -1,10 +1,10 @@
 // A list of points in plan as a table of x and y.
 
 import { button, fill, h } from "../../../viewer/shared/dom";
+import { iconButton } from "../../controls/icons";
 import { type Json, listAt, type Path } from "../../model/paths";
 import { formatLike, parsePoint } from "../../model/quantities";
 import type { Node } from "../../model/schema";
-import { iconButton } from "../../shell/icons";
 import { type FormContext, setValue } from "../context";
 import { type Input, tupleInput } from "./inputs";
 

@@ -1,8 +1,9 @@
 // The buttons that copy and remove an item of a list.
+
+import { iconButton } from "../../controls/icons";
 import { duplicateItem } from "../../model/changes/new-items";
 import { removeItem } from "../../model/changes/references";
 import type { Path } from "../../model/paths";
-import { iconButton } from "../../shell/icons";
 import type { FormContext } from "../context";
 
 export function itemButtons(ctx: FormContext, path: Path): HTMLElement[] {

@@ -1,6 +1,7 @@
 // Many edits of one list as a single one, which the server makes at once.
+
+import type { Change, Edit } from "../edits";
 import { listAt, type Path, pathKey, type Table } from "../paths";
-import type { Change, Edit } from "./edits";
 import { applyOptimistic } from "./optimistic-edits";
 
 const FEW = 3; // edits of a list that are left as they are

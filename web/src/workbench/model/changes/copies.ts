@@ -1,10 +1,11 @@
 // Copies of items, and items transformed where they are: each one change.
+
+import type { Change, Edit } from "../edits";
 import type { Isometry } from "../isometry";
 import { titleOfAll } from "../items";
 import { freeName, namesIn } from "../names";
 import { type Json, listAt, type Path, pathKey, type Table, tableAt, valueAt } from "../paths";
 import { formatLength, parseLength } from "../quantities";
-import type { Change, Edit } from "./edits";
 import { outlineEdits } from "./new-items";
 import { editsToTable, hasPlace, Impossible, transformTable } from "./transform";
 

@@ -1,9 +1,9 @@
 // Switching the kind of the ground: what depends on it follows, and comes back with a kind that can have it.
 
 import { defaultsFor } from "../defaults";
+import type { Edit } from "../edits";
 import { isTable, type Json, listAt, type Path, pathKey, sameValue, type Table, tableAt } from "../paths";
 import type { Part } from "../schema";
-import type { Edit } from "./edits";
 import { applyOptimistic } from "./optimistic-edits";
 import { changeKept, forgetWhatFits, isEndless, isInterfaceLayer, type Mended, mendLists } from "./put-away";
 import { convertTable, type Memory, replaceTable } from "./variants";

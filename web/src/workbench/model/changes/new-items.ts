@@ -1,12 +1,12 @@
 // The changes that add what was drawn to the case file.
 import { defaultsFor } from "../defaults";
+import type { Addition, Change, Edit } from "../edits";
 import { isInside, type Point, type Ring } from "../geometry";
 import { footprintOf, titleAt } from "../items";
 import { freeName, namesIn } from "../names";
 import { isTable, type Json, listAt, type Path, type Table, tableAt } from "../paths";
 import { platesAt } from "../plates";
 import { formatLength, parseLength } from "../quantities";
-import type { Addition, Change, Edit } from "./edits";
 
 /** What is added; slabs replace the one that is there. */
 export type NewKind =

@@ -1,8 +1,8 @@
 // What an edit does to the data, foreseen here so that form and drawing need not wait for the server.
 
+import type { Change, Edit } from "../edits";
 import { isTable, type Json, type Path, sameValue, type Table, valueAt } from "../paths";
 import { formatLike } from "../quantities";
-import type { Change, Edit } from "./edits";
 import { moveTable } from "./translation";
 
 /** The data after an edit; an edit that does not fit changes nothing, the server will say so. */

@@ -1,8 +1,8 @@
 // What a kind of ground refuses, by the checks of the model: put away, and brought back with a ground that has it.
 
+import type { Edit } from "../edits";
 import { isTable, type Json, listAt, sameValue, type Table, tableAt } from "../paths";
 import { parseLength } from "../quantities";
-import type { Edit } from "./edits";
 import { applyOptimistic } from "./optimistic-edits";
 import type { Memory } from "./variants";
 

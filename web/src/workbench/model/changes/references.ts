@@ -1,9 +1,9 @@
 // Names that other parts of the file refer to: renamed and removed together with the references.
 
+import type { Change, Edit } from "../edits";
 import { titleOfAll } from "../items";
 import { namesIn } from "../names";
 import { isTable, type Json, listAt, type Path, samePath, type Table } from "../paths";
-import type { Change, Edit } from "./edits";
 
 /** Which key of which list calls the names of a list. */
 const REFERENCES: readonly { names: string; list: string; key: string }[] = [

@@ -1,9 +1,10 @@
 // Items of the case file moved, turned and mirrored: their places, footprints and the components of what acts on them.
+
+import type { Edit } from "../edits";
 import { rectangleCorners } from "../geometry";
 import { applyTo, type Isometry, isReflection, keepsAxes } from "../isometry";
 import { isTable, type Json, type Path, sameValue, type Table } from "../paths";
 import { formatExact, parseLength, parsePoint } from "../quantities";
-import type { Edit } from "./edits";
 
 /** Why an item cannot be transformed, in words for users. */
 export class Impossible extends Error {}

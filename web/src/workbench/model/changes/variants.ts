@@ -2,11 +2,11 @@
 
 import type { Box } from "../../../viewer/data/boxes";
 import { defaultsFor } from "../defaults";
+import type { Edit } from "../edits";
 import { boundsOf, type Point, quarterPoints, readGeometry, readSides, rectangleCorners, ringOf } from "../geometry";
 import { type Json, type Path, pathKey, sameValue, type Table, tableAt, valueAt } from "../paths";
 import { formatLength } from "../quantities";
 import type { Field, Node, Part } from "../schema";
-import type { Edit } from "./edits";
 
 /** Values that a switch of kind took away, by path and kind, to be put back by switching back. */
 export type Memory = Map<string, Table>;

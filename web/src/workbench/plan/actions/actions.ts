@@ -8,18 +8,18 @@ import {
   transformItems,
   whyNotCopied,
 } from "../../model/changes/copies";
-import type { Change } from "../../model/changes/edits";
 import { applyOptimistic } from "../../model/changes/optimistic-edits";
 import { removeItems } from "../../model/changes/references";
 import { Impossible } from "../../model/changes/transform";
+import type { Change } from "../../model/edits";
 import type { Point } from "../../model/geometry";
 import { type Isometry, translation } from "../../model/isometry";
 import { boundsOfItems, type Item, itemsOf, titleOfAll } from "../../model/items";
 import { pathKey, sameValue, type Table } from "../../model/paths";
 import { readTables, writeTables } from "../../model/toml";
 import type { Canvas } from "../canvas";
+import type { Values } from "../fields";
 import { casesToChoose, type Generator } from "../generators/generator";
-import type { Values } from "./fields";
 import { type ActionForm, FORMS } from "./forms";
 
 export class Actions {

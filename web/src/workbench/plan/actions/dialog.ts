@@ -5,10 +5,10 @@ import { Impossible } from "../../model/changes/transform";
 import type { Point } from "../../model/geometry";
 import { formatLength } from "../../model/quantities";
 import type { Canvas } from "../canvas";
+import type { ActionField, Values } from "../fields";
 import type { Generator } from "../generators/generator";
 import { pickPlaces } from "../generators/picking";
 import type { Actions } from "./actions";
-import type { ActionField, Values } from "./fields";
 import type { ActionForm } from "./forms";
 
 const PICK = "Click the place or the places on the plan, which fill in x and y";

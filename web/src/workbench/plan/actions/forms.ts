@@ -3,7 +3,7 @@
 import { Impossible } from "../../model/changes/transform";
 import type { Point } from "../../model/geometry";
 import { type Isometry, reflection, rotation, translation } from "../../model/isometry";
-import { type ActionField, angle, angleOf, count, countOf, length, lengthOf, type Values } from "./fields";
+import { type ActionField, angle, angleOf, count, countOf, length, lengthOf, type Values } from "../fields";
 
 export type ActionName = "move" | "rotate" | "mirror" | "array";
 

@@ -1,12 +1,13 @@
 // Columns on the axes of a building, with a load each.
-import type { Edit } from "../../model/changes/edits";
+
 import { Impossible } from "../../model/changes/transform";
+import type { Edit } from "../../model/edits";
 import { isInside, nearestOnSegment, type Point, type Ring, ringOf } from "../../model/geometry";
 import { itemsOf } from "../../model/items";
 import { freeName, namesIn } from "../../model/names";
 import { listAt, type Path, type Table } from "../../model/paths";
 import { formatLength } from "../../model/quantities";
-import { force, forceOf, length, lengthOf, lengthsOf, sizeOf } from "../actions/fields";
+import { force, forceOf, length, lengthOf, lengthsOf, sizeOf } from "../fields";
 import { CASE, chosenCase, formatForce, type Generator } from "./generator";
 
 const MOST = 1000;

@@ -1,5 +1,5 @@
 // Forklifts of EN 1991-1-1 as a choice that fills in the fields of a vehicle.
-import type { ActionField, Values } from "../actions/fields";
+import type { ActionField, Values } from "../fields";
 
 //: class, axle load Q_k [kN] (Table 6.6), width of the axle a [m] (Table 6.5) of EN 1991-1-1:2002; each wheel stands on
 //: a square of 200 mm (Figure 6.1). From memory, not looked up.

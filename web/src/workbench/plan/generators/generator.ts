@@ -1,10 +1,10 @@
 // What a generator of loads or columns asks for, and the load case that its loads are in.
 import type { Additions } from "../../model/changes/copies";
-import type { Edit } from "../../model/changes/edits";
 import { addLoadCase } from "../../model/changes/new-items";
+import type { Edit } from "../../model/edits";
 import { freeName, namesIn } from "../../model/names";
 import { isTable, listAt, type Table } from "../../model/paths";
-import type { ActionField, Force, Values } from "../actions/fields";
+import type { ActionField, Force, Values } from "../fields";
 
 export type GeneratorName = "racks" | "vehicle" | "columns";
 

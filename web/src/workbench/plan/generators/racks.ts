@@ -1,7 +1,7 @@
 // Racks: rows of frames with two legs each, single or back to back.
 import type { Additions } from "../../model/changes/copies";
-import type { Edit } from "../../model/changes/edits";
 import { Impossible } from "../../model/changes/transform";
+import type { Edit } from "../../model/edits";
 import type { Point } from "../../model/geometry";
 import { applyTo, rotation } from "../../model/isometry";
 import { freeName, namesIn } from "../../model/names";
@@ -19,7 +19,7 @@ import {
   lengthOf,
   sizeOf,
   type Values,
-} from "../actions/fields";
+} from "../fields";
 import { CASE, chosenCase, formatForce, type Generator } from "./generator";
 
 const DOUBLE = "back to back";

@@ -3,17 +3,7 @@ import { Impossible } from "../../model/changes/transform";
 import { freeName, namesIn } from "../../model/names";
 import { listAt, type Table } from "../../model/paths";
 import { formatLength } from "../../model/quantities";
-import {
-  type Force,
-  force,
-  forceOf,
-  length,
-  lengthOf,
-  newtonsOf,
-  pressureOf,
-  sizeOf,
-  type Values,
-} from "../actions/fields";
+import { type Force, force, forceOf, length, lengthOf, newtonsOf, pressureOf, sizeOf, type Values } from "../fields";
 import { FORKLIFT, noteOnForklift } from "./forklifts";
 import { CASE, chosenCase, formatForce, type Generator } from "./generator";
 

@@ -1,9 +1,9 @@
 // What pointers do between press and release: moving, reshaping and drawing.
 import { withMinus } from "../../../viewer/data/numbers";
 import { distanceBetween } from "../../../viewer/data/points";
-import type { Addition, Change, Edit } from "../../model/changes/edits";
 import { addJoint, addLine, addPoint, addShape, type DrawnShape } from "../../model/changes/new-items";
 import { editsToTable, Impossible, transformTable } from "../../model/changes/transform";
+import type { Addition, Change, Edit } from "../../model/edits";
 import {
   editsBetween,
   type Geometry,

@@ -1,7 +1,7 @@
 // The keyboard in the drawing.
 import { ARROWS } from "../../../viewer/shared/keys";
 import type { Store } from "../../client/store";
-import type { Change } from "../../model/changes/edits";
+import type { Change } from "../../model/edits";
 import { editsBetween } from "../../model/geometry";
 import { loadsOn } from "../../model/items";
 import { samePath } from "../../model/paths";

@@ -1,5 +1,5 @@
 // Moving the selected items by keys: one edit for a series of steps.
-import type { Change } from "../../model/changes/edits";
+import type { Change } from "../../model/edits";
 import type { Point } from "../../model/geometry";
 import type { Item } from "../../model/items";
 import type { Canvas } from "../canvas";

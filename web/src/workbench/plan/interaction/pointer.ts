@@ -1,7 +1,7 @@
 // The pointer over the drawing: selecting, moving, reshaping, drawing, moving and zooming the view.
 import { isFar, pixelOf, Touches, zoomByWheel } from "../../../viewer/plan/navigation";
 import type { Store } from "../../client/store";
-import type { Addition, Change } from "../../model/changes/edits";
+import type { Addition, Change } from "../../model/edits";
 import type { Point } from "../../model/geometry";
 import { type Item, loadsOn } from "../../model/items";
 import { type Path, samePath } from "../../model/paths";

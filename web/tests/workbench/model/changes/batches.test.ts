@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
 
 import { joinEdits } from "../../../../src/workbench/model/changes/batches";
-import type { Edit } from "../../../../src/workbench/model/changes/edits";
 import { applyOptimistic } from "../../../../src/workbench/model/changes/optimistic-edits";
+import type { Edit } from "../../../../src/workbench/model/edits";
 import type { Table } from "../../../../src/workbench/model/paths";
 import { DATA } from "../../slab";
 

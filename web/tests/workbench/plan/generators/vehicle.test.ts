@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 
 import { isTable, listAt, type Table } from "../../../../src/workbench/model/paths";
-import { pressureOf } from "../../../../src/workbench/plan/actions/fields";
+import { pressureOf } from "../../../../src/workbench/plan/fields";
 import { FORKLIFT } from "../../../../src/workbench/plan/generators/forklifts";
 import { VEHICLE } from "../../../../src/workbench/plan/generators/vehicle";
 

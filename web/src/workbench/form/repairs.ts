@@ -1,6 +1,6 @@
 // Buttons that repair an issue, where its repair is known.
 import { button, h } from "../../viewer/shared/dom";
-import type { Change } from "../model/changes/edits";
+import type { Change } from "../model/edits";
 import type { Issue } from "../model/issues";
 
 /** The change that a repair makes: one step of undo. */

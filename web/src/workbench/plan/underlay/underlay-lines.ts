@@ -1,30 +1,14 @@
 // A drawing below the plan: its lines in gray, whose ends and intersections others snap to. It is no part of the case.
 
-import { type Box, extend } from "../../viewer/data/boxes";
-import { distanceBetween } from "../../viewer/data/points";
-import type { Camera } from "../../viewer/plan/camera";
-import { svg } from "../../viewer/shared/dom";
-import type { Point } from "../model/geometry";
-import { intersection, type SnapPlace } from "../plan/interaction/snap-places";
-import { boundsOfLayers, enlargement, type Survey } from "./survey";
+import { type Box, extend } from "../../../viewer/data/boxes";
+import { distanceBetween } from "../../../viewer/data/points";
+import type { Camera } from "../../../viewer/plan/camera";
+import { svg } from "../../../viewer/shared/dom";
+import type { Point } from "../../model/geometry";
+import { enlargement, type Underlay } from "../../model/survey";
+import { intersection, type SnapPlace } from "../interaction/snap-places";
 
 const MOST_CROSSED = 60; // lines near the pointer of which intersections are looked for
-
-/** A drawing below the plan: where its origin lies in the plan [m], and whether it is shown. */
-export interface Underlay {
-  name: string;
-  survey: Survey;
-  unit: string;
-  offset: Point;
-  shown: boolean;
-}
-
-/** Return the place by which the middle of a drawing comes to lie at the origin. */
-export function centeringOffset(survey: Survey, unit: string): Point {
-  const [x0, y0, x1, y1] = boundsOfLayers(survey.layers.filter((layer) => !layer.hidden)) ?? [0, 0, 0, 0];
-  const factor = enlargement(survey, unit);
-  return [(-(x0 + x1) / 2) * factor, (-(y0 + y1) / 2) * factor];
-}
 
 /** The lines of an underlay in the plan, prepared for drawing and snapping. */
 export class UnderlayLines {
@@ -79,8 +63,8 @@ export class UnderlayLines {
     const some = near.slice(0, MOST_CROSSED);
     const crossings = some.flatMap((one, n) =>
       some.slice(n + 1).flatMap((other): SnapPlace[] => {
-        const found = intersection(one, other);
-        return found ? [{ at: found, name: "intersection" }] : [];
+        const crossing = intersection(one, other);
+        return crossing ? [{ at: crossing, name: "intersection" }] : [];
       }),
     );
     return [...ends, ...crossings].filter(isNear);
@@ -93,15 +77,15 @@ export class UnderlayLines {
 
 /** Return the pieces whose boxes come near a place. */
 function piecesNear(pieces: Float64Array, [x, y]: Point, reach: number): [Point, Point][] {
-  const found: [Point, Point][] = [];
+  const near: [Point, Point][] = [];
   for (let n = 0; n < pieces.length; n += 4) {
     const [x0, y0, x1, y1] = [pieces[n]!, pieces[n + 1]!, pieces[n + 2]!, pieces[n + 3]!];
     if (x < Math.min(x0, x1) - reach || x > Math.max(x0, x1) + reach) continue;
     if (y < Math.min(y0, y1) - reach || y > Math.max(y0, y1) + reach) continue;
-    found.push([
+    near.push([
       [x0, y0],
       [x1, y1],
     ]);
   }
-  return found;
+  return near;
 }

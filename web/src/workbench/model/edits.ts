@@ -1,5 +1,5 @@
 // Edits of the case file, as the server takes them.
-import type { Json, Path } from "../paths";
+import type { Json, Path } from "./paths";
 
 export type Edit =
   | { op: "set"; path: Path; value: Json }

@@ -1,7 +1,7 @@
 // @vitest-environment happy-dom
 // Buttons that repair: one change each, named after the repair; renamed keys are foreseen.
 import { expect, test, vi } from "vitest";
-import { repairButtons } from "../../../src/workbench/help/repairs";
+import { repairButtons } from "../../../src/workbench/form/repairs";
 import { applyOptimistic } from "../../../src/workbench/model/changes/optimistic-edits";
 import type { Issue } from "../../../src/workbench/model/issues";
 

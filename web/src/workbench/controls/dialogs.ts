@@ -47,7 +47,7 @@ export function ask<T>(
       "dialog",
       { class: "ask", "aria-labelledby": id },
       h("h2", { id }, title),
-      ...text.map((each) => h("p", {}, each)),
+      ...text.map((paragraph) => h("p", {}, paragraph)),
       h("div", { class: "answers" }, ...buttons),
     );
     openDialog(dialog, () => otherwise !== null && close(otherwise));

@@ -1,7 +1,7 @@
-// What a drawing holds, as the server has read it, and what is chosen of it.
+// What a drawing holds, as the server has read it, what is chosen of it, and how it lies below the plan.
 
 import { type Box, boxAround } from "../../viewer/data/boxes";
-import type { Point } from "../model/geometry";
+import type { Point } from "./geometry";
 
 /** A layer: its entities by kind, what its name says that it holds; lines, chords of curves and points as flat lists. */
 export interface Layer {
@@ -93,4 +93,20 @@ export function pointsOf(flat: readonly number[]): Point[] {
 export function boundsOfLayers(layers: readonly Layer[]): Box | null {
   const box = boxAround(layers.flatMap(({ lines, curves, points }) => [...lines, ...curves, points].flatMap(pointsOf)));
   return box[0] > box[2] ? null : box;
+}
+
+/** A drawing below the plan: where its origin lies in the plan [m], and whether it is shown. */
+export interface Underlay {
+  name: string;
+  survey: Survey;
+  unit: string;
+  offset: Point;
+  shown: boolean;
+}
+
+/** Return the place by which the middle of a drawing comes to lie at the origin. */
+export function centeringOffset(survey: Survey, unit: string): Point {
+  const [x0, y0, x1, y1] = boundsOfLayers(survey.layers.filter((layer) => !layer.hidden)) ?? [0, 0, 0, 0];
+  const factor = enlargement(survey, unit);
+  return [(-(x0 + x1) / 2) * factor, (-(y0 + y1) / 2) * factor];
 }

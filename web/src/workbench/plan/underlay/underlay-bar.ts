@@ -1,10 +1,10 @@
 // The underlay's button in the corner of the plan: whether it is shown, its unit, and where it lies.
 
-import { button, h, newId } from "../../viewer/shared/dom";
-import type { Store } from "../client/store";
-import { formatDecimals, parseTyped } from "../model/quantities";
-import { unitsFor } from "./survey";
-import type { Underlay } from "./underlay";
+import { button, h, newId } from "../../../viewer/shared/dom";
+import type { Store } from "../../client/store";
+import { formatDecimals, parseTyped } from "../../model/quantities";
+import { type Underlay, unitsFor } from "../../model/survey";
+import "./underlay.css";
 
 /** Return the button with its fields, hidden where there is no underlay; the canvas shows what they say. */
 export function underlayBar(store: Store, canvas: { showUnderlay(underlay: Underlay | null): void }): HTMLElement {
@@ -40,8 +40,8 @@ export function underlayBar(store: Store, canvas: { showUnderlay(underlay: Under
 function makeFields(store: Store, underlay: Underlay, change: (changes: Partial<Underlay>) => void): HTMLElement[] {
   const shown = h("input", { type: "checkbox", checked: underlay.shown });
   shown.addEventListener("change", () => change({ shown: shown.checked }));
-  const units = unitsFor(underlay.survey).map((each) =>
-    h("option", { value: each, selected: each === underlay.unit }, each),
+  const units = unitsFor(underlay.survey).map((name) =>
+    h("option", { value: name, selected: name === underlay.unit }, name),
   );
   const unit = h("select", {}, ...units);
   unit.addEventListener("change", () => change({ unit: unit.value }));

@@ -1,7 +1,7 @@
 // The fields that a dialog of the plan asks for, and what is read from them.
 
-import { Impossible } from "../../model/changes/transform";
-import { parseTyped, replaceDecimalComma } from "../../model/quantities";
+import { Impossible } from "../model/changes/transform";
+import { parseTyped, replaceDecimalComma } from "../model/quantities";
 
 export interface ActionField {
   key: string;

@@ -1,0 +1,111 @@
+// The picture of the result, in its place that of a preview or of a reference; items of the model are selected in it.
+import { fieldsOf } from "../../viewer/data/fields";
+import type { Point, Scene } from "../../viewer/data/scene";
+import { ResultView, type ResultViewHooks } from "../../viewer/panels/result-view";
+import { fill, h } from "../../viewer/shared/dom";
+import type { Api, CombinationSummary } from "../client/api";
+import type { Store } from "../client/store";
+import { formatPath, parsePath } from "../model/paths";
+import { itemAt, itemOf, itemsIn, middleOf } from "./plan-items";
+import { Preview, type PreviewHooks } from "./preview";
+import type { Target } from "./table-rows";
+
+/** A click so near to a point or a line of the model selects it [px]. */
+const REACH = 8;
+
+export class Picture {
+  readonly view: ResultView;
+  readonly preview: Preview;
+  readonly element: HTMLElement;
+  /** The place whose values are wanted. */
+  pick: Point | null = null;
+  result: Scene | null = null;
+  private readonly referenceLabel = h("p", { class: "preview-over", hidden: true }, "Reference");
+  private readonly refused = h("div", { class: "refused-over", role: "alert", hidden: true });
+
+  constructor(
+    private readonly store: Store,
+    api: Pick<Api, "preview">,
+    hooks: ResultViewHooks,
+    previews: PreviewHooks,
+  ) {
+    const onPick = (at: Point) => {
+      this.choose(at);
+      hooks.onPick(at);
+    };
+    this.view = new ResultView({ ...hooks, onPick }, true);
+    this.preview = new Preview(store, api, this.view, {
+      ...previews,
+      onShow: () => {
+        this.referenceLabel.hidden = true;
+        previews.onShow();
+      },
+    });
+    const { view, preview, referenceLabel, refused } = this;
+    const over = [preview.label, referenceLabel, refused];
+    this.element = h("div", { class: "stage-place" }, view.element, view.scaleBox, ...over);
+    store.on(["selection"], () => this.markSelected());
+  }
+
+  /** Make the choices and tools that stand above the picture. */
+  makeToolbar(): HTMLElement {
+    const { combinations, fields, toolGroup, modeGroup, fitButton, meshButton } = this.view;
+    const about = { class: "stage-bar", role: "toolbar", "aria-label": "result" };
+    return h("div", about, combinations, fields, toolGroup, modeGroup, fitButton, meshButton);
+  }
+
+  /** Show a result; null: none. */
+  setResult(result: Scene | null): void {
+    this.result = result;
+    if (result) {
+      this.view.setScene(result, this.view.field || "settlement");
+      this.markSelected();
+    } else {
+      this.pick = null;
+      this.view.clear();
+    }
+  }
+
+  /** Show the picture of a reference, null: that of the result again. */
+  showReference(scene: Scene | null): void {
+    this.referenceLabel.hidden = !scene;
+    const shown = scene ?? this.result;
+    if (shown) this.view.setScene(shown);
+  }
+
+  /** Say over the picture why the combination shown has none. */
+  tellRefused(one: CombinationSummary | null): void {
+    this.refused.hidden = one === null || one.refused === null;
+    fill(this.refused, h("h3", {}, `${one?.name ?? ""} has no solution`), h("p", {}, one?.refused ?? ""));
+  }
+
+  /** Show what a cell of a table leads to: its field, its combination, its place; the item it names is selected. */
+  follow({ place, combination, field, item }: Target): void {
+    const { view } = this;
+    if (!view.scene) return;
+    const { combinations, plan } = view.scene.head;
+    const position = combinations.findIndex(({ name }) => name === combination);
+    const hasField = fieldsOf(view.scene).some(({ name }) => name === field);
+    view.show(position < 0 ? view.choice : position, hasField && field !== null ? field : view.field);
+    const named = item && itemsIn(plan, item.list).find(({ name }) => name === item.name);
+    if (named) this.store.select(parsePath(named.path));
+    const at = place ?? (named && middleOf(named));
+    if (at) view.reveal(at);
+  }
+
+  /** Take a place that was clicked, and select the item there. */
+  private choose(at: Point): void {
+    this.pick = at;
+    const { scene, plan } = this.view;
+    const item = scene && itemAt(scene.head.plan, at, plan.lengthOf(REACH));
+    if (item) this.store.select(parsePath(item.path));
+  }
+
+  /** Mark the item of the model that is selected. */
+  private markSelected(): void {
+    const { selection } = this.store;
+    const { scene, plan } = this.view;
+    const item = selection && scene && itemOf(scene.head.plan, formatPath(selection));
+    plan.mark("selected", item ? { points: item.points, closed: item.shape === "area" } : null);
+  }
+}
