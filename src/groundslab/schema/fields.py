@@ -18,7 +18,7 @@ from groundslab import units
 from groundslab.schema import ranges, toml_writer
 from groundslab.schema.issues import FieldError, RelativeIssue, field_error
 from groundslab.schema.repairs import add_unit, use_nearest
-from groundslab.schema.wording import describe, listed, quote, suggestion
+from groundslab.schema.wording import describe, listed, quote, spelled_alike, suggestion
 
 #: Validation context of files: units are mandatory there, and a key without effect is an issue.
 FROM_FILE = {"from_file": True}
@@ -223,10 +223,14 @@ class Integer(FieldType):
 
 @dataclass(frozen=True)
 class Choice(FieldType):
-    """One word out of the words of a ``Literal``."""
+    """One word out of the words of a ``Literal``.
+
+    ``unlisted`` (the hint for other words) is given where a word that looks alike may mean something stronger.
+    """
 
     literal: Any
     meaning: str
+    unlisted: str | None = None
 
     @property
     def words(self) -> tuple[str, ...]:
@@ -236,7 +240,9 @@ class Choice(FieldType):
     def read(self, value: Any, from_file: bool) -> str:  # noqa: ARG002
         """Return the word."""
         if not isinstance(value, str) or value not in self.words:
-            raise field_error(value, self.expected(), suggestion(value, self.words), use_nearest((), value, self.words))
+            meant = self.words if self.unlisted is None else spelled_alike(value, self.words)
+            hint = suggestion(value, meant) or self.unlisted or ""
+            raise field_error(value, self.expected(), hint, use_nearest((), value, meant))
         return value
 
     def expected(self) -> str:

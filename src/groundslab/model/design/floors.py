@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
 from groundslab.model.design.limits import PARTIAL
-from groundslab.model.design.reinforcement import CONCRETE, STEEL, ConcreteClass, check_concrete
+from groundslab.model.design.reinforcement import CONCRETE, STEEL, ConcreteChoice, ConcreteClass, check_concrete
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.load_cases import Combination, Combine, has_ultimate_combination
 from groundslab.model.plate import Plate
 from groundslab.schema.base import ByKind, Check, Section, Table
-from groundslab.schema.fields import Choice, Number, Quantity
+from groundslab.schema.fields import Number, Quantity
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 
@@ -80,7 +80,7 @@ class TR34Floor(_Floor):
     checks: ClassVar[tuple[Check, ...]] = (_check_restraint, check_concrete, _check_sagging, _check_bars)
 
     kind: Annotated[Literal["TR34"], Table("Concrete Society TR34, fourth edition: yield lines")] = "TR34"
-    concrete: Annotated[ConcreteClass | None, Choice(ConcreteClass, "strength class of the concrete")] = None
+    concrete: Annotated[ConcreteClass | None, ConcreteChoice] = None
     f_ck: Annotated[
         float | None, Quantity("pressure", "f_ck", "characteristic strength of the concrete, if no class", CONCRETE)
     ] = None
