@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import cache, partial
 
 from groundslab.design.bar_quantities import bars
-from groundslab.design.checks.table import checks_table
+from groundslab.design.checks.table import checks_table, has_checks
 from groundslab.design.tables import errors
 from groundslab.design.tables.columns import column_envelope, column_table
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
@@ -70,7 +70,7 @@ def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
         "envelope": lambda: errors.with_errors_of_envelope(envelopes(combined), each()),
         "tilt": lambda: errors.with_errors(tilts, combined),
     }
-    if model.reinforcement is not None or model.limits is not None or model.floor is not None:
+    if has_checks(combined):
         makers["checks"] = lambda: checks_table(combined)
     wanted = {
         "points": (model.output.points, points),

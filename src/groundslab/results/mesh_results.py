@@ -258,6 +258,22 @@ class ElementResult:
     discretization_error: Array | None = None
     stiffness_ratio: Array | None = None
 
+    def part(self, elements: Flags) -> ElementResult:
+        """Return some of the elements.
+
+        Parameters
+        ----------
+        elements : (m,) array of bool
+            Which elements.
+
+        Returns
+        -------
+        ElementResult
+            The same fields of these elements.
+        """
+        values = {each.name: getattr(self, each.name) for each in fields(self)}
+        return ElementResult(**{name: value if value is None else value[elements] for name, value in values.items()})
+
     def at_nodes(self, plate: PlateResult) -> tuple[Array, Integers]:
         """Return thickness [m] and section of the plate's nodes, (n,) each: a node belongs to one section only.
 

@@ -18,7 +18,7 @@ from groundslab.model.loads.load_cases import Combination
 from groundslab.results.results import Results
 
 #: Name and clause of the check of each limit state.
-_CHECKS = {
+EQUILIBRIUM = {
     "equilibrium": ("static equilibrium", "EN 1990 6.4.2"),
     "uplift": ("uplift by actions", "EN 1997-1 2.4.7.4"),
 }
@@ -26,7 +26,7 @@ _CHECKS = {
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
     """Yield the check of each of the two limit states that has combinations."""
-    for state, (name, clause) in _CHECKS.items():
+    for state, (name, clause) in EQUILIBRIUM.items():
         made = [each for each in combined.combinations if each.limit_state == state]
         if made:
             numbers = _uplift(combined, made) if state == "uplift" else {}

@@ -3,8 +3,17 @@
 from __future__ import annotations
 
 from groundslab.design.checks import check_design
+from groundslab.design.checks.equilibrium import EQUILIBRIUM
 from groundslab.design.tables.table import Table, table_of
 from groundslab.results.results import Results
+
+
+def has_checks(combined: Results) -> bool:
+    """Return whether anything is checked: by a section that asks for it, or by a limit state of equilibrium."""
+    model = combined.model
+    sections = model.reinforcement, model.limits, model.floor, model.soil_strength
+    states = {each.limit_state for each in combined.combinations}
+    return any(section is not None for section in sections) or not states.isdisjoint(EQUILIBRIUM)
 
 
 def checks_table(combined: Results) -> Table:

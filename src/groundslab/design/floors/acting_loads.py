@@ -14,7 +14,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.design.floors.yield_lines import Location
 from groundslab.design.punching import RectangularColumn, RoundColumn
 from groundslab.geometry.plan import FLAT
-from groundslab.model.loads.clipping import clip_line_load
+from groundslab.model.loads.clipping import clip_line_load, get_plate_region
 from groundslab.model.loads.load_types import (
     AreaLoad,
     LineLoad,
@@ -193,6 +193,7 @@ def pressures(results: CombinationResult) -> Iterator[tuple[float, tuple[float, 
     A pressure on the whole plate counts where its case is variable: goods are not everywhere all the time.
     """
     model, factors = results.model, factors_of(results)
+    plate = get_plate_region(model.plate, model.plates).grown
     variable = {case.name for case in model.cases if case.action == "variable"}
     everywhere, parts = 0.0, list[tuple[float, "BaseGeometry"]]()
     for load in model.loads:
@@ -202,7 +203,9 @@ def pressures(results: CombinationResult) -> Iterator[tuple[float, tuple[float, 
         if isinstance(load, UniformLoad):
             everywhere += factor * load.q if load.case in variable else 0.0
             continue
-        shape = load.to_shapely(math.inf)
+        shape = load.to_shapely(math.inf).intersection(plate)
+        if shape.is_empty or shape.area == 0:
+            continue
         corners = np.array(shape.convex_hull.exterior.coords)
         parts.append((factor * float(pressure_function(load)(corners).max()), shape))
     if everywhere > 0:
