@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import fields, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
@@ -16,7 +16,7 @@ from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import AnyPlate, first_sections
 from groundslab.model.plates.region import PlateRegion
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.mesh_results import ElementResult, PlateResult
 from groundslab.results.results import CombinationResult
 
 if TYPE_CHECKING:
@@ -47,9 +47,14 @@ def split_by_plate(results: CombinationResult) -> dict[str, CombinationResult]:
     models = _models_by_plate(results.model)
     parts = zip(_elements_by_plate(results).items(), models, strict=True)
     return {
-        name: replace(results, model=model, plate=results.plate.part(those), elements=results.elements.part(those))
+        name: replace(results, model=model, plate=results.plate.part(those), elements=_part_of(results.elements, those))
         for (name, those), model in parts
     }
+
+
+def _part_of(elements: ElementResult, those: Flags) -> ElementResult:
+    values = {each.name: getattr(elements, each.name) for each in fields(elements)}
+    return ElementResult(**{name: value if value is None else value[those] for name, value in values.items()})
 
 
 @lru_cache(maxsize=4)

@@ -17,8 +17,8 @@ from pydantic_core import CoreSchema, core_schema
 from groundslab import units
 from groundslab.schema import ranges, toml_writer
 from groundslab.schema.issues import FieldError, RelativeIssue, field_error
-from groundslab.schema.repairs import add_unit, use_nearest
-from groundslab.schema.wording import describe, listed, quote, spelled_alike, suggestion
+from groundslab.schema.repairs import add_unit, meant_word
+from groundslab.schema.wording import describe, listed, quote
 
 #: Validation context of files: units are mandatory there, and a key without effect is an issue.
 FROM_FILE = {"from_file": True}
@@ -223,10 +223,7 @@ class Integer(FieldType):
 
 @dataclass(frozen=True)
 class Choice(FieldType):
-    """One word out of the words of a ``Literal``.
-
-    ``unlisted`` (the hint for other words) is given where a word that looks alike may mean something stronger.
-    """
+    """One word out of those of a ``Literal``; ``unlisted`` is the hint for others where one like it may be unsafe."""
 
     literal: Any
     meaning: str
@@ -240,9 +237,7 @@ class Choice(FieldType):
     def read(self, value: Any, from_file: bool) -> str:  # noqa: ARG002
         """Return the word."""
         if not isinstance(value, str) or value not in self.words:
-            meant = self.words if self.unlisted is None else spelled_alike(value, self.words)
-            hint = suggestion(value, meant) or self.unlisted or ""
-            raise field_error(value, self.expected(), hint, use_nearest((), value, meant))
+            raise field_error(value, self.expected(), *meant_word(value, self.words, self.unlisted))
         return value
 
     def expected(self) -> str:

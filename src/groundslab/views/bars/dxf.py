@@ -5,10 +5,10 @@ from __future__ import annotations
 import io
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
-from groundslab.errors import InputError, Issue
+from groundslab.optional import import_optional
 from groundslab.views.bars.drawing import BROKEN, LAYERS, Circle, Line, Shape
 
 if TYPE_CHECKING:
@@ -20,13 +20,14 @@ MARK, LOOK = "Bars drawn by groundslab", 100_000
 METER = 6
 
 
-def to_bytes(shapes: Sequence[Shape], path: str | Path) -> bytes:
-    """Return a drawing as the content of a DXF file; the path is named where ezdxf is missing."""
-    try:
-        import ezdxf
-    except ImportError:
-        hint = "pip install groundslab[dxf]"
-        raise InputError([Issue(str(path), "a DXF drawing", "ezdxf to write it", hint)]) from None
+def import_ezdxf() -> Any:
+    """Return ezdxf; raises InputError where it is not installed."""
+    return import_optional("ezdxf", "which writes drawings", "dxf")
+
+
+def to_bytes(shapes: Sequence[Shape]) -> bytes:
+    """Return a drawing as the content of a DXF file; raises InputError where ezdxf is missing."""
+    ezdxf = import_ezdxf()
     dated = ezdxf.options.write_fixed_meta_data_for_testing
     ezdxf.options.write_fixed_meta_data_for_testing = True  # neither dates nor random numbers
     try:

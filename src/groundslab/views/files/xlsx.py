@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from groundslab._version import __version__
 from groundslab.design.result_tables import tables_of
 from groundslab.design.tables.table import Table
-from groundslab.errors import InputError, Issue
+from groundslab.optional import import_optional
 from groundslab.results.results import CombinationResult, Results, results_of
 from groundslab.storage import atomic, ownership
 
@@ -70,7 +70,8 @@ def write_workbook(results: CombinationResult | Results, path: str | Path) -> Pa
 
 
 def check(path: str | Path) -> Path:
-    """Return the full path if a workbook may be written there; else raise InputError saying why not."""
+    """Return the full path if a workbook can be written there; else raise InputError saying why not."""
+    _import_xlsxwriter()
     return ownership.check_replaceable(path, _is_workbook, "a workbook of groundslab")
 
 
@@ -82,15 +83,14 @@ def default_path(folder: str | Path) -> Path:
 
 def _workbook(content: io.BytesIO) -> Workbook:
     """Return an empty workbook whose texts are no formulas and no links, whatever they look like."""
-    try:
-        from xlsxwriter import Workbook
-    except ImportError:
-        hint = (
-            "pip install groundslab[tables]; the tables in the folder of results are CSV files, which it does without"
-        )
-        raise InputError([Issue("xlsxwriter", "nothing that can be imported", "XlsxWriter", hint)]) from None
     texts = {"strings_to_formulas": False, "strings_to_urls": False, "strings_to_numbers": False}
-    return Workbook(content, {"in_memory": True, "nan_inf_to_errors": True, **texts})
+    book: Workbook = _import_xlsxwriter().Workbook(content, {"in_memory": True, "nan_inf_to_errors": True, **texts})
+    return book
+
+
+def _import_xlsxwriter() -> Any:
+    instead = "the tables in the folder of results are CSV files, which do without it"
+    return import_optional("xlsxwriter", "which writes workbooks", "tables", instead)
 
 
 def _add_sheet(book: Workbook, table: Table, bold: Any, plain: Any) -> None:

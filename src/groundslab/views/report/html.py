@@ -145,9 +145,14 @@ def _is_pdf(path: Path) -> bool:
 
 
 def check(path: str | Path) -> Path:
-    """Return the full path if a report may be written there; else raise InputError saying why not."""
-    ours = _is_printed_report if _is_pdf(Path(path)) else partial(is_page, what="report")
-    return check_replaceable(path, ours, "a report of groundslab")
+    """Return the full path if a report can be written there; else raise InputError saying why not."""
+    if not _is_pdf(Path(path)):
+        return check_replaceable(path, partial(is_page, what="report"), "a report of groundslab")
+    from groundslab.views.report.pdf import require_printer
+
+    target = check_replaceable(path, _is_printed_report, "a report of groundslab")
+    require_printer()
+    return target
 
 
 def _is_printed_report(path: Path) -> bool:
