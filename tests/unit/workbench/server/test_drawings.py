@@ -198,7 +198,7 @@ def test_small_drawings_that_are_much(name: str, tmp_path: Path) -> None:
     assert found["layers"]
     assert all(each.startswith("what lies in blocks is not counted: ") for each in found["remarks"])
     with pytest.raises(InputError):
-        convert_drawing(str(path), {"NONE": "outline"}, "m", centered=False)
+        convert_drawing(str(path), {"NONE": "outline"}, "m", centered=False, gap="1 mm")
 
 
 def test_a_drawing_that_takes_too_long_or_too_much(drawing: Path, tmp_path: Path) -> None:
