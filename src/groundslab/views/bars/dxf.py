@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import io
 from collections.abc import Sequence
 from pathlib import Path
@@ -9,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
 from groundslab.optional import import_optional
+from groundslab.storage import bounded, checksums
 from groundslab.views.bars.drawing import BROKEN, LAYERS, Circle, Line, Shape
 
 if TYPE_CHECKING:
@@ -18,6 +20,8 @@ if TYPE_CHECKING:
 MARK, LOOK = "Bars drawn by groundslab", 100_000
 #: Number of the meter among the units of DXF.
 METER = 6
+#: What stands before the checksum of the rest; CAD programs leave comments out when they save.
+COMMENT = "999\ngroundslab sha256 "
 
 
 def import_ezdxf() -> Any:
@@ -37,7 +41,8 @@ def to_bytes(shapes: Sequence[Shape]) -> bytes:
     finally:
         ezdxf.options.write_fixed_meta_data_for_testing = dated
     content: bytes = document.encode(stream.getvalue())
-    return content
+    # a comment at the top, as nothing may follow the end
+    return f"{COMMENT}{hashlib.sha256(content).hexdigest()}\n".encode() + content
 
 
 def _document(shapes: Sequence[Shape]) -> Document:
@@ -65,3 +70,9 @@ def is_ours(path: Path) -> bool:
     """Return whether a file is a drawing of bars that groundslab wrote."""
     with path.open("rb") as file:
         return MARK.encode() in file.read(LOOK)
+
+
+def is_unchanged(path: Path) -> bool:
+    """Return whether a drawing is as groundslab wrote it."""
+    start, _, content = bounded.read_whole(path, checksums.LARGEST).removeprefix(COMMENT.encode()).partition(b"\n")
+    return start == hashlib.sha256(content).hexdigest().encode()

@@ -19,7 +19,7 @@ from groundslab._version import __version__
 from groundslab.case import casefile
 from groundslab.errors import GroundslabError, InputError
 from groundslab.results.results import CombinationResult, Results, results_of
-from groundslab.storage import atomic
+from groundslab.storage import atomic, bounded, checksums
 from groundslab.storage.ownership import check_replaceable, is_page
 from groundslab.views.plots.export import write_file
 from groundslab.views.report.content import build_page
@@ -128,7 +128,8 @@ def write_report(
     target = check(path)
     if not _is_pdf(target):
         page = render_report(results, text=text, file=file, chapters=chapters, comparison=comparison)
-        write_file(target, target, page.encode())
+        checksums.keep_file(target, checksums.is_sealed)
+        write_file(target, target, checksums.seal(page.encode()))
         return Path(path)
     from groundslab.views.report.pdf import print_page
 
@@ -157,8 +158,10 @@ def check(path: str | Path) -> Path:
 
 def _is_printed_report(path: Path) -> bool:
     """Return whether a file is a report that groundslab wrote as PDF."""
-    content = path.read_bytes()
-    return content.startswith(b"%PDF-") and TAIL.encode() in content[-200:]
+    with path.open("rb") as file:
+        start = file.read(5)
+        file.seek(max(file.seek(0, os.SEEK_END) - 200, 0))
+        return start == b"%PDF-" and TAIL.encode() in file.read()
 
 
 def default_path(folder: str | Path, suffix: str = ".html") -> Path:
@@ -170,7 +173,7 @@ def default_path(folder: str | Path, suffix: str = ".html") -> Path:
 def text_of(folder: str | Path, model: Model) -> str | None:
     """Return the text of the case in a folder of results, as it is there, if it describes the model of the results."""
     try:
-        text = (Path(folder) / "case.toml").read_bytes().decode()
+        text = bounded.read_whole(Path(folder) / "case.toml", casefile.LARGEST).decode()
         return text if casefile.loads(text) == model else None
     except (OSError, UnicodeDecodeError, InputError):
         return None
