@@ -39,7 +39,25 @@ ACCEPTED, REFUSED, TRACEBACK, NO_MEMORY = range(4)
 KEPT = Path("spoilt_inputs")
 #: What may stand in place of a number or a word.
 NUMBERS = ["0", "-1", "1e308", "1e-308", "nan", "inf", "-0.0", "9" * 400, "1e9", "0.1", "2147483648", "", "1_0", "0x10"]
-WORDS = ["", '"', "\0", "\ufeff", "µ", "𝛑", "[", "]]", "{", "= = =", "m", "kN", "MPa/m", "true", "kind", "x" * 5000, "a.b.c.d"]
+WORDS = [
+    "",
+    '"',
+    "\0",
+    "\ufeff",
+    "µ",
+    "𝛑",
+    "[",
+    "]]",
+    "{",
+    "= = =",
+    "m",
+    "kN",
+    "MPa/m",
+    "true",
+    "kind",
+    "x" * 5000,
+    "a.b.c.d",
+]
 Read = Callable[[Path], object]
 
 
@@ -146,7 +164,7 @@ def spoil_json(chance: random.Random, text: str) -> str:
 
 
 def spoil_drawing(chance: random.Random, text: str) -> str:
-    """Return a drawing of which the value behind some codes was changed, or entities were repeated, or the text spoilt."""
+    """Return a drawing with other values behind some codes, with entities repeated, or spoilt as a text."""
     if chance.random() < 0.2:
         return spoil_text(chance, text)
     lines = text.split("\n")
@@ -154,7 +172,19 @@ def spoil_drawing(chance: random.Random, text: str) -> str:
     for _ in range(chance.randint(1, 6)):
         i = chance.randrange(start // 2, len(lines) // 2) * 2 + 1
         lines[min(i, len(lines) - 1)] = chance.choice(
-            [*NUMBERS, *WORDS, "OUTLINE", "OPENINGS", "LOADS", "COLUMNS", "LINE", "HATCH", "LWPOLYLINE", "INSERT", "SPLINE"]
+            [
+                *NUMBERS,
+                *WORDS,
+                "OUTLINE",
+                "OPENINGS",
+                "LOADS",
+                "COLUMNS",
+                "LINE",
+                "HATCH",
+                "LWPOLYLINE",
+                "INSERT",
+                "SPLINE",
+            ]
         )
     if chance.random() < 0.1:
         heads = [n for n in range(start, len(lines) - 1) if lines[n].strip() == "0"]
@@ -202,118 +232,157 @@ def drawing() -> str:
     return stream.getvalue()
 
 
+def sound_cases() -> list[str]:
+    """Return the texts of the fuzz tests and of the examples."""
+    from properties import test_input_fuzz
+
+    examples = [path.read_text("utf-8") for path in sorted(ROOT.glob("examples/*.toml"))]
+    return [text for text in (*test_input_fuzz.FILES.values(), *examples) if "sampling" not in text]
+
+
+def spoil_member(chance: random.Random, name: str, content: bytes) -> bytes:
+    """Return a file of an archive, spoilt as a file of its kind, or with very many blanks before it."""
+    if chance.random() < 0.3:
+        return b" " * chance.choice([0, 10**6, 10**8]) + content
+    if chance.random() < 0.3 or name.endswith(".npz"):
+        return spoil_bytes(chance, content)
+    spoil = spoil_json if name.endswith(".json") else spoil_text
+    return spoil(chance, content.decode()).encode("utf-8", "surrogatepass")
+
+
+def write_archive(chance: random.Random, to: Path, packed: bytes) -> Path:
+    """Write an archive of results of which a file was spoilt, or its bytes."""
+    path = to / "x.zip"
+    if chance.random() < 0.4:
+        path.write_bytes(spoil_bytes(chance, packed))
+        return path
+    with zipfile.ZipFile(io.BytesIO(packed)) as old, zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as new:
+        names = old.namelist()
+        spoilt = chance.choice([name for name in names if name.endswith((".npz", ".json", ".toml"))])
+        for name in names:
+            content = old.read(name)
+            content = spoil_member(chance, name, content) if name == spoilt else content
+            new.writestr(name if chance.random() > 0.005 else f"../{name}", content)
+    return path
+
+
+def read_archive(path: Path) -> None:
+    """Unpack an archive and read its results."""
+    from groundslab.views.files import archive, results_folder
+
+    with tempfile.TemporaryDirectory() as unpacked:
+        archive.unpack_results(path, Path(unpacked))
+        results_folder.load_results(unpacked)
+
+
+def write_folder(chance: random.Random, to: Path, sound: Path) -> Path:
+    """Write a folder of results of which an array, a value of JSON, a text or a file was spoilt."""
+    from helpers import damage
+
+    folder = to / "one"
+    shutil.copytree(sound, folder)
+    npz, way = folder / "results.npz", chance.random()
+    if way < 0.4:
+        name = chance.choice([name for name in damage.arrays(npz) if name not in ("about", "model")])
+        damage.with_array(npz, name, chance.choice(list(damage.ARRAYS.values())))
+    elif way < 0.6:
+        about = json.loads(str(damage.arrays(npz)["about"]))
+        damage.with_about(npz, chance.choice(list(damage.places(about))), chance.choice(damage.VALUES))
+    elif way < 0.75:
+        path = folder / chance.choice(["summary.json", "case.toml"])
+        spoil = spoil_json if path.suffix == ".json" else spoil_text
+        write_text(path, spoil(chance, path.read_text("utf-8")))
+    elif way < 0.9:
+        npz.write_bytes(spoil_bytes(chance, npz.read_bytes()))
+    else:
+        chance.choice(list(damage.FILES.values()))(folder)
+    return folder
+
+
+def read_drawing(path: Path) -> None:
+    """Survey a drawing, make a case of it and the report; raises the last refusal."""
+    from groundslab.case import dxf
+    from groundslab.case.dxf import survey
+    from groundslab.errors import InputError
+
+    refusal = None
+    try:
+        survey.survey(path)
+    except InputError as error:
+        refusal = error
+    drawing = dxf.read(path)
+    dxf.to_case(dxf.center(drawing))
+    dxf.report_text(drawing)
+    if refusal is not None:
+        raise refusal
+
+
+def write_study(chance: random.Random, to: Path) -> Path:
+    """Write a study of which the file or the case was spoilt."""
+    from helpers import studies
+
+    of_case = chance.random() < 0.2
+    write_text(to / "slab.toml", spoil_text(chance, studies.CASE) if of_case else studies.CASE)
+    return write_text(to / "study.toml", studies.STUDY if of_case else spoil_text(chance, studies.STUDY))
+
+
+def write_rows(chance: random.Random, to: Path) -> Path:
+    """Write a folder of a study whose about.json was spoilt."""
+    from groundslab.study.execution import store
+
+    about = {"format": store.FORMAT, "program": "groundslab study", "seed": 1, "variants": 2, "versions": {}}
+    (to / store.ROWS).write_bytes(spoil_bytes(chance, bytes(5000)))
+    return write_text(to / store.ABOUT, spoil_json(chance, json.dumps(about))).parent
+
+
 def kinds(folder: Path) -> dict[str, Kind]:
     """Return all kinds of inputs; sound ones are made in a folder."""
     import groundslab
     from groundslab.analysis.check import check
-    from groundslab.case import casefile, dxf
-    from groundslab.case.dxf import survey
-    from groundslab.errors import InputError
+    from groundslab.case import casefile
     from groundslab.study.definition import files
     from groundslab.study.execution import store
     from groundslab.views.files import archive, results_folder
     from groundslab.views.ground_comparison.files import load_comparison, save_comparison
     from groundslab.workbench.persistence.autosave import HEAD, read_unsaved
-    from helpers import bombs, damage, studies
-    from properties import test_input_fuzz
+    from helpers import bombs, grounds, studies, synthetic
 
-    cases = [*test_input_fuzz.FILES.values(), *(p.read_text("utf-8") for p in sorted(ROOT.glob("examples/*.toml")))]
-    cases = [case for case in cases if "sampling" not in case]
+    cases = sound_cases()
     drawings = [drawing(), bombs.document(bombs.many(30, lambda x, y: bombs.circle(x, y, 0.4)))]
-    results = groundslab.solve(casefile.loads(studies.CASE))
-    packed = archive.pack_results(results, studies.CASE, "<html></html>")
-    one = results_folder.save_results(next(iter(results.results.values())), folder / "one")
-    soil = casefile.loads(studies.CASE.replace(
-        'kind = "winkler"\nk = "20 MPa/m"',
-        'kind = "continuum"\nlayers = [{E = "20 MPa", nu = 0.3, thickness = "4 m"}]'))  # fmt: skip
-    comparison = save_comparison(groundslab.compare_grounds(soil), folder / "comparison") / "ground-comparison.json"
-
-    def read_case(path: Path) -> None:
-        check(casefile.load(path))
-
-    def read_drawing(path: Path) -> None:
-        refusal = None
-        for use in (survey.survey, lambda each: dxf.to_case(dxf.read(each)), lambda each: dxf.report_text(dxf.read(each))):
-            try:
-                use(path)
-            except InputError as error:
-                refusal = error
-        if refusal is not None:
-            raise refusal
-
-    def write_archive(chance: random.Random, to: Path) -> Path:
-        if chance.random() < 0.4:
-            (to / "x.zip").write_bytes(spoil_bytes(chance, packed))
-            return to / "x.zip"
-        with zipfile.ZipFile(io.BytesIO(packed)) as old, zipfile.ZipFile(to / "x.zip", "w", zipfile.ZIP_DEFLATED) as new:
-            names = old.namelist()
-            spoilt = chance.choice([name for name in names if name.endswith((".npz", ".json", ".toml"))])
-            for name in names:
-                content = old.read(name)
-                if name == spoilt:
-                    content = chance.choice([
-                        lambda c=content: spoil_bytes(chance, c),
-                        lambda c=content: b" " * chance.choice([0, 10**6, 10**8]) + c,
-                        lambda c=content, n=name: (spoil_json if n.endswith(".json") else spoil_text)(
-                            chance, c.decode("utf-8", "replace")).encode("utf-8", "surrogatepass") if not n.endswith(".npz") else c[::-1],
-                    ])()  # fmt: skip
-                new.writestr(name if chance.random() > 0.005 else f"../{name}", content)
-        return to / "x.zip"
-
-    def read_archive(path: Path) -> None:
-        with tempfile.TemporaryDirectory() as unpacked:
-            archive.unpack_results(path, Path(unpacked))
-            results_folder.load_results(unpacked)
-
-    def write_folder(chance: random.Random, to: Path) -> Path:
-        shutil.copytree(one, to / "one")
-        npz = to / "one" / "results.npz"
-        way = chance.random()
-        if way < 0.4:
-            name = chance.choice([name for name in damage.arrays(npz) if name not in ("about", "model")])
-            with_change = chance.choice(list(damage.ARRAYS.values()))
-            damage.with_array(npz, name, with_change)
-        elif way < 0.6:
-            about = json.loads(str(damage.arrays(npz)["about"]))
-            damage.with_about(npz, chance.choice(list(damage.places(about))), chance.choice(damage.VALUES))
-        elif way < 0.75:
-            path = to / "one" / chance.choice(["summary.json", "case.toml"])
-            path.write_text((spoil_json if path.suffix == ".json" else spoil_text)(chance, path.read_text("utf-8")), "utf-8", "replace")
-        elif way < 0.9:
-            npz.write_bytes(spoil_bytes(chance, npz.read_bytes()))
-        else:
-            chance.choice(list(damage.FILES.values()))(to / "one")
-        return to / "one"
-
-    def write_study(chance: random.Random, to: Path) -> Path:
-        spoils_case = chance.random() < 0.2
-        write_text(to / "slab.toml", spoil_text(chance, studies.CASE) if spoils_case else studies.CASE)
-        return write_text(to / "study.toml", studies.STUDY if spoils_case else spoil_text(chance, studies.STUDY))
-
-    def write_comparison(chance: random.Random, to: Path) -> Path:
-        return write_text(to / comparison.name, spoil_json(chance, comparison.read_text("utf-8"))).parent
-
-    unsaved = HEAD + '{"file": null, "when": "2026-01-01", "base": null, "newline": "\\n", "mark": false}\n' + studies.CASE
-
-    def write_about(chance: random.Random, to: Path) -> Path:
-        about = {"format": store.FORMAT, "program": "groundslab study", "seed": 1, "variants": 2, "versions": {}, "units": {}}
-        (to / store.ROWS).write_bytes(spoil_bytes(chance, bytes(5000)))
-        return write_text(to / store.ABOUT, spoil_json(chance, json.dumps(about))).parent
-
+    packed = archive.pack_results(groundslab.solve(casefile.loads(studies.CASE)), studies.CASE, "<html></html>")
+    sound = results_folder.save_results(synthetic.results(), folder / "one")
+    comparison = save_comparison(grounds.comparison(), folder / "comparison") / "ground-comparison.json"
+    compared = comparison.read_text("utf-8")
+    head = {"file": None, "when": "2026-01-01", "base": None, "newline": "\n", "mark": False}
+    unsaved = f"{HEAD}{json.dumps(head)}\n{studies.CASE}"
     return {
-        "case": Kind(lambda c, to: write_text(to / "x.toml", spoil_text(c, c.choice(cases))), read_case),
+        "case": Kind(
+            lambda c, to: write_text(to / "x.toml", spoil_text(c, c.choice(cases))),
+            lambda path: check(casefile.load(path)),
+        ),
         "drawing": Kind(lambda c, to: write_text(to / "x.dxf", spoil_drawing(c, c.choice(drawings))), read_drawing),
-        "archive": Kind(write_archive, read_archive),
-        "folder": Kind(write_folder, results_folder.load_results),
+        "archive": Kind(lambda c, to: write_archive(c, to, packed), read_archive),
+        "folder": Kind(lambda c, to: write_folder(c, to, sound), results_folder.load_results),
         "study": Kind(write_study, files.read),
-        "comparison": Kind(write_comparison, load_comparison),
+        "comparison": Kind(
+            lambda c, to: write_text(to / comparison.name, spoil_json(c, compared)).parent, load_comparison
+        ),
         "unsaved work": Kind(lambda c, to: write_text(to / "x.unsaved", spoil_text(c, unsaved)), read_unsaved),
-        "rows": Kind(write_about, store.about),
+        "rows": Kind(write_rows, store.about),
     }
 
 
 #: How often each kind is taken.
-WEIGHTS = {"case": 30, "drawing": 25, "archive": 12, "folder": 12, "study": 12, "comparison": 4, "unsaved work": 3, "rows": 2}
+WEIGHTS = {
+    "case": 30,
+    "drawing": 25,
+    "archive": 12,
+    "folder": 12,
+    "study": 12,
+    "comparison": 4,
+    "unsaved work": 3,
+    "rows": 2,
+}
 
 
 def attempt(read: Read, path: Path, log: Path) -> tuple[int, float, float]:
