@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import fields, replace
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -53,7 +53,7 @@ def split_by_plate(results: CombinationResult) -> dict[str, CombinationResult]:
 
 
 def _part_of(elements: ElementResult, those: Flags) -> ElementResult:
-    values = {each.name: getattr(elements, each.name) for each in fields(elements)}
+    values: dict[str, Any] = {each.name: getattr(elements, each.name) for each in fields(elements)}
     return ElementResult(**{name: value if value is None else value[those] for name, value in values.items()})
 
 

@@ -381,9 +381,9 @@ class Factors(FieldType):
 
     def read(self, value: Any, from_file: bool) -> tuple[tuple[str, float], ...]:
         """Return the pairs of name and number; a tuple of pairs is taken as well."""
-        pairs = tuple(value.items()) if isinstance(value, Mapping) else value
-        named = (isinstance(pair, tuple) and len(pair) == 2 and isinstance(pair[0], str) for pair in pairs or ())
-        if not isinstance(pairs, tuple) or not pairs or not all(named):
+        pairs = tuple(value.items() if isinstance(value, Mapping) else value if isinstance(value, tuple) else ())
+        named = (isinstance(pair, tuple) and len(pair) == 2 and isinstance(pair[0], str) for pair in pairs)
+        if not pairs or not all(named):
             raise field_error(value, self.expected())
         count = Counter(name for name, _ in pairs)
         twice = [

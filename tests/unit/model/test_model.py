@@ -373,6 +373,14 @@ def test_no_suggestion_of_something_else(part: dict[str, dict[str, object]], key
     assert [issue[3] for issue in found if issue[1] == f'"{word}"'] == [hint]
 
 
+@pytest.mark.parametrize("factors", [3, 2.5, True, "a", ["a", 1.0], None])
+def test_factors_that_are_no_table(factors: object) -> None:
+    """Anything but a table of numbers is refused in words."""
+    data = case(cases=[{"name": "a"}], combinations=[{"name": "U", "factors": factors}])
+    places = [place for place, _, expected, _ in issues(data) if "a table of numbers" in expected]
+    assert places == ["combinations[1].factors"]
+
+
 def test_spelling_of_classes() -> None:
     """A class in other letters or with other signs is still recognized."""
     assert issues(case(reinforcement={**AXES, "concrete": "c30-37"}))[0][3] == 'did you mean "C30/37"?'

@@ -101,7 +101,7 @@ def _join(pieces: list[Corners], near: float) -> Corners | str:
 
 def _touches(corner: Vec3, piece: Corners, near: float) -> bool:
     points, _, _ = piece
-    return min(corner.distance(points[0]), corner.distance(points[-1])) <= near
+    return bool(min(corner.distance(points[0]), corner.distance(points[-1])) <= near)
 
 
 def _turned(corners: list[Vec3], bulges: Iterable[float]) -> tuple[list[Vec3], list[float]]:
