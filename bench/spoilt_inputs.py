@@ -243,7 +243,7 @@ def sound_cases() -> list[str]:
 def spoil_member(chance: random.Random, name: str, content: bytes) -> bytes:
     """Return a file of an archive, spoilt as a file of its kind, or with very many blanks before it."""
     if chance.random() < 0.3:
-        return b" " * chance.choice([0, 10**6, 10**8]) + content
+        return b" " * chance.choice([0, *[10**6] * 10, 10**8]) + content
     if chance.random() < 0.3 or name.endswith(".npz"):
         return spoil_bytes(chance, content)
     spoil = spoil_json if name.endswith(".json") else spoil_text

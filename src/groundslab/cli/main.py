@@ -62,11 +62,13 @@ def _kept_files_told() -> Iterator[None]:
         warnings.simplefilter("always", EditedFilesKept)
         show = warnings.showwarning
 
-        def tell(message: Warning | str, category: type[Warning], *more: Any) -> None:
+        def tell(
+            message: Warning | str, category: type[Warning], filename: str, lineno: int, *more: Any, **options: Any
+        ) -> None:
             if issubclass(category, EditedFilesKept):
                 console.print_stderr(f"note: {message}")
             else:
-                show(message, category, *more)
+                show(message, category, filename, lineno, *more, **options)
 
         warnings.showwarning = tell
         yield

@@ -53,8 +53,9 @@ def split_by_plate(results: CombinationResult) -> dict[str, CombinationResult]:
 
 
 def _part_of(elements: ElementResult, those: Flags) -> ElementResult:
-    values: dict[str, Any] = {each.name: getattr(elements, each.name) for each in fields(elements)}
-    return ElementResult(**{name: value if value is None else value[those] for name, value in values.items()})
+    values = {each.name: getattr(elements, each.name) for each in fields(elements)}
+    some: dict[str, Any] = {name: value if value is None else value[those] for name, value in values.items()}
+    return ElementResult(**some)
 
 
 @lru_cache(maxsize=4)
