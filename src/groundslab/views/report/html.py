@@ -128,8 +128,7 @@ def write_report(
     target = check(path)
     if not _is_pdf(target):
         page = render_report(results, text=text, file=file, chapters=chapters, comparison=comparison)
-        checksums.keep_file(target, checksums.is_sealed)
-        write_file(target, target, checksums.seal(page.encode()))
+        _write_page(target, page)
         return Path(path)
     from groundslab.views.report.pdf import print_page
 
@@ -138,6 +137,12 @@ def write_report(
     page = render_report(results, text=text, file=file, chapters=on_paper, comparison=comparison)
     atomic.write(target, print_page(page) + f"{TAIL}{__version__}\n".encode())
     return Path(path)
+
+
+def _write_page(target: Path, page: str) -> None:
+    """Write a page with its checksum; one that was edited is kept under another name."""
+    checksums.keep_file(target, checksums.is_sealed)
+    write_file(target, target, checksums.seal(page.encode()))
 
 
 def _is_pdf(path: Path) -> bool:
