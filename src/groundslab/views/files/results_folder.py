@@ -42,7 +42,8 @@ def save_results(results: CombinationResult | Results, folder: str | Path, *, pl
 
     Results that are not certified are written too, marked as such; combinations without any are listed with the reason.
     The folder holds VTU files for ParaView, tables as CSV, summary.json, the case file, and NumPy archives from which
-    `load_results` reads the same results back.
+    `load_results` reads the same results back. Files of earlier results that were edited are kept in a folder beside
+    it, named in a warning (EditedFilesKept).
 
     Parameters
     ----------
