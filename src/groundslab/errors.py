@@ -11,6 +11,10 @@ class GroundslabError(Exception):
     """Base of all exceptions that groundslab raises on purpose."""
 
 
+class EditedFilesKept(UserWarning):
+    """Files that groundslab wrote and somebody edited were to be replaced; they are kept under another name."""
+
+
 @dataclass(frozen=True, slots=True)
 class Edit:
     """An edit of a description at a path, indices from 0: set a value, add one to a list, remove or rename a key."""

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import importlib
 import json
+import sys
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import pytest
 
+from groundslab.errors import InputError, Issue
 from helpers.paths import ROOT
 
 BENCH = ROOT / "bench"
@@ -174,3 +176,39 @@ def test_timed_phases_are_functions_of_the_package(monkeypatch: pytest.MonkeyPat
     phases = importlib.import_module("job").PHASES
     assert len(phases) > 10
     assert not [(phase, name) for phase, module, name in phases if not callable(getattr(module, name, None))]
+
+
+@pytest.fixture
+def spoilt(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    """The job that reads spoilt inputs."""
+    monkeypatch.syspath_prepend(str(BENCH))
+    return importlib.import_module("spoilt_inputs")
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform != "linux", reason="a process of its own for each input, as Linux has them")
+def test_spoilt_inputs_are_read_or_refused(spoilt: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of forty inputs none raises anything but an error of groundslab's own, or takes long or much memory."""
+    monkeypatch.chdir(tmp_path)
+    figures = spoilt.main(40, 3)
+    assert figures["failures"] == []
+    assert figures["inputs"] == sum(figures["outcomes"].values()) == 40
+    assert {outcome.partition(":")[0] for outcome in figures["outcomes"]} >= {"case", "drawing", "archive", "study"}
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="a process of its own for each input, as Linux has them")
+def test_what_is_no_refusal_is_found(spoilt: ModuleType, tmp_path: Path) -> None:
+    """Another error has its traceback kept, one too large for the memory is known, a refusal is none of them."""
+
+    def fails(_: Path) -> None:
+        raise ValueError("mine")
+
+    def refuses(_: Path) -> None:
+        raise InputError([Issue("here", "this", "that")])
+
+    log = tmp_path / "log.txt"
+    assert spoilt.attempt(fails, tmp_path, log)[0] == spoilt.TRACEBACK
+    assert "ValueError: mine" in log.read_text(encoding="utf-8")
+    assert spoilt.attempt(refuses, tmp_path, log)[0] == spoilt.REFUSED
+    assert spoilt.attempt(lambda _: bytearray(10**11), tmp_path, log)[0] == spoilt.NO_MEMORY
+    assert spoilt.attempt(lambda _: None, tmp_path, log)[0] == spoilt.ACCEPTED

@@ -30,6 +30,13 @@ def describe_dxf(dxf: argparse.ArgumentParser) -> None:
         "usual layers are OUTLINE, OPENINGS, ZONES, COLUMNS, LOADS, LOAD_LINE and LOAD_AREA",
     )
     dxf.add_argument("--unit", help='unit of the drawing, such as "mm" (default: the one that it names)')
+    dxf.add_argument(
+        "--close-gaps",
+        default="1 mm",
+        metavar="LENGTH",
+        help="widest gap between the ends of lines that is closed, if it is no wider than a tenth of the edges that "
+        'end there (default: "1 mm"; "0 mm" closes none)',
+    )
     dxf.add_argument("--out", metavar="FILE", help="file to make (default: print the text)")
 
 
@@ -108,7 +115,8 @@ def convert_drawing(options: argparse.Namespace) -> int:
     """Make a case file from a drawing; an existing file is left alone."""
     from groundslab.case import dxf as drawings
 
-    drawing = drawings.read(options.drawing, _layers(options.layers), options.unit)
+    layers, gap = _layers(options.layers), drawings.parse_gap(options.close_gaps)
+    drawing = drawings.read(options.drawing, layers, options.unit, gap)
     _write_or_print(drawings.to_case(drawing, Path(options.drawing).stem), options.out)
     print_stderr(drawings.report_text(drawing).rstrip("\n"))
     if options.out is not None:

@@ -10,16 +10,18 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+import warnings
 from collections.abc import Mapping
+from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
 from groundslab.cli import case, compare_ground, console, plot, solve, study
-from groundslab.errors import GroundslabError, InputError, Issue, NoEquilibrium, NotConverged
+from groundslab.errors import EditedFilesKept, GroundslabError, InputError, Issue, NoEquilibrium, NotConverged
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -30,7 +32,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             stream.reconfigure(errors="replace")
     options = _options(sys.argv[1:] if arguments is None else arguments)
     try:
-        return int(options.run(options))
+        with _kept_files_told():
+            return int(options.run(options))
     except InputError as error:
         console.print_stderr(console.format_issues(error))
         return console.EXIT_WRONG_INPUT
@@ -53,6 +56,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except MemoryError:
         console.print_stderr("error: the memory is too small for this analysis; a coarser mesh needs less")
     return console.EXIT_NO_RESULT
+
+
+@contextmanager
+def _kept_files_told() -> Iterator[None]:
+    """Print as a note that files were kept which somebody had edited; other warnings are shown as ever."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("always", EditedFilesKept)
+        show = warnings.showwarning
+
+        def tell(
+            message: Warning | str, category: type[Warning], filename: str, lineno: int, *more: Any, **options: Any
+        ) -> None:
+            if issubclass(category, EditedFilesKept):
+                console.print_stderr(f"note: {message}")
+            else:
+                show(message, category, filename, lineno, *more, **options)
+
+        warnings.showwarning = tell
+        yield
 
 
 def _options(arguments: Sequence[str]) -> argparse.Namespace:

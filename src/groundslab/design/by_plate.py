@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from dataclasses import fields, replace
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.arrays import Array
+from groundslab.arrays import Array, Flags
 from groundslab.design.punching import outline
-from groundslab.model.plates.further import first_sections
+from groundslab.model.loads.acting import PlateAction, PointForce
+from groundslab.model.loads.load_types import AnyLoad
+from groundslab.model.model import Model
+from groundslab.model.plate import Plate
+from groundslab.model.plates.further import AnyPlate, first_sections
 from groundslab.model.plates.region import PlateRegion
-from groundslab.results.mesh_results import PlateResult
+from groundslab.results.mesh_results import ElementResult, PlateResult
 from groundslab.results.results import CombinationResult
 
 if TYPE_CHECKING:
@@ -19,11 +25,71 @@ if TYPE_CHECKING:
 
 def results_by_plate(results: CombinationResult) -> dict[str, PlateResult]:
     """Return the results of each plate by its name, or its number from 1; of a single plate with an empty name."""
-    plates = results.model.every_plate
-    if len(plates) == 1:
+    if not results.model.plates:
         return {"": results.plate}
+    return {name: results.plate.part(elements) for name, elements in _elements_by_plate(results).items()}
+
+
+def _elements_by_plate(results: CombinationResult) -> dict[str, Flags]:
+    """Return which elements belong to each plate."""
+    plates = results.model.every_plate
     number = np.searchsorted(first_sections(plates), results.elements.section, side="right") - 1
-    return {each.name or f"plate {n + 1}": results.plate.part(number == n) for n, each in enumerate(plates)}
+    return {each.name or f"plate {n + 1}": number == n for n, each in enumerate(plates)}
+
+
+def split_by_plate(results: CombinationResult) -> dict[str, CombinationResult]:
+    """Return the results of each plate as if there were no other, by its name as in `results_by_plate`.
+
+    Their models hold one plate and the loads on it; loads that extend over several plates are in the model of each.
+    """
+    if not results.model.plates:
+        return {"": results}
+    models = _models_by_plate(results.solved_model)
+    parts = zip(_elements_by_plate(results).items(), models, strict=True)
+    return {
+        name: replace(
+            results,
+            model=model,
+            solved_model=model,
+            plate=results.plate.part(those),
+            elements=_part_of(results.elements, those),
+        )
+        for (name, those), model in parts
+    }
+
+
+def _part_of(elements: ElementResult, those: Flags) -> ElementResult:
+    values = {each.name: getattr(elements, each.name) for each in fields(elements)}
+    some: dict[str, Any] = {name: value if value is None else value[those] for name, value in values.items()}
+    return ElementResult(**some)
+
+
+@lru_cache(maxsize=4)
+def _models_by_plate(model: Model) -> tuple[Model, ...]:
+    """Return a model of each plate alone."""
+    region = PlateRegion(model.plate, model.plates)
+    return tuple(
+        # loads on what lies beside the plate are of no interest here, and would not be valid
+        model.model_copy(
+            update={
+                "plate": each if isinstance(each, Plate) else Plate(**dict(each)),
+                "plates": (),
+                "joints": (),
+                "loads": tuple(load for load in model.loads if _acts_on(load, n, each, model, region)),
+            }
+        )
+        for n, each in enumerate(model.every_plate)
+    )
+
+
+def _acts_on(load: AnyLoad, number: int, plate: AnyPlate, model: Model, region: PlateRegion) -> bool:
+    """Return whether a load acts on a plate, or may act on it as it extends over an area or along a line."""
+    for shape in model.shapes(load):
+        if isinstance(shape, PointForce):
+            return region.plate_at(shape.place) == number
+        if isinstance(shape, PlateAction):
+            return shape.plate in ("", plate.name)
+    return True
 
 
 def plate_under(results: CombinationResult, x: float, y: float) -> PlateResult:

@@ -8,7 +8,6 @@ from groundslab.errors import Edit, Repair
 from groundslab.geometry.plan import MOST_ELEMENTS
 from groundslab.geometry.validity import TOO_CLOSE, find_issues
 from groundslab.model.columns import Column
-from groundslab.model.design.floors import AnyFloor
 from groundslab.model.design.limits import SoilStrength
 from groundslab.model.ground import AnyGround, ContinuousGround, Continuum, Layered, SoilLayer, Winkler, carry_shear
 from groundslab.model.loads.load_cases import Combination, LoadCase, check_case_names, check_factors
@@ -222,7 +221,6 @@ def check_plate_of_loads(
 def check_sections_with_plates(
     plates: tuple[FurtherPlate, ...],
     ground: AnyGround,
-    floor: AnyFloor | None,
     soil_strength: SoilStrength | None,
     cracking: Cracking | None,
 ) -> Iterator[RelativeIssue]:
@@ -232,7 +230,7 @@ def check_sections_with_plates(
     if isinstance(ground, Winkler) and ground.selvadurai is not None:
         hint = "the formula's k is one for each plate; soil_zones can hold them"
         yield RelativeIssue(("ground", "selvadurai"), "soil that gives the k of one plate", "k", hint)
-    for name, section in {"floor": floor, "soil_strength": soil_strength, "cracking": cracking}.items():
+    for name, section in {"soil_strength": soil_strength, "cracking": cracking}.items():
         if section is not None:
             found, repairs = f"{name} beside several plates", (remove((name,)),)
             yield RelativeIssue((name,), found, f"no {name}", "it is for a single plate", repairs)

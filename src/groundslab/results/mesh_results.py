@@ -11,6 +11,7 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import InputError, Issue
 from groundslab.fem.continuum.pressed_cells import PressedCells
 from groundslab.fem.mesh import Mesh, in_space, interpolate, locate_within
+from groundslab.optional import import_optional
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.schema.wording import describe, one_of, suggestion
 
@@ -136,11 +137,7 @@ class PlateResult:
         InputError
             If PyVista is not installed.
         """
-        try:
-            import pyvista
-        except ImportError:
-            hint = "pip install groundslab[viz]"
-            raise InputError([Issue("pyvista", "nothing that can be imported", "the package pyvista", hint)]) from None
+        pyvista = import_optional("pyvista", "which makes grids", "viz")
         grid = pyvista.UnstructuredGrid({pyvista.CellType.BIQUADRATIC_QUAD: self.elements}, in_space(self.nodes))
         for name, values in self.point_data().items():
             grid.point_data[name] = values

@@ -17,8 +17,8 @@ from pydantic_core import CoreSchema, core_schema
 from groundslab import units
 from groundslab.schema import ranges, toml_writer
 from groundslab.schema.issues import FieldError, RelativeIssue, field_error
-from groundslab.schema.repairs import add_unit, use_nearest
-from groundslab.schema.wording import describe, listed, quote, suggestion
+from groundslab.schema.repairs import add_unit, meant_word
+from groundslab.schema.wording import describe, listed, quote
 
 #: Validation context of files: units are mandatory there, and a key without effect is an issue.
 FROM_FILE = {"from_file": True}
@@ -234,10 +234,11 @@ class Integer(FieldType):
 
 @dataclass(frozen=True)
 class Choice(FieldType):
-    """One word out of the words of a ``Literal``."""
+    """One word out of those of a ``Literal``; ``unlisted`` is the hint for others where one like it may be unsafe."""
 
     literal: Any
     meaning: str
+    unlisted: str | None = None
 
     @property
     def words(self) -> tuple[str, ...]:
@@ -247,7 +248,7 @@ class Choice(FieldType):
     def read(self, value: Any, from_file: bool) -> str:  # noqa: ARG002
         """Return the word."""
         if not isinstance(value, str) or value not in self.words:
-            raise field_error(value, self.expected(), suggestion(value, self.words), use_nearest((), value, self.words))
+            raise field_error(value, self.expected(), *meant_word(value, self.words, self.unlisted))
         return value
 
     def expected(self) -> str:
@@ -415,9 +416,9 @@ class Factors(FieldType):
 
     def read(self, value: Any, from_file: bool) -> tuple[tuple[str, float], ...]:
         """Return the pairs of name and number; a tuple of pairs is taken as well."""
-        pairs = tuple(value.items()) if isinstance(value, Mapping) else value
-        named = (isinstance(pair, tuple) and len(pair) == 2 and isinstance(pair[0], str) for pair in pairs or ())
-        if not isinstance(pairs, tuple) or not pairs or not all(named):
+        pairs = tuple(value.items() if isinstance(value, Mapping) else value if isinstance(value, tuple) else ())
+        named = (isinstance(pair, tuple) and len(pair) == 2 and isinstance(pair[0], str) for pair in pairs)
+        if not pairs or not all(named):
             raise field_error(value, self.expected())
         count = Counter(name for name, _ in pairs)
         twice = [

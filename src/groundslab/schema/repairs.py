@@ -11,7 +11,7 @@ from typing import Any
 from groundslab import units
 from groundslab.errors import Edit, Repair
 from groundslab.schema import ranges
-from groundslab.schema.wording import describe, find_nearest, listed
+from groundslab.schema.wording import describe, find_nearest, listed, spelled_alike, suggestion
 
 Place = tuple[str | int, ...]
 MOST_CHOICES = 4  # names that are offered one by one
@@ -49,6 +49,17 @@ def use_nearest(place: Place, word: object, known: Collection[str]) -> tuple[Rep
     few = tuple(known) if len(known) <= MOST_CHOICES else ()
     names = few if nearest is None else (nearest,)
     return tuple(set_value(place, name, f"use {describe(name)}") for name in names)
+
+
+def meant_word(word: object, known: Collection[str], unlisted: str | None) -> tuple[str, tuple[Repair, ...]]:
+    """Return the hint for a word that is none of the known ones, and the repairs.
+
+    With a hint for ``unlisted`` words only the known word of the same letters and digits is taken for the meant one:
+    one that resembles it may be a stronger concrete, or another limit state.
+    """
+    if unlisted is not None:
+        known = spelled_alike(word, known)
+    return suggestion(word, known) or unlisted or "", use_nearest((), word, known)
 
 
 def use_free_name(place: Place, name: str, taken: Collection[str]) -> tuple[Repair, ...]:

@@ -76,6 +76,15 @@ def find_nearest(word: object, known: Iterable[str]) -> str | None:
     return lower[close[0]] if close else None
 
 
+def spelled_alike(word: object, known: Iterable[str]) -> tuple[str, ...]:
+    """Return the known words with the letters and digits of a word, in any case and with any other signs."""
+    return tuple(each for each in known if isinstance(word, str) and _letters(each) == _letters(word))
+
+
+def _letters(word: str) -> str:
+    return "".join(filter(str.isalnum, word[:100])).lower()
+
+
 def suggestion(word: object, known: Iterable[str]) -> str:
     """Return ``did you mean "..."?`` for a word that resembles a known one, else nothing."""
     nearest = find_nearest(word, known)

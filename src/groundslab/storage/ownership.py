@@ -10,12 +10,15 @@ from collections.abc import Callable, Collection, Iterator
 from pathlib import Path, PurePosixPath
 
 from groundslab.errors import InputError, Issue
+from groundslab.storage import bounded
 from groundslab.storage.atomic import LITTER, check_name
 
 #: Bytes of a file's beginning that are looked at.
 LOOK = 8192
 #: Longest header line of a table, and largest case file, that are read [bytes].
 LONGEST_HEADER, LARGEST_CASE = 1_000_000, 10_000_000
+#: Largest figure in PDF that is read [bytes]; none of groundslab is as large.
+LARGEST_FIGURE = 200_000_000
 
 
 def is_figure(path: Path) -> bool:
@@ -24,7 +27,7 @@ def is_figure(path: Path) -> bool:
     if start.startswith(b"\x89PNG\r\n\x1a\n"):
         return b"tEXtSoftware\x00groundslab " in start
     if start.startswith(b"%PDF-"):
-        content = path.read_bytes()
+        content = bounded.read_whole(path, LARGEST_FIGURE)
         return content.count(b"%%EOF") == 1 and re.search(rb"<< /Creator \(groundslab [^)]*\)", content) is not None
     creator = rb"<dc:creator>\s*<cc:Agent>\s*<dc:title>groundslab "
     return b"<svg" in start and re.search(creator, start) is not None

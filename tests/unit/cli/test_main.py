@@ -583,6 +583,20 @@ class TestDxf:
         assert case["plate"]["outline"]["points"][1] == ["1.2192 m", "0 m"]
         assert "unit: ft" in err
 
+    def test_gaps_that_are_closed(self, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+        """--close-gaps closes wider gaps, and the report names them; a width without a unit is refused."""
+        document = ezdxf.new(units=6)
+        for start, end in (((0, 0), (4, 0.003)), ((4, 0), (4, 3)), ((4, 3), (0, 0))):
+            document.modelspace().add_line(start, end, {"layer": "OUTLINE"})
+        path = str(tmp_path / "plan.dxf")
+        document.saveas(path)
+        assert main.main(["dxf", path]) == 2
+        assert "a gap of 0.003 m" in capsys.readouterr().err
+        assert main.main(["dxf", path, "--close-gaps", "5 mm"]) == 0
+        assert "layer OUTLINE: a gap of 0.003 m was closed at (4, 0.0015) m" in capsys.readouterr().err
+        assert main.main(["dxf", path, "--close-gaps", "5"]) == 2
+        assert 'a length such as "1 mm"' in capsys.readouterr().err
+
     def test_never_overwrites(self, drawing: Path, capsys: pytest.CaptureFixture[str]) -> None:
         """A file is made where there is none; a second time it is left alone."""
         path = drawing.with_name("case.toml")

@@ -8,6 +8,7 @@ import pytest
 from shapely import Polygon, box
 
 import groundslab as gs
+from groundslab.case import casefile
 from groundslab.design.checks import check_design
 from groundslab.design.en1997.bearing import Soil, bearing_resistance, effective_area, sliding_resistance
 
@@ -108,3 +109,48 @@ def test_a_strength_that_is_none_is_refused(given: dict[str, float], where: str)
     with pytest.raises(gs.InputError) as refused:
         gs.SoilStrength(unit_weight=18e3, **given)
     assert where.rpartition(".")[2] in str(refused.value)
+
+
+SOIL_ONLY = """
+[plate]
+length_x = "4 m"
+length_y = "3 m"
+thickness = "1 m"
+E = "30 GPa"
+nu = 0.2
+[ground]
+kind = "winkler"
+k = "50 MPa/m"
+[[cases]]
+name = "a"
+[[combinations]]
+name = "U"
+limit_state = "LIMIT STATE"
+factors = {a = 1.0}
+[soil_strength]
+phi = 30
+unit_weight = "10 kN/m^3"
+[[loads]]
+kind = "point"
+P = "3000 kN"
+x = "0.1 m"
+y = "0.1 m"
+case = "a"
+[mesh]
+size = "0.5 m"
+"""
+
+
+def test_strength_of_the_soil_alone_has_a_table_of_checks() -> None:
+    """A case whose only section of design is [soil_strength] has its checks in the tables, as on the terminal."""
+    results = gs.solve(casefile.loads(SOIL_ONLY.replace("LIMIT STATE", "ultimate")))
+    tables = {table.name: table for table in gs.tables_of(results)}
+    assert tables["checks"]["check"] == tuple(each.name for each in check_design(results).checks)
+    assert "bearing resistance" in tables["checks"]["check"]
+
+
+def test_strength_of_the_soil_without_an_ultimate_combination_is_not_passed_over() -> None:
+    """Without an ultimate combination the bearing resistance is not checked, which needs attention."""
+    design = check_design(gs.solve(casefile.loads(SOIL_ONLY.replace("LIMIT STATE", "characteristic"))))
+    assert [(each.name, each.status) for each in design.checks] == [("bearing resistance", "attention")]
+    assert "no ultimate combination" in design.checks[0].words

@@ -343,6 +343,50 @@ def test_unknown_key(data: object, where: str, fix: str) -> None:
     assert expected.startswith("one of ")
 
 
+AXES = {"bottom": ["40 mm", "50 mm"], "top": ["40 mm", "50 mm"]}
+
+
+@pytest.mark.parametrize(
+    ("part", "key", "word", "hint"),
+    [
+        ({"reinforcement": AXES}, "concrete", "C28/36", "give the strength of any other class as f_ck"),
+        ({"floor": {"kind": "TR34"}}, "concrete", "C34/45", "give the strength of any other class as f_ck"),
+        ({"reinforcement": AXES}, "steel", "B500", "give the yield strength of any other steel as f_yk"),
+        ({"reinforcement": AXES}, "exposure", "XC5", ""),
+        ({"reinforcement": AXES}, "annex", "United States", "other values: gamma_c, gamma_s and alpha_cc"),
+        ({"reinforcement": AXES}, "code", "ACI 360", ""),
+        ({"reinforcement": AXES}, "top_mesh", "A192", "give the wires of any other mesh by diameter and spacing"),
+        (
+            {"cases": {"name": "a", "action": "variable"}},
+            "category",
+            "C5",
+            "give psi_0, psi_1 and psi_2 of any other action",
+        ),
+        ({"combinations": {"name": "U", "factors": {"a": 1.0}}}, "limit_state", "permanent", ""),
+        ({"combine": {"sets": ["ultimate"]}}, "expression", "6.10a", ""),
+    ],
+)
+def test_no_suggestion_of_something_else(part: dict[str, dict[str, object]], key: str, word: str, hint: str) -> None:
+    """A word that resembles a stronger class, another action or limit state is not answered with that one."""
+    ((name, table),) = part.items()
+    section: object = {**table, key: word}
+    found = issues(case(**{name: [section] if name in ("cases", "combinations") else section}))
+    assert [issue[3] for issue in found if issue[1] == f'"{word}"'] == [hint]
+
+
+@pytest.mark.parametrize("factors", [3, 2.5, True, "a", ["a", 1.0], None])
+def test_factors_that_are_no_table(factors: object) -> None:
+    """Anything but a table of numbers is refused in words."""
+    data = case(cases=[{"name": "a"}], combinations=[{"name": "U", "factors": factors}])
+    places = [place for place, _, expected, _ in issues(data) if "a table of numbers" in expected]
+    assert places == ["combinations[1].factors"]
+
+
+def test_spelling_of_classes() -> None:
+    """A class in other letters or with other signs is still recognized."""
+    assert issues(case(reinforcement={**AXES, "concrete": "c30-37"}))[0][3] == 'did you mean "C30/37"?'
+
+
 def test_suggestion_for_words() -> None:
     """A mistyped word or kind is answered with the one that was meant."""
     assert issues(case(plate__element="mitc"))[0][3] == 'did you mean "mitc9"?'

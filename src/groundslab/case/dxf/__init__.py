@@ -3,7 +3,7 @@
 from groundslab.case.dxf.case_template import to_case
 from groundslab.case.dxf.document import Layers
 from groundslab.case.dxf.drawing import Drawing, center
-from groundslab.case.dxf.reader import read
+from groundslab.case.dxf.reader import parse_gap, read
 from groundslab.case.dxf.report import report_text
 
-__all__ = ["Drawing", "Layers", "center", "read", "report_text", "to_case"]
+__all__ = ["Drawing", "Layers", "center", "parse_gap", "read", "report_text", "to_case"]

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab import units
+from groundslab.case.dxf.classify import SAME, Footprint, circle_of, footprint_of
 from groundslab.case.dxf.drawing import AreaMark, Drawing, LineMark, PointMark
 from groundslab.geometry.plan import Place, Ring
 from groundslab.geometry.regions import Region
@@ -41,54 +41,10 @@ _LOADS = (
 #: Units of loads, a thousand times those of SI.
 _USUAL_UNITS = {"force": "kN", "force per length": "kN/m", "pressure": "kPa"}
 
-#: What differs by less than this part of a column's size is the same.
-SAME = 1e-6
+#: A force so near the center of a column, as a part of its size, stands on all of it.
+CENTRAL = 0.01
 #: A coordinate so small is what rounding left of zero [m].
 NOTHING = 1e-12
-
-
-@dataclass(frozen=True, slots=True)
-class Footprint:
-    """A column that a case can hold: a rectangle along x and y, or a circle if both widths are its diameter."""
-
-    name: str
-    centre: Place
-    widths: Place
-    round: bool
-
-    def covers(self, x: float, y: float) -> bool:
-        """Return whether a place lies on it."""
-        dx, dy = abs(x - self.centre[0]), abs(y - self.centre[1])
-        reach = 0.5 + SAME
-        if self.round:
-            return math.hypot(dx, dy) <= reach * self.widths[0]
-        return dx <= reach * self.widths[0] and dy <= reach * self.widths[1]
-
-    def lines(self) -> list[str]:
-        """Return the lines of the case."""
-        # sums and differences of coordinates, freed of what rounding has left
-        x, y, width_x, width_y = (_length_text(float(f"{value:.12g}")) for value in (*self.centre, *self.widths))
-        size = [f"diameter = {width_x}"] if self.round else [f"width_x = {width_x}", f"width_y = {width_y}"]
-        return ["[[columns]]", f"name = {quote(self.name)}", f"x = {x}", f"y = {y}", *size]
-
-
-def footprint_of(curve: Ring, name: str) -> Footprint | None:
-    """Return a closed curve as a column, None if it is neither a circle nor a rectangle along x and y."""
-    xs, ys = zip(*curve.points, strict=True)
-    if all(curve.bulges):
-        arcs = curve.segments()
-        centre, radius = arcs[0].centre, arcs[0].radius
-        alike = all(math.dist(arc.centre, centre) + abs(arc.radius - radius) <= SAME * radius for arc in arcs)
-        whole = abs(abs(sum(arc.sweep for arc in arcs)) - 2 * math.pi) <= SAME
-        return Footprint(name, centre, (2 * radius, 2 * radius), round=True) if alike and whole else None
-    low, high = (min(xs), min(ys)), (max(xs), max(ys))
-    near = SAME * max(high[0] - low[0], high[1] - low[1])
-    corners = {(low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1])}
-    rectangle = len(curve.points) == 4 and not any(curve.bulges)
-    if not rectangle or any(min(math.dist(corner, each) for each in curve.points) > near for corner in corners):
-        return None
-    centre = (low[0] + high[0]) / 2, (low[1] + high[1]) / 2
-    return Footprint(name, centre, (high[0] - low[0], high[1] - low[1]), round=False)
 
 
 def to_case(drawing: Drawing, title: str = "") -> str:
@@ -116,9 +72,10 @@ def to_case(drawing: Drawing, title: str = "") -> str:
     text += lines
     text += ["", *_GROUND]
     under = _column_tree(columns)
+    others = _other_shapes(drawing)
     for mark in drawing.point_loads:
         value = _value_line("P", mark.value, "force", "50 kN")
-        text += _load_lines("point", mark, value, _place_point(mark, columns, under))
+        text += _spread_over(mark, others) or _load_lines("point", mark, value, _place_point(mark, columns, under))
     for line in drawing.line_loads:
         value = _value_line("q", line.value, "force per length", "20 kN/m")
         text += _load_lines("line", line, value, _place_line(line))
@@ -142,17 +99,45 @@ def _column_lines(drawing: Drawing) -> tuple[list[Footprint], list[str]]:
         footprint = footprint_of(column, f"C{number}") if isinstance(column, Ring) else None
         if footprint is not None and outline.holds(footprint.centre) and not openings.holds(footprint.centre):
             columns.append(footprint)
-            text += ["", *footprint.lines()]
+            text += ["", *_footprint_lines(footprint, number)]
             continue
         if isinstance(column, Ring):
             lines, why = _point_lines(column.points, column.bulges), "it does not stand on the plate"
             if footprint is None:
-                why = "a column is a rectangle along x and y, or a circle"
+                why = "a column is a rectangle along x and y, a circle, or as compact; punching is not checked"
         else:
             lines, why = [f"point = {_point_text(column)}"], "a point says nothing of its size"
         text += ["", f"# Column {number} of the drawing, for information only: {why}."]
         text += [f"#   {line}" for line in lines]
     return columns, text
+
+
+def _footprint_lines(column: Footprint, number: int) -> list[str]:
+    """Return the lines of a column."""
+    # sums and differences of coordinates, freed of what rounding has left
+    x, y, width_x, width_y = (_length_text(float(f"{value:.12g}")) for value in (*column.centre, *column.widths))
+    size = [f"diameter = {width_x}"] if column.round else [f"width_x = {width_x}", f"width_y = {width_y}"]
+    remark = f"# Column {number} of the drawing, as a circle of the same area: its sides do not run along x and y."
+    return [*([remark] if column.shape else []), "[[columns]]", f"name = {quote(column.name)}", f"x = {x}", f"y = {y}",
+            *size]  # fmt: skip
+
+
+def _other_shapes(drawing: Drawing) -> list[Ring]:
+    """Return the columns that are closed curves but none that a case can hold."""
+    return [each for each in drawing.columns if isinstance(each, Ring) and footprint_of(each, "") is None]
+
+
+def _spread_over(mark: PointMark, shapes: Sequence[Ring]) -> list[str]:
+    """Return the lines of a force that is spread over the column in whose center it stands, none of another one."""
+    if mark.value is None:
+        return []
+    for shape in shapes:
+        x0, x1, y0, y1 = shape.bounds
+        middle = shape.polygon(SAME * max(x1 - x0, y1 - y0)).centroid
+        if math.dist((middle.x, middle.y), (mark.x, mark.y)) <= CENTRAL * max(x1 - x0, y1 - y0):
+            value = f'q = "{units.write(mark.value / shape.area, "pressure")}"  # {units.show(mark.value, "force")}'
+            return _load_lines("area", mark, value, _shape_lines("[loads.shape]", shape))
+    return []
 
 
 def _load_lines(kind: str, mark: PointMark | LineMark | AreaMark, value: str, where: list[str]) -> list[str]:
@@ -186,10 +171,11 @@ def _shape_lines(head: str, curve: Ring) -> list[str]:
 
 def _circle_lines(curve: Ring) -> list[str] | None:
     """Return the lines of a circle, None if a curve is none."""
-    found = footprint_of(curve, "")
-    if found is None or not found.round:
+    found = circle_of(curve)
+    if found is None:
         return None
-    x, y, radius = (float(f"{value:.12g}") for value in (*found.centre, found.widths[0] / 2))
+    (x, y), radius = found
+    x, y, radius = (float(f"{value:.12g}") for value in (x, y, radius))
     return ['kind = "circle"', f"centre = {_point_text((x, y))}", f"radius = {_length_text(radius)}"]
 
 
@@ -198,8 +184,11 @@ def _column_tree(columns: list[Footprint]) -> STRtree:
     from shapely import STRtree, box
 
     centers = np.reshape([column.centre for column in columns], (-1, 2))
-    reach = (0.5 + SAME) * np.reshape([column.widths for column in columns], (-1, 2))
-    return STRtree(box(*(centers - reach).T, *(centers + reach).T))
+    # what is drawn of another shape reaches beyond its circle, by less than its diameter
+    reach = np.reshape(
+        [(0.5 if column.shape is None else 1.5) * np.array(column.widths) for column in columns], (-1, 2)
+    )
+    return STRtree(box(*(centers - (1 + SAME) * reach).T, *(centers + (1 + SAME) * reach).T))
 
 
 def _place_point(mark: PointMark, columns: list[Footprint], tree: STRtree) -> list[str]:

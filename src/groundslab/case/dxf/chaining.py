@@ -8,8 +8,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-from groundslab.case.dxf.drawing import DOUBLE, ReadContext, Source
-from groundslab.case.dxf.entities import DrawnLine
+import numpy as np
+
+from groundslab.case.dxf.curves import DrawnLine
+from groundslab.case.dxf.drawing import DOUBLE, OF_EDGE, ReadContext, Source
 from groundslab.geometry.plan import Place, Ring, segment
 from groundslab.geometry.regions import Region
 
@@ -35,6 +37,8 @@ class PointIndex:
 
 
 MOST_ENDS = 40  # open ends of a layer that are listed one by one
+FEW = 4  # nearest other ends of which one may close a gap
+ROUNDING = 1e-9  # of a distance
 
 
 @dataclass(frozen=True)
@@ -105,7 +109,7 @@ def join_lines(lines: list[tuple[Source, DrawnLine]], tolerance: float, context:
             context.report_entity(source, False, DOUBLE)
         loose += fresh
         seen |= {link.key for link in fresh}
-    rings += _find_rings(loose, nodes, context)
+    rings += _find_rings(_close_gaps(loose, nodes, context), nodes, context)
     return [_close_ring(links, nodes, remarks) for links in rings]
 
 
@@ -122,12 +126,73 @@ def _close_ring(links: list[_Link], nodes: PointIndex, remarks: dict[Source, str
     return ClosedCurve(curve, sources, {source: remarks[source] for source in sources if source in remarks})
 
 
-def _find_rings(loose: list[_Link], nodes: PointIndex, context: ReadContext) -> list[list[_Link]]:
-    """Return the closed chains of links; open ends and branches are issues."""
+def _close_gaps(loose: list[_Link], nodes: PointIndex, context: ReadContext) -> list[_Link]:
+    """Return links whose open ends are joined midway where they are near each other, the shortest gaps first.
+
+    A gap is closed if it is neither wider than the context's nor than OF_EDGE of an edge that ends there.
+    """
+    at = _links_at(loose)
+    ends = [node for node, links in at.items() if len(links) == 1]
+    length = {node: _length(loose[at[node][0]], nodes) for node in ends}
+    joined: dict[int, int] = {}
+    closed = []
+    for gap, a, b in _near_pairs(ends, nodes, context.gap):
+        if a in joined or b in joined or gap > OF_EDGE * min(length[a], length[b]):
+            continue
+        joined |= {a: a, b: a}
+        (x, y), (u, v) = nodes.points[a], nodes.points[b]
+        nodes.points[a] = (x + u) / 2, (y + v) / 2
+        closed.append((gap, nodes.points[a], [loose[at[node][0]].source for node in (a, b)]))
+    _report_gaps(closed, context)
+    return [link._replace(a=joined.get(link.a, link.a), b=joined.get(link.b, link.b)) for link in loose]
+
+
+def _near_pairs(ends: list[int], nodes: PointIndex, most: float) -> list[tuple[float, int, int]]:
+    """Return distance and numbers of ends near each other, the nearest first; of many near one the nearest few."""
+    if len(ends) < 2 or not most > 0:
+        return []
+    from scipy.spatial import KDTree
+
+    places = np.array([nodes.points[end] for end in ends])
+    distances, others = KDTree(places).query(places, k=min(1 + FEW, len(ends)))
+    pairs = {
+        (distance, min(ends[i], ends[j]), max(ends[i], ends[j]))
+        for i, row in enumerate(zip(distances.tolist(), others.tolist(), strict=True))
+        for distance, j in zip(*row, strict=True)
+        if j != i and distance <= most * (1 + ROUNDING)
+    }
+    return sorted(pairs)
+
+
+def _report_gaps(closed: list[tuple[float, Place, list[Source]]], context: ReadContext) -> None:
+    """Report each gap that was closed, of very many the first."""
+    for gap, place, sources in closed[:MOST_ENDS]:
+        names = " and ".join(dict.fromkeys(f"{source.entity} {source.handle}".strip() for source in sources))
+        where = f"at {context.format_point(place)}, {names}"
+        layer = Source(sources[0].layer, "LAYER", "")
+        context.report_entity(layer, True, f"a gap of {context.format_length(gap)} was closed {where}")
+    if len(closed) > MOST_ENDS:
+        widest, _, sources = closed[-1]
+        why = f"{len(closed) - MOST_ENDS} more gaps were closed, the widest of {context.format_length(widest)}"
+        context.report_entity(Source(sources[0].layer, "LAYER", ""), True, why)
+
+
+def _length(link: _Link, nodes: PointIndex) -> float:
+    return segment(nodes.points[link.a], nodes.points[link.b], link.bulge).length
+
+
+def _links_at(loose: list[_Link]) -> dict[int, list[int]]:
+    """Return the numbers of the links that end at each point."""
     at: dict[int, list[int]] = defaultdict(list)
     for number, link in enumerate(loose):
         at[link.a].append(number)
         at[link.b].append(number)
+    return at
+
+
+def _find_rings(loose: list[_Link], nodes: PointIndex, context: ReadContext) -> list[list[_Link]]:
+    """Return the closed chains of links; open ends and branches are issues."""
+    at = _links_at(loose)
     _check_ends(loose, at, nodes, context)
     rings: list[list[_Link]] = []
     used: set[int] = set()
@@ -159,7 +224,7 @@ def _check_ends(loose: list[_Link], at: dict[int, list[int]], nodes: PointIndex,
             paired |= {a, b}
             a, b = (b, a) if at[b] < at[a] else (a, b)
             found = f"a gap of {context.format_length(gap)}, to {context.format_point(nodes.points[b])}"
-            hint = "join the ends, or move what is no edge to another layer"
+            hint = "join the ends, move what is no edge to another layer, or let wider gaps be closed"
             context.issue([loose[at[end][0]].source for end in (a, b)], nodes.points[a], found, expected, hint)
     for node in some:
         if node not in paired:

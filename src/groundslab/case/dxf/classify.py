@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from groundslab.case.dxf.chaining import ClosedCurve, PointIndex
-from groundslab.case.dxf.drawing import DOUBLE, ReadContext, Source
+from groundslab.case.dxf.drawing import DOUBLE, GAP, ReadContext, Source
 from groundslab.errors import Issue
 from groundslab.geometry.intersections import find_meeting
 from groundslab.geometry.plan import Place, Ring, bounding_box
+from groundslab.geometry.regions import Region
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
@@ -107,3 +110,91 @@ def read_column_points(
         fresh = number == len(nodes.points) - 1 and nodes.points[number] is point
         context.report_entity(source, fresh, f"column {count + number + 1}, a point" if fresh else DOUBLE)
     return nodes.points
+
+
+#: What differs by less than this part of a column's size is the same; corners of a rectangle may be off by GAP, if that
+#: is less than a part of its size.
+SAME, OF_SIDE = 1e-6, 0.01
+#: 4 pi A / P^2 of a column that counts as a circle, at least: that of a rectangle whose sides are as 1 to 2.
+COMPACT = 4 * math.pi * 2 / 36
+
+
+@dataclass(frozen=True, slots=True)
+class Footprint:
+    """A column that a case can hold: a rectangle along x and y, or a circle if both widths are its diameter.
+
+    A column of another compact shape has a circle of the same area, and ``shape`` as it is drawn.
+    """
+
+    name: str
+    centre: Place
+    widths: Place
+    round: bool
+    shape: Ring | None = None
+
+    def covers(self, x: float, y: float) -> bool:
+        """Return whether a place lies on it."""
+        if self.shape is not None:
+            return Region(self.shape.segments()).holds((x, y))
+        dx, dy = abs(x - self.centre[0]), abs(y - self.centre[1])
+        reach = 0.5 + SAME
+        if self.round:
+            return math.hypot(dx, dy) <= reach * self.widths[0]
+        return dx <= reach * self.widths[0] and dy <= reach * self.widths[1]
+
+
+def footprint_of(curve: Ring, name: str) -> Footprint | None:
+    """Return a closed curve as a column, None if it is neither a circle nor a rectangle along x and y nor compact."""
+    return _exact_footprint(curve, name) or _equal_circle(curve, name)
+
+
+def _exact_footprint(curve: Ring, name: str) -> Footprint | None:
+    """Return a closed curve as a column, None if it is neither a circle nor a rectangle along x and y."""
+    xs, ys = zip(*curve.points, strict=True)
+    if all(curve.bulges):
+        arcs = curve.segments()
+        centre, radius = arcs[0].centre, arcs[0].radius
+        alike = all(math.dist(arc.centre, centre) + abs(arc.radius - radius) <= SAME * radius for arc in arcs)
+        whole = abs(abs(sum(arc.sweep for arc in arcs)) - 2 * math.pi) <= SAME
+        return Footprint(name, centre, (2 * radius, 2 * radius), round=True) if alike and whole else None
+    low, high = (min(xs), min(ys)), (max(xs), max(ys))
+    size = max(high[0] - low[0], high[1] - low[1])
+    near = max(SAME * size, min(GAP, OF_SIDE * size))
+    corners = {(low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1])}
+    rectangle = len(curve.points) == 4 and not any(curve.bulges)
+    if not rectangle or any(min(math.dist(corner, each) for each in curve.points) > near for corner in corners):
+        return None
+    centre = (low[0] + high[0]) / 2, (low[1] + high[1]) / 2
+    return Footprint(name, centre, (high[0] - low[0], high[1] - low[1]), round=False)
+
+
+def _equal_circle(curve: Ring, name: str) -> Footprint | None:
+    """Return the circle of the same area about a curve's center, None if the curve is no compact convex one.
+
+    Of all shapes of an area the circle has the shortest edge, and so have, inside the slab, the perimeters of punching
+    around it: they are on the safe side.
+    """
+    polygon = curve.polygon(SAME * max(curve.bounds[1] - curve.bounds[0], curve.bounds[3] - curve.bounds[2]))
+    if not polygon.is_valid or polygon.convex_hull.area > (1 + 1e-3) * polygon.area:
+        return None
+    if 4 * math.pi * polygon.area < (1 - 1e-3) * COMPACT * polygon.length**2:
+        return None
+    diameter = 2 * math.sqrt(polygon.area / math.pi)
+    centre = polygon.centroid
+    return Footprint(name, (centre.x, centre.y), (diameter, diameter), round=True, shape=curve)
+
+
+def circle_of(curve: Ring) -> tuple[Place, float] | None:
+    """Return center and radius of a curve that is a circle, None of any other."""
+    found = _exact_footprint(curve, "")
+    return (found.centre, found.widths[0] / 2) if found is not None and found.round else None
+
+
+def remark_on_column(curve: Ring) -> str:
+    """Return what is said of a column that is not taken as it is drawn, nothing of others."""
+    found = footprint_of(curve, "")
+    if found is None:
+        return "neither a rectangle along x and y nor compact; a force on it is spread over it, punching is not checked"
+    if found.shape is None:
+        return ""
+    return f"taken as a circle of the same area, {found.widths[0]:.4g} m in diameter, also for punching"

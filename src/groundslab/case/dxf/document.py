@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import math
 import os
 import re
@@ -32,6 +33,9 @@ UNITS: dict[int, tuple[str, Fraction]] = {
 LARGEST_FILE = 16_000_000
 
 
+_SILENT = logging.NullHandler()
+
+
 def open_drawing(path: str) -> Document:
     """Return the drawing as ezdxf reads it."""
     expected = "a DXF drawing"
@@ -58,6 +62,8 @@ def open_drawing(path: str) -> Document:
         hint = "save only the layers that are needed in a file of their own"
         found = f"a file of {size / 1e6:,.0f} MB"
         raise InputError([Issue(path, found, f"at most {LARGEST_FILE / 1e6:.0f} MB", hint)])
+    # what ezdxf says of a damaged drawing is no message for who reads ours, and may be very long
+    logging.getLogger("ezdxf").addHandler(_SILENT)
     try:
         document = readfile(path)
         document.modelspace()  # which a damaged file may lack

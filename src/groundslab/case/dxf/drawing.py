@@ -120,6 +120,8 @@ def center(drawing: Drawing) -> Drawing:
 
 
 CLOSE = 1e-6  # ends so near, as a part of the drawing's size, are one point
+#: Open ends so near each other [m] are joined, unless told otherwise, if that moves none by much of its edge.
+GAP, OF_EDGE = 1e-3, 0.1
 MOST_ENTITIES = 50_000  # entities on the layers that are read
 MOST_ISSUES = 100  # that are listed
 MOST_EDGES = 50_000  # of all curves
@@ -145,6 +147,7 @@ class ReadContext:
     path: str
     unit: str = "units"
     scale: Fraction = Fraction(1, 1000)
+    gap: float = GAP  # that is closed between two open ends [m]
     issues: list[Issue] = field(default_factory=list)
     report: list[ReportLine] = field(default_factory=list)
     more: int = 0  # issues beyond the first MOST_ISSUES

@@ -7,8 +7,10 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from groundslab import units
 from groundslab.case.dxf.chaining import ClosedCurve, join_lines
-from groundslab.case.dxf.classify import find_outline, read_column_points, report_taken
+from groundslab.case.dxf.classify import find_outline, read_column_points, remark_on_column, report_taken
+from groundslab.case.dxf.curves import DrawnLine, is_filling, read_lines, read_position
 from groundslab.case.dxf.document import (
     WITH_VALUE,
     Layers,
@@ -20,13 +22,15 @@ from groundslab.case.dxf.document import (
     open_drawing,
     set_unit,
 )
-from groundslab.case.dxf.drawing import CLOSE, MOST_EDGES, MOST_ENTITIES, Drawing, ReadContext, Source, abort
-from groundslab.case.dxf.entities import BlockCounts, DrawnLine, iterate_entities, read_line, read_position
+from groundslab.case.dxf.drawing import CLOSE, GAP, MOST_EDGES, MOST_ENTITIES, Drawing, ReadContext, Source, abort
+from groundslab.case.dxf.entities import BlockCounts, iterate_entities
 from groundslab.case.dxf.loads.distributed_loads import read_area_loads, read_line_loads
 from groundslab.case.dxf.loads.labelling import DIMENSION, Label, read_label
 from groundslab.case.dxf.loads.point_loads import read_point_loads
+from groundslab.errors import InputError, Issue
 from groundslab.geometry.intersections import find_self_meeting
 from groundslab.geometry.plan import Place
+from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing as Document
@@ -34,17 +38,22 @@ if TYPE_CHECKING:
 
 #: Entities that say something.
 WRITTEN = ("TEXT", "MTEXT", "ATTRIB", "ATTDEF")
+#: The widest gap that can be asked to be closed [m].
+WIDEST = 0.1
 #: What is drawn as closed curves.
 CURVES = ("outline", "openings", "zones", "columns")
 
 
-def read(path: str | Path, layers: Layers | Mapping[str, str] | None = None, unit: str | None = None) -> Drawing:
+def read(
+    path: str | Path, layers: Layers | Mapping[str, str] | None = None, unit: str | None = None, gap: float = GAP
+) -> Drawing:
     """Return what a drawing's layers hold; raises InputError with all that is wrong.
 
     ``layers`` names one for each thing, or says what each holds of all that are read. ``unit`` (such as "mm") is needed
-    if the drawing does not say its own, and wins over it.
+    if the drawing does not say its own, and wins over it. Gaps between the ends of lines up to ``gap`` [m] are closed,
+    if they are no wider than a tenth of the edges that end there; each is reported.
     """
-    context = ReadContext(str(path))
+    context = ReadContext(str(path), gap=gap)
     document = open_drawing(context.path)
     set_unit(document, unit, context)
     if isinstance(layers, Mapping):
@@ -66,6 +75,8 @@ def read(path: str | Path, layers: Layers | Mapping[str, str] | None = None, uni
     for name, curves in (("opening", openings), ("zone", found["zones"]), ("column", found["columns"])):
         for number, each in enumerate(curves, 1):
             report_taken(each, f"{name} {number}", context)
+            if name == "column" and (remark := remark_on_column(each.curve)):
+                context.report_entity(Source(each.sources[0].layer, "LAYER", ""), True, f"column {number}: {remark}")
     columns = [each.curve for each in found["columns"]] + read_column_points(
         points, len(found["columns"]), tolerance, context
     )
@@ -86,6 +97,18 @@ def read(path: str | Path, layers: Layers | Mapping[str, str] | None = None, uni
         unit=context.unit,
         scale=float(context.scale),
     )
+
+
+def parse_gap(text: str) -> float:
+    """Return the width of gaps to be closed [m] from a length with its unit; raises InputError."""
+    try:
+        gap = units.parse(text, "length")
+    except units.QuantityError as error:
+        raise InputError([Issue("width of gaps", describe(text), 'a length such as "1 mm"', error.reason)]) from None
+    if not 0 <= gap <= WIDEST:
+        expected = f"0 mm to {WIDEST * 1e3:g} mm"
+        raise InputError([Issue("width of gaps", describe(text), expected, "what is wider is to be drawn")])
+    return gap
 
 
 def _entities(document: Document, roles: Roles, context: ReadContext) -> dict[str, list[tuple[Source, DXFEntity]]]:
@@ -114,13 +137,26 @@ def _lines(
             if spot is not None:
                 points.append((source, spot))
                 continue
-            piece = read_line(entity, context)
-            if isinstance(piece, DrawnLine):
+            pieces = _why_no_filling(role, entity, entities) or read_lines(entity, context)
+            if isinstance(pieces, str):
+                context.report_entity(source, False, pieces)
+                continue
+            for piece in pieces:
                 context.count_work(len(piece.bulges), MOST_EDGES, "edges of curves", "draw curves with fewer edges")
                 lines[role].append((source, piece))
-            else:
-                context.report_entity(source, False, piece)
     return lines, points
+
+
+def _why_no_filling(role: str, entity: DXFEntity, entities: dict[str, list[tuple[Source, DXFEntity]]]) -> str | None:
+    """Return why a filling is ignored, None if it is not, or if the entity is none."""
+    if not is_filling(entity):
+        return None
+    if role == "line_loads":
+        return "a filling is no line"
+    # what is filled in an outline drawn as lines need not be an opening
+    if role == "outline" and not all(is_filling(other) for _, other in entities[role]):
+        return "a filling is taken for the outline only where the layer has nothing else"
+    return None
 
 
 def _texts(entities: list[tuple[Source, DXFEntity]], dimension: str, context: ReadContext) -> list[Label]:

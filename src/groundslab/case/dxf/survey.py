@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from groundslab.case.dxf.curves import read_lines, read_position
 from groundslab.case.dxf.document import UNITS, Layers, Roles, open_drawing
 from groundslab.case.dxf.drawing import ReadContext, Source
-from groundslab.case.dxf.entities import BlockCounts, DrawnLine, iterate_entities, layer_of, read_line, read_position
+from groundslab.case.dxf.entities import BlockCounts, iterate_entities, layer_of
 from groundslab.case.dxf.loads.distributed_loads import divide_edge
 from groundslab.errors import InputError
-from groundslab.geometry.plan import Place, make_segments
+from groundslab.geometry.plan import Place, Segment, make_segments
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing as Document
@@ -119,17 +120,22 @@ def _parts_of(entity: DXFEntity, layer: LayerContent, context: ReadContext) -> l
             place = read_position(entity, context)
             layer.points += [place] if place is not None and len(layer.points) < MOST_POINTS else []
             return []
-        piece = read_line(entity, context)
+        pieces = read_lines(entity, context)
     except MemoryError:
         raise
     except Exception:  # of any kind, as what is damaged may be anything; it is counted all the same
         return []
-    if not isinstance(piece, DrawnLine):
+    if isinstance(pieces, str):
         return []
     if entity.dxftype() in {"ELLIPSE", "SPLINE"}:
-        return [(piece.points, False)]
+        return [(piece.points, False) for piece in pieces]
+    return [part for piece in pieces for part in _split(make_segments(piece.points, piece.bulges))]
+
+
+def _split(edges: Sequence[Segment]) -> list[tuple[list[Place], bool]]:
+    """Return the points of edges in parts, and whether each is straight."""
     parts: list[tuple[list[Place], bool]] = []
-    for edge in make_segments(piece.points, piece.bulges):
+    for edge in edges:
         if not (parts and edge.straight and parts[-1][1]):
             parts.append(([edge.start], edge.straight))
         parts[-1][0].extend([*((x, y) for x, y in divide_edge(edge)[:-1]), edge.end])

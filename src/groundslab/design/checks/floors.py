@@ -3,18 +3,19 @@
 The formulas are those of `design/floors`; they know the ground as springs, k being the pressure on it over its
 settlement; that of an elastic continuum is the equivalent one of `discretize.ground.subgrade_modulus`. Stresses by ACI
 360R are those of the contact analysis. Of zones the thinnest counts in the formulas, at stresses each node's own
-thickness.
+thickness. Of several plates each is checked by itself, its edges at joints too.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from groundslab.design import punching
+from groundslab.design.by_plate import split_by_plate
 from groundslab.design.checks.check import DesignCheck
 from groundslab.design.design_moments import principal_moments
 from groundslab.design.en1992 import punching as punching_resistance
@@ -38,6 +39,8 @@ from groundslab.results.results import CombinationResult, Results
 FIBER_DEPTH = 0.75
 #: Within so many radii of relative stiffness loads may fail together.
 REACH = 7.0
+#: Results of combinations, with the forces in each.
+Standing = list[tuple[CombinationResult, list[Force]]]
 NAMES = {1: "point load", 2: "dual point load", 4: "quadruple point load"}
 
 
@@ -93,7 +96,29 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         states = (STRENGTH, "ultimate combination") if by_tr34 else (SERVICEABILITY, "combination of serviceability")
         yield DesignCheck("floor", "attention", f"not checked: {why_none(combined, *states)}")
         return
-    yield from _by_tr34(floor, found) if isinstance(floor, TR34Floor) else _by_aci(floor, found)
+    transfers = []
+    for name, results in _split_by_plate(found).items():
+        slab = slab_of(results[0].model)
+        standing = _standing(floor, slab, results)
+        transfers.append(_largest_transfer(standing))
+        rows = _by_tr34(floor, slab, standing) if isinstance(floor, TR34Floor) else _by_aci(floor, slab, standing)
+        for check in rows:
+            yield _of_plate(name, check) if name else check
+    yield from _joints(max(transfers))
+    yield from _restraint(floor)
+
+
+def _split_by_plate(results: list[CombinationResult]) -> dict[str, list[CombinationResult]]:
+    """Return the results of combinations plate by plate."""
+    split = [split_by_plate(each) for each in results]
+    return {name: [each[name] for each in split] for name in split[0]}
+
+
+def _of_plate(name: str, check: DesignCheck) -> DesignCheck:
+    """Return a check with the name of its plate."""
+    of = f"{name}, {check.of}" if check.of else name
+    words = check.words.removeprefix(f"{check.of}: ") if check.of else check.words
+    return replace(check, of=of, words=f"{of}: {words}")
 
 
 def _serviceable(combined: Results) -> list[CombinationResult]:
@@ -110,9 +135,9 @@ def slab_of(model: Model) -> Slab:
     return Slab(plate.E, h, plate.nu, k, isinstance(model.ground, ContinuousGround))
 
 
-def _by_tr34(floor: TR34Floor, results: list[CombinationResult]) -> Iterator[DesignCheck]:
-    """Yield point loads, line loads, pressures and restraint by TR34 in the ultimate combinations."""
-    slab, concrete = slab_of(results[0].model), concrete_of(floor)
+def _by_tr34(floor: TR34Floor, slab: Slab, standing: Standing) -> Iterator[DesignCheck]:
+    """Yield point loads, line loads and pressures on a plate by TR34 in the ultimate combinations."""
+    concrete, results = concrete_of(floor), [each for each, _ in standing]
     M_n = resistance.plain_moment(concrete, slab.h)
     lines = YieldSlab(slab.l, sagging_moment(floor, concrete, slab.h), M_n)
 
@@ -121,15 +146,11 @@ def _by_tr34(floor: TR34Floor, results: list[CombinationResult]) -> Iterator[Des
         alone = sum(yield_lines.single(lines, load.a, location) for load in loads)
         return alone if len(loads) == 1 else min(alone, yield_lines.group(lines, a, distances, location))
 
-    standing = _standing(floor, slab, results)
     clause = f"TR34 yield lines, Meyerhof 1962{slab.springs}"
     yield from _point_loads(slab, standing, fails, dict.fromkeys(NAMES, clause))
-    yield from _joints(standing)
     yield from _punching(floor, concrete, slab, standing)
     yield from _line_loads(slab, M_n, results, f"TR34, Hetenyi 1946{slab.springs}")
     yield from _pressures(slab, M_n, results, f"TR34, Hetenyi 1946{slab.springs}")
-    f_ctd = resistance.tensile_strength(concrete)
-    yield from _restraint(floor, f_ctd, "mu gamma L / 2 against f_ctd, EN 1992-1-1 3.1.6(2)P")
 
 
 def concrete_of(floor: TR34Floor) -> Concrete:
@@ -177,10 +198,9 @@ def _punching(floor: TR34Floor, concrete: Concrete, slab: Slab, standing: Standi
             yield _check(name, location, use, "MPa", 1e-6, "TR34, EN 1992-1-1 6.4")
 
 
-def _by_aci(floor: ACI360Floor, results: list[CombinationResult]) -> Iterator[DesignCheck]:
+def _by_aci(floor: ACI360Floor, slab: Slab, standing: Standing) -> Iterator[DesignCheck]:
     """Yield stresses, pressures and, of fiber concrete, yield lines by ACI 360R in combinations of serviceability."""
-    slab, allowed = slab_of(results[0].model), allowed_stress(floor)
-    drag = _drag(floor)
+    results, allowed, drag = [each for each, _ in standing], allowed_stress(floor), _drag(floor)
     for face, sign in (("bottom", 1), ("top", -1)):
         uses = [_stress(each, sign, drag, allowed) for each in results]
         clause = "ACI 360R-10 7.2, 5.9, table 5.3"
@@ -193,11 +213,8 @@ def _by_aci(floor: ACI360Floor, results: list[CombinationResult]) -> Iterator[De
             (load,) = loads
             return yield_lines.meyerhof(M_0, load.a, slab.l, location) / floor.safety_factor
 
-        standing = _standing(floor, slab, results)
         clause = f"ACI 360R-10 11.3.3.3, Meyerhof 1962{slab.springs}"
         yield from _point_loads(slab, standing, fails, {1: clause})
-        yield from _joints(standing)
-    yield from _restraint(floor, allowed, "mu gamma L / 2 against the allowed stress, ACI 360R-10 10.3.2")
 
 
 def allowed_stress(floor: ACI360Floor) -> float:
@@ -217,8 +234,6 @@ def _stress(results: CombinationResult, sign: int, drag: float, allowed: float) 
     return Use(max(stress, 0.0) + drag, allowed, place, results.combination)
 
 
-#: Results of combinations, with the forces in each.
-Standing = list[tuple[CombinationResult, list[Force]]]
 #: What a group of forces fails at [N]: the forces, the sum of their distances [m], where they are.
 Fails = Callable[[tuple[Force, ...], float, Location], float]
 
@@ -247,9 +262,13 @@ def _point_loads(slab: Slab, standing: Standing, fails: Fails, clauses: dict[int
         yield _check(NAMES[count], location, use, "kN", 1e-3, clauses[count])
 
 
-def _joints(standing: Standing) -> Iterator[DesignCheck]:
-    """Yield what joints are relied on for: the largest share of a force that they carry over, which nothing checks."""
-    most = max(((1 - load.share) * load.P for _, loads in standing for load in loads), default=0.0)
+def _largest_transfer(standing: Standing) -> float:
+    """Return the most that joints carry over of a force [N]."""
+    return max(((1 - load.share) * load.P for _, loads in standing for load in loads), default=0.0)
+
+
+def _joints(most: float) -> Iterator[DesignCheck]:
+    """Yield what joints are relied on for, the most that they carry over of a force [N], which nothing checks."""
     if most > 0:
         words = f"that joints carry over up to {most / 1e3:.4g} kN of a force is not checked"
         yield DesignCheck("load transfer at joints", "not checked", words)
@@ -289,9 +308,15 @@ def _drag(floor: AnyFloor) -> float:
     return resistance.restraint_stress(floor.friction, floor.unit_weight, floor.joint_spacing)
 
 
-def _restraint(floor: AnyFloor, strength: float, clause: str) -> Iterator[DesignCheck]:
-    """Yield the tension by friction against a strength, if there is any."""
+def _restraint(floor: AnyFloor) -> Iterator[DesignCheck]:
+    """Yield the tension by friction against the concrete's strength, if there is any."""
     if drag := _drag(floor):
+        if isinstance(floor, TR34Floor):
+            strength = resistance.tensile_strength(concrete_of(floor))
+            clause = "mu gamma L / 2 against f_ctd, EN 1992-1-1 3.1.6(2)P"
+        else:
+            strength = allowed_stress(floor)
+            clause = "mu gamma L / 2 against the allowed stress, ACI 360R-10 10.3.2"
         yield _check("restraint of shrinkage", "", Use(drag, strength, (0.0, 0.0), ""), "MPa", 1e-6, clause)
 
 

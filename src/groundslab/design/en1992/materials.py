@@ -1,7 +1,7 @@
 """Concrete and reinforcing steel by EN 1992-1-1 3.1 and 3.2: by class or by strength.
 
-Strength classes are those of Table 3.1, C12/15 to C90/105, the second number being that of cubes; steel is called by
-its yield strength and, as in Annex C, by its class of ductility A, B or C: B500B.
+Strength classes are those of Table 3.1, C12/15 to C90/105, the second number being that of cubes, and C28/35 and
+C32/40 of BS 8500-1; steel is called by its yield strength and, as in Annex C, by its class of ductility: B500B.
 """
 
 from __future__ import annotations
@@ -14,12 +14,12 @@ from groundslab.errors import InputError, Issue
 from groundslab.fem.concrete.materials import STEEL_MODULUS, mean_tensile_strength
 
 _MPA = 1e6
-#: Strength classes of Table 3.1: f_ck [MPa] by name.
+#: Strength classes of Table 3.1 and BS 8500-1: f_ck [MPa] by name.
 CONCRETE_CLASSES = {
     f"C{f_ck}/{cube}": float(f_ck)
     for f_ck, cube in (
-        (12, 15), (16, 20), (20, 25), (25, 30), (30, 37), (35, 45), (40, 50), (45, 55), (50, 60), (55, 67), (60, 75),
-        (70, 85), (80, 95), (90, 105),
+        (12, 15), (16, 20), (20, 25), (25, 30), (28, 35), (30, 37), (32, 40), (35, 45), (40, 50), (45, 55), (50, 60),
+        (55, 67), (60, 75), (70, 85), (80, 95), (90, 105),
     )
 }  # fmt: skip
 #: f_yk [MPa] by name; the letter is the class of ductility of Annex C.

@@ -15,7 +15,7 @@ from groundslab.design.floors.yield_lines import Location
 from groundslab.design.punching import RectangularColumn, RoundColumn
 from groundslab.geometry.plan import FLAT
 from groundslab.model.loads.acting import AreaPressure, LineForce, PlateAction
-from groundslab.model.loads.clipping import clip_line
+from groundslab.model.loads.clipping import clip_line, get_plate_region
 from groundslab.model.loads.load_types import PointLoad
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult
@@ -188,6 +188,7 @@ def pressures(results: CombinationResult) -> Iterator[tuple[float, tuple[float, 
     """
     model = results.solved_model
     factors = factors_of(results)
+    plate = get_plate_region(model.plate, model.plates).grown
     variable = {case.name for case in model.cases if case.action == "variable"}
     everywhere = 0.0
     parts: list[tuple[float, BaseGeometry]] = []
@@ -196,9 +197,10 @@ def pressures(results: CombinationResult) -> Iterator[tuple[float, tuple[float, 
         if isinstance(shape, PlateAction) and load.case in variable:
             everywhere += factor * shape.pressure.q
         elif factor and isinstance(shape, AreaPressure) and shape.on == "plate":
-            area = shape.to_shapely()
-            corners = np.array(area.convex_hull.exterior.coords)
-            parts.append((factor * float(shape.pressure(corners).max()), area))
+            area = shape.to_shapely().intersection(plate)
+            if area.area > 0:
+                corners = np.array(area.convex_hull.exterior.coords)
+                parts.append((factor * float(shape.pressure(corners).max()), area))
     if everywhere > 0:
         x0, x1, y0, y1 = model.bounds
         yield everywhere, ((x0 + x1) / 2, (y0 + y1) / 2)

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from groundslab.errors import InputError, Issue
+from groundslab.optional import import_optional
 from groundslab.units import coordinate
 
 if TYPE_CHECKING:
@@ -85,12 +85,7 @@ class Table:
 
     def frame(self) -> pd.DataFrame:
         """Return the table as a pandas.DataFrame with all digits; its columns are called by name and unit."""
-        try:
-            import pandas as pd
-        except ImportError:
-            expected = "pandas, which makes a DataFrame of a table"
-            hint = "pip install groundslab[tables]; .csv() does without it"
-            raise InputError([Issue("pandas", "nothing that can be imported", expected, hint)]) from None
+        pd = import_optional("pandas", "which makes a DataFrame of a table", "tables", ".csv() does without it")
         return pd.DataFrame({column.header: pd.Series(_alike(column.values)) for column in self.columns})
 
 

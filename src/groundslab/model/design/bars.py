@@ -26,6 +26,7 @@ MESHES: dict[str, tuple[float, float]] = {
     "Q524A": (0.010, 0.15),
 }  # fmt: skip
 MeshName = Literal["A142", "A193", "A252", "A393", "Q188A", "Q257A", "Q335A", "Q424A", "Q524A"]
+OTHER_MESH = "give the wires of any other mesh by diameter and spacing"
 
 
 class Bars(Section):
@@ -67,7 +68,8 @@ class BarZone(Section):
     diameter: Annotated[float | None, Quantity("length", "phi", "diameter of the bars", BAR)] = None
     spacing: Annotated[float | None, Quantity("length", "s", "of these bars, from axis to axis", APART)] = None
     mesh: Annotated[
-        MeshName | None, Choice(MeshName, "welded mesh in both layers of a face, instead of diameter and spacing")
+        MeshName | None,
+        Choice(MeshName, "welded mesh in both layers of a face, instead of diameter and spacing", OTHER_MESH),
     ] = None
 
     @property

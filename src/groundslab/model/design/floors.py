@@ -6,12 +6,13 @@ from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
 from groundslab.model.design.limits import PARTIAL
-from groundslab.model.design.reinforcement import CONCRETE, STEEL, ConcreteClass, check_concrete
+from groundslab.model.design.reinforcement import CONCRETE, STEEL, ConcreteChoice, ConcreteClass, check_concrete
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.load_cases import Combination, Combine, has_ultimate_combination
 from groundslab.model.plate import Plate
+from groundslab.model.plates.further import FurtherPlate, list_plates
 from groundslab.schema.base import ByKind, Check, Section, Table
-from groundslab.schema.fields import Choice, Number, Quantity
+from groundslab.schema.fields import Number, Quantity
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 
@@ -80,7 +81,7 @@ class TR34Floor(_Floor):
     checks: ClassVar[tuple[Check, ...]] = (_check_restraint, check_concrete, _check_sagging, _check_bars)
 
     kind: Annotated[Literal["TR34"], Table("Concrete Society TR34, fourth edition: yield lines")] = "TR34"
-    concrete: Annotated[ConcreteClass | None, Choice(ConcreteClass, "strength class of the concrete")] = None
+    concrete: Annotated[ConcreteClass | None, ConcreteChoice] = None
     f_ck: Annotated[
         float | None, Quantity("pressure", "f_ck", "characteristic strength of the concrete, if no class", CONCRETE)
     ] = None
@@ -123,7 +124,11 @@ Floor = Annotated[AnyFloor, ByKind()]
 
 
 def check_floor(
-    floor: AnyFloor | None, plate: Plate, combinations: tuple[Combination, ...], combine: Combine | None
+    floor: AnyFloor | None,
+    plate: Plate,
+    plates: tuple[FurtherPlate, ...],
+    combinations: tuple[Combination, ...],
+    combine: Combine | None,
 ) -> Iterator[RelativeIssue]:
     """Find a floor by TR34 without an ultimate combination, or with bars that do not fit into the plate."""
     if not isinstance(floor, TR34Floor):
@@ -131,6 +136,7 @@ def check_floor(
     if not has_ultimate_combination(combinations, combine):
         add = '[[combinations]] with limit_state = "ultimate", or "ultimate" in the sets of [combine]'
         yield RelativeIssue(("floor",), "no ultimate combination of loads", "at least one to check", f"add {add}")
-    if floor.mesh_axis is not None and floor.mesh_axis >= plate.thickness / 2:
-        expected = f"less than half of the thickness, {plate.thickness / 2!r} m"
+    thinnest = min(each.thickness for each in list_plates(plate, plates))
+    if floor.mesh_axis is not None and floor.mesh_axis >= thinnest / 2:
+        expected = f"less than half of the thickness, {thinnest / 2!r} m"
         yield RelativeIssue(("floor", "mesh_axis"), f"{floor.mesh_axis!r} m", expected)

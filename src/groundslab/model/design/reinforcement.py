@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal, get_args
 
-from groundslab.model.design.bars import Bars, BarZone, Layer, MeshName, bars_of_mesh
+from groundslab.model.design.bars import OTHER_MESH, Bars, BarZone, Layer, MeshName, bars_of_mesh
 from groundslab.model.ground import POSITIVE
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, list_plates
@@ -24,16 +24,19 @@ CRACK = Range(at_least=5e-5, at_most=1e-3)
 #: Of one layer.
 MOST_BARS = 100_000
 
-#: Strength classes of EN 1992-1-1 Table 3.1, and of steel by its yield strength and class of ductility (Annex C).
+#: Strength classes of EN 1992-1-1 Table 3.1 and of BS 8500-1 (C28/35, C32/40), and of steel by its yield strength and
+#: class of ductility (Annex C).
 ConcreteClass = Literal[
-    "C12/15", "C16/20", "C20/25", "C25/30", "C30/37", "C35/45", "C40/50", "C45/55", "C50/60", "C55/67", "C60/75",
-    "C70/85", "C80/95", "C90/105",
+    "C12/15", "C16/20", "C20/25", "C25/30", "C28/35", "C30/37", "C32/40", "C35/45", "C40/50", "C45/55", "C50/60",
+    "C55/67", "C60/75", "C70/85", "C80/95", "C90/105",
 ]  # fmt: skip
 SteelClass = Literal["B450C", "B500A", "B500B", "B500C", "B550A", "B550B"]
 #: Codes that strength is checked by, annexes of EN 1992-1-1, exposure classes of its Table 4.1.
 Code = Literal["EN 1992-1-1", "ACI 318"]
 AnnexName = Literal["recommended", "Germany", "United Kingdom"]
 Exposure = Literal["X0", "XC1", "XC2", "XC3", "XC4", "XD1", "XD2", "XD3", "XS1", "XS2", "XS3"]
+ConcreteChoice = Choice(ConcreteClass, "strength class of the concrete", "give the strength of any other class as f_ck")
+SteelChoice = Choice(SteelClass, "class of the steel", "give the yield strength of any other steel as f_yk")
 #: Keys that only EN 1992-1-1 has, and that only ACI 318 has.
 ONLY_EN = ("concrete", "steel", "annex", "gamma_c", "gamma_s", "accidental", "alpha_cc", "w_max", "exposure")
 ONLY_ACI = ("size_effect",)
@@ -131,10 +134,13 @@ class Reinforcement(Section):
         _check_zones,
     )  # fmt: skip
 
-    code: Annotated[Code, Choice(Code, "code that strength is checked by")] = "EN 1992-1-1"
-    annex: Annotated[AnnexName, Choice(AnnexName, "national parameters of EN 1992-1-1")] = "recommended"
-    concrete: Annotated[ConcreteClass | None, Choice(ConcreteClass, "strength class of the concrete")] = None
-    steel: Annotated[SteelClass | None, Choice(SteelClass, "class of the steel")] = None
+    code: Annotated[Code, Choice(Code, "code that strength is checked by", "")] = "EN 1992-1-1"
+    annex: Annotated[
+        AnnexName,
+        Choice(AnnexName, "national parameters of EN 1992-1-1", "other values: gamma_c, gamma_s and alpha_cc"),
+    ] = "recommended"
+    concrete: Annotated[ConcreteClass | None, ConcreteChoice] = None
+    steel: Annotated[SteelClass | None, SteelChoice] = None
     f_ck: Annotated[
         float | None, Quantity("pressure", "f_ck", "characteristic strength of the concrete, if no class", CONCRETE)
     ] = None
@@ -170,7 +176,7 @@ class Reinforcement(Section):
         ),
     ] = False
     exposure: Annotated[
-        Exposure | None, Choice(Exposure, "exposure class, for the cover and, with bars laid, the crack width")
+        Exposure | None, Choice(Exposure, "exposure class, for the cover and, with bars laid, the crack width", "")
     ] = None
     cover: Annotated[
         tuple[float, float] | None,
@@ -204,9 +210,12 @@ class Reinforcement(Section):
     top_x: Annotated[Bars | None, Table("bars that are laid at the top along x")] = None
     top_y: Annotated[Bars | None, Table("bars that are laid at the top along y")] = None
     bottom_mesh: Annotated[
-        MeshName | None, Choice(MeshName, "welded mesh at the bottom, instead of bottom_x and bottom_y")
+        MeshName | None,
+        Choice(MeshName, "welded mesh at the bottom, instead of bottom_x and bottom_y", OTHER_MESH),
     ] = None
-    top_mesh: Annotated[MeshName | None, Choice(MeshName, "welded mesh at the top, instead of top_x and top_y")] = None
+    top_mesh: Annotated[
+        MeshName | None, Choice(MeshName, "welded mesh at the top, instead of top_x and top_y", OTHER_MESH)
+    ] = None
     zones: Annotated[tuple[BarZone, ...], Table("parts of the plan with further bars between these")] = ()
     w_max: Annotated[
         float | None,

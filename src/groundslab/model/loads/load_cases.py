@@ -50,7 +50,12 @@ class LoadCase(Section):
     name: Annotated[str, Text("name of the case, by which loads and combinations call it")]
     action: Annotated[Kind, Choice(Kind, "kind of action, for automatic combinations")] = "permanent"
     category: Annotated[
-        Category | None, Choice(Category, "category of a variable action, for psi of EN 1990 Table A1.1 unless given")
+        Category | None,
+        Choice(
+            Category,
+            "category of a variable action, for psi of EN 1990 Table A1.1 unless given",
+            "give psi_0, psi_1 and psi_2 of any other action",
+        ),
     ] = None
     psi_0: Annotated[float, Number("psi_0", "factor of its combination value, if variable", SHARE)] = 0.7
     psi_1: Annotated[float, Number("psi_1", "factor of its frequent value, if variable", SHARE)] = 0.5
@@ -95,7 +100,7 @@ class Combination(Section):
     checks: ClassVar[tuple[Check, ...]] = (_check_factors,)
 
     name: Annotated[str, Text("name of the combination")]
-    limit_state: Annotated[LimitState, Choice(LimitState, "limit state that it is for")] = "ultimate"
+    limit_state: Annotated[LimitState, Choice(LimitState, "limit state that it is for", "")] = "ultimate"
     factors: Annotated[
         tuple[tuple[str, float], ...], Factors("", "factor of each case that takes part, by the case's name")
     ]
@@ -141,7 +146,7 @@ class Combine(Section):
 
     sets: Annotated[
         tuple[LimitState, ...],
-        ListOf(Choice(LimitState, ""), "", "limit states to make combinations for", unique=True),
+        ListOf(Choice(LimitState, "", ""), "", "limit states to make combinations for", unique=True),
     ]
     expression: Annotated[
         Expression,
@@ -149,6 +154,7 @@ class Combine(Section):
             Expression,
             "expressions of EN 1990 6.4.3.2(3), or ACI 318-19 5.3.1 for ultimate and seismic sets with the "
             "allowable-stress ones of ASCE 7-16 2.4 for characteristic sets",
+            "",
         ),
     ] = "6.10"
     xi: Annotated[float, Number("xi", "reduction of unfavourable permanent actions in 6.10b", SHARE)] = 0.85

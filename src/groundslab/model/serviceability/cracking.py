@@ -37,7 +37,9 @@ class Cracking(Section):
     ] = None
     limit_states: Annotated[
         tuple[Serviceability, ...],
-        ListOf(Choice(Serviceability, ""), "", "limit states whose combinations have cracked stiffness", unique=True),
+        ListOf(
+            Choice(Serviceability, "", ""), "", "limit states whose combinations have cracked stiffness", unique=True
+        ),
     ] = ("characteristic", "frequent", "quasi-permanent")
 
 

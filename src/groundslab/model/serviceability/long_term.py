@@ -19,5 +19,5 @@ class LongTerm(Section):
         float, Number("", "stiffness of the ground under loads that last over the one given, such as 0.5", RATIO)
     ]
     limit_states: Annotated[
-        tuple[LimitState, ...], ListOf(Choice(LimitState, ""), "", "limit states whose loads last", unique=True)
+        tuple[LimitState, ...], ListOf(Choice(LimitState, "", ""), "", "limit states whose loads last", unique=True)
     ] = ("quasi-permanent",)

@@ -10,9 +10,9 @@ import numpy as np
 
 from groundslab.design.tables.table import table_of
 from groundslab.errors import GroundslabError, InputError, Issue, NotConverged
+from groundslab.optional import import_optional
 from groundslab.schema.wording import describe, one_of, suggestion
 from groundslab.study.evaluation.samples import Input, Output, condition, read_samples, show_value
-from groundslab.study.optional import import_optional
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -54,7 +54,7 @@ def design_point(g: Callable[[Array], float], correlation: Array) -> DesignPoint
     """
     from scipy.special import ndtr
 
-    ot = import_optional("openturns", "which finds the design point")
+    ot = import_optional("openturns", "which finds the design point", "study")
     d, known, raised = len(correlation), dict[tuple[float, ...], float](), list[GroundslabError]()
 
     def raw(z: Iterable[float]) -> float:

@@ -12,12 +12,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import InputError, Issue
+from groundslab.optional import import_optional
 from groundslab.schema.wording import one_of, suggestion
 from groundslab.study.definition import files
 from groundslab.study.definition.setup import Setup, column_units
 from groundslab.study.evaluation.field_maps import moments
 from groundslab.study.execution import store
-from groundslab.study.optional import import_optional
 from groundslab.study.sampling.designs import VariantList, list_variants
 
 if TYPE_CHECKING:
@@ -135,7 +135,7 @@ class Study:
         InputError
             If pandas is not installed, or the rows are damaged.
         """
-        pd = import_optional("pandas", "which makes a DataFrame of a study's rows")
+        pd = import_optional("pandas", "which makes a DataFrame of a study's rows", "study")
         with self.open_rows() as rows:
             names, results = rows.columns.scalars, rows.columns.results
             frame = pd.DataFrame(rows.rows(names), columns=names).set_index("number")

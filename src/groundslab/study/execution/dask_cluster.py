@@ -23,10 +23,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import GroundslabError, InputError, Issue
+from groundslab.optional import import_optional
 from groundslab.study.execution import versions
 from groundslab.study.execution.tasks import Loss, Outcome, Tasks, describe_exit
 from groundslab.study.execution.variant import WorkerFailure, describe_error
-from groundslab.study.optional import import_optional
 
 if TYPE_CHECKING:
     from groundslab.study.definition.setup import Setup
@@ -58,7 +58,7 @@ SETTINGS: dict[str, Any] = {
     "distributed.worker.http.routes": [],
     "distributed.worker.preload": ["groundslab.study.execution.dask_plugin"],
 }
-HINT = "pip install groundslab[study]; --workers 0 does without it"
+INSTEAD = "--workers 0 does without it"
 LOOPBACK = "127.0.0.1"
 DASHBOARD = 8787  # port, where it is free
 
@@ -96,7 +96,6 @@ def start_local(workers: int | None, most: int, dashboard: bool = False) -> Iter
     Connections need the keys made here. Dask's dashboard is optional.
     """
     distributed = _import_distributed()
-    import_optional("cryptography", "which makes the keys of a run", HINT)
     import dask.config
     import dask.system
 
@@ -340,6 +339,12 @@ def version_differences(
     ]
 
 
+def require_packages() -> None:
+    """Raise InputError where a package that a cluster needs is missing."""
+    _import_distributed()
+    import_optional("cryptography", "which makes the keys of a run", "study", INSTEAD)
+
+
 def _import_distributed() -> Any:
     """Return Dask's package for several processes; raises InputError where it is not installed."""
-    return import_optional("distributed", "Dask's package for several processes", HINT)
+    return import_optional("distributed", "Dask's package for several processes", "study", INSTEAD)

@@ -67,6 +67,8 @@ def run(study: files.StudyInput, folder: Path, resources: Resources, resume: boo
     """
     if study.setup.fields:
         random_fields.import_gstools()
+    if resources.scheduler is not None or resources.workers != 0:
+        dask_cluster.require_packages()
     prepare(study, folder, resume)
     with store.lock(folder), store.Store(folder, study.setup) as rows:
         variants = list_variants(study.setup)

@@ -30,7 +30,7 @@ import numpy as np
 
 from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.fem.mesh import Mesh
-from groundslab.storage import atomic
+from groundslab.storage import atomic, bounded
 from groundslab.study.execution.variant import key_of
 
 if TYPE_CHECKING:
@@ -41,6 +41,8 @@ if TYPE_CHECKING:
 STUDY, CASE, ABOUT, ROWS, LOCK = "study.toml", "case.toml", "about.json", "rows.sqlite", "lock.sqlite"
 SOLVING = "solving.txt"
 FORMAT = 1
+#: Largest about.json that is read [bytes].
+LARGEST_ABOUT = 1_000_000
 #: Types of the values in about.json that are read from there.
 _TYPES = {"seed": int, "variants": int, "made": str, "study_sha256": str, "case_sha256": str, "versions": dict}
 #: Columns before those of the study, with their types.
@@ -271,7 +273,7 @@ def about(folder: str | Path) -> dict[str, Any]:
     path = Path(folder)
     expected = "a folder that groundslab study made"
     try:
-        found = json.loads((path / ABOUT).read_text(encoding="utf-8"))
+        found = json.loads(bounded.read_whole(path / ABOUT, LARGEST_ABOUT))
         if found["program"] == "groundslab study" and (path / ROWS).is_file():
             if found["format"] == FORMAT:
                 if all(isinstance(found[name], kind) for name, kind in _TYPES.items()):

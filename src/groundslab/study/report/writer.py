@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from groundslab.errors import InputError, Issue
-from groundslab.storage import atomic, ownership
+from groundslab.storage import atomic, bounded, checksums, ownership
 from groundslab.study.evaluation import tables as evaluation
 from groundslab.study.evaluation.samples import choose_unit, read_samples
 from groundslab.study.evaluation.statistics import LEVEL
@@ -22,8 +23,10 @@ if TYPE_CHECKING:
 
 #: The folder within the study's, and the page in it.
 FOLDER, PAGE = "evaluation", "report.html"
+#: By what files that somebody has edited are known, and the most bytes that are read of it.
+CHECKSUMS, LARGEST = "checksums.json", 1_000_000
 #: All names of files that an evaluation can have.
-NAMES = frozenset({PAGE} | {f"{name}.csv" for name in (*evaluation.NAMES, "reliability", "design_points")})
+NAMES = frozenset({PAGE, CHECKSUMS} | {f"{name}.csv" for name in (*evaluation.NAMES, "reliability", "design_points")})
 
 
 def evaluate(study: Study, reliability: Sequence[Reliability] = (), level: float = LEVEL) -> tuple[Path, ...]:
@@ -50,7 +53,8 @@ def evaluate(study: Study, reliability: Sequence[Reliability] = (), level: float
 
     Notes
     -----
-    An earlier evaluation is replaced completely or, if writing fails, left as it was.
+    An earlier evaluation is replaced completely or, if writing fails, left as it was. Files of it that were edited are
+    kept in `evaluation-edited` beside it, with a warning (EditedFilesKept).
     """
     from groundslab.study.evaluation import form
 
@@ -65,9 +69,11 @@ def evaluate(study: Study, reliability: Sequence[Reliability] = (), level: float
     def fill(staging: Path) -> None:
         for name, text in texts.items():
             (staging / name).write_text(text, encoding="utf-8", newline="\n")
+        about = {"program": "groundslab", "checksums": checksums.checksums_of(staging, texts)}
+        (staging / CHECKSUMS).write_text(json.dumps(about, indent=2) + "\n", encoding="utf-8", newline="\n")
 
     try:
-        atomic.write_folder(folder, fill, NAMES.__contains__, lambda: _require_free(folder))
+        atomic.write_folder(folder, fill, NAMES.__contains__, lambda: _make_way(folder))
     except OSError as error:
         raise _unwritable(folder, error) from error
     return tuple(folder / name for name in (PAGE, *(name for name in texts if name != PAGE)))
@@ -98,6 +104,19 @@ def _require_free(folder: Path) -> None:
     if found:
         given = "something that groundslab did not write"
         raise InputError([Issue(str(folder / name), given, expected, hint) for name in found])
+
+
+def _make_way(folder: Path) -> None:
+    """Keep what somebody has edited of an earlier evaluation; raises InputError if anything else is in the way."""
+    _require_free(folder)
+    path = folder / CHECKSUMS
+    if not path.is_file():
+        return
+    try:
+        known = dict(json.loads(bounded.read_whole(path, LARGEST))["checksums"])
+    except (ValueError, KeyError, TypeError):
+        known = {}
+    checksums.keep_files(folder, checksums.find_edited(folder, {name: known[name] for name in known if name in NAMES}))
 
 
 def _foreign(folder: Path) -> list[str]:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.study.optional import import_optional
+from groundslab.optional import import_optional
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
@@ -78,4 +78,4 @@ def factors(field: Field, seed: int) -> Callable[[Array, Array], Array]:
 
 def import_gstools() -> Any:
     """Return the library of random fields; raises InputError where it is not installed."""
-    return import_optional("gstools", "which draws random fields")
+    return import_optional("gstools", "which draws random fields", "study")

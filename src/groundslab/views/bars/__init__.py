@@ -9,6 +9,7 @@ from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
 from groundslab.schema.wording import listed, quote
+from groundslab.storage import checksums
 from groundslab.storage.ownership import check_replaceable
 from groundslab.views.bars import dxf
 from groundslab.views.bars.drawing import draw
@@ -51,7 +52,9 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Pat
         raise InputError([Issue("reinforcement", "no bars that are laid", "bars in all four layers", hint)])
     shapes = draw(model)
     if _is_dxf(path):
-        export.write_file(path, target, dxf.to_bytes(shapes, path))
+        content = dxf.to_bytes(shapes)
+        checksums.keep_file(target, dxf.is_unchanged)
+        export.write_file(path, target, content)
     else:
         from groundslab.views.bars.figure import to_figure
         from groundslab.views.plots.style import apply_style
@@ -63,8 +66,9 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Pat
 
 
 def check(path: str | Path) -> Path:
-    """Return the full path if a drawing of bars may be written there; else raise InputError saying why not."""
+    """Return the full path if a drawing of bars can be written there; else raise InputError saying why not."""
     if _is_dxf(path):
+        dxf.import_ezdxf()
         return check_replaceable(path, dxf.is_ours, "a drawing of groundslab")
     if Path(path).suffix.lower() not in export.FORMATS:
         expected = f"{listed(('.dxf', *export.FORMATS))} at its end"

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import hashlib
 import io
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
-from groundslab.errors import InputError, Issue
+from groundslab.optional import import_optional
+from groundslab.storage import bounded, checksums
 from groundslab.views.bars.drawing import BROKEN, LAYERS, Circle, Line, Shape
 
 if TYPE_CHECKING:
@@ -18,15 +20,18 @@ if TYPE_CHECKING:
 MARK, LOOK = "Bars drawn by groundslab", 100_000
 #: Number of the meter among the units of DXF.
 METER = 6
+#: What stands before the checksum of the rest; CAD programs leave comments out when they save.
+COMMENT = "999\ngroundslab sha256 "
 
 
-def to_bytes(shapes: Sequence[Shape], path: str | Path) -> bytes:
-    """Return a drawing as the content of a DXF file; the path is named where ezdxf is missing."""
-    try:
-        import ezdxf
-    except ImportError:
-        hint = "pip install groundslab[dxf]"
-        raise InputError([Issue(str(path), "a DXF drawing", "ezdxf to write it", hint)]) from None
+def import_ezdxf() -> Any:
+    """Return ezdxf; raises InputError where it is not installed."""
+    return import_optional("ezdxf", "which writes drawings", "dxf")
+
+
+def to_bytes(shapes: Sequence[Shape]) -> bytes:
+    """Return a drawing as the content of a DXF file; raises InputError where ezdxf is missing."""
+    ezdxf = import_ezdxf()
     dated = ezdxf.options.write_fixed_meta_data_for_testing
     ezdxf.options.write_fixed_meta_data_for_testing = True  # neither dates nor random numbers
     try:
@@ -36,7 +41,8 @@ def to_bytes(shapes: Sequence[Shape], path: str | Path) -> bytes:
     finally:
         ezdxf.options.write_fixed_meta_data_for_testing = dated
     content: bytes = document.encode(stream.getvalue())
-    return content
+    # a comment at the top, as nothing may follow the end
+    return f"{COMMENT}{hashlib.sha256(content).hexdigest()}\n".encode() + content
 
 
 def _document(shapes: Sequence[Shape]) -> Document:
@@ -64,3 +70,9 @@ def is_ours(path: Path) -> bool:
     """Return whether a file is a drawing of bars that groundslab wrote."""
     with path.open("rb") as file:
         return MARK.encode() in file.read(LOOK)
+
+
+def is_unchanged(path: Path) -> bool:
+    """Return whether a drawing is as groundslab wrote it."""
+    start, _, content = bounded.read_whole(path, checksums.LARGEST).removeprefix(COMMENT.encode()).partition(b"\n")
+    return start == hashlib.sha256(content).hexdigest().encode()

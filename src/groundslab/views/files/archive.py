@@ -10,8 +10,9 @@ import zlib
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from groundslab.case import casefile
 from groundslab.errors import InputError, Issue
-from groundslab.views.files import manifest, results_folder
+from groundslab.views.files import folder_summary, manifest, results_folder
 
 if TYPE_CHECKING:
     from groundslab.results.results import Results
@@ -19,6 +20,9 @@ if TYPE_CHECKING:
 REPORT = "report.html"
 #: Largest archive that is read, as it is and with its files unpacked [bytes].
 MAX_SIZE = 8 * 2**30
+#: Bytes of an array for each packed one, at most, and bytes that may always be there; numbers of results, of which many
+#: are zero, pack into a tenth.
+RATIO, FREE = 100, 2**20
 #: Largest number of files in an archive that is read.
 MAX_FILES = 20_000
 #: Every file gets this date, so that the same results give the same bytes.
@@ -61,7 +65,7 @@ def unpack_results(path: Path, folder: Path) -> None:
                 raise InputError(issues)
             left = MAX_SIZE
             for entry in filter(_is_needed, entries):
-                left -= _write_entry(archive, entry, folder / entry.filename, left)
+                left -= _write_entry(archive, entry, folder / entry.filename, min(left, _most(entry)))
     except (zipfile.BadZipFile, zlib.error, NotImplementedError, RuntimeError, EOFError, ValueError) as error:
         raise _refusal(path, f"something else ({' '.join(str(error).split())[:200]})") from error
 
@@ -79,6 +83,10 @@ def _check_entries(path: Path, entries: list[zipfile.ZipInfo]) -> list[Issue]:
     if foreign:
         hint = "the files of the folder must lie at the top of the archive"
         issues.append(Issue(str(path), f"{foreign[0][:80]!r}, which is no file of results", expected, hint))
+    for entry in filter(_is_needed, entries):
+        if entry.file_size > (most := _most(entry)):
+            found = f"{entry.filename} of {entry.file_size:,} bytes"
+            issues.append(Issue(str(path), found, f"at most {most:,} bytes in it", "nothing was unpacked"))
     if sum(entry.file_size for entry in entries) > MAX_SIZE:
         issues.append(Issue(str(path), f"more than {MAX_SIZE:,} bytes unpacked", "fewer"))
     return issues
@@ -87,6 +95,13 @@ def _check_entries(path: Path, entries: list[zipfile.ZipInfo]) -> list[Issue]:
 def _is_needed(entry: zipfile.ZipInfo) -> bool:
     """Return whether a file is needed to read the results."""
     return entry.filename.endswith((".npz", ".toml", ".json"))
+
+
+def _most(entry: zipfile.ZipInfo) -> int:
+    """Return how many bytes a file of an archive may have: its role says so, of numbers also how well they pack."""
+    by_ending = {".toml": casefile.LARGEST, ".json": folder_summary.LARGEST}
+    packed = RATIO * entry.compress_size + FREE
+    return by_ending.get(Path(entry.filename).suffix, min(MAX_SIZE, packed))
 
 
 def _write_entry(archive: zipfile.ZipFile, entry: zipfile.ZipInfo, path: Path, limit: int) -> int:

@@ -107,6 +107,10 @@ def write(results: CombinationResult, path: Path) -> None:
         np.savez(file, **arrays)
 
 
+#: Texts among the arrays, four bytes a letter, and the most bytes that they may have.
+TEXTS = {"model.npy": 40_000_000, "about.npy": 40_000_000}
+
+
 def load(path: Path) -> CombinationResult:
     """Return the results that ``write`` put into an archive; their arrays cannot be written to.
 
@@ -138,6 +142,9 @@ def _stored(path: Path) -> dict[str, Any]:
         members = archive.infolist()
         if any(member.compress_type != zipfile.ZIP_STORED for member in members):
             raise ValueError("compressed arrays, which groundslab does not write")
+        texts = [member for member in members if member.filename in TEXTS]
+        if any(member.file_size > TEXTS[member.filename] for member in texts):
+            raise ValueError("a description that is larger than any")
         if sum(member.file_size for member in members) > path.stat().st_size:
             raise ValueError("arrays that are larger than the file")
         return {member.filename.removesuffix(".npy"): _array(archive, member) for member in members}

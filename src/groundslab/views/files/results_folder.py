@@ -11,22 +11,29 @@ import json
 import os
 import shutil
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
-from functools import cache, partial
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING
 
 from groundslab import errors
 from groundslab.errors import GroundslabError, InputError, Issue, NotCertified, NotConverged
 from groundslab.results.results import CombinationResult, Results, results_of
-from groundslab.storage import atomic, ownership
+from groundslab.storage import atomic, checksums, ownership
 from groundslab.views.files import manifest, npz
+from groundslab.views.files.folder_summary import (
+    FILE,
+    ListedCombination,
+    RefusedCombination,
+    find_edited,
+    read_document,
+    read_summary,
+    write_summary,
+)
 
 if TYPE_CHECKING:
-    from pydantic import TypeAdapter
-
     from groundslab.model.model import Model
 
 
@@ -35,7 +42,8 @@ def save_results(results: CombinationResult | Results, folder: str | Path, *, pl
 
     Results that are not certified are written too, marked as such; combinations without any are listed with the reason.
     The folder holds VTU files for ParaView, tables as CSV, summary.json, the case file, and NumPy archives from which
-    `load_results` reads the same results back.
+    `load_results` reads the same results back. Files of earlier results that were edited are kept in a folder beside
+    it, named in a warning (EditedFilesKept).
 
     Parameters
     ----------
@@ -69,7 +77,7 @@ def save_results(results: CombinationResult | Results, folder: str | Path, *, pl
     combined = results if isinstance(results, Results) else results_of(results)
     try:
         fill = partial(_fill, combined, plot=plot)
-        atomic.write_folder(target, fill, manifest.is_path, partial(_require_free, target))
+        atomic.write_folder(target, fill, manifest.is_path, partial(_make_way, target))
     except OSError as error:
         raise _unwritable(target, error) from error
     return target
@@ -83,7 +91,7 @@ def add_files(folder: str | Path, writers: Mapping[str, manifest.Writer]) -> Pat
     target = check(folder)
     try:
         fill = partial(_fill_further, target, writers)
-        atomic.write_folder(target, fill, manifest.is_path, partial(_require_free, target))
+        atomic.write_folder(target, fill, manifest.is_path, partial(_make_way, target, writers))
     except OSError as error:
         raise _unwritable(target, error) from error
     return target
@@ -131,6 +139,13 @@ def _require_free(target: Path) -> None:
         raise InputError(issues)
 
 
+def _make_way(target: Path, replaced: Collection[str] | None = None) -> None:
+    """Keep what somebody has edited of the files that will be replaced, all by default; raises InputError, OSError."""
+    _require_free(target)
+    edited = find_edited(target) if target.is_dir() else []
+    checksums.keep_files(target, [name for name in edited if replaced is None or name in replaced])
+
+
 def recover(folder: str | Path) -> bool:
     """Put back the results that a crash has left aside; return whether there were any to put back.
 
@@ -170,7 +185,7 @@ def load_results(folder: str | Path) -> Results:
     True
     """
     path = Path(folder)
-    found = _summary(path)
+    found = read_summary(path)
     if found is None or not found.files:
         raise _not_ours(path, "no summary.json that names its files")
     if found.combinations is None:
@@ -179,53 +194,6 @@ def load_results(folder: str | Path) -> Results:
         return _several(path, found.combinations)
     except (KeyError, ValueError) as error:
         raise _not_ours(path, f"a summary.json with something else ({type(error).__name__}: {error})") from error
-
-
-@dataclass(frozen=True, slots=True)
-class _Refused:
-    """Why a combination has no certified result, as a summary says it."""
-
-    error: str
-    reason: str = ""
-    what: str = ""
-    history: tuple[Any, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class _Combination:
-    """One combination, as a summary says it."""
-
-    name: str
-    limit_state: str
-    factors: dict[str, float]
-    folder: str | None = None
-    refused: _Refused | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class _Summary:
-    """What a folder's summary says of the folder; its JSON text is held to these types."""
-
-    program: Literal["groundslab"]
-    files: tuple[str, ...]
-    combinations: tuple[_Combination, ...] | None = None
-
-
-@cache
-def _adapter() -> TypeAdapter[_Summary]:
-    """Return what reads summary.json."""
-    from pydantic import TypeAdapter
-
-    return TypeAdapter(_Summary)
-
-
-def _summary(folder: Path) -> _Summary | None:
-    """Return what the summary in a folder says of it, None if there is none that groundslab wrote."""
-    path = folder / "summary.json"
-    try:
-        return _adapter().validate_json(path.read_bytes(), strict=True) if path.is_file() else None
-    except (OSError, ValueError):
-        return None
 
 
 def _one(path: Path) -> Results:
@@ -237,7 +205,7 @@ def _one(path: Path) -> Results:
         raise _not_ours(archived, f"a combination that is wrong ({error.issues[0]})") from error
 
 
-def _several(path: Path, listed: Sequence[_Combination]) -> Results:
+def _several(path: Path, listed: Sequence[ListedCombination]) -> Results:
     """Return the combinations that a summary lists, read from their folders; raises InputError or ValueError."""
     from groundslab.case import casefile
     from groundslab.model.loads.load_cases import Combination
@@ -258,7 +226,7 @@ def _several(path: Path, listed: Sequence[_Combination]) -> Results:
     return Results(model, tuple(combinations), results, refused)
 
 
-def _archived(path: Path, listed: Sequence[_Combination], model: Model) -> dict[str, CombinationResult]:
+def _archived(path: Path, listed: Sequence[ListedCombination], model: Model) -> dict[str, CombinationResult]:
     """Return the results of those combinations of a case that have a folder, by their names."""
     results: dict[str, CombinationResult] = {}
     for number, entry in enumerate(listed, 1):
@@ -275,7 +243,7 @@ def _archived(path: Path, listed: Sequence[_Combination], model: Model) -> dict[
     return results
 
 
-def _refused(why: _Refused, results: CombinationResult | None) -> GroundslabError:
+def _refused(why: RefusedCombination, results: CombinationResult | None) -> GroundslabError:
     """Return the error that a summary tells of."""
     if results is not None:
         return NotCertified(results)
@@ -331,11 +299,11 @@ def _fill(combined: Results, folder: Path, *, plot: bool) -> None:
     if combined.results or combined.without_equilibrium:
         writers |= manifest.of_all(combined)
     # A summary that cannot be made stops everything before the large files are written.
-    text = json_text(combined, folders, [*writers, "summary.json"])
+    document = json.loads(json_text(combined, folders, [*writers, FILE]))
     for name, writer in writers.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         writer(folder / name)
-    manifest.write_text(folder / "summary.json", text + "\n")
+    write_summary(folder, document, writers)
 
 
 def _fill_further(target: Path, writers: Mapping[str, manifest.Writer], folder: Path) -> None:
@@ -346,15 +314,14 @@ def _fill_further(target: Path, writers: Mapping[str, manifest.Writer], folder: 
         (folder / name).unlink(missing_ok=True)
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         writer(folder / name)
-    summary = folder / "summary.json"
-    document = json.loads(summary.read_bytes()) if summary.is_file() else {"program": "groundslab", "files": []}
-    document["files"] = list(dict.fromkeys([*document["files"], *writers, summary.name]))
-    manifest.write_text(summary, json.dumps(document, indent=2, allow_nan=False) + "\n")
+    document = read_document(folder)
+    document["files"] = list(dict.fromkeys([*document["files"], *writers, FILE]))
+    write_summary(folder, document, writers)
 
 
 def _foreign(folder: Path) -> list[str]:
     """Return the paths in a folder, and in the folders within it, that are not ours according to its summary."""
-    found = _summary(folder)
+    found = read_summary(folder)
     return ownership.strangers(folder, set() if found is None else set(filter(manifest.is_path, found.files)))
 
 

@@ -6,15 +6,16 @@ import datetime
 import io
 import os
 import zipfile
+import zlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
 from groundslab.design.result_tables import tables_of
 from groundslab.design.tables.table import Table
-from groundslab.errors import InputError, Issue
+from groundslab.optional import import_optional
 from groundslab.results.results import CombinationResult, Results, results_of
-from groundslab.storage import atomic, ownership
+from groundslab.storage import atomic, checksums, ownership
 
 if TYPE_CHECKING:
     from xlsxwriter import Workbook
@@ -24,6 +25,7 @@ MARK = "Tables of groundslab"
 #: A name of a sheet has no more letters; a column is no wider.
 LONGEST_NAME, WIDEST = 31, 60
 #: The same results give the same bytes.
+LOOK = 100_000  # bytes of a workbook's properties that are looked at
 CREATED = datetime.datetime(2000, 1, 1)
 
 
@@ -65,12 +67,14 @@ def write_workbook(results: CombinationResult | Results, path: str | Path) -> Pa
         bold, plain = book.add_format({"bold": True}), book.add_format({"text_wrap": False})
         for table in tables_of(combined):
             _add_sheet(book, table, bold, plain)
+    checksums.keep_file(target, _is_unchanged)
     atomic.write(target, content.getvalue())
     return Path(path)
 
 
 def check(path: str | Path) -> Path:
-    """Return the full path if a workbook may be written there; else raise InputError saying why not."""
+    """Return the full path if a workbook can be written there; else raise InputError saying why not."""
+    _import_xlsxwriter()
     return ownership.check_replaceable(path, _is_workbook, "a workbook of groundslab")
 
 
@@ -82,15 +86,14 @@ def default_path(folder: str | Path) -> Path:
 
 def _workbook(content: io.BytesIO) -> Workbook:
     """Return an empty workbook whose texts are no formulas and no links, whatever they look like."""
-    try:
-        from xlsxwriter import Workbook
-    except ImportError:
-        hint = (
-            "pip install groundslab[tables]; the tables in the folder of results are CSV files, which it does without"
-        )
-        raise InputError([Issue("xlsxwriter", "nothing that can be imported", "XlsxWriter", hint)]) from None
     texts = {"strings_to_formulas": False, "strings_to_urls": False, "strings_to_numbers": False}
-    return Workbook(content, {"in_memory": True, "nan_inf_to_errors": True, **texts})
+    book: Workbook = _import_xlsxwriter().Workbook(content, {"in_memory": True, "nan_inf_to_errors": True, **texts})
+    return book
+
+
+def _import_xlsxwriter() -> Any:
+    instead = "the tables in the folder of results are CSV files, which do without it"
+    return import_optional("xlsxwriter", "which writes workbooks", "tables", instead)
 
 
 def _add_sheet(book: Workbook, table: Table, bold: Any, plain: Any) -> None:
@@ -117,6 +120,18 @@ def _is_workbook(path: Path) -> bool:
     """Return whether a file is a workbook that groundslab wrote."""
     try:
         with zipfile.ZipFile(path) as book:
-            return MARK.encode() in book.read("docProps/core.xml")
-    except (zipfile.BadZipFile, KeyError, OSError):
+            return MARK.encode() in _properties(book)
+    except (zipfile.BadZipFile, zlib.error, KeyError, ValueError, EOFError, NotImplementedError, RuntimeError):
         return False
+
+
+def _is_unchanged(path: Path) -> bool:
+    """Return whether no program has saved a workbook again, which would enter the date."""
+    with zipfile.ZipFile(path) as book:
+        return f">{CREATED.isoformat()}Z</dcterms:modified>".encode() in _properties(book)
+
+
+def _properties(book: zipfile.ZipFile) -> bytes:
+    """Return what a workbook says of itself, of much the beginning."""
+    with book.open("docProps/core.xml") as file:
+        return file.read(LOOK)

@@ -11,6 +11,7 @@ from groundslab._version import __version__
 from groundslab.analysis.ground_comparison.comparison import GroundComparison
 from groundslab.case import casefile
 from groundslab.errors import InputError, Issue
+from groundslab.storage import bounded
 from groundslab.views.files import manifest, results_folder
 from groundslab.views.ground_comparison.figure import plot_comparison
 from groundslab.views.ground_comparison.rows import comparison_table, curve_table
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 
 #: The file that holds all of a comparison, and the version of its layout.
 FILE, FORMAT = "ground-comparison.json", 1
+#: Largest file that is read [bytes].
+LARGEST = 50_000_000
 
 
 def save_comparison(comparison: GroundComparison, folder: str | Path) -> Path:
@@ -77,7 +80,7 @@ def load_comparison(folder: str | Path) -> GroundComparison | None:
     if not path.is_file():
         return None
     try:
-        document = json.loads(path.read_bytes())
+        document = json.loads(bounded.read_whole(path, LARGEST))
         if document["format"] != FORMAT:
             raise ValueError(f"layout {document['format']}, while this version reads {FORMAT}")
         return _adapter().validate_python(document["comparison"] | {"model": casefile.loads(document["model"])})

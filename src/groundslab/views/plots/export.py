@@ -13,7 +13,7 @@ from xml.etree import ElementTree
 from groundslab._version import __version__
 from groundslab.errors import InputError, Issue
 from groundslab.schema.wording import listed, quote
-from groundslab.storage import atomic
+from groundslab.storage import atomic, checksums
 from groundslab.storage.ownership import check_replaceable, is_figure
 from groundslab.views.plots.style import PAGE_COLORS, apply_style
 
@@ -49,7 +49,10 @@ def save(figures: Sequence[Figure], path: str | Path, *, dpi: float = DPI) -> No
     An existing file is replaced only if groundslab drew it. The file holds no date.
     """
     target = check(path)
-    write_file(path, target, to_bytes(figures, file_format(path), dpi))
+    content = to_bytes(figures, file_format(path), dpi)
+    if target.suffix.lower() == ".svg":
+        checksums.keep_file(target, checksums.is_sealed)
+    write_file(path, target, content)
 
 
 def write_file(path: str | Path, target: Path, content: bytes) -> None:
@@ -147,4 +150,4 @@ def to_bytes(figures: Sequence[Figure], kind: str, dpi: float = DPI) -> bytes:
         (figure,) = figures
         about = {"Software": made_by} if kind == "png" else {"Creator": made_by, "Date": None}
         figure.savefig(file, format=kind, dpi=dpi, metadata=about)
-    return file.getvalue()
+    return checksums.seal(file.getvalue()) if kind == "svg" else file.getvalue()

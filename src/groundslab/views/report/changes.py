@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from groundslab.case import casefile
 from groundslab.errors import InputError
+from groundslab.storage import bounded
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
@@ -39,7 +40,7 @@ def changes_since(folder: str | Path, model: Model) -> str:
 def _text_of(path: Path, model: Model) -> str | None:
     """Return the text of a case file if it describes a model."""
     try:
-        text = path.read_bytes().decode()
+        text = bounded.read_whole(path, casefile.LARGEST).decode()
         return text if casefile.loads(text) == model else None
     except (OSError, UnicodeDecodeError, InputError):
         return None

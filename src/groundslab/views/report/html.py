@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 from groundslab._version import __version__
 from groundslab.errors import GroundslabError
 from groundslab.results.results import CombinationResult, Results, results_of
-from groundslab.storage import atomic
+from groundslab.storage import atomic, checksums
 from groundslab.storage.ownership import check_replaceable, is_page
 from groundslab.views.plots.export import write_file
 from groundslab.views.report.content import build_page
@@ -132,7 +132,7 @@ def write_report(
     target = check(path)
     render = partial(render_report, results, text=text, file=file, comparison=comparison, remark=remark)
     if not _is_pdf(target):
-        write_file(target, target, render(chapters=chapters).encode())
+        _write_page(target, render(chapters=chapters))
         return Path(path)
     wanted = results.model.report.chapters if chapters is None else chapters
     atomic.write(target, _printed(render(chapters=[chapter for chapter in wanted if chapter != "viewer"])))
@@ -146,21 +146,34 @@ def _printed(page: str) -> bytes:
     return print_page(page) + f"{TAIL}{__version__}\n".encode()
 
 
+def _write_page(target: Path, page: str) -> None:
+    """Write a page with its checksum; one that was edited is kept under another name."""
+    checksums.keep_file(target, checksums.is_sealed)
+    write_file(target, target, checksums.seal(page.encode()))
+
+
 def _is_pdf(path: Path) -> bool:
     """Return whether a file's name says that it is a PDF."""
     return path.suffix.lower() == ".pdf"
 
 
 def check(path: str | Path) -> Path:
-    """Return the full path if a report may be written there; else raise InputError saying why not."""
-    ours = _is_printed_report if _is_pdf(Path(path)) else partial(is_page, what="report")
-    return check_replaceable(path, ours, "a report of groundslab")
+    """Return the full path if a report can be written there; else raise InputError saying why not."""
+    if not _is_pdf(Path(path)):
+        return check_replaceable(path, partial(is_page, what="report"), "a report of groundslab")
+    from groundslab.views.report.pdf import require_printer
+
+    target = check_replaceable(path, _is_printed_report, "a report of groundslab")
+    require_printer()
+    return target
 
 
 def _is_printed_report(path: Path) -> bool:
     """Return whether a file is a report that groundslab wrote as PDF."""
-    content = path.read_bytes()
-    return content.startswith(b"%PDF-") and TAIL.encode() in content[-200:]
+    with path.open("rb") as file:
+        start = file.read(5)
+        file.seek(max(file.seek(0, os.SEEK_END) - 200, 0))
+        return start == b"%PDF-" and TAIL.encode() in file.read()
 
 
 def default_path(folder: str | Path, suffix: str = ".html") -> Path:

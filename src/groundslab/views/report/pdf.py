@@ -8,6 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import InputError, Issue
+from groundslab.optional import import_optional
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Playwright
@@ -33,15 +34,25 @@ def unfold(html: str) -> str:
 
 def _print(html: str) -> bytes:
     """Return a page as PDF."""
-    try:
-        from playwright.sync_api import sync_playwright
-    except ImportError:
-        hint = f"pip install groundslab[pdf]; {INSTEAD}"
-        raise InputError([Issue("playwright", "nothing that can be imported", "Playwright", hint)]) from None
-    with sync_playwright() as playwright, _launch(playwright) as browser:
+    with _import_playwright().sync_playwright() as playwright, _launch(playwright) as browser:
         page = browser.new_page(java_script_enabled=False, offline=True)
         page.set_content(unfold(html))
         return page.pdf(prefer_css_page_size=True, print_background=True, outline=True, tagged=True)
+
+
+def require_printer() -> None:
+    """Raise InputError without Playwright or a browser, so that nobody waits for a page that cannot be printed."""
+
+    def start() -> None:
+        with _import_playwright().sync_playwright() as playwright, _launch(playwright):
+            pass
+
+    with ThreadPoolExecutor(1) as pool:
+        pool.submit(start).result()
+
+
+def _import_playwright() -> Any:
+    return import_optional("playwright.sync_api", "which prints by a browser", "pdf", INSTEAD)
 
 
 def _launch(playwright: Playwright) -> Browser:

@@ -39,9 +39,11 @@ class DrawingReader:
         found: dict[str, Any] = self._call(survey_drawing, path)
         return found
 
-    def convert(self, path: Path, layers: Mapping[str, str], unit: str | None, centered: bool) -> ConvertedDrawing:
-        """Return the case that a drawing's layers describe; raises InputError."""
-        made: ConvertedDrawing = self._call(convert_drawing, path, dict(layers), unit, centered)
+    def convert(
+        self, path: Path, layers: Mapping[str, str], unit: str | None, centered: bool, gap: str
+    ) -> ConvertedDrawing:
+        """Return the case that a drawing's layers describe, gaps up to a length closed; raises InputError."""
+        made: ConvertedDrawing = self._call(convert_drawing, path, dict(layers), unit, centered, gap)
         return made
 
     def _call(self, function: Callable[..., Any], path: Path, *arguments: Any) -> Any:
@@ -104,11 +106,13 @@ def _flatten(points: Sequence[Place]) -> list[float]:
     return [value for point in points for value in point]
 
 
-def convert_drawing(path: str, layers: Mapping[str, str], unit: str | None, centered: bool) -> ConvertedDrawing:
+def convert_drawing(
+    path: str, layers: Mapping[str, str], unit: str | None, centered: bool, gap: str
+) -> ConvertedDrawing:
     """Return the case that a drawing's layers describe."""
     from groundslab.case import dxf
 
-    drawing = dxf.read(path, layers, unit)
+    drawing = dxf.read(path, layers, unit, dxf.parse_gap(gap))
     if centered:
         drawing = dxf.center(drawing)
     return ConvertedDrawing(dxf.to_case(drawing, Path(path).stem), dxf.report_text(drawing), drawing.origin)

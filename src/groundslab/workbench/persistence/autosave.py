@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from groundslab.case import casefile
-from groundslab.storage import atomic
+from groundslab.storage import atomic, bounded
 from groundslab.workbench.editing.document import Document
 from groundslab.workbench.persistence import files
 from groundslab.workbench.persistence.lock import Lock
@@ -51,7 +51,7 @@ def read_unsaved(path: Path) -> UnsavedWork | None:
     try:
         if path.is_symlink():
             return None
-        head, _, text = files.read_regular(path, MAX_SIZE).decode("utf-8").partition("\n")
+        head, _, text = bounded.read_regular(path, MAX_SIZE).decode("utf-8").partition("\n")
         about: dict[str, Any] = json.loads(head.removeprefix(HEAD))
         document = Document(text, about["newline"], about["mark"])
         return (

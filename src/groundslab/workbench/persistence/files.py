@@ -1,11 +1,9 @@
-"""Reading of regular files, the state folder, and listings for the file dialog."""
+"""Digests, the state folder, and listings for the file dialog."""
 
 from __future__ import annotations
 
-import errno
 import hashlib
 import os
-import stat
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -16,26 +14,6 @@ from groundslab.errors import InputError, Issue
 def compute_digest(content: bytes) -> str:
     """Return the SHA-256 digest of a file's content."""
     return hashlib.sha256(content).hexdigest()
-
-
-def read_regular(path: Path, limit: int) -> bytes:
-    """Return the first bytes of a regular file; raises OSError, also for pipes and devices, which may never end."""
-    _require_regular(path.stat())
-    flags = ("O_NONBLOCK", "O_NOCTTY", "O_BINARY")  # as far as the system has them
-    handle = os.open(path, os.O_RDONLY | sum(getattr(os, name, 0) for name in flags))
-    try:
-        _require_regular(os.fstat(handle))  # it may have been replaced meanwhile
-        with os.fdopen(handle, "rb", closefd=False) as file:
-            return file.read(limit)
-    finally:
-        os.close(handle)
-
-
-def _require_regular(about: os.stat_result) -> None:
-    if stat.S_ISDIR(about.st_mode):
-        raise IsADirectoryError(errno.EISDIR, "a folder")
-    if not stat.S_ISREG(about.st_mode):
-        raise OSError(errno.EINVAL, "a pipe, a device or the like")
 
 
 def create_state_folder() -> Path:

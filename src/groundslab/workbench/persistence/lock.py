@@ -12,10 +12,13 @@ from typing import Any
 
 from filelock import FileLock, Timeout
 
-from groundslab.storage import atomic
+from groundslab.storage import atomic, bounded
 
 #: Errors of file systems without locks, as some in a network are.
 _UNSUPPORTED = (errno.ENOSYS, errno.ENOLCK, errno.ENOTSUP, errno.EOPNOTSUPP)
+
+
+LARGEST = 100_000  # bytes of what an owner says of itself
 
 
 class Lock:
@@ -38,7 +41,7 @@ class Lock:
             lock.acquire()
         except Timeout:
             with suppress(OSError, ValueError):
-                return None, dict(json.loads(owner_file.read_bytes()))
+                return None, dict(json.loads(bounded.read_whole(owner_file, LARGEST)))
             return None, {}
         except OSError as error:
             if error.errno not in _UNSUPPORTED:

@@ -9,7 +9,7 @@ from typing import Any
 
 from groundslab.case import casefile
 from groundslab.errors import InputError, Issue
-from groundslab.storage import atomic
+from groundslab.storage import atomic, bounded
 from groundslab.workbench.persistence import files
 from groundslab.workbench.persistence.lock import Lock
 
@@ -114,7 +114,7 @@ def lock_file(path: Path, state: Path, url: str) -> Lock:
 def read_content(path: Path) -> bytes | None:
     """Return the content of a file, None if it does not exist; raises InputError if it cannot be read."""
     try:
-        return files.read_regular(path, casefile.LARGEST + 1)
+        return bounded.read_regular(path, casefile.LARGEST + 1)
     except FileNotFoundError:
         return None
     except (OSError, ValueError) as error:

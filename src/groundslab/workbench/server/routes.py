@@ -57,12 +57,13 @@ class Open(_Body):
 
 
 class OpenDrawing(_Body):
-    """A drawing, what each of its layers that are read holds, its unit, and whether the slab's middle is the origin."""
+    """A drawing: what its layers hold, its unit, whether the slab's middle is the origin, gaps that are closed."""
 
     file: Annotated[str, Field(min_length=1)]
     layers: Annotated[dict[str, str], Field(max_length=1000)]
     unit: Annotated[str, Field(max_length=100)] | None = None
     centered: bool = False
+    gap: Annotated[str, Field(max_length=100)] = "1 mm"
 
 
 class Restore(_Body):
@@ -182,7 +183,7 @@ def _add_document_routes(app: FastAPI, session: Session) -> None:
 
     @app.post("/api/drawing")
     def open_drawing(body: OpenDrawing) -> dict[str, Any]:
-        return session.open_drawing(body.file, body.layers, body.unit, body.centered)
+        return session.open_drawing(body.file, body.layers, body.unit, body.centered, body.gap)
 
     @app.post("/api/restore")
     def restore(body: Restore) -> State:

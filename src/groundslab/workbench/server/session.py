@@ -168,10 +168,12 @@ class Session:
         """Return what the layers of a drawing hold; raises InputError."""
         return self._drawings.survey(case_file.resolve_path(name, self._case_file.folder))
 
-    def open_drawing(self, name: str, layers: Mapping[str, str], unit: str | None, centered: bool) -> dict[str, Any]:
+    def open_drawing(
+        self, name: str, layers: Mapping[str, str], unit: str | None, centered: bool, gap: str
+    ) -> dict[str, Any]:
         """Begin a new document made from a drawing, and return its state with the report; raises InputError."""
         path = case_file.resolve_path(name, self._case_file.folder)
-        made = self._drawings.convert(path, layers, unit, centered)
+        made = self._drawings.convert(path, layers, unit, centered, gap)
         with self._lock:
             self._autosave.release()
             self._case_file.close()

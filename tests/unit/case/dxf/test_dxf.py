@@ -649,11 +649,11 @@ class TestLoads:
         "text",
         [
             "250",
-            "2,5 kN",
+            "2,500 kN",
             "P = 12",
             "250 kN/m",
             "C1 10 kN/m",
-            "C1 2,5 kN",
+            "C1 2,500 kN",
             "100 kN + 50 kN",
             "G = 1 kN\nQ = 2 kN",
             "3 m",
@@ -1021,7 +1021,7 @@ class TestOutput:
 
         text = dxf.to_case(drawn(draw), "a slab")
         model = casefile.loads(filled(text))
-        first, second = model.columns
+        first, second, third, fourth = model.columns
         assert (first.name, first.x, first.y, first.width_x, first.width_y) == ("C1", 1.25, 1.25, 0.3, 0.3)
         assert (second.name, second.x, second.y, second.diameter) == ("C2", 6, 2, 0.5)
         assert 'width_x = "0.3 m"' in text
@@ -1029,11 +1029,15 @@ class TestOutput:
         assert (loads[100e3].column, loads[100e3].M_x, loads[100e3].M_y) == ("C1", 0, 0)
         assert loads[200e3].column == "C2"
         assert (loads[200e3].M_x, loads[200e3].M_y) == pytest.approx((20e3, -10e3))
-        assert (loads[300e3].column, loads[300e3].x, loads[300e3].y) == ("", 3, 1.2)
+        # a square turned by 45 degrees, 0.2 m x 0.4 m / 2 x 2: its area as a circle's, its load at its center
+        assert (third.name, third.x, third.y) == ("C3", pytest.approx(3), pytest.approx(1.2))
+        assert third.diameter == pytest.approx(2 * math.sqrt(0.08 / math.pi))
+        assert fourth.diameter == pytest.approx(0.2)  # a quarter of a circle with a radius of 0.2 m
+        assert (loads[300e3].column, loads[300e3].M_x, loads[300e3].M_y) == ("C3", 0, 0)
         assert (loads[400e3].column, loads[400e3].x, loads[400e3].y) == ("", 6, 2.3)
         unknown = [load for load in model.loads if isinstance(load, PointLoad) and not load.name]
         assert [(load.column, load.x) for load in unknown] == [("", 1.35), ("C2", None)]
-        assert text.count("for information only: a column is a rectangle along x and y, or a circle.") == 2
+        assert text.count("as a circle of the same area: its sides do not run along x and y.") == 2
         assert text.count("for information only: it does not stand on the plate.") == 2
         assert "# Column 7 of the drawing, for information only: a point says nothing of its size." in text
 

@@ -9,10 +9,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from groundslab.analysis.driver import solve
 from groundslab.design.checks import DesignCheck, check_design
 from groundslab.design.checks.one_way_shear import shear
 from groundslab.design.floors import yield_lines
 from groundslab.design.floors.acting_loads import Borders, forces, groups
+from groundslab.design.result_tables import tables_of
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
@@ -330,3 +332,69 @@ def test_tr34_needs_an_ultimate_combination() -> None:
     given = {"name": "SLS", "limit_state": "characteristic", "factors": {"Q": 1.0}}
     with pytest.raises(InputError, match="no ultimate combination of loads"):
         model_with(TR34, [leg(0, 0)], combinations=[given])
+
+
+def bays(floor: dict[str, Any], loads: list[dict[str, Any]]) -> Results:
+    """Return a floor of two bays, 6 m x 6 m x 0.2 m and 6 m x 6 m x 0.3 m, joined by a hinge along x = 3 m."""
+    second = {"kind": "rectangle", "x": (3.0, 9.0), "y": (-3.0, 3.0)}
+    return solve(
+        model_with(
+            floor,
+            loads,
+            plate={"name": "A", "length_x": 6.0, "length_y": 6.0, "thickness": H, "E": E, "nu": NU},
+            plates=[{"name": "B", "outline": second, "thickness": 0.3, "E": E, "nu": NU}],
+            joints=[{"kind": "hinge", "between": ("A", "B")}],
+            mesh={"size": 1.0},
+        )
+    )
+
+
+def test_each_bay_of_several_has_its_own_checks() -> None:
+    """A force at the joint is at the edge of its bay; each bay resists with its own thickness, by hand; joints once."""
+    floor = {**FIBERS, "joint_transfer": 0.2, "friction": 1.5, "joint_spacing": 6.0}
+    loads = [leg(2.9, 0), leg(6, 0, P=40e3), {"kind": "uniform", "case": "Q", "q": 1e4, "plate": "A"}]
+    results = bays(floor, loads)
+    found = {(each.name, each.of): each for each in check_design(results).checks}
+    a = math.sqrt(0.01 / math.pi)
+    edge = yield_lines.single(yield_lines.YieldSlab(L, M_P, M_N), a, "edge")
+    assert found["point load", "A, edge"].resistance == pytest.approx(edge / 1e3)
+    assert found["point load", "A, edge"].demand == pytest.approx(0.8 * 75)
+    assert found["point load", "A, edge"].words.startswith("A, edge: ")
+    l = L * 1.5**0.75  # noqa: E741
+    thick = yield_lines.YieldSlab(l, M_P * 2.25, M_N * 2.25 * (1.3 / 1.4))  # k_h = 1.6 - h, EN 1992-1-1 (3.23)
+    assert found["point load", "B, internal"].resistance == pytest.approx(
+        yield_lines.single(thick, a, "internal") / 1e3
+    )
+    assert found["point load", "B, internal"].demand == pytest.approx(60.0)
+    assert ("point load", "A, internal") not in found
+    assert ("pressure beside aisles", "A") in found
+    assert ("pressure beside aisles", "B") not in found
+    assert [of for name, of in found if name == "restraint of shrinkage"] == [""]
+    assert check_design(results).headline.count("carry over up to 15 kN of a force") == 1
+    (table,) = (each for each in tables_of(results) if each.name == "checks")
+    assert "B, internal" in table["of"]
+
+
+def test_stresses_of_each_bay() -> None:
+    """By ACI 360R each bay has the largest stress of its own nodes, 6 m / h^2 with its own thickness."""
+    results = bays(ACI, [leg(0, 0), leg(6, 0)])
+    found = {(each.name, each.of): each for each in check_design(results).checks}
+    stresses = {}
+    for name in ("A", "B"):
+        x, _ = found["flexural stress", f"{name}, bottom"].place or (0.0, 0.0)
+        assert (x < 3) == (name == "A")
+        stresses[name] = found["flexural stress", f"{name}, bottom"].demand
+    assert stresses["A"] is not None
+    assert stresses["B"] is not None
+    assert 1 < stresses["A"] / stresses["B"] < 2.25  # moments grow with l, less than h^2
+
+
+def test_a_pressure_over_a_joint_is_on_both_bays() -> None:
+    """20 kPa over the joint counts in each bay, at a place in it."""
+    patch = {"kind": "patch", "case": "Q", "q": 2e4, "x": (2.0, 4.0), "y": (-1.0, 1.0)}
+    found = {
+        each.of: each for each in check_design(bays(TR34, [patch])).checks if each.name == "pressure beside aisles"
+    }
+    assert {of: each.demand for of, each in found.items()} == pytest.approx({"A": 30.0, "B": 30.0})
+    (x_A, _), (x_B, _) = (found[of].place or (0.0, 0.0) for of in ("A", "B"))
+    assert 2 < x_A < 3 < x_B < 4

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import tracemalloc
 import zipfile
 from pathlib import Path
 
@@ -13,7 +14,7 @@ import groundslab
 from groundslab.case import casefile
 from groundslab.errors import InputError
 from groundslab.results.results import Results
-from groundslab.views.files import archive, results_folder
+from groundslab.views.files import archive, folder_summary, npz, results_folder
 from helpers.small_case import TEXT
 
 
@@ -93,3 +94,58 @@ def test_what_is_no_archive_is_refused(tmp_path: Path) -> None:
     write_zip(path, ("case.toml", b"1"), ("case.toml", b"2"))
     with pytest.raises(InputError, match="same name"):
         archive.unpack_results(path, tmp_path)
+
+
+BLANKS = b" " * 2**20
+
+
+def zipped(path: Path, name: str, megabytes: int, say: int | None = None) -> Path:
+    """Return an archive with a file of so many megabytes of blanks, which its directory may say to be another size."""
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        with archive.open(name, "w") as file:
+            for _ in range(megabytes):
+                file.write(BLANKS)
+        if say is not None:
+            archive.infolist()[0].file_size = say
+    return path
+
+
+@pytest.mark.parametrize("name", ["summary.json", "case.toml", "ground-comparison.json", "01/results.npz"])
+@pytest.mark.parametrize("lies", [False, True])
+def test_each_file_has_a_size_by_its_role(name: str, lies: bool, tmp_path: Path) -> None:
+    """A file of 60 MB of blanks in 60 kB is refused before it lies on the disk, also if it says to be small."""
+    path = zipped(tmp_path / "x.zip", name, 60, 1000 if lies else None)
+    assert path.stat().st_size < 2**20
+    target = tmp_path / "unpacked"
+    tracemalloc.start()
+    with pytest.raises(InputError, match="CRC" if lies else "at most .* bytes in it"):
+        archive.unpack_results(path, target)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 20e6
+    assert sum(each.stat().st_size for each in target.rglob("*") if each.is_file()) < 2 * 2**20
+
+
+def test_a_large_summary_in_a_folder_is_not_read(tmp_path: Path) -> None:
+    """A summary larger than any is refused by its size, without its memory."""
+    with (tmp_path / "summary.json").open("wb") as file:
+        file.truncate(folder_summary.LARGEST + 1)
+    tracemalloc.start()
+    with pytest.raises(InputError, match=r"no summary\.json"):
+        results_folder.load_results(tmp_path)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 20e6
+
+
+def test_a_large_description_of_results_is_not_read(tmp_path: Path) -> None:
+    """A text among the arrays that is larger than any is refused before it is read."""
+    path = tmp_path / "results.npz"
+    with zipfile.ZipFile(path, "w") as file:
+        file.writestr("about.npy", bytes(npz.TEXTS["about.npy"] + 1))
+    tracemalloc.start()
+    with pytest.raises(InputError, match="a description that is larger than any"):
+        npz.load(path)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 20e6

@@ -21,7 +21,15 @@ import pytest
 
 from groundslab.case import casefile
 from groundslab.cli import main
-from groundslab.errors import GroundslabError, InputError, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
+from groundslab.errors import (
+    EditedFilesKept,
+    GroundslabError,
+    InputError,
+    NoEquilibrium,
+    NotCertified,
+    NotConverged,
+    SingularMatrix,
+)
 from groundslab.results.results import Increment
 from groundslab.views.files import npz, results_folder
 from groundslab.views.files.manifest import DEEPEST, folder_name, is_path
@@ -424,8 +432,10 @@ class TestRefuse:
         (folder / "summary.json").write_text(json.dumps(summary))
         before = tree(folder.parent)
         if name.startswith("..") or "/../" in name:
-            # they lie outside of it or are called otherwise there, and stay
-            results_folder.save_results(NEW, folder) if name.startswith("..") else None
+            # they lie outside of it or are called otherwise there, and stay; the edited summary is kept
+            if name.startswith(".."):
+                with pytest.warns(EditedFilesKept, match=r"raft-edited: summary\.json"):
+                    results_folder.save_results(NEW, folder)
         else:
             with pytest.raises(InputError):
                 results_folder.save_results(NEW, folder)

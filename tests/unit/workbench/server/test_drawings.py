@@ -128,6 +128,18 @@ def test_a_case_from_a_drawing(bench: Bench, drawing: Path) -> None:
     assert "A-DOORS" not in answer["report"]
 
 
+def test_the_gaps_that_are_closed(bench: Bench, tmp_path: Path) -> None:
+    """A gap of 3 mm is an issue, unless wider ones are to be closed; the report names it."""
+    document = ezdxf.new(units=6)
+    for start, end in (((0, 0), (4, 0.003)), ((4, 0), (4, 3)), ((4, 3), (0, 0))):
+        document.modelspace().add_line(start, end, {"layer": "SLAB"})
+    path = tmp_path / "gap.dxf"
+    document.saveas(path)
+    assert "a gap of 0.003 m" in str(bench.convert(path, {"SLAB": "outline"}, status=422))
+    report = bench.convert(path, {"SLAB": "outline"}, gap="5 mm")["report"]
+    assert "a gap of 0.003 m was closed at (4, 0.0015) m" in report
+
+
 def test_the_origin_and_the_unit_that_are_chosen(bench: Bench, drawing: Path) -> None:
     """The middle of the slab becomes the origin; a unit that is given wins over that of the drawing."""
     answer = bench.convert(drawing, ROLES, centered=True)
@@ -198,7 +210,7 @@ def test_small_drawings_that_are_much(name: str, tmp_path: Path) -> None:
     assert found["layers"]
     assert all(each.startswith("what lies in blocks is not counted: ") for each in found["remarks"])
     with pytest.raises(InputError):
-        convert_drawing(str(path), {"NONE": "outline"}, "m", centered=False)
+        convert_drawing(str(path), {"NONE": "outline"}, "m", centered=False, gap="1 mm")
 
 
 def test_a_drawing_that_takes_too_long_or_too_much(drawing: Path, tmp_path: Path) -> None:

@@ -40,6 +40,7 @@ class DrawingDialog {
     { id: newId("origin") },
     ...ORIGINS.map(([value, text]) => h("option", { value }, text)),
   );
+  private readonly gap = h("input", { id: newId("gap"), value: "1 mm", size: 7, maxlength: 20 });
   private readonly shown = h("input", { type: "checkbox", checked: true });
   private readonly message = h("p", { class: "messages", role: "alert" });
   private readonly make = h("button", { type: "submit", class: "main" }, "Make a case");
@@ -118,6 +119,7 @@ class DrawingDialog {
       { class: "drawing-settings" },
       h("label", { for: this.unit.id }, "unit of the drawing", this.unit),
       h("label", { for: this.origin.id }, "origin", this.origin),
+      h("label", { for: this.gap.id }, "close gaps up to", this.gap),
       h("label", {}, this.shown, "show the drawing below the plan"),
     );
   }
@@ -143,6 +145,7 @@ class DrawingDialog {
       layers: Object.fromEntries(roles.map(([layer, select]) => [layer.name, select.value])),
       unit: this.unit.value,
       centered: this.origin.value === "centered",
+      gap: this.gap.value.trim() || "0 mm",
     };
   }
 

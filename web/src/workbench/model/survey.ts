@@ -31,6 +31,8 @@ export interface DrawingChoice {
   unit: string;
   /** Whether the slab's middle becomes the origin; else the drawing's own stays. */
   centered: boolean;
+  /** The widest gap between ends of lines that is closed, such as `1 mm`. */
+  gap: string;
 }
 
 /** What a layer can hold, as the command line calls it, and as people do. */

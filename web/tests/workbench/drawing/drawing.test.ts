@@ -54,7 +54,7 @@ describe("a drawing", () => {
   });
 
   it("needs a unit and an outline", () => {
-    const choice: DrawingChoice = { layers: { SLAB: "outline" }, unit: "mm", centered: false };
+    const choice: DrawingChoice = { layers: { SLAB: "outline" }, unit: "mm", centered: false, gap: "1 mm" };
     expect(findProblem(choice)).toBe("");
     expect(findProblem({ ...choice, layers: { SLAB: "columns" } })).toBe("Choose the layer of the outline.");
     expect(findProblem({ ...choice, unit: "" })).toContain("unit");
@@ -96,7 +96,7 @@ describe("the dialog", () => {
     submit();
     await closed;
     expect(document.querySelector("dialog")).toBeNull();
-    const choice = { layers: { SLAB: "outline", AXIS: "line_loads" }, unit: "cm", centered: false };
+    const choice = { layers: { SLAB: "outline", AXIS: "line_loads" }, unit: "cm", centered: false, gap: "1 mm" };
     expect(made).toEqual([choice, choice]);
   });
 });

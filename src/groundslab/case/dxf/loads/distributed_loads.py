@@ -13,9 +13,9 @@ import numpy as np
 from groundslab import units
 from groundslab.case.dxf.chaining import ClosedCurve, PointIndex
 from groundslab.case.dxf.classify import EnclosingCurves, report_taken
+from groundslab.case.dxf.curves import DrawnLine
 from groundslab.case.dxf.document import Roles
 from groundslab.case.dxf.drawing import DOUBLE, AreaMark, LineMark, ReadContext, Source
-from groundslab.case.dxf.entities import DrawnLine
 from groundslab.case.dxf.loads import labelling
 from groundslab.errors import Issue
 from groundslab.geometry.plan import Place, Ring, Segment, segment

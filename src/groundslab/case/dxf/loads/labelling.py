@@ -24,6 +24,12 @@ _STARTS = re.compile(r"(?:^|(?<=[\s=:]))(?=[+-]?\.?[0-9])", re.MULTILINE)
 _FIRM = re.compile(r"^(?:|.*[=:])\s*(?=[+-]?\.?[0-9])", re.MULTILINE)
 _WITH_UNIT = re.compile(rf"{units.NUMBER}\s*[A-Za-z]+")
 _WITH_UNITS = re.compile(rf"{units.NUMBER}\s*[A-Za-z]+(?:\s?/\s?[A-Za-z]+(?:\^?2|²)?)?")
+#: A number with commas: 600,5 or 1,234.5 or 1.234,5.
+_COMMA = re.compile(r"(?<![\w.,])\d[\d.]*,[\d.,]*\d(?![.,]?\d)")
+_GROUPED = re.compile(r"\d{1,3}(?:,\d{3})+\.\d+|\d{1,3}(?:,\d{3}){2,}")
+_GROUPED_BY_POINTS = re.compile(r"\d{1,3}(?:\.\d{3})+,\d+")
+#: Its comma may stand for the decimal point, or before thousands.
+_EITHER = re.compile(r"[1-9]\d{0,2},\d{3}")
 #: What a load is given in, by what its layer holds.
 DIMENSION = {"point_loads": "force", "line_loads": "force per length", "area_loads": "pressure"}
 LONGEST = 200  # letters of a text, of which no more is read
@@ -45,8 +51,29 @@ def find_quantity(words: str, dimension: str = "force") -> float | str | None:
     """Return the force in a text, or what is wrong with it, or None if the text is only a name.
 
     What begins with a number, or has one after = or :, is meant to be a value; so is any force in it. The same of a
-    force per length or a pressure, if that is the dimension; then any of the three is meant to be a value.
+    force per length or a pressure, if that is the dimension; then any of the three is meant to be a value. Commas may
+    stand for the decimal point or between thousands; where both are possible, the value is not taken.
     """
+    value = _find_quantity(_COMMA.sub(_with_point, words), dimension)
+    unclear = [match[0] for match in _COMMA.finditer(words) if _EITHER.fullmatch(match[0])]
+    if unclear and isinstance(value, float):
+        number = unclear[0]
+        return f"{number} may be {number.replace(',', '.')} or {number.replace(',', '')}; write it without a comma"
+    return value
+
+
+def _with_point(match: re.Match[str]) -> str:
+    """Return a number that has commas as one with a decimal point; what is none stays as it is."""
+    number = match[0]
+    if _GROUPED.fullmatch(number):
+        return number.replace(",", "")
+    if _GROUPED_BY_POINTS.fullmatch(number):
+        return number.replace(".", "").replace(",", ".")
+    return number.replace(",", ".") if number.count(",") == 1 and "." not in number else number
+
+
+def _find_quantity(words: str, dimension: str) -> float | str | None:
+    """Return the value in a text whose numbers have decimal points."""
     meant = _WITH_UNIT if dimension == "force" else _WITH_UNITS
     found = meant.findall(words)
     values = [each for each in found if isinstance(_quantity(each, dimension), float)]

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.case.dxf.chaining import PointIndex
+from groundslab.case.dxf.curves import read_position
 from groundslab.case.dxf.drawing import DOUBLE, FARTHEST, PointMark, ReadContext, Source
-from groundslab.case.dxf.entities import read_position
 from groundslab.case.dxf.loads import labelling
 from groundslab.schema.wording import describe
 

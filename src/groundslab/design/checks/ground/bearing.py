@@ -38,7 +38,11 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     """Yield the checks of bearing resistance and of sliding over all ultimate combinations."""
     strength = combined.model.soil_strength
     results = reinforcement.ultimate_results(combined)
-    if strength is None or not results:
+    if strength is None:
+        return
+    if not results:
+        words = "not checked: no ultimate combination has a certified result"
+        yield DesignCheck("bearing resistance", "attention", words, clause="EN 1997-1 6.5.2")
         return
     soil = _design_soil(strength)
     base = outline(results[0].plate)

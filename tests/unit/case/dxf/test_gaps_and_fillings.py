@@ -1,0 +1,312 @@
+"""Drawings as they come: gaps between ends of lines, hatches, turned columns, commas in numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import ezdxf
+import pytest
+from ezdxf.entities.boundary_paths import EdgePath
+from ezdxf.layouts import Modelspace
+from ezdxf.math import Matrix44
+
+from groundslab.case import casefile, dxf
+from groundslab.case.dxf.drawing import Drawing
+from groundslab.case.dxf.loads.labelling import find_quantity
+from groundslab.errors import InputError
+from groundslab.model.loads.load_types import AreaLoad, PointLoad
+
+Draw = Callable[[Modelspace], object]
+
+
+def read(draw: Draw, folder: Path, unit: int = 6, gap: float = 1e-3) -> Drawing:
+    """Draw, save and read."""
+    document = ezdxf.new("R2010", units=unit)
+    draw(document.modelspace())
+    document.saveas(folder / "plan.dxf")
+    return dxf.read(folder / "plan.dxf", gap=gap)
+
+
+def remarks(drawing: Drawing, words: str) -> list[str]:
+    """Return what the report says of layers with certain words."""
+    return [line.why for line in drawing.report if line.entity == "LAYER" and words in line.why]
+
+
+def on(layer: str) -> dict[str, Any]:
+    """Return the attributes of an entity on a layer."""
+    return {"layer": layer}
+
+
+def lines(space: Modelspace, *corners: tuple[float, ...]) -> None:
+    """Draw the edges of an outline, each by its start and end."""
+    for x, y, u, v in corners:
+        space.add_line((x, y), (u, v), on("OUTLINE"))
+
+
+def frame(space: Modelspace, shift: float = 0.0) -> None:
+    """Draw an outline of 10 m x 6 m whose first edge ends so far off the corner."""
+    lines(space, (0, 0, 10, shift), (10, 0, 10, 6), (10, 6, 0, 6), (0, 6, 0, 0))
+
+
+class TestGaps:
+    """Ends of lines that nearly meet."""
+
+    @pytest.mark.parametrize("gap", [1e-5, 1e-4, 9.9e-4])
+    def test_a_small_gap_is_closed_and_told(self, gap: float, tmp_path: Path) -> None:
+        """Of 0.01 mm to 1 mm: the slab has its area, and the report says where the gap was and how wide."""
+        drawing = read(lambda space: frame(space, gap), tmp_path)
+        assert drawing.outline.area == pytest.approx(60, abs=10 * gap)
+        assert len(drawing.outline.points) == 4
+        told = remarks(drawing, "a gap of")
+        assert len(told) == 1
+        assert f"a gap of {gap:.6g} m was closed at (10, {gap / 2:.10g}) m, LINE " in told[0]
+        assert told[0] in dxf.report_text(drawing)
+
+    def test_ends_meet_midway(self, tmp_path: Path) -> None:
+        """In millimeters, two gaps in one outline: both ends move by half of the gap."""
+        drawing = read(
+            lambda space: lines(space, (0, 0, 10000, 0.3), (10000, 0, 10000, 6000), (10000.2, 6000, 0, 6000),
+                                (0, 6000.4, 0, 0.1)),
+            tmp_path,
+            unit=4,
+        )  # fmt: skip
+        assert sorted((round(x, 9), round(y, 9)) for x, y in drawing.outline.points) == [
+            (0, 0.00005), (0, 6.0002), (10, 0.00015), (10.0001, 6)
+        ]  # fmt: skip
+        assert len(remarks(drawing, "was closed")) == 4
+
+    def test_a_wider_gap_is_closed_on_demand(self, tmp_path: Path) -> None:
+        """3 mm are an issue, which says what to do, unless gaps up to 5 mm may be closed; 0 closes none."""
+        with pytest.raises(InputError, match=r"a gap of 0\.003 m.*\n?.*wider gaps be closed"):
+            read(lambda space: frame(space, 3e-3), tmp_path)
+        assert len(remarks(read(lambda space: frame(space, 3e-3), tmp_path, gap=5e-3), "was closed")) == 1
+        with pytest.raises(InputError, match=r"a gap of 0\.0005 m"):
+            read(lambda space: frame(space, 5e-4), tmp_path, gap=0.0)
+
+    def test_no_edge_is_swallowed(self, tmp_path: Path) -> None:
+        """A gap wider than a tenth of an edge that ends there stays open: the edge may be what is missing."""
+
+        def draw(space: Modelspace) -> None:
+            lines(space, (0, 0, 10, 0), (10, 0, 10, 6), (10, 6, 0, 6), (0, 6, 0, 0.005), (0, 0.005, -0.004, 0.0005))
+
+        with pytest.raises(InputError, match="a gap of"):
+            read(draw, tmp_path, gap=5e-3)
+
+    def test_of_three_ends_the_two_nearest_are_joined(self, tmp_path: Path) -> None:
+        """What remains is an open end, which is an issue and never joined at random."""
+
+        def draw(space: Modelspace) -> None:
+            frame(space, 2e-4)
+            space.add_line((10, -6e-4), (12, -2), on("OUTLINE"))
+
+        with pytest.raises(InputError) as caught:
+            read(draw, tmp_path)
+        assert "(12, -2)" in str(caught.value)
+
+    def test_many_gaps_are_summed_up(self, tmp_path: Path) -> None:
+        """Of a circle of 100 arcs with a gap at each the first forty are listed, then how many more."""
+
+        def draw(space: Modelspace) -> None:
+            for n in range(100):
+                space.add_arc((0, 0), 10, 3.6 * n + 0.001, 3.6 * (n + 1), dxfattribs=on("OUTLINE"))
+
+        drawing = read(draw, tmp_path)
+        assert len(remarks(drawing, "was closed")) == 40
+        assert len(remarks(drawing, "60 more gaps were closed, the widest of 0.0001745")) == 1
+        assert drawing.outline.area == pytest.approx(math.pi * 100, rel=1e-5)
+
+    @pytest.mark.parametrize(
+        ("text", "words"), [("1", "length"), ("1 kN", "length"), ("-1 mm", "0 mm"), ("1 m", "100 mm")]
+    )
+    def test_a_width_that_is_none(self, text: str, words: str) -> None:
+        """A width without a unit, negative or as wide as a wall is refused."""
+        assert dxf.parse_gap("2 mm") == 2e-3
+        with pytest.raises(InputError, match=words):
+            dxf.parse_gap(text)
+
+
+class TestHatches:
+    """Fillings as areas."""
+
+    def test_the_value_of_its_layer(self, tmp_path: Path) -> None:
+        """A hatch of 3 m x 3 m on the layer of 5 kPa is an area load."""
+
+        def draw(space: Modelspace) -> None:
+            frame(space)
+            space.add_hatch(dxfattribs=on("LOAD_AREA 5 kPa")).paths.add_polyline_path([(1, 1), (4, 1), (4, 4), (1, 4)])
+
+        (area,) = read(draw, tmp_path).area_loads
+        assert (area.curve.area, area.value, area.holes) == (9, 5000, ())
+
+    def test_inner_paths_are_openings_and_arcs_stay(self, tmp_path: Path) -> None:
+        """A slab as a hatch of edges in any direction with a half circle, and a round opening: areas are exact."""
+
+        def draw(space: Modelspace) -> None:
+            hatch = space.add_hatch(dxfattribs=on("OUTLINE"))
+            edges: EdgePath = hatch.paths.add_edge_path(flags=1)
+            edges.add_line((0, 0), (10, 0))
+            edges.add_arc((10, 3), 3, -90, 90)
+            edges.add_line((0, 6), (10, 6))  # drawn the other way round
+            edges.add_line((0, 6), (0, 0))
+            inner: EdgePath = hatch.paths.add_edge_path(flags=0)
+            inner.add_arc((5, 3), 1, 0, 360)
+
+        drawing = read(draw, tmp_path)
+        assert drawing.outline.area == pytest.approx(60 + math.pi * 9 / 2, rel=1e-12)
+        assert [opening.area for opening in drawing.openings] == pytest.approx([math.pi], rel=1e-12)
+
+    @pytest.mark.parametrize("ccw", [True, False])
+    def test_arcs_drawn_clockwise_and_mirrored(self, ccw: bool, tmp_path: Path) -> None:
+        """Arcs of either direction, and a hatch seen from below, enclose the same area."""
+
+        def draw(space: Modelspace) -> None:
+            frame(space)
+            hatch = space.add_hatch(dxfattribs=on("LOAD_AREA 5 kPa"))
+            path: EdgePath = hatch.paths.add_edge_path(flags=1)
+            path.add_line((2, 2), (2, 4))
+            path.add_arc((2, 3), 1, -90, 90, ccw=ccw)
+            hatch.transform(Matrix44.scale(-1, 1, 1) @ Matrix44.translate(8, 0, 0))
+
+        (area,) = read(draw, tmp_path).area_loads
+        assert area.curve.area == pytest.approx(math.pi / 2, rel=1e-12)
+        assert min(x for x, _ in area.curve.points) == pytest.approx(6)
+        assert area.curve.bounds[0] == pytest.approx(5)
+
+    def test_a_hole_in_a_load(self, tmp_path: Path) -> None:
+        """The inner path of a load's hatch takes away; an ellipse and a spline become lines within 1 mm."""
+
+        def draw(space: Modelspace) -> None:
+            frame(space)
+            hatch = space.add_hatch(dxfattribs=on("LOAD_AREA 5 kPa"))
+            hatch.paths.add_polyline_path([(1, 1, 0), (5, 1, 0), (5, 5, 0), (1, 5, 0)], flags=1)
+            inner: EdgePath = hatch.paths.add_edge_path(flags=16)
+            inner.add_ellipse((3, 3), (1, 0), 0.5, 0, 360)
+
+        (area,) = read(draw, tmp_path).area_loads
+        assert [hole.area for hole in area.holes] == pytest.approx([math.pi / 2], rel=2e-3)
+
+    def test_a_filling_of_a_drawn_outline_is_no_opening(self, tmp_path: Path) -> None:
+        """Beside an outline of lines a hatch on its layer is left, and the report says so."""
+
+        def draw(space: Modelspace) -> None:
+            frame(space)
+            space.add_hatch(dxfattribs=on("OUTLINE")).paths.add_polyline_path([(1, 1), (4, 1), (4, 4)])
+
+        drawing = read(draw, tmp_path)
+        assert drawing.openings == ()
+        (line,) = (line for line in drawing.report if line.entity == "HATCH")
+        assert not line.taken
+        assert "only where the layer has nothing else" in line.why
+
+    def test_what_is_no_boundary(self, tmp_path: Path) -> None:
+        """Edges that do not close, and a hatch without any, are ignored with the reason."""
+
+        def draw(space: Modelspace) -> None:
+            frame(space)
+            path: EdgePath = space.add_hatch(dxfattribs=on("ZONES")).paths.add_edge_path(flags=1)
+            path.add_line((1, 1), (2, 1))
+            path.add_line((2, 2), (1, 2))
+            space.add_hatch(dxfattribs=on("ZONES"))
+
+        drawing = read(draw, tmp_path)
+        assert [line.why for line in drawing.report if line.entity == "HATCH"] == [
+            "its boundary is not closed",
+            "it has no boundary",
+        ]
+
+    def test_they_are_shown_before_anything_is_chosen(self, tmp_path: Path) -> None:
+        """The survey shows the edges of hatches."""
+        from groundslab.case.dxf.survey import survey
+
+        document = ezdxf.new("R2010", units=6)
+        hatch = document.modelspace().add_hatch(dxfattribs=on("SLAB"))
+        hatch.paths.add_polyline_path([(1, 1), (4, 1), (4, 4)])
+        document.saveas(tmp_path / "plan.dxf")
+        (layer,) = survey(tmp_path / "plan.dxf").layers
+        assert layer.lines == [[(1, 1), (4, 1), (4, 4), (1, 1)]]
+
+
+def turned(width: float, depth: float, angle: float, x: float, y: float) -> list[tuple[float, float]]:
+    """Return the corners of a rectangle turned about its center by an angle [degrees]."""
+    c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+    halves = [(-width / 2, -depth / 2), (width / 2, -depth / 2), (width / 2, depth / 2), (-width / 2, depth / 2)]
+    return [(x + c * u - s * v, y + s * u + c * v) for u, v in halves]
+
+
+def with_column(corners: list[tuple[float, float]], folder: Path) -> Drawing:
+    """Return a drawing of a column with 600.5 kN in its center, (5, 3) m."""
+
+    def draw(space: Modelspace) -> None:
+        frame(space)
+        space.add_lwpolyline(corners, close=True, dxfattribs=on("COLUMNS"))
+        space.add_point((5, 3), on("LOADS"))
+        space.add_text("600,5 kN", height=0.01, dxfattribs={**on("LOADS"), "insert": (5, 3)})
+
+    return read(draw, folder)
+
+
+def case_of(drawing: Drawing) -> Any:
+    """Return the case of a drawing with what no drawing says."""
+    head = "[plate]\nthickness = '0.5 m'\nE = '30 GPa'\nnu = 0.2\n"
+    ground = "[ground]\nkind = 'winkler'\nk = '50 MPa/m'\n"
+    return casefile.loads(dxf.to_case(drawing).replace("[plate]\n", head) + ground)
+
+
+class TestColumns:
+    """Columns whose sides do not run along x and y."""
+
+    @pytest.mark.parametrize(("width", "depth"), [(0.4, 0.4), (0.3, 0.6)])
+    def test_a_turned_rectangle_is_a_circle_of_its_area(self, width: float, depth: float, tmp_path: Path) -> None:
+        """The load is kept exactly on a column, whose perimeters are shorter than the rectangle's: on the safe side."""
+        drawing = with_column(turned(width, depth, 30, 5, 3), tmp_path)
+        model = case_of(drawing)
+        (column,) = model.columns
+        assert column.diameter == pytest.approx(math.sqrt(4 * width * depth / math.pi))
+        assert (column.x, column.y) == pytest.approx((5, 3))
+        assert math.pi * column.diameter < 2 * (width + depth)
+        (load,) = (load for load in model.loads if isinstance(load, PointLoad))
+        assert (load.P, load.column, load.M_x, load.M_y) == (600.5e3, "C1", 0, 0)
+        assert len(remarks(drawing, "taken as a circle of the same area")) == 1
+
+    def test_a_turned_wall_spreads_its_load(self, tmp_path: Path) -> None:
+        """0.2 m x 1.5 m is too long for a circle: the load is spread over it; that nothing is punched is said."""
+        drawing = with_column(turned(1.5, 0.2, 30, 5, 3), tmp_path)
+        model = case_of(drawing)
+        assert model.columns == ()
+        (load,) = model.loads
+        assert isinstance(load, AreaLoad)
+        assert load.q * 0.3 == pytest.approx(600.5e3, rel=1e-12)
+        assert len(remarks(drawing, "punching is not checked")) == 1
+
+    def test_corners_that_are_off_by_less_than_a_millimeter(self, tmp_path: Path) -> None:
+        """A rectangle drawn by hand stays one: 0.4 m x 0.3 m with corners 0.2 mm off."""
+        corners = [(4.8, 2.85), (5.2, 2.8502), (5.2, 3.15), (4.8001, 3.15)]
+        (column,) = case_of(with_column(corners, tmp_path)).columns
+        assert (column.width_x, column.width_y) == pytest.approx((0.4, 0.3))
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("600,5 kN", 600.5e3),
+        ("N = 12,25 kN", 12.25e3),
+        ("0,125 kN", 125.0),
+        ("1.234,5 kN", 1234.5e3),
+        ("1,234.5 kN", 1234.5e3),
+        ("1,234,567 N", 1234567.0),
+        ("C3 -2,5 kN", -2.5e3),
+        ("1234,567 kN", 1234567.0),
+    ],
+)
+def test_commas(text: str, value: float) -> None:
+    """A comma is the decimal point, or stands between thousands where it cannot be one."""
+    assert find_quantity(text) == pytest.approx(value, rel=1e-12)
+
+
+def test_a_comma_that_may_be_both() -> None:
+    """1,500 kN are 1.5 kN or 1500 kN: the value is not taken, and the reason names both."""
+    assert find_quantity("1,500 kN") == "1,500 may be 1.500 or 1500; write it without a comma"
+    assert find_quantity("axis 1,500") is None

@@ -1,0 +1,77 @@
+"""Packages that are missing are reported before the work that they are needed for."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import NoReturn
+
+import pytest
+
+import groundslab
+from groundslab.cli import main
+from groundslab.errors import InputError
+from groundslab.views.files import results_folder
+from groundslab.views.report import pdf
+from helpers.studies import write
+
+
+def forget(package: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let a package be as if it were not installed."""
+    for name in {package, *(name for name in sys.modules if name.partition(".")[0] == package)}:
+        monkeypatch.setitem(sys.modules, name, None)
+
+
+@pytest.fixture
+def no_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the test fail if results are read."""
+
+    def read(*_: object) -> NoReturn:
+        raise AssertionError("results were read")
+
+    monkeypatch.setattr(results_folder, "load_results", read)
+
+
+@pytest.mark.usefixtures("no_work")
+@pytest.mark.parametrize(
+    ("package", "arguments", "extra"),
+    [
+        ("playwright", ["report", "slab-results", "--pdf"], "pdf"),
+        ("xlsxwriter", ["tables", "slab-results"], "tables"),
+        ("ezdxf", ["bars", "slab-results"], "dxf"),
+    ],
+)
+def test_a_missing_package_is_named_before_results_are_read(
+    package: str,
+    arguments: list[str],
+    extra: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Report, tables and bars end at once, with the command that installs what is missing."""
+    monkeypatch.chdir(tmp_path)
+    forget(package, monkeypatch)
+    assert main.main(arguments) == 2
+    assert f"pip install groundslab[{extra}]" in capsys.readouterr().err
+
+
+@pytest.mark.usefixtures("no_work")
+def test_a_missing_browser_is_reported_before_results_are_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """So it is where Playwright finds no browser to start."""
+    pytest.importorskip("playwright")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(pdf, "_ways", lambda: iter([{"executable_path": str(tmp_path / "none")}]))
+    assert main.main(["report", "slab-results", "--pdf"]) == 2
+    assert "Edge, Chrome or Chromium" in capsys.readouterr().err
+
+
+def test_without_dask_a_study_leaves_no_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A study that cannot begin leaves no folder behind, which the next attempt would be refused for."""
+    forget("distributed", monkeypatch)
+    study = write(tmp_path)
+    with pytest.raises(InputError, match=r"groundslab\[study\]; --workers 0 does without it"):
+        groundslab.study(study, workers=1, quiet=True)
+    assert [path.name for path in tmp_path.iterdir() if path.is_dir()] == []
