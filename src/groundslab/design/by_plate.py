@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.punching import outline
+from groundslab.design.perimeters import outline
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.model.plates.further import first_sections
 from groundslab.model.plates.region import PlateRegion

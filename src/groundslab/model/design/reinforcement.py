@@ -162,6 +162,10 @@ class Reinforcement(Section):
     size_effect: Annotated[
         bool, Boolean("whether shear strength falls with the depth, lambda_s of ACI 318 (13.2.6.2 lets it be 1)")
     ] = True
+    line_force_relieves: Annotated[
+        bool,
+        Boolean("whether the ground's line force along the plate's edge relieves punching as pressure inside does"),
+    ] = False
     exposure: Annotated[
         Exposure | None, Choice(Exposure, "exposure class, for the cover and, with bars laid, the crack width")
     ] = None

@@ -1,19 +1,18 @@
-"""Punching by EN 1992-1-1 6.4 of the columns of a case: at their faces, within 2 d, and the links that it takes."""
+"""Punching by EN 1992-1-1 6.4 of columns, and of the plate over piles: at faces, within 2 d, and the links it takes."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 from groundslab.design.checks.check import DesignCheck, Status
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.tables import reinforcement
-from groundslab.design.tables.punching import Demand, Demands, Stress, demands
-from groundslab.model.design.laid_bars import punching_ratio
+from groundslab.design.tables.punching_en1992 import Demand, Demands, Stress, demands, pile_demands
 from groundslab.model.design.reinforcement import Reinforcement
-from groundslab.model.model import Model
+from groundslab.model.supports import Pile
 from groundslab.results.results import Results
 
 #: Radial distance of the perimeters of links over the effective depth, the largest that 9.4.3(1) allows.
@@ -25,56 +24,73 @@ LAST_LINKS = 1.5
 Judged = tuple[Demand, Stress, float]
 
 
+class Names(NamedTuple):
+    """How checks call what punches."""
+
+    face: str
+    within: str
+    one: str
+
+
+COLUMNS = Names("punching at the column's face", "punching within 2 d", "column")
+PILES = Names("punching at the pile's face", "punching over piles within 2 d", "pile")
+
+
 def checks(combined: Results) -> Iterator[DesignCheck]:
     """Yield the checks of punching over all ultimate combinations."""
     steel = combined.model.reinforcement
     assert steel is not None
-    punched = demands(combined)
-    face = _face(steel, punched)
+    if combined.model.columns:
+        yield from _checks(steel, demands(combined), COLUMNS)
+    if any(isinstance(support, Pile) for support in combined.model.supports):
+        yield from _checks(steel, pile_demands(combined), PILES)
+
+
+def _checks(steel: Reinforcement, punched: Demands, names: Names) -> Iterator[DesignCheck]:
+    """Yield the checks at faces and around."""
+    face = _face(steel, punched, names)
     if face is not None:
         yield face
-    yield _within_2d(steel, punched, _ratios(combined.model, punched))
+    yield _within_2d(steel, punched, names)
 
 
-def _face(steel: Reinforcement, punched: Demands) -> DesignCheck | None:
-    """Return whether punching exceeds v_Rd,max at the face of any column (EN 1992-1-1 6.4.5(3)), if it is limited."""
+def _face(steel: Reinforcement, punched: Demands, names: Names) -> DesignCheck | None:
+    """Return whether punching exceeds v_Rd,max at any face (EN 1992-1-1 6.4.5(3)), if it is limited."""
     if en1992.max_resistance(reinforcement.materials(steel)[0]) is None:
         return None
     stresses = [
-        (each, each.face, en1992.max_resistance(reinforcement.materials(steel, each.limit_state)[0]) or 0.0)
-        for each in punched.found.values()
-        if each.face is not None
+        (demand, demand.face, en1992.max_resistance(reinforcement.materials(steel, demand.limit_state)[0]) or 0.0)
+        for demand in punched.found.values()
+        if demand.face is not None
     ]
-    return _punching("punching at the column's face", "v_Rd,max", stresses, punched, "fails", "6.4.5(3)")
+    return _punching(names.face, names, "v_Rd,max", stresses, punched, "fails", "6.4.5(3)")
 
 
-def _within_2d(steel: Reinforcement, punched: Demands, ratios: Mapping[str, float]) -> DesignCheck:
+def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> DesignCheck:
     """Return whether punching within 2 d needs links, or exceeds what they can carry.
 
-    With the bars that are laid at the bottom, whose ratios are given by column, or with the most that count, whatever
-    will be laid. What links can carry is limited at 2 d, or on all perimeters where the face has no limit of its own.
+    With the bars that are laid in tension, or with the most that count, whatever will be laid. What links can carry is
+    limited at 2 d, or on all perimeters where the face has no limit of its own.
     """
-    name, which = "punching within 2 d", "the bars that are laid" if steel.laid else "the most bars that count"
+    name, which = names.within, "the bars that are laid" if steel.laid else "the most bars that count"
     most: list[Judged] = []
     there: list[Judged] = []
-    k_max = reinforcement.materials(steel)[0].annex.k_max
-    for each in punched.found.values():
-        concrete, bars = reinforcement.materials(steel, each.limit_state)
-        ratio = min(ratios.get(each.column, math.inf), en1992.most_bars(concrete, bars))
-        v_Rd_c = en1992.resistance_without_links(concrete, each.d, ratio)
-        own = [(each, stress, v_Rd_c * 2 * each.d / stress.distance) for stress in each.around]
-        there += own
-        limited = own[-1:] if concrete.annex.face else own
-        most += [(each, stress, k_max * resistance) for each, stress, resistance in limited]
-    with_links = _punching(name, f"{k_max:g} v_Rd,c with {which}", most, punched, "fails", "6.4.5(1)")
+    annex = reinforcement.materials(steel)[0].annex
+    for demand in punched.found.values():
+        around = [(demand, stress, demand.resistance(stress)) for stress in demand.around]
+        there += around
+        limited = around[-1:] if annex.face else around
+        most += [(demand, stress, annex.k_max * resistance) for demand, stress, resistance in limited]
+    limit = f"{annex.k_max:g} v_Rd,c with {which}"
+    with_links = _punching(name, names, limit, most, punched, "fails", "6.4.5(1)")
     if with_links.status == "fails":
         return with_links
-    without = _punching(name, f"v_Rd with {which}", there, punched, "attention", "6.4.4(2)")
-    needing = [each for each in there if each[1].v_Ed > each[2] and not each[1].supported]
+    without = _punching(name, names, f"v_Rd with {which}", there, punched, "attention", "6.4.4(2)")
+    needing = [judged for judged in there if judged[1].v_Ed > judged[2] and not judged[1].supported]
     if not needing:
         return without
-    worst = max(needing, key=lambda each: each[1].v_Ed / each[2])
-    links, reach = _links(steel, worst), _outer(worst[0], [each for each in there if each[0] is worst[0]])
+    worst = max(needing, key=lambda judged: judged[1].v_Ed / judged[2])
+    links, reach = _links(steel, worst), _outer(worst[0], [judged for judged in there if judged[0] is worst[0]])
     return replace(without, words=f"punching reinforcement is needed at {without.words}; {links}, {reach}")
 
 
@@ -110,23 +126,13 @@ def _outer(demand: Demand, own: list[Judged]) -> str:
     )
 
 
-def _ratios(model: Model, punched: Demands) -> dict[str, float]:
-    """Return rho_l of the bars that are laid at the bottom by column (6.4.4(1)); nothing if none are."""
-    steel = model.reinforcement
-    if steel is None or not steel.laid:
-        return {}
-    columns = {column.name: column for column in model.columns}
-    depths = {each.column: each.d for each in punched.found.values()}
-    return {name: punching_ratio(model.plate, steel, columns[name], d, model.plates) for name, d in depths.items()}
-
-
 def _at(stress: Stress, d: float) -> str:
     """Return where a perimeter runs."""
     return f" at {stress.distance / d:.2g} d" if stress.distance else ""
 
 
 def _punching(
-    name: str, limit: str, stresses: list[Judged], punched: Demands, status: Status, clause: str
+    name: str, names: Names, limit: str, stresses: list[Judged], punched: Demands, status: Status, clause: str
 ) -> DesignCheck:
     """Return whether any stress exceeds its limit, with the worst; a support inside leaves it open."""
     judged = [each for each in stresses if not each[1].supported]
@@ -135,29 +141,29 @@ def _punching(
     if judged:
         demand, stress, most = max(judged, key=lambda each: each[1].v_Ed / each[2])
         numbers = {
-            "of": demand.column,
+            "of": demand.name,
             "demand": max(stress.v_Ed, 0.0) / 1e6,
             "resistance": most / 1e6,
             "unit": "MPa",
             "clause": f"EN 1992-1-1 {clause}",
             "combination": demand.combination,
-            "place": punched.places[demand.column],
+            "place": punched.places[demand.name],
         }
     if beyond:
-        columns = len({each[0].column for each in beyond})
+        count = len({judged[0].name for judged in beyond})
         words = (
-            f'{columns} column{"s" if columns > 1 else ""}; worst {demand.column} in "{demand.combination}": v_Ed '
+            f'{count} {names.one}{"s" if count > 1 else ""}; worst {demand.name} in "{demand.combination}": v_Ed '
             f"{stress.v_Ed / 1e6:.3g} MPa{_at(stress, demand.d)}, with beta {stress.beta:.2f}, is "
             f"{stress.v_Ed / most:.3g} times {most / 1e6:.3g} MPa, {limit} ({clause})"
         )
         return DesignCheck(name, status, words, **numbers)
-    unjudged = sorted({each[0].column for each in stresses if each[1].supported} | punched.missing.keys())
+    unjudged = sorted({each[0].name for each in stresses if each[1].supported} | punched.missing.keys())
     if unjudged:
-        names = ", ".join(unjudged[:5]) + (" ..." if len(unjudged) > 5 else "")
-        words = f"not judged, for a support inside or no perimeter on the plate: columns {names}"
+        listed = ", ".join(unjudged[:5]) + (" ..." if len(unjudged) > 5 else "")
+        words = f"not judged, for a support inside or no perimeter on the plate: {names.one}s {listed}"
         return DesignCheck(name, "attention", words, **numbers)
     if not judged:
-        return DesignCheck(name, "no failure found", "no column pushes down")
+        return DesignCheck(name, "no failure found", f"no {names.one} pushes {'up' if names is PILES else 'down'}")
     used = max(stress.v_Ed / most for _, stress, most in judged)
-    words = f"v_Ed is at most {100 * max(used, 0.0):.3g} % of {limit}, {demand.column}{_at(stress, demand.d)}"
+    words = f"v_Ed is at most {100 * max(used, 0.0):.3g} % of {limit}, {demand.name}{_at(stress, demand.d)}"
     return DesignCheck(name, "no failure found", words, **numbers)
