@@ -192,13 +192,14 @@ def perimeter_at(around: Surroundings, distance: float, *, square: bool = False)
 
 
 def stretched_over(
-    around: Surroundings, edges: list[NearEdge], distance: float = 0.0
+    around: Surroundings, edges: list[NearEdge], distance: float = 0.0, at_most: int = NEAREST_EDGES
 ) -> Iterator[tuple[tuple[NearEdge, ...], Polygon]]:
     """Yield the footprint itself, then stretched at a right angle over edges, one and several, with these edges."""
     from shapely import MultiPoint, get_coordinates
 
-    for count in range(min(len(edges), NEAREST_EDGES) + 1):
-        for chosen in combinations(edges[:NEAREST_EDGES], count):
+    nearest = edges[:NEAREST_EDGES]
+    for count in range(min(len(nearest), at_most) + 1):
+        for chosen in combinations(nearest, count):
             points = get_coordinates(around.footprint)
             for edge in chosen:
                 points = np.vstack([points, points + (edge.depth + distance) * edge.outward])

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.perimeters import Footprint, Openings, Perimeter, RectangularColumn, RoundColumn, perimeter
+from groundslab.design.en1992.perimeters import openings
+from groundslab.design.perimeters import Footprint, Perimeter, RectangularColumn, RoundColumn, perimeter
 from groundslab.design.section_cuts import rotate_to_cut
 from groundslab.design.tables.perimeter_loads import edge_inside
 from groundslab.errors import InputError, Issue
@@ -17,9 +18,6 @@ from groundslab.fem.mesh import Mesh
 from groundslab.results.mesh_results import PlateResult
 
 __all__ = ["Punching", "RectangularColumn", "RoundColumn", "demand"]
-
-#: An opening counts up to this distance from the column, in effective depths (6.4.2(3)).
-OPENING_REACH = 6.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,7 +90,7 @@ def demand(
         issues.append(Issue("distance", f"{reach:g} m", "a distance that is not negative"))
     if issues:
         raise InputError(issues)
-    line = perimeter(plate, column, reach, Openings(OPENING_REACH * d, widened=True))
+    line = perimeter(plate, column, reach, openings(d))
     mesh = Mesh(plate.nodes, plate.elements)
     shares = load_vectors.integrate_over_polygon(mesh, np.arange(len(mesh.elements)), line.inside)
     pressure = float((shares * plate.pressure[mesh.elements]).sum())

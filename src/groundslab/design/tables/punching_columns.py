@@ -37,6 +37,7 @@ _RELIEVES = (
     "The line force of the ground along the plate's edge inside is taken off as the pressure inside is, as the case "
     "says line_force_relieves."
 )
+_OVER_EDGE = "The line force of the ground along the plate's edge inside adds to what punches, as the pressure does."
 _EFFECTIVE = (
     "What lies between the tangents to an opening does not count; center, moments and {} are those of the part that is "
     "left."
@@ -106,7 +107,7 @@ def _by_en1992(combined: Results, steel: Reinforcement, punched: Demands, one: s
         "a is the distance from the face, up to 2 d, at which v_Ed / v_Rd is largest, v_Rd = v_Rd,c 2 d / a with the "
         "bars that are laid or the most that count.",
         _EFFECTIVE.format("W"),
-        _RELIEVES if steel.line_force_relieves else _ONE_EDGE,
+        _edge_note(steel, one),
         "At the face v_Ed is that of 6.4.5(3) on u_0, with the same beta, on what is left of the force there. Above "
         "v_Rd,max no reinforcement helps; some annexes have none.",
         _DEPTH[one] + " Where the plate gets thinner within 2 d or a little farther out, that place needs a check of "
@@ -126,7 +127,7 @@ def _by_aci318(
         "section at d / 2, v_u with the moments of all forces inside about its center, on principal axes. Other "
         "supports inside are not counted.",
         _EFFECTIVE.format("J_c"),
-        _RELIEVES if steel.line_force_relieves else _ONE_EDGE,
+        _edge_note(steel, one),
         _DEPTH[one],
     )
     return PunchingCells(
@@ -143,6 +144,13 @@ _DEPTH = {
     "column": "d is the least thickness under the column less the mean distance of the bottom bars' axes.",
     "pile": "d is the least thickness over the pile less the mean distance of the top bars' axes.",
 }
+
+
+def _edge_note(steel: Reinforcement, one: str) -> str:
+    """Return what the line force along the plate's edge does."""
+    if one == "pile":
+        return _OVER_EDGE
+    return _RELIEVES if steel.line_force_relieves else _ONE_EDGE
 
 
 def _missing(missing: Mapping[str, str], one: str) -> tuple[str, ...]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
+from typing import Literal
 
 import numpy as np
 
@@ -17,9 +18,9 @@ from groundslab.arrays import Array, Memo
 from groundslab.design import line_properties
 from groundslab.design.by_plate import plate_under
 from groundslab.design.en1992 import punching as en1992
-from groundslab.design.en1992.face_perimeter import face_length
+from groundslab.design.en1992.perimeters import face_length, openings
 from groundslab.design.line_properties import Course
-from groundslab.design.perimeters import Openings, Perimeter, Surroundings, perimeter_at, surroundings
+from groundslab.design.perimeters import Perimeter, Surroundings, perimeter_at, surroundings
 from groundslab.design.tables import perimeter_loads, reinforcement
 from groundslab.design.tables.perimeter_loads import LoadsNear, PerimeterLoads, PunchingForce
 from groundslab.errors import InputError
@@ -32,8 +33,6 @@ from groundslab.results.results import CombinationResult, Results
 REACH = 2.0
 #: Distances of the perimeters that are looked at first, over the effective depth.
 STEPS = np.arange(1, 9) / 4
-#: An opening counts up to this distance from the column, in effective depths (6.4.2(3)).
-OPENING_REACH = 6.0
 #: So many halvings find the last perimeter before those that cut the slab from edge to edge.
 HALVINGS = 5
 #: So many further distances are tried at most for the largest v_Ed / v_Rd; a gain of this share is none.
@@ -217,7 +216,7 @@ def _site(results: CombinationResult, punching: PunchingForce, steel: Reinforcem
     d = perimeter_loads.effective_depth(results, footprint, steel, from_below=punching.from_below)
     ratio = _ratio(model, punching, steel, d)
     try:
-        around = surroundings(plate, footprint, REACH * d, Openings(OPENING_REACH * d, widened=True))
+        around = surroundings(plate, footprint, REACH * d, openings(d))
     except InputError as error:
         return _Site(punching, steel, ratio, d, None, None, 0.0, str(error))
     region = box(*around.plan.bounds)
@@ -229,7 +228,7 @@ def _ratio(model: Model, punching: PunchingForce, steel: Reinforcement, d: float
     """Return rho_l of the bars that are laid in tension at a column or pile (6.4.4(1)), the most if none are."""
     if not steel.laid:
         return en1992.MOST_BARS
-    face = "top" if punching.from_below else "bottom"
+    face: Literal["bottom", "top"] = "top" if punching.from_below else "bottom"
     return punching_ratio(model.plate, steel, punching.column, d, model.plates, face)
 
 
