@@ -7,6 +7,7 @@ unless the case says so. Where it adds to what punches, it always counts.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -35,6 +36,8 @@ if TYPE_CHECKING:
 
 #: Parts of the plate's edge that lie so near to a polygon are in it, over the rounding of places.
 ON_EDGE = 100.0
+#: What lies inside a perimeter that runs out to a corner is at most so many times its distance away.
+CORNER_REACH = 1 + math.sqrt(2)
 #: A side is curved if its middle lies off its chord by more than this, over its length.
 CURVED = 1e-9
 
@@ -161,7 +164,7 @@ class LoadsNear:
     def inside(self, results: CombinationResult, part: Polygon) -> PerimeterLoads:
         """Return what lies inside a perimeter that cuts off a part of the plate."""
         mesh = Mesh(results.plate.nodes, results.plate.elements)
-        shares = load_vectors.integrate_over_polygon(mesh, self.elements, part)
+        shares = load_vectors.integrate_over_polygon(mesh, self.elements, part, rule=load_vectors.SHAPE_POINTS)
         area = scatter(mesh.elements[self.elements], shares, len(mesh.nodes))
         nodes = np.flatnonzero(area)
         others = column_loads.acting_inside(results, part, self.name, self.loads, (self.elements, shares))
@@ -169,11 +172,12 @@ class LoadsNear:
         return PerimeterLoads(nodes, area[nodes], *edge_inside(results.plate, part), others, supported)
 
 
-def loads_near(results: CombinationResult, punching: PunchingForce, part: Polygon) -> LoadsNear:
-    """Return what is near a column or pile, whose perimeters all lie in a part of the plan."""
+def loads_near(results: CombinationResult, punching: PunchingForce, within: float) -> LoadsNear:
+    """Return what is near a column or pile whose perimeters are at most so far from it [m]."""
     from shapely import LineString, Point
 
     model = results.model
+    part = punching.footprint.footprint().buffer(CORNER_REACH * within)
     mesh = Mesh(results.plate.nodes, results.plate.elements)
     name = "" if punching.from_below else punching.name
     supports = tuple(

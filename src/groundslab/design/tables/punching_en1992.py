@@ -210,8 +210,6 @@ _SITES: Memo[dict[tuple[bool, str], _Site]] = Memo()
 
 def _site(results: CombinationResult, punching: PunchingForce, steel: Reinforcement) -> _Site:
     """Return a column or pile on its plate."""
-    from shapely import box
-
     plate, footprint, model = plate_under(results, *punching.place), punching.footprint, results.model
     d = perimeter_loads.effective_depth(results, footprint, steel, from_below=punching.from_below)
     ratio = _ratio(model, punching, steel, d)
@@ -219,8 +217,7 @@ def _site(results: CombinationResult, punching: PunchingForce, steel: Reinforcem
         around = surroundings(plate, footprint, REACH * d, openings(d))
     except InputError as error:
         return _Site(punching, steel, ratio, d, None, None, 0.0, str(error))
-    region = box(*around.plan.bounds)
-    near = perimeter_loads.loads_near(results, punching, region)
+    near = perimeter_loads.loads_near(results, punching, REACH * d)
     return _Site(punching, steel, ratio, d, around, near, face_length(around, d), "")
 
 

@@ -111,7 +111,7 @@ def critical_section(
         return "its critical section cuts the slab from edge to edge, which is one-way shear"
     column = punching.column
     sides = column.width_x or 1.0, column.width_y or 1.0  # a round column has none, and beta = 1
-    loads = perimeter_loads.loads_near(results, punching, line.inside).inside(results, line.inside)
+    loads = perimeter_loads.loads_near(results, punching, d / 2).inside(results, line.inside)
     center = line_properties.centroid(line.legs)
     return CriticalSection(d, line, center, max(sides) / min(sides), aci318.ALPHA_S[shape], loads)
 
