@@ -62,23 +62,19 @@ def directions(legs: Array) -> Array:
     return np.asarray(np.einsum("l,li,lj->ij", 1 / length, run, run))
 
 
-def course(legs: Array) -> Course:
+def shape_of(legs: Array) -> Shape:
     """Return how a perimeter of legs (l, 2, 2) runs.
 
     It is told by the angle that it turns: all around the column, half around at an edge, a quarter at a corner. One
     that hardly turns cuts the slab from edge to edge, which is one-way shear and no punching.
     """
-    from shapely import get_coordinates, get_parts, line_merge, linestrings, multilinestrings
+    return _shape(_chains(legs))
 
-    chains = [get_coordinates(chain) for chain in get_parts(line_merge(multilinestrings(linestrings(legs))))]
-    turned = 0.0
-    for chain in chains:
-        steps = np.diff(chain, axis=0)
-        if np.allclose(chain[0], chain[-1]):
-            steps = np.vstack([steps, steps[:1]])
-        angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
-        turned += abs(float(np.degrees(angles[-1] - angles[0])))
-    shape = next(name for name, least in TURNED.items() if turned > least)
+
+def course(legs: Array) -> Course:
+    """Return how a perimeter of legs (l, 2, 2) runs, with its directions."""
+    chains = _chains(legs)
+    shape = _shape(chains)
     longest = max(chains, key=len)
     chord = longest[-1] - longest[0]
     if shape == "closed" or not chord.any():
@@ -87,3 +83,22 @@ def course(legs: Array) -> Course:
     ends = np.array([longest[1] - longest[0], longest[-2] - longest[-1]])
     inward = ends / np.linalg.norm(ends, axis=1, keepdims=True)
     return Course(shape, np.array([along, [-along[1], along[0]]]), inward)
+
+
+def _chains(legs: Array) -> list[Array]:
+    """Return the places (k, 2) along each connected part of legs (l, 2, 2)."""
+    from shapely import get_coordinates, get_parts, line_merge, linestrings, multilinestrings
+
+    return [get_coordinates(chain) for chain in get_parts(line_merge(multilinestrings(linestrings(legs))))]
+
+
+def _shape(chains: list[Array]) -> Shape:
+    """Return the shape by the angle that all parts turn together."""
+    turned = 0.0
+    for chain in chains:
+        steps = np.diff(chain, axis=0)
+        if np.allclose(chain[0], chain[-1]):
+            steps = np.vstack([steps, steps[:1]])
+        angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
+        turned += abs(float(np.degrees(angles[-1] - angles[0])))
+    return next(name for name, least in TURNED.items() if turned > least)

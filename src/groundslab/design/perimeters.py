@@ -97,10 +97,11 @@ class Surroundings:
     center: Array  # (2,) of the footprint [m]
     plan: Polygon | MultiPolygon  # the plate, within reach
     boundary: BaseGeometry  # of the plate, its openings' too, within reach
+    filled: Polygon | MultiPolygon  # the same without openings
+    rim: BaseGeometry  # of the plate without openings, within reach
     edges: tuple[NearEdge, ...]  # the nearest ones first
     shadow: BaseGeometry  # the part of the plan behind openings, seen from the center
     rounding: float  # places closer than this are one [m]
-    within: float  # perimeters at most so far from the footprint can be made [m]
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,8 +110,9 @@ class Perimeter:
 
     legs: Array  # (l, 2, 2): straight pieces that count, what it cuts off on their left [m]
     whole: Array  # (k, 2, 2): all of it on the plate, what openings take off too; free edges are none of it [m]
+    ring: Array  # (r, 2, 2): the same as if the plate had no openings [m]
     inside: Polygon
-    opened: bool = False  # whether an opening is near enough to take off a part of it
+    opened: bool  # whether an opening is near enough to take off a part of it
 
     @property
     def u(self) -> float:
@@ -144,7 +146,7 @@ def surroundings(plate: PlateResult, column: Footprint, within: float, openings:
     InputError
         If the footprint does not lie on the plate.
     """
-    from shapely import box, get_coordinates, intersection, prepare
+    from shapely import Polygon, box, get_coordinates, get_parts, intersection, prepare, union_all
 
     plan, footprint = outline(plate), column.footprint()
     x0, y0, x1, y1 = plan.bounds
@@ -155,12 +157,22 @@ def surroundings(plate: PlateResult, column: Footprint, within: float, openings:
     a0, b0, a1, b1 = footprint.bounds
     reach = 3 * (within + max(a1 - a0, b1 - b0))
     part = box(a0 - reach, b0 - reach, a1 + reach, b1 + reach)
-    boundary = intersection(plan.boundary, part)
+    filled = union_all([Polygon(each.exterior) for each in get_parts(plan)])
+    boundary, rim = intersection(plan.boundary, part), intersection(filled.boundary, part)
     prepare(boundary)
+    prepare(rim)
     center = get_coordinates(footprint.centroid)[0]
-    shadow = _shadow(plan, footprint, center, openings, FAR * reach)
-    edges = tuple(_near_edges(plan, footprint, rounding))
-    return Surroundings(footprint, center, intersection(plan, part), boundary, edges, shadow, rounding, within)
+    return Surroundings(
+        footprint=footprint,
+        center=center,
+        plan=intersection(plan, part),
+        boundary=boundary,
+        filled=intersection(filled, part),
+        rim=rim,
+        edges=tuple(_near_edges(plan, footprint, rounding)),
+        shadow=_shadow(plan, footprint, center, openings, FAR * reach),
+        rounding=rounding,
+    )
 
 
 def perimeter_at(around: Surroundings, distance: float, *, square: bool = False) -> Perimeter:
@@ -178,17 +190,21 @@ def perimeter_at(around: Surroundings, distance: float, *, square: bool = False)
     """
     join: Literal["mitre", "round"] = "mitre" if square else "round"
     near = [edge for edge in around.edges if edge.setback <= distance]
-    ways = [
-        _cut_off(around, stretched.buffer(distance, quad_segs=QUARTER_CHORDS, join_style=join))
+    regions = [
+        stretched.buffer(distance, quad_segs=QUARTER_CHORDS, join_style=join)
         for _, stretched in stretched_over(around, near, distance)
     ]
-    inside, whole = min(ways, key=lambda way: total_length(way[1]))
+    ways = [_cut_off(around, region) for region in regions]
+    shortest = min(range(len(ways)), key=lambda i: total_length(ways[i][1]))
+    inside, whole = ways[shortest]
+    opened = not around.shadow.is_empty
+    ring = _cut_off(around, regions[shortest], filled=True)[1] if opened else whole
     legs = outside(whole, around.shadow)
     if not total_length(legs) > around.rounding:
         where = "a column at ({:g}, {:g}) m".format(*around.center)
         expected = f"some plate at {distance:g} m from it"
         raise InputError([Issue("column", where, expected, "take a smaller distance")])
-    return Perimeter(legs, whole, inside, opened=not around.shadow.is_empty)
+    return Perimeter(legs, whole, ring, inside, opened)
 
 
 def stretched_over(
@@ -260,17 +276,18 @@ def _near_edges(plan: Polygon | MultiPolygon, footprint: Polygon, rounding: floa
         yield NearEdge(float(setbacks[i]), float(abs(((points - a) @ outward).min())), outward)
 
 
-def _cut_off(around: Surroundings, region: Polygon) -> tuple[Polygon, Array]:
+def _cut_off(around: Surroundings, region: Polygon, *, filled: bool = False) -> tuple[Polygon, Array]:
     """Return the part of the plate in a region that holds the column, and the legs (l, 2, 2) of its inner border."""
     from shapely import dwithin, get_coordinates, get_parts, intersection, points
     from shapely.geometry.polygon import orient
 
-    parts = get_parts(intersection(around.plan, region))
+    plan, boundary = (around.filled, around.rim) if filled else (around.plan, around.boundary)
+    parts = get_parts(intersection(plan, region))
     inside = orient(max(parts, key=lambda part: part.intersection(around.footprint).area))
     rings = [get_coordinates(ring) for ring in (inside.exterior, *inside.interiors)]
     legs = np.concatenate([np.stack([ring[:-1], ring[1:]], axis=1) for ring in rings])
     legs = legs[np.linalg.norm(legs[:, 1] - legs[:, 0], axis=1) > around.rounding]
-    return inside, legs[~dwithin(around.boundary, points(legs.mean(axis=1)), around.rounding)]
+    return inside, legs[~dwithin(boundary, points(legs.mean(axis=1)), around.rounding)]
 
 
 def _shadow(

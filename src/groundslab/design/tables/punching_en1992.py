@@ -194,9 +194,9 @@ class _Site:
             line = perimeter_at(self.around, distance)
         except InputError as error:
             return str(error)
-        course = line_properties.course(line.whole)
-        if course.shape == "cut" and distance > 0:
+        if distance > 0 and line_properties.shape_of(line.whole) == "cut":
             return CUT
+        course = line_properties.course(line.ring)
         control = _control(line, course, distance, self.d, self.around, self.near.inside(results, line.inside))
         return control if distance > 0 else replace(control, u=self.u_0)
 

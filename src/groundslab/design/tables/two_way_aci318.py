@@ -106,7 +106,7 @@ def critical_section(
         line = perimeter(plate, footprint, d / 2, openings, square=True)
     except InputError as error:
         return str(error)
-    shape = line_properties.course(line.whole).shape
+    shape = line_properties.shape_of(line.whole)
     if shape == "cut":
         return "its critical section cuts the slab from edge to edge, which is one-way shear"
     column = punching.column
