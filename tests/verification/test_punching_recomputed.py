@@ -278,7 +278,7 @@ def expected_beta(each: dict[str, Any], line: Sampled, V: float, moments: np.nda
     if line.edges == 2:
         simple = 1.5
     else:
-        ((axis, at, way),) = ((a, b, w) for a, b, w in EDGES if base_of(each).distance(_edge(a, b)) <= 2 * D)
+        ((axis, way),) = ((a, w) for a, b, w in EDGES if base_of(each).distance(_edge(a, b)) <= 2 * D)
         c_1 = np.ptp(shapely.get_coordinates(base_of(each))[:, axis])
         inner = each["xy"[axis]] - way * c_1 / 2
         kept = (inner - line.whole[line.counts][:, axis]) * way > -min(1.5 * D, c_1 / 2)
@@ -318,7 +318,7 @@ def test_ten_columns_by_en1992(each: dict[str, Any], results: gs.Results, by_en1
 def test_ten_columns_by_aci318(
     each: dict[str, Any], aci_results: gs.Results, by_aci318: dict[tuple[str, str], TwoWay]
 ) -> None:
-    """b_o, its centroid, J_c and gamma_v on principal axes, V_u and v_u at d / 2 are those of points on what is left."""
+    """b_o, its centroid, V_u and v_u at d / 2, by J_c and gamma_v on principal axes, are those of points on it."""
     line = sampled(each, D / 2, 4 * H, square=True, widened=False)
     (punching,) = [one for one in perimeter_loads.punching_columns(aci_results.model) if one.name == each["name"]]
     section = critical_section(aci_results.only, punching, aci_results.model.reinforcement)

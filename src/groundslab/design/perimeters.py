@@ -113,6 +113,7 @@ class Perimeter:
     ring: Array  # (r, 2, 2): the same as if the plate had no openings [m]
     inside: Polygon
     opened: bool  # whether an opening is near enough to take off a part of it
+    setbacks: tuple[float, ...]  # of the edges that it runs straight out to [m]
 
     @property
     def u(self) -> float:
@@ -190,10 +191,8 @@ def perimeter_at(around: Surroundings, distance: float, *, square: bool = False)
     """
     join: Literal["mitre", "round"] = "mitre" if square else "round"
     near = [edge for edge in around.edges if edge.setback <= distance]
-    regions = [
-        stretched.buffer(distance, quad_segs=QUARTER_CHORDS, join_style=join)
-        for _, stretched in stretched_over(around, near, distance)
-    ]
+    stretched = list(stretched_over(around, near, distance))
+    regions = [polygon.buffer(distance, quad_segs=QUARTER_CHORDS, join_style=join) for _, polygon in stretched]
     ways = [_cut_off(around, region) for region in regions]
     shortest = min(range(len(ways)), key=lambda i: total_length(ways[i][1]))
     inside, whole = ways[shortest]
@@ -204,7 +203,8 @@ def perimeter_at(around: Surroundings, distance: float, *, square: bool = False)
         where = "a column at ({:g}, {:g}) m".format(*around.center)
         expected = f"some plate at {distance:g} m from it"
         raise InputError([Issue("column", where, expected, "take a smaller distance")])
-    return Perimeter(legs, whole, ring, inside, opened)
+    setbacks = tuple(edge.setback for edge in stretched[shortest][0])
+    return Perimeter(legs, whole, ring, inside, opened, setbacks)
 
 
 def stretched_over(

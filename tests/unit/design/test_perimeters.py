@@ -156,3 +156,56 @@ def test_center_of_an_edge_column() -> None:
     """Of three sides a by b the centroid lies at b^2 / (2 b + a) from the side that is alone."""
     legs = perimeter(SLAB, RectangularColumn(0.3, 3, 0.6, 0.8), 0.0).legs
     assert centroid(legs) == pytest.approx([0.6 - 0.6**2 / (2 * 0.6 + 0.8), 3])
+
+
+def at_corner(s_x: float, s_y: float) -> RectangularColumn:
+    """Return a column of 0.4 m x 0.6 m set back from the edges at a corner."""
+    return RectangularColumn(0.2 + s_x, 0.3 + s_y, 0.4, 0.6)
+
+
+@pytest.mark.parametrize("d", [0.15, 0.3, 0.6])
+def test_length_at_the_face_grows_steadily_with_the_setback(d: float) -> None:
+    """u_0 of a column that moves inside by steps of 10 mm grows by 10 mm for each leg, up to its periphery: no jump."""
+    edge = [u_0(RectangularColumn(0.2 + s, 3, 0.4, 0.6), d) for s in np.arange(0, 1.0, 0.01)]
+    corner = [u_0(at_corner(s, s), d) for s in np.arange(0, 1.0, 0.01)]
+    assert edge[0] == pytest.approx(0.6 + min(0.8, 3 * d))
+    assert corner[0] == pytest.approx(min(1.0, 3 * d))
+    for lengths in (edge, corner):
+        steps = np.diff(lengths)
+        assert lengths[-1] == pytest.approx(2.0)
+        assert (steps > -1e-9).all()
+        assert steps.max() == pytest.approx(0.02, abs=1e-6)
+
+
+def test_length_at_the_face_of_a_column_set_back_by_hand() -> None:
+    """0.1 m inside both edges: 3 d + 0.2 m, not the whole 2 m; at one edge c_2 + 3 d + 0.2 m."""
+    assert u_0(at_corner(0.1, 0.1), 0.2) == pytest.approx(0.6 + 0.2)
+    assert u_0(RectangularColumn(0.3, 3, 0.4, 0.6), 0.2) == pytest.approx(0.6 + 0.6 + 0.2)
+    assert u_0(RoundColumn(0.3, 3, 0.4), 0.5) == pytest.approx(np.pi * 0.2 + 2 * 0.3, rel=1e-3)
+    assert u_0(RoundColumn(0.2, 3, 0.4), 0.1) == pytest.approx(0.4 + 0.3)
+
+
+def test_an_opening_at_the_face() -> None:
+    """The part of a face between the tangents to an opening does not count at the column either."""
+    plate = plate_of(without(straight(16, 12, 8.0, 6.0), (4.5, 5.5), (2.5, 3.5)))
+    column = RectangularColumn(4.0, 3.0, 0.4, 0.4)
+    assert u_0(column, 0.3, plate, reach=1.8) == pytest.approx(1.6 - 0.4)
+
+
+def test_an_opening_longer_along_its_ray_counts_as_wider() -> None:
+    """Figure 6.14: l_2 becomes (l_1 l_2)^(1/2) where l_1 along the ray is longer; not where it is shorter."""
+    plate = plate_of(without(straight(16, 12, 8.0, 6.0), (6.0, 7.5), (2.5, 3.5)))
+    column, whole = RoundColumn(4, 3, 0.4), 2 * np.pi * 0.7
+    half = np.sqrt(1.5 * 1.0) / 2
+    narrow, wide = (perimeter(plate, column, 0.5, Openings(1.9, widened=widened)).u for widened in (False, True))
+    assert narrow == pytest.approx(whole - 2 * np.arctan(0.5 / 2) * 0.7, rel=CHORDS)
+    assert wide == pytest.approx(whole - 2 * np.arctan(half / 2) * 0.7, rel=CHORDS)
+
+
+def test_an_opening_that_reaches_around_the_column() -> None:
+    """An L around a corner of the column, which fills more than half of the view, takes off as much."""
+    mesh = without(without(straight(32, 24, 8.0, 6.0), (4.5, 4.75), (1.0, 4.5)), (1.5, 4.75), (4.25, 4.5))
+    column = RoundColumn(4.0, 3.0, 0.4)
+    line = perimeter(plate_of(mesh), column, 0.2, Openings(2.0))
+    low, high = np.arctan2(-2.0, 0.5), np.pi - np.arctan2(1.25, 2.5)
+    assert line.u == pytest.approx((2 * np.pi - (high - low)) * 0.4, rel=1e-4)

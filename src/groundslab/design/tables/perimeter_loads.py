@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from shapely import Polygon
 
 #: Parts of the plate's edge that lie so near to a polygon are in it, over the rounding of places.
-ON_EDGE = 100.0
+ON_EDGE = 2.0
 #: What lies inside a perimeter that runs out to a corner is at most so many times its distance away.
 CORNER_REACH = 1 + math.sqrt(2)
 #: A side is curved if its middle lies off its chord by more than this, over its length.

@@ -33,8 +33,8 @@ from groundslab.results.results import CombinationResult, Results
 REACH = 2.0
 #: Distances of the perimeters that are looked at first, over the effective depth.
 STEPS = np.arange(1, 9) / 4
-#: So many halvings find the last perimeter before those that cut the slab from edge to edge.
-HALVINGS = 5
+#: So many halvings find the last perimeter before those that cut the slab, or run out to other edges.
+HALVINGS = 7
 #: So many further distances are tried at most for the largest v_Ed / v_Rd; a gain of this share is none.
 MOST_TRIALS, GAIN = 10, 1e-4
 #: Distances closer than this are one, over the effective depth.
@@ -179,25 +179,35 @@ class _Site:
     near: LoadsNear | None
     u_0: float  # [m]
     why: str  # it does not lie on the plate; else empty
-    known: dict[float, ControlPerimeter | str] = field(default_factory=dict)
+    lines: dict[float, Perimeter | str] = field(default_factory=dict)
+    controls: dict[float, ControlPerimeter | str] = field(default_factory=dict)
 
-    def control(self, results: CombinationResult, distance: float) -> ControlPerimeter | str:
-        """Return the perimeter at a distance [m] from the face, or why there is none."""
-        if distance not in self.known:
-            self.known[distance] = self._made(results, distance)
-        return self.known[distance]
+    def line(self, distance: float) -> Perimeter | str:
+        """Return how the perimeter at a distance [m] from the face runs, or why there is none."""
+        if distance not in self.lines:
+            self.lines[distance] = self._line(distance)
+        return self.lines[distance]
 
-    def _made(self, results: CombinationResult, distance: float) -> ControlPerimeter | str:
-        if self.around is None or self.near is None:
+    def _line(self, distance: float) -> Perimeter | str:
+        if self.around is None:
             return self.why
         try:
             line = perimeter_at(self.around, distance)
         except InputError as error:
             return str(error)
-        if distance > 0 and line_properties.shape_of(line.whole) == "cut":
-            return CUT
-        course = line_properties.course(line.ring)
-        control = _control(line, course, distance, self.d, self.around, self.near.inside(results, line.inside))
+        return CUT if distance > 0 and line_properties.shape_of(line.whole) == "cut" else line
+
+    def control(self, results: CombinationResult, distance: float) -> ControlPerimeter | str:
+        """Return the perimeter at a distance [m] from the face with what is inside, or why there is none."""
+        if distance not in self.controls:
+            self.controls[distance] = self._control(results, distance)
+        return self.controls[distance]
+
+    def _control(self, results: CombinationResult, distance: float) -> ControlPerimeter | str:
+        line = self.line(distance)
+        if isinstance(line, str) or self.around is None or self.near is None:
+            return self.why or str(line)
+        control = _control(line, distance, self.d, self.around, self.near.inside(results, line.inside))
         return control if distance > 0 else replace(control, u=self.u_0)
 
 
@@ -230,11 +240,12 @@ def _ratio(model: Model, punching: PunchingForce, steel: Reinforcement, d: float
 
 
 def _control(
-    line: Perimeter, course: Course, distance: float, d: float, around: Surroundings, loads: PerimeterLoads
+    line: Perimeter, distance: float, d: float, around: Surroundings, loads: PerimeterLoads
 ) -> ControlPerimeter:
     """Return a perimeter with what EN 1992-1-1 needs of it."""
     from shapely import get_coordinates
 
+    course = line_properties.course(line.ring)
     center = line_properties.centroid(line.legs)
     frame = course.frame
     points = get_coordinates(around.footprint)
@@ -276,7 +287,7 @@ def _largest(results: list[CombinationResult], site: _Site) -> tuple[list[Demand
     """
     first = results[0]
     face = site.control(first, 0.0)
-    distances, why = _first_distances(first, site)
+    distances, why = _first_distances(site)
     made = [_demand(each, site, face, distances) for each in results]
     for _ in range(MOST_TRIALS):
         distance = _next_distance(made, site.d)
@@ -286,25 +297,34 @@ def _largest(results: list[CombinationResult], site: _Site) -> tuple[list[Demand
     return made, why
 
 
-def _first_distances(results: CombinationResult, site: _Site) -> tuple[list[float], str]:
-    """Return the distances [m] of perimeters that there are, up to the last one, and why there are no more."""
+def _first_distances(site: _Site) -> tuple[list[float], str]:
+    """Return the distances [m] of perimeters that there are, up to the last one, and why there are no more.
+
+    Where perimeters begin to run out to an edge the part inside jumps: the distances on both sides are among them.
+    """
     good: list[float] = []
-    for distance in STEPS * site.d:
-        control = site.control(results, float(distance))
-        if not isinstance(control, str):
-            good.append(float(distance))
-            continue
-        low, high = good[-1] if good else 0.0, float(distance)
-        for _ in range(HALVINGS):
-            middle = (low + high) / 2
-            if isinstance(site.control(results, middle), str):
-                high = middle
-            else:
-                low = middle
-        if low > 0 and low not in good:
-            good.append(low)
-        return good, "" if good and control == CUT else control
+    steps = [float(distance) for distance in STEPS * site.d]
+    for before, distance in pairwise([0.0, *steps]):
+        line = site.line(distance)
+        if isinstance(line, str):
+            last, _ = _halved(site, before, distance, "")
+            good += [last] if last > before else []
+            return good, "" if good and line == CUT else line
+        known = site.line(before)
+        if good and not isinstance(known, str) and known.setbacks != line.setbacks:
+            good += _halved(site, before, distance, known.setbacks)
+        good.append(distance)
     return good, ""
+
+
+def _halved(site: _Site, low: float, high: float, setbacks: tuple[float, ...] | str) -> tuple[float, float]:
+    """Return distances between which perimeters end, or run out to other edges than at first, halving an interval."""
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        line = site.line(middle)
+        like_low = not isinstance(line, str) and (setbacks == "" or line.setbacks == setbacks)
+        low, high = (middle, high) if like_low else (low, middle)
+    return low, high
 
 
 def _next_distance(made: list[Demand], d: float) -> float | None:
