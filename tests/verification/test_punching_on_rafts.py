@@ -152,6 +152,7 @@ def test_the_edge_force_does_not_relieve_a_corner_column(raft: gs.Results) -> No
     assert far.edge == pytest.approx(line * (0.65 + 2 * corner.d), rel=1e-3)
     weight = (1.35 * (25e3 * 0.9 + 1.5e3) + 1.5 * 5e3) * inside.area
     assert far.V_Ed == pytest.approx(1320e3 + weight - pressure, rel=1e-3)
+    assert (far.edge, far.V_Ed, far.V_Ed - far.edge) == pytest.approx((856e3, 1101e3, 245e3), abs=1e3)
     assert corner.used(far) == pytest.approx(1.73, abs=5e-3)
     (at_d,) = [stress for stress in edge.around if stress.distance == pytest.approx(edge.d)]
     assert edge.used(at_d) == pytest.approx(1.20, abs=5e-3)
