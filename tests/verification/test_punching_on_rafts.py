@@ -12,8 +12,9 @@ import shapely
 import groundslab as gs
 from groundslab.design.punching import RoundColumn, demand
 from groundslab.design.tables.columns import column_table
-from groundslab.design.tables.punching_en1992 import Demand, demands, pile_demands
-from groundslab.design.tables.two_way_aci318 import pile_two_way
+from groundslab.design.tables.punching.aci318 import pile_two_way
+from groundslab.design.tables.punching.en1992 import demands, pile_demands
+from groundslab.design.tables.punching.en1992_demand import Demand
 
 BARS = {"diameter": 0.020, "spacing": 0.150}
 GERMAN = {
@@ -236,15 +237,15 @@ def test_the_largest_use_over_all_distances(x: float, y: float, openings: list[d
 
 def densely(results: gs.Results, demand: Demand) -> list[float]:
     """Return v_Ed / v_Rd at eighty distances up to 2 d."""
-    from groundslab.design.tables import punching_en1992
+    from groundslab.design.tables.punching import en1992
 
-    known = punching_en1992._SITES.get(results.only.plate.nodes, results.model, dict)
+    known = en1992._SITES.get(results.only.plate.nodes, results.model, dict)
     site = known[False, demand.name]
     uses = []
     for distance in np.linspace(0.0, 2 * demand.d, 81)[1:]:
         control = site.control(results.only, float(distance))
         if not isinstance(control, str):
-            stress = punching_en1992._stress(results.only, site, control)
+            stress = en1992._stress(results.only, site, control)
             uses.append(demand.used(stress))
     return uses
 

@@ -16,9 +16,10 @@ import pytest
 import shapely
 
 import groundslab as gs
-from groundslab.design.tables import perimeter_loads
-from groundslab.design.tables.punching_en1992 import Demands, demands
-from groundslab.design.tables.two_way_aci318 import CriticalSection, TwoWay, critical_section, two_way
+from groundslab.design.tables.punching import perimeter_loads
+from groundslab.design.tables.punching.aci318 import CriticalSection, TwoWay, critical_section, two_way
+from groundslab.design.tables.punching.en1992 import demands
+from groundslab.design.tables.punching.en1992_demand import Demands
 
 LENGTH_X, LENGTH_Y, H, K, UNIT_WEIGHT = 18.0, 10.0, 0.4, 40e6, 25e3
 D = H - 0.045

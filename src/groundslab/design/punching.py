@@ -10,7 +10,7 @@ from groundslab.arrays import Array
 from groundslab.design.en1992.perimeters import openings
 from groundslab.design.perimeters import Footprint, Perimeter, RectangularColumn, RoundColumn, perimeter
 from groundslab.design.section_cuts import rotate_to_cut
-from groundslab.design.tables.perimeter_loads import edge_inside
+from groundslab.design.tables.punching.perimeter_loads import edge_inside
 from groundslab.errors import InputError, Issue
 from groundslab.fem import load_vectors
 from groundslab.fem.line_traversal import interpolation, pieces

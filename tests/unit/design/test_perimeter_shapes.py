@@ -12,7 +12,7 @@ from groundslab.design.en1992 import punching as en1992
 from groundslab.design.line_properties import course
 from groundslab.design.perimeters import RectangularColumn
 from groundslab.design.result_tables import tables_of
-from groundslab.design.tables.punching_en1992 import reduced_share
+from groundslab.design.tables.punching.en1992 import reduced_share
 
 
 def legs(*points: tuple[float, float]) -> np.ndarray:

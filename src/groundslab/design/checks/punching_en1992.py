@@ -10,7 +10,8 @@ from typing import Any, NamedTuple
 from groundslab.design.checks.check import DesignCheck, Status
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.tables import reinforcement
-from groundslab.design.tables.punching_en1992 import Demand, Demands, Stress, demands, pile_demands
+from groundslab.design.tables.punching.en1992 import demands, pile_demands
+from groundslab.design.tables.punching.en1992_demand import Demand, Demands, Stress
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.supports import Pile
 from groundslab.results.results import Results

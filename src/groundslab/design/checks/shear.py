@@ -25,7 +25,7 @@ from groundslab.design.checks.wide_beam import cuts
 from groundslab.design.en1992 import shear
 from groundslab.design.floors.acting_loads import factors_of
 from groundslab.design.tables import reinforcement
-from groundslab.design.tables.punching_en1992 import demands
+from groundslab.design.tables.punching.en1992 import demands
 from groundslab.discretize.singular_places import near_singular
 from groundslab.model.design.floors import TR34Floor
 from groundslab.model.design.laid_bars import laid_bars

@@ -8,7 +8,7 @@ from groundslab.design.aci318 import punching as aci318
 from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.checks.check import DesignCheck, Status
 from groundslab.design.tables import reinforcement
-from groundslab.design.tables.two_way_aci318 import TwoWay, pile_two_way, strength, two_way
+from groundslab.design.tables.punching.aci318 import TwoWay, pile_two_way, strength, two_way
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.supports import Pile
 from groundslab.results.results import Results

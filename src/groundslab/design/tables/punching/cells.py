@@ -6,11 +6,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from groundslab.design.en1992.punching import max_resistance
-from groundslab.design.tables.punching_en1992 import Demand, Demands, demands, pile_demands
+from groundslab.design.tables.punching.aci318 import TwoWay, pile_two_way, strength, two_way
+from groundslab.design.tables.punching.en1992 import demands, pile_demands
+from groundslab.design.tables.punching.en1992_demand import Demand, Demands
 from groundslab.design.tables.quantities import solved_results
 from groundslab.design.tables.reinforcement import materials
 from groundslab.design.tables.table import Cell, Table, table_of
-from groundslab.design.tables.two_way_aci318 import TwoWay, pile_two_way, strength, two_way
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.results.results import Results

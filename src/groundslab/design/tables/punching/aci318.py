@@ -11,8 +11,9 @@ from groundslab.design.aci318 import punching as aci318
 from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.by_plate import plate_under
 from groundslab.design.perimeters import Openings, Perimeter, perimeter
-from groundslab.design.tables import perimeter_loads, reinforcement
-from groundslab.design.tables.perimeter_loads import PerimeterLoads, PunchingForce
+from groundslab.design.tables import reinforcement
+from groundslab.design.tables.punching import perimeter_loads
+from groundslab.design.tables.punching.perimeter_loads import PerimeterLoads, PunchingForce
 from groundslab.errors import InputError
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import CombinationResult, Results
