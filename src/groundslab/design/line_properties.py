@@ -39,7 +39,7 @@ def centroid(legs: Array) -> Array:
 
 
 def moduli(legs: Array, axes: Array) -> Array:
-    """Return W_1 = int |e| dl (2,) [m2] of a perimeter, e along x and along y from axes (2,) [m] (6.40)."""
+    """Return W_1 = int |e| dl (2,) [m2] of a perimeter, e along x and along y from axes (2,) [m], by 6.40."""
     length = lengths(legs)[:, None]
     start, end = legs[:, 0] - axes, legs[:, 1] - axes
     size = np.abs(start) + np.abs(end)

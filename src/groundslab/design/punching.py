@@ -48,49 +48,14 @@ def demand(
     """Return the demand of punching by a column's force [N] at a distance [m] from it, 2 d unless given.
 
     V_Ed is the reduced force of (6.4.4(2)): the loads inside less the ground's pressure inside. The line force along
-    the plate's edge is no pressure: it is taken off only if it is said to relieve, and added where it pulls. The shear
-    forces along the perimeter hold it in any case, so that `shear` is V_Ed less the line force inside, but for the
-    error of the mesh.
+    the plate's edge is no pressure: it is taken off only if it is said to relieve, and added where it pulls. `shear`
+    holds it in any case. Where a perimeter ends at a free edge, the twisting moment that must vanish there gives large
+    shear forces over about the plate's thickness; the largest one grows as the mesh is refined.
 
-    Where a perimeter ends at a free edge, the twisting moment that must vanish there gives large shear forces over
-    about the plate's thickness. The largest one is that of the mesh, then, and grows as the mesh is refined.
-
-    Parameters
-    ----------
-    plate : PlateResult
-        The plate's results.
-    column : RectangularColumn or RoundColumn
-        The column's footprint.
-    d : float
-        Effective depth [m].
-    force : float
-        The column's force, downwards positive [N].
-    distributed : float, optional
-        Other loads on the slab inside [Pa], its self-weight for example.
-    distance : float, optional
-        Distance of the perimeter from the column [m].
-    line_force_relieves : bool, optional
-        Whether the line force along the plate's edge inside is taken off.
-
-    Returns
-    -------
-    Punching
-        The demand.
-
-    Raises
-    ------
-    InputError
-        If d or the distance is no depth or distance, the column does not lie on the plate, or no perimeter does.
+    d is the effective depth [m], `distributed` the other loads on the slab inside [Pa], its self-weight for example.
+    InputError if d or the distance is none, or the column or its perimeter does not lie on the plate.
     """
-    reach = 2 * d if distance is None else distance
-    issues = []
-    if not d > 0:
-        issues.append(Issue("d", f"{d:g} m", "an effective depth greater than zero"))
-    if not reach >= 0:
-        issues.append(Issue("distance", f"{reach:g} m", "a distance that is not negative"))
-    if issues:
-        raise InputError(issues)
-    line = perimeter(plate, column, reach, openings(d))
+    line = _perimeter(plate, column, d, 2 * d if distance is None else distance)
     mesh = Mesh(plate.nodes, plate.elements)
     shares = load_vectors.integrate_over_polygon(mesh, np.arange(len(mesh.elements)), line.inside)
     pressure = float((shares * plate.pressure[mesh.elements]).sum())
@@ -110,6 +75,18 @@ def demand(
         largest=largest,
         perimeter=line,
     )
+
+
+def _perimeter(plate: PlateResult, column: Footprint, d: float, distance: float) -> Perimeter:
+    """Return the perimeter at a distance [m], if it and the effective depth d [m] are such."""
+    issues = []
+    if not d > 0:
+        issues.append(Issue("d", f"{d:g} m", "an effective depth greater than zero"))
+    if not distance >= 0:
+        issues.append(Issue("distance", f"{distance:g} m", "a distance that is not negative"))
+    if issues:
+        raise InputError(issues)
+    return perimeter(plate, column, distance, openings(d))
 
 
 def _shear(plate: PlateResult, legs: Array) -> tuple[float, float]:

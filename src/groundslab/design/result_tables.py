@@ -86,7 +86,7 @@ def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
     if model.columns:
         makers |= {"columns": columns, "column_envelope": lambda: column_envelope(combined, columns())}
     if model.reinforcement is not None and any(isinstance(support, Pile) for support in model.supports):
-        makers["pile_punching"] = lambda: pile_punching(combined)
+        makers["pile_punching"] = lambda: errors.with_errors(pile_punching, combined)
     if model.reinforcement is not None:
         needs = partial(reinforcement, steel=model.reinforcement)
         makers["reinforcement"] = lambda: errors.with_errors_of_governing(needs, combined)

@@ -9,11 +9,11 @@ from groundslab.design.en1992.punching import max_resistance
 from groundslab.design.tables.punching.aci318 import TwoWay, pile_two_way, strength, two_way
 from groundslab.design.tables.punching.en1992 import demands, pile_demands
 from groundslab.design.tables.punching.en1992_demand import Demand, Demands
+from groundslab.design.tables.punching.perimeter_loads import punching_piles
 from groundslab.design.tables.quantities import solved_results
-from groundslab.design.tables.reinforcement import materials
+from groundslab.design.tables.reinforcement import materials, ultimate_results
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.model.design.reinforcement import Reinforcement
-from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.results.results import Results
 
 Heads = tuple[tuple[str, str], ...]
@@ -65,31 +65,20 @@ def punching_at_columns(combined: Results) -> PunchingCells:
 
 
 def pile_punching(combined: Results) -> Table:
-    """Return the demand of punching of the plate over each pile in each ultimate combination."""
+    """Return each pile's force and the demand of punching of the plate over it in each ultimate combination."""
     steel = combined.model.reinforcement
     assert steel is not None
     if steel.code == "ACI 318":
-        found, missing = pile_two_way(combined)
-        punched = _by_aci318(steel, (found, missing), "pile")
-        forces = {key: demand.force for key, demand in found.items()}
+        punched = _by_aci318(steel, pile_two_way(combined), "pile")
     else:
-        of_piles = pile_demands(combined)
-        punched = _by_en1992(combined, steel, of_piles, "pile")
-        forces = {key: demand.force for key, demand in of_piles.found.items()}
-    rows: list[list[Cell]] = [
-        [combination, pile, force / 1e3, *punched.cells(combination, pile)]
-        for (combination, pile), force in sorted(forces.items(), key=lambda item: _order(combined, item[0]))
+        punched = _by_en1992(combined, steel, pile_demands(combined), "pile")
+    rows = [
+        [each.combination, pile.name, float(pile.pushing(each)[0]) / 1e3, *punched.cells(each.combination, pile.name)]
+        for each in ultimate_results(combined)
+        for pile in punching_piles(combined.model)
     ]
     heads = [("combination", ""), ("pile", ""), ("force", "kN"), *punched.heads]
     return table_of("pile_punching", "Punching over piles", heads, rows, punched.notes)
-
-
-def _order(combined: Results, key: tuple[str, str]) -> tuple[int, int]:
-    """Return the places of a combination and of a pile in the case."""
-    results = [each for each in solved_results(combined) if each.limit_state in STRENGTH]
-    combinations = [each.combination for each in results]
-    piles = [support.name for support in results[0].supports]
-    return combinations.index(key[0]), piles.index(key[1])
 
 
 def _by_en1992(combined: Results, steel: Reinforcement, punched: Demands, one: str) -> PunchingCells:
