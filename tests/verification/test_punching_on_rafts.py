@@ -293,6 +293,6 @@ def test_a_pile_punches_the_plate_from_below(code: str) -> None:
     assert table["V_u" if code == "ACI 318" else "V_Ed"][0] == pytest.approx(V / 1e3)
     error = table["error of V_u" if code == "ACI 318" else "error of V_Ed"][0]
     assert isinstance(error, float)
-    assert 0 < error < 0.05 * V / 1e3
+    assert 0 < error < 0.1 * V / 1e3
     checks = [check.name for check in gs.check_design(results).checks]
     assert ("two-way shear over piles" if code == "ACI 318" else "punching over piles within 2 d") in checks
