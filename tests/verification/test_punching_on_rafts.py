@@ -296,3 +296,26 @@ def test_a_pile_punches_the_plate_from_below(code: str) -> None:
     assert 0 < error < 0.1 * V / 1e3
     checks = [check.name for check in gs.check_design(results).checks]
     assert ("two-way shear over piles" if code == "ACI 318" else "punching over piles within 2 d") in checks
+
+
+def test_a_point_support_with_a_diameter_punches() -> None:
+    """A pile of a given stiffness is checked as one whose stiffness is computed; one without a diameter is not."""
+    at = {"kind": "point", "x": 0.0, "y": 0.0, "stiffness": 200e6}
+    model = pad(6.0, 0.4, 0.5).replace(
+        columns=[],
+        loads=[{"kind": "uniform", "q": 60e3, "case": "G"}],
+        supports=[{**at, "name": "pile", "diameter": 0.5}, {**at, "x": 2.0, "y": 2.0, "name": "point"}],
+        mesh={"size": 0.5},
+    )
+    results = gs.solve(model)
+    found = pile_demands(results).found
+    assert found.keys() == {("U", "pile")}
+    stress = found["U", "pile"].at_2d
+    assert stress is not None
+    r = 0.25 + 2 * 0.5
+    assert stress.u == pytest.approx(2 * np.pi * r, rel=1e-3)
+    inside = shapely.Point(0, 0).buffer(r, quad_segs=400)
+    pressure = integral(results.only.plate, "pressure", inside)
+    assert stress.V_Ed == pytest.approx(
+        results.only.supports[0].total + pressure - 1.35 * 60e3 * np.pi * r**2, rel=2e-3
+    )

@@ -12,12 +12,12 @@ from groundslab.design.tables.columns import column_envelope, column_table
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
 from groundslab.design.tables.locations import lines, points, soil, strips
 from groundslab.design.tables.punching.cells import pile_punching
+from groundslab.design.tables.punching.perimeter_loads import punching_piles
 from groundslab.design.tables.reinforcement import reinforcement
 from groundslab.design.tables.summary import combinations, extremes, tilts
 from groundslab.design.tables.supports import joint_table, support_table
 from groundslab.design.tables.table import Column, Table
 from groundslab.model.ground import ContinuousGround
-from groundslab.model.supports import Pile
 from groundslab.results.results import Results
 
 __all__ = ["Column", "Table", "fields_of_envelope", "table_makers", "tables_of"]
@@ -85,7 +85,7 @@ def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
     makers |= {name: partial(errors.with_errors, make, combined) for name, (asked, make) in wanted.items() if asked}
     if model.columns:
         makers |= {"columns": columns, "column_envelope": lambda: column_envelope(combined, columns())}
-    if model.reinforcement is not None and any(isinstance(support, Pile) for support in model.supports):
+    if model.reinforcement is not None and punching_piles(model):
         makers["pile_punching"] = lambda: errors.with_errors(pile_punching, combined)
     if model.reinforcement is not None:
         needs = partial(reinforcement, steel=model.reinforcement)

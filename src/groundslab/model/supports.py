@@ -56,6 +56,10 @@ class PointSupport(Section):
     name: SupportName = ""
     x: Annotated[float, Quantity("length", "x", "position")]
     y: Annotated[float, Quantity("length", "y", "position")]
+    diameter: Annotated[
+        float | None,
+        Quantity("length", "d", "diameter, for punching of the plate over it; not checked by default", POSITIVE),
+    ] = None
     stiffness: Annotated[
         float | None, Quantity("stiffness", "K", "force per settlement; rigid by default", POSITIVE)
     ] = None

@@ -12,8 +12,8 @@ from groundslab.design.en1992 import punching as en1992
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.punching.en1992 import demands, pile_demands
 from groundslab.design.tables.punching.en1992_demand import Demand, Demands, Stress
+from groundslab.design.tables.punching.perimeter_loads import punching_piles
 from groundslab.model.design.reinforcement import Reinforcement
-from groundslab.model.supports import Pile
 from groundslab.results.results import Results
 
 #: Radial distance of the perimeters of links over the effective depth, the largest that 9.4.3(1) allows.
@@ -43,7 +43,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     assert steel is not None
     if combined.model.columns:
         yield from _checks(steel, demands(combined), COLUMNS)
-    if any(isinstance(support, Pile) for support in combined.model.supports):
+    if punching_piles(combined.model):
         yield from _checks(steel, pile_demands(combined), PILES)
 
 

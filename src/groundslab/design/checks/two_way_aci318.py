@@ -9,8 +9,8 @@ from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.checks.check import DesignCheck, Status
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.punching.aci318 import TwoWay, pile_two_way, strength, two_way
+from groundslab.design.tables.punching.perimeter_loads import punching_piles
 from groundslab.model.design.reinforcement import Reinforcement
-from groundslab.model.supports import Pile
 from groundslab.results.results import Results
 
 
@@ -20,7 +20,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     assert steel is not None
     if combined.model.columns:
         yield from _checks(steel, two_way(combined), "two-way shear", ("column", "down"))
-    if any(isinstance(support, Pile) for support in combined.model.supports):
+    if punching_piles(combined.model):
         yield from _checks(steel, pile_two_way(combined), "two-way shear over piles", ("pile", "up"))
 
 

@@ -27,7 +27,7 @@ from groundslab.model.columns import Column
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.loads.load_types import AnyLoad
 from groundslab.model.model import Model
-from groundslab.model.supports import LineSupport, Pile
+from groundslab.model.supports import LineSupport
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult
 
@@ -48,7 +48,7 @@ class PunchingForce:
 
     column: Column  # of a pile, one with its place and diameter
     by_case: Mapping[str, Array]  # (3,): P [N], M_x and M_y [N m] of a column, by load case
-    support: int | None = None  # number of the pile among the supports
+    support: int | None = None  # number of the pile among the supports, from 0
 
     @property
     def name(self) -> str:
@@ -88,17 +88,16 @@ def punching_columns(model: Model) -> tuple[PunchingForce, ...]:
 
 
 def punching_piles(model: Model) -> tuple[PunchingForce, ...]:
-    """Return the piles of a model; other supports have no footprint."""
+    """Return the piles of a model, and the other point supports that have a diameter."""
     return tuple(
-        PunchingForce(Column(name=_name(pile, number), x=pile.x, y=pile.y, diameter=pile.diameter), {}, number)
-        for number, pile in enumerate(model.supports)
-        if isinstance(pile, Pile)
+        PunchingForce(
+            Column(name=support.name or f"support {number}", x=support.x, y=support.y, diameter=support.diameter),
+            {},
+            number - 1,
+        )
+        for number, support in enumerate(model.supports, start=1)
+        if not isinstance(support, LineSupport) and support.diameter is not None
     )
-
-
-def _name(pile: Pile, number: int) -> str:
-    """Return a pile's name, or its number from 1."""
-    return pile.name or f"support {number + 1}"
 
 
 def footprint_of(column: Column) -> Footprint:
