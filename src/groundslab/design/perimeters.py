@@ -158,7 +158,7 @@ def surroundings(plate: PlateResult, column: Footprint, within: float, openings:
     a0, b0, a1, b1 = footprint.bounds
     reach = 3 * (within + max(a1 - a0, b1 - b0))
     part = box(a0 - reach, b0 - reach, a1 + reach, b1 + reach)
-    filled = union_all([Polygon(each.exterior) for each in get_parts(plan)])
+    filled = union_all([Polygon(polygon.exterior) for polygon in get_parts(plan)])
     boundary, rim = intersection(plan.boundary, part), intersection(filled.boundary, part)
     prepare(boundary)
     prepare(rim)

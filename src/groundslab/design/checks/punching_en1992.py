@@ -107,18 +107,18 @@ def _links(steel: Reinforcement, worst: Judged) -> str:
     return f"there {A_sw * 1e4:.3g} cm2 of vertical links on each perimeter, {s_r:.2f} m apart (6.4.5(1), 9.4.3)"
 
 
-def _outer(demand: Demand, own: list[Judged]) -> str:
+def _outer(demand: Demand, around: list[Judged]) -> str:
     """Return in words where links are needed no more, of the perimeters of one demand from the inner to the outer one.
 
     Beyond the outermost one by 6.54, its length growing as it does between the two last ones.
     """
-    last = max(number for number, (_, stress, resistance) in enumerate(own) if stress.v_Ed > resistance)
-    if last + 1 < len(own):
-        u, distance = own[last + 1][1].u, own[last + 1][1].distance
+    last = max(number for number, (_, stress, resistance) in enumerate(around) if stress.v_Ed > resistance)
+    if last + 1 < len(around):
+        u, distance = around[last + 1][1].u, around[last + 1][1].distance
     else:
-        _, stress, resistance = own[-1]
+        _, stress, resistance = around[-1]
         u = en1992.outer_perimeter(stress.v_Ed, resistance * stress.distance / (2 * demand.d), stress.u)
-        inner = own[-2][1] if len(own) > 1 else None
+        inner = around[-2][1] if len(around) > 1 else None
         grows = (stress.u - inner.u) / (stress.distance - inner.distance) if inner is not None else 2 * math.pi
         distance = stress.distance + max(u - stress.u, 0.0) / max(grows, 1e-9)
     return (
@@ -136,11 +136,11 @@ def _punching(
     name: str, names: Names, limit: str, stresses: list[Judged], punched: Demands, status: Status, clause: str
 ) -> DesignCheck:
     """Return whether any stress exceeds its limit, with the worst; a support inside leaves it open."""
-    judged = [each for each in stresses if not each[1].supported]
-    beyond = [each for each in judged if each[1].v_Ed > each[2]]
+    judged = [one for one in stresses if not one[1].supported]
+    beyond = [one for one in judged if one[1].v_Ed > one[2]]
     numbers: dict[str, Any] = {}
     if judged:
-        demand, stress, most = max(judged, key=lambda each: each[1].v_Ed / each[2])
+        demand, stress, most = max(judged, key=lambda one: one[1].v_Ed / one[2])
         numbers = {
             "of": demand.name,
             "demand": max(stress.v_Ed, 0.0) / 1e6,
@@ -158,7 +158,7 @@ def _punching(
             f"{stress.v_Ed / most:.3g} times {most / 1e6:.3g} MPa, {limit} ({clause})"
         )
         return DesignCheck(name, status, words, **numbers)
-    unjudged = sorted({each[0].name for each in stresses if each[1].supported} | punched.missing.keys())
+    unjudged = sorted({one[0].name for one in stresses if one[1].supported} | punched.missing.keys())
     if unjudged:
         listed = ", ".join(unjudged[:5]) + (" ..." if len(unjudged) > 5 else "")
         words = f"not judged, for a support inside or no perimeter on the plate: {names.one}s {listed}"

@@ -79,7 +79,7 @@ def _two_way(
         return demands, missing
     results = reinforcement.ultimate_results(combined)
     for punching in forces:
-        pushing = [each for each in results if punching.pushing(each)[0] > 0]
+        pushing = [result for result in results if punching.pushing(result)[0] > 0]
         if not pushing:
             continue
         known = _SECTIONS.get(pushing[0].plate.nodes, model, dict)
@@ -90,8 +90,8 @@ def _two_way(
         if isinstance(section, str):
             missing[punching.name] = section
             continue
-        for each in pushing:
-            demands[each.combination, punching.name] = _demand(each, section, punching, steel)
+        for result in pushing:
+            demands[result.combination, punching.name] = _demand(result, section, punching, steel)
     return demands, missing
 
 

@@ -73,8 +73,13 @@ def pile_punching(combined: Results) -> Table:
     else:
         punched = _by_en1992(combined, steel, pile_demands(combined), "pile")
     rows = [
-        [each.combination, pile.name, float(pile.pushing(each)[0]) / 1e3, *punched.cells(each.combination, pile.name)]
-        for each in ultimate_results(combined)
+        [
+            result.combination,
+            pile.name,
+            float(pile.pushing(result)[0]) / 1e3,
+            *punched.cells(result.combination, pile.name),
+        ]
+        for result in ultimate_results(combined)
         for pile in punching_piles(combined.model)
     ]
     heads = [("combination", ""), ("pile", ""), ("force", "kN"), *punched.heads]
@@ -83,7 +88,7 @@ def pile_punching(combined: Results) -> Table:
 
 def _by_en1992(combined: Results, steel: Reinforcement, punched: Demands, one: str) -> PunchingCells:
     """Return the columns of punching by EN 1992-1-1."""
-    states = {each.combination: each.limit_state for each in solved_results(combined)}
+    states = {result.combination: result.limit_state for result in solved_results(combined)}
 
     def cells(combination: str, name: str) -> list[Cell]:
         v_Rd_max = max_resistance(materials(steel, states[combination])[0])
@@ -110,7 +115,7 @@ def _by_aci318(
     steel: Reinforcement, demands_and_missing: tuple[Mapping[tuple[str, str], TwoWay], Mapping[str, str]], one: str
 ) -> PunchingCells:
     """Return the columns of two-way shear by ACI 318."""
-    found, missing = demands_and_missing
+    known, missing = demands_and_missing
     relief = "load + other loads inside - pressure inside" if one == "column" else _OVER_PILE
     notes = (
         f"Two-way shear by ACI 318-19 22.6.5.2 and 8.4.4.2, in ultimate combinations: V_u = {relief}, on the critical "
@@ -122,7 +127,7 @@ def _by_aci318(
     )
     return PunchingCells(
         _ACI318,
-        lambda combination, name: _aci318_cells(found.get((combination, name)), steel),
+        lambda combination, name: _aci318_cells(known.get((combination, name)), steel),
         (*notes, *_missing(missing, one)),
     )
 

@@ -7,7 +7,9 @@ distances where a parabola through the three largest has its top.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from functools import partial
 from itertools import pairwise
 from typing import Literal
 
@@ -43,7 +45,7 @@ STEPS = np.arange(1, 9) / 4
 HALVINGS = 7
 #: So many further distances are tried at most for the largest v_Ed / v_Rd; a gain of this share is none.
 MOST_TRIALS, GAIN = 10, 1e-4
-#: An eccentricity [m] smaller than this, over the effective depth, points nowhere.
+#: An eccentricity [m] smaller than this points nowhere.
 NO_ECCENTRICITY = 1e-9
 
 
@@ -65,7 +67,7 @@ def _demands(combined: Results, forces: tuple[PunchingForce, ...]) -> Demands:
     missing: dict[str, str] = {}
     reach: dict[str, float] = {}
     for punching in forces if steel is not None else ():
-        pushing = [each for each in results if punching.pushing(each)[0] > 0]
+        pushing = [result for result in results if punching.pushing(result)[0] > 0]
         if not pushing:
             continue
         assert steel is not None
@@ -205,12 +207,12 @@ def _largest(results: list[CombinationResult], site: _Site) -> tuple[list[Demand
     first = results[0]
     face = site.control(first, 0.0)
     distances, why = _first_distances(site)
-    made = [_demand(each, site, face, distances) for each in results]
+    made = [_demand(result, site, face, distances) for result in results]
     for _ in range(MOST_TRIALS):
         distance = _next_distance(made, site.d)
         if distance is None or isinstance(control := site.control(first, distance), str):
             break
-        made = [_with_perimeter(demand, each, site, control) for demand, each in zip(made, results, strict=True)]
+        made = [_with_perimeter(demand, result, site, control) for demand, result in zip(made, results, strict=True)]
     return made, why
 
 
@@ -222,25 +224,28 @@ def _first_distances(site: _Site) -> tuple[list[float], str]:
     good: list[float] = []
     steps = [float(distance) for distance in STEPS * site.d]
     for before, distance in pairwise([0.0, *steps]):
-        line = site.line(distance)
+        line, known = site.line(distance), site.line(before)
         if isinstance(line, str):
-            last, _ = _halved(site, before, distance, "")
+            last, _ = _halved(before, distance, lambda a: not isinstance(site.line(a), str))
             good += [last] if last > before else []
             return good, "" if good and line == CUT else line
-        known = site.line(before)
         if good and not isinstance(known, str) and known.setbacks != line.setbacks:
-            good += _halved(site, before, distance, known.setbacks)
+            good += _halved(before, distance, partial(_runs_out_to, site, known.setbacks))
         good.append(distance)
     return good, ""
 
 
-def _halved(site: _Site, low: float, high: float, setbacks: tuple[float, ...] | str) -> tuple[float, float]:
-    """Return distances between which perimeters end, or run out to other edges than at first, halving an interval."""
+def _runs_out_to(site: _Site, setbacks: tuple[float, ...], distance: float) -> bool:
+    """Return whether the perimeter at a distance [m] runs out to edges of these setbacks [m] and no others."""
+    line = site.line(distance)
+    return not isinstance(line, str) and line.setbacks == setbacks
+
+
+def _halved(low: float, high: float, holds: Callable[[float], bool]) -> tuple[float, float]:
+    """Return two distances [m] closer to each other, at the lower of which something still holds."""
     for _ in range(HALVINGS):
         middle = (low + high) / 2
-        line = site.line(middle)
-        like_low = not isinstance(line, str) and (setbacks == "" or line.setbacks == setbacks)
-        low, high = (middle, high) if like_low else (low, middle)
+        low, high = (middle, high) if holds(middle) else (low, middle)
     return low, high
 
 
@@ -304,8 +309,8 @@ def _stress(results: CombinationResult, site: _Site, control: ControlPerimeter) 
     shear = perimeter_loads.punching_shear(
         results, control.loads, site.punching, control.center, edge_relieves=site.steel.line_force_relieves
     )
-    own = site.punching.pushing(results)[1:]
-    beta = _beta(control, shear.moments, shear.V, own) if shear.V > 0 else 1.0
+    applied = site.punching.pushing(results)[1:]
+    beta = _beta(control, shear.moments, shear.V, applied) if shear.V > 0 else 1.0
     v_Ed = beta * shear.V / (control.u * site.d)
     return Stress(control, shear.V, beta, v_Ed, shear.pressure, shear.edge, shear.others)
 
@@ -313,17 +318,17 @@ def _stress(results: CombinationResult, site: _Site, control: ControlPerimeter) 
 def _face_stress(results: CombinationResult, site: _Site, face: ControlPerimeter, outer: ControlPerimeter) -> Stress:
     """Return the demand at the face (6.4.5(3)), beta that of the own force and moments on the outermost perimeter."""
     stress = _stress(results, site, face)
-    force, *own = site.punching.pushing(results)
-    moments = np.array(own) + force * (np.array(site.punching.place) - outer.center)
-    beta = _beta(outer, moments, float(force), np.array(own))
+    force, *applied = site.punching.pushing(results)
+    moments = np.array(applied) + force * (np.array(site.punching.place) - outer.center)
+    beta = _beta(outer, moments, float(force), np.array(applied))
     return replace(stress, beta=beta, v_Ed=beta * stress.V_Ed / (face.u * site.d))
 
 
-def _beta(control: ControlPerimeter, moments: Array, force: float, own: Array) -> float:
+def _beta(control: ControlPerimeter, moments: Array, force: float, applied: Array) -> float:
     """Return beta of moments (2,) [N m] of forces along x and y about a perimeter's center (6.4.3, 6.4.4(2)).
 
     Values for edges and corners (6.4.3(4) and (5), Figure 6.21N) are for perimeters without openings and for moments
-    `own` (2,) [N m] of the column that do not bend it outwards; else 6.39 counts, if it is larger.
+    `applied` (2,) [N m] of the column that do not bend it outwards; else 6.39 counts, if it is larger.
     """
     turned, shape = control.course.frame @ moments, control.course.shape
     general = en1992.beta(list(turned), list(control.shares), force, control.u, list(control.moduli))
@@ -333,5 +338,5 @@ def _beta(control: ControlPerimeter, moments: Array, force: float, own: Array) -
     if shape == "edge":
         along, share, W = float(turned[0]), float(control.shares[0]), float(control.moduli[0])
         simple = en1992.beta_at_an_edge(control.reduced, along, share, force, control.u, W)
-    outwards = (control.course.inward @ own < -NO_ECCENTRICITY * force).any()
+    outwards = (control.course.inward @ applied < -NO_ECCENTRICITY * force).any()
     return max(simple, general) if control.opened or outwards else simple
