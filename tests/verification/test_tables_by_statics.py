@@ -150,15 +150,18 @@ def test_columns(combined: Results, tables: dict[str, Table]) -> None:
     assert (a["d"], a["u"]) == pytest.approx((345, inside.u))
     assert a["pressure inside"] == pytest.approx(inside.pressure_inside / 1e3)
     assert a["V_Ed"] == pytest.approx(975 + others - inside.pressure_inside / 1e3, rel=1e-3)
-    # other loads act in the middle of the area inside, so the pressure's moments about it alone make beta of 6.51
+    # the pressure's moments about the column, and those of the loads beside its axes, make beta of 6.51
     c, r = 0.4, 2 * d
     side = (np.arange(400) + 0.5) / 400 * (c + 2 * r) - (c / 2 + r)
     x, y = (each.ravel() for each in np.meshgrid(side, side))
     under = np.hypot(np.maximum(abs(x) - c / 2, 0), np.maximum(abs(y) - c / 2, 0)) < r
     x, y = x[under], y[under]
     force = 20e3 * combined["ULS"].plate.value_at("settlement", x - 2, y + 0.5) * (side[1] - side[0]) ** 2
+    patch, line = 1.5 * 20 * inside.area / 2, 1.5 * 30 * chord
+    M_x = force @ x + patch * np.abs(x).mean()
+    M_y = force @ y - line * 0.5
     W = c**2 / 2 + c**2 + 4 * c * d + 16 * d**2 + 2 * np.pi * d * c
-    beta = 1 + 0.6 * np.hypot(force @ x, force @ y) * inside.u / (a["V_Ed"] * W)
+    beta = 1 + 0.6 * np.hypot(M_x, M_y) * inside.u / (a["V_Ed"] * W)
     assert a["beta"] - 1 == pytest.approx(beta - 1, rel=0.01)
     assert a["v_Ed"] == pytest.approx(beta * a["V_Ed"] / 1e3 / (inside.u * d), rel=1e-4)
     # what the loads inside amount to shows in the shear forces, which know nothing of the sums above

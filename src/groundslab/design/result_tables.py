@@ -13,6 +13,8 @@ from groundslab.design.tables.acting import acting_cases
 from groundslab.design.tables.columns import column_envelope, column_table
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
 from groundslab.design.tables.locations import lines, points, soil, strips
+from groundslab.design.tables.punching.cells import pile_punching
+from groundslab.design.tables.punching.perimeter_loads import punching_piles
 from groundslab.design.tables.reinforcement import reinforcement
 from groundslab.design.tables.summary import combinations, extremes, tilts
 from groundslab.design.tables.supports import joint_table, support_table
@@ -26,10 +28,10 @@ __all__ = ["Column", "Table", "fields_of_envelope", "table_makers", "tables_of"]
 def tables_of(combined: Results) -> tuple[Table, ...]:
     """Return the tables of results: combinations, extremes, envelopes and tilt, and those that the model asks for.
 
-    Load cases have a table of what acts where. Points, section lines, design strips, supports, joints, columns,
-    reinforcement and laid bars have a table each if the model names any, and so have checks; on a continuum, the soil
-    below the points too. Without results the first says why, beside the checks. Discretization errors stand in columns
-    at the right. docs/results.md explains every column.
+    Load cases have a table of what acts where. Points, section lines, design strips, supports, joints, columns, piles
+    that punch the plate, reinforcement and laid bars have a table each if the model names any, and so have checks; on a
+    continuum, the soil below the points too. Without results the first says why, beside the checks. Discretization
+    errors stand in columns at the right. docs/results.md explains every column.
 
     Parameters
     ----------
@@ -91,6 +93,8 @@ def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
     makers |= {name: partial(errors.with_errors, make, combined) for name, (asked, make) in wanted.items() if asked}
     if model.columns:
         makers |= {"columns": columns, "column_envelope": lambda: column_envelope(combined, columns())}
+    if model.reinforcement is not None and punching_piles(model):
+        makers["pile_punching"] = lambda: errors.with_errors(pile_punching, combined)
     if model.reinforcement is not None:
         needs = partial(reinforcement, steel=model.reinforcement)
         makers["reinforcement"] = lambda: errors.with_errors_of_governing(needs, combined)

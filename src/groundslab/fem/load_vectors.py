@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 #: Points each way of the rule on pieces; products of two biquadratic functions and a bilinear map are met exactly.
 PIECE_POINTS = 5
+#: The same where a shape function is integrated alone.
+SHAPE_POINTS = 3
 #: Curved sides are followed by this many straight ones where an element is cut.
 CHORDS = 16
 #: Arcs of line loads are integrated in pieces of this angle [rad] at most, so many of them at least.
@@ -72,8 +74,13 @@ def _meets_box(xy: Array, bounds: tuple[float, float, float, float]) -> Flags:
     return meets
 
 
-def integrate_over_polygon(mesh: Mesh, elements: Integers, part: Polygon, pressure: Pressure = one) -> Array:
-    """Return int q N dA (m, 9) over the part of each element that lies in a polygon: [m2], or [N] for a q [Pa]."""
+def integrate_over_polygon(
+    mesh: Mesh, elements: Integers, part: Polygon, pressure: Pressure = one, rule: int = PIECE_POINTS
+) -> Array:
+    """Return int q N dA (m, 9) over the part of each element that lies in a polygon: [m2], or [N] for a q [Pa].
+
+    Pieces of elements have a rule of so many points each way.
+    """
     from shapely import contains, intersection, intersects, polygons, prepare
 
     total = np.zeros((len(elements), 9))
@@ -88,7 +95,7 @@ def integrate_over_polygon(mesh: Mesh, elements: Integers, part: Polygon, pressu
     pieces = intersection(outlines[cut], part)
     triangles, owner = _triangles(pieces)
     if len(triangles):
-        points, weights = _triangle_rule(PIECE_POINTS)
+        points, weights = _triangle_rule(rule)
         a, b, c = triangles[:, 0], triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]
         x = a[:, None] + points[:, :1] * b[:, None] + points[:, 1:] * c[:, None]
         dA = np.abs(b[:, 0] * c[:, 1] - b[:, 1] * c[:, 0])[:, None] * weights * pressure(x)

@@ -77,6 +77,10 @@ class PointSupport(Section):
     name: SupportName = ""
     x: Annotated[float, coordinate(0, "position")]
     y: Annotated[float, coordinate(1, "position")]
+    diameter: Annotated[
+        float | None,
+        Quantity("length", "d", "diameter, for punching of the plate over it; not checked by default", POSITIVE),
+    ] = None
     stiffness: Annotated[
         float | None, Quantity("stiffness", "K", "force per settlement; rigid by default", POSITIVE)
     ] = None

@@ -101,7 +101,7 @@ def _edge_section(b_1: float, b_2: float) -> Array:
 
 def _aci_stress(b_1: float, b_2: float, d: float, V_u: float, M: float) -> float:
     """Return the largest v_u [Pa] of a critical section at an edge by ACI 318."""
-    return aci_punching.stress(V_u, [M, 0.0], _edge_section(b_1, b_2), 2 * b_1 + b_2, d)
+    return aci_punching.stress(V_u, np.array([M, 0.0]), _edge_section(b_1, b_2), d)
 
 
 def _section(what: str) -> Callable[..., float]:
@@ -200,7 +200,7 @@ VALUES: dict[str, tuple[str | None, Callable[..., float]]] = {
     "v_c by ACI 318": (None, _aci_two_way),
     "phi V_c by ACI 318": (None, lambda **of: PHI_SHEAR * _aci_two_way(**of) * of["b_o"] * of["d"]),
     "gamma_v": (None, aci_punching.gamma_v),
-    "J_c": (None, lambda b_1, b_2, d: float(aci_punching.polar_moments(_edge_section(b_1, b_2), np.zeros(2), d)[0])),
+    "J_c": (None, lambda b_1, b_2, d: float(aci_punching.polar_moments(_edge_section(b_1, b_2), np.zeros(2), d)[0, 0])),
     "v_u by ACI 318": (None, _aci_stress),
     "lambda_s": (None, lambda d: AciConcrete(30e6).lambda_s(d)),
     "one-way v_c by ACI 318": (

@@ -11,7 +11,7 @@ from shapely import Point
 from groundslab import Model, Results, solve
 from groundslab.design.by_plate import edges_of, plate_under, results_by_plate
 from groundslab.design.checks import check_design
-from groundslab.design.punching import RectangularColumn, perimeter
+from groundslab.design.perimeters import RectangularColumn, perimeter
 from groundslab.design.result_tables import tables_of
 from groundslab.design.tilt import largest_tilt, tilt
 from groundslab.views.scene.plan import plan_of
@@ -90,8 +90,8 @@ def test_tilt_and_limits_are_those_of_single_plates(results: Results) -> None:
 def test_a_joint_is_an_edge(results: Results) -> None:
     """Punching 0.25 m from a joint has the perimeter of a free edge, and one-way shear counts from the joint."""
     beside, d = RectangularColumn(3.6, 1.5, 0.3, 0.3), 0.25
-    own = perimeter(plate_under(results.only, 3.6, 1.5), beside, 2 * d, 6 * d)
-    across = perimeter(results.only.plate, beside, 2 * d, 6 * d)
+    own = perimeter(plate_under(results.only, 3.6, 1.5), beside, 2 * d)
+    across = perimeter(results.only.plate, beside, 2 * d)
     assert own.u == pytest.approx(0.3 + 2 * (0.4 + 0.15) + np.pi * 2 * d, rel=1e-3)
     assert across.u == pytest.approx(4 * 0.3 + 2 * np.pi * 2 * d, rel=1e-3)
     assert edges_of(results.only).distance(Point(4.0, 1.5)) < 1e-9

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from shapely import get_coordinates
 
 import groundslab as gs
 from groundslab.design.checks import check_design
 from groundslab.design.en1992 import punching as en1992
-from groundslab.design.punching import RectangularColumn, reduced_share, shape_of
+from groundslab.design.line_properties import course
+from groundslab.design.perimeters import RectangularColumn
 from groundslab.design.result_tables import tables_of
+from groundslab.design.tables.punching.en1992 import reduced_share
 
 
 def legs(*points: tuple[float, float]) -> np.ndarray:
@@ -29,18 +32,19 @@ def legs(*points: tuple[float, float]) -> np.ndarray:
 )
 def test_a_perimeter_is_told_by_how_far_it_turns(line: np.ndarray, shape: str) -> None:
     """All around, half around, a quarter, hardly."""
-    assert shape_of(line)[0] == shape
+    assert course(line).shape == shape
 
 
 def test_the_reduced_perimeter_at_an_edge() -> None:
     """Figure 6.20a: of the legs across the edge half of the column's side counts, from the inner face."""
     column = RectangularColumn(0.2, 0.0, 0.4, 0.6)
     u = legs((0, -1), (1.2, -1), (1.2, 1), (0, 1))
-    along = shape_of(u)[1]
-    assert np.abs(along) == pytest.approx([0, 1])
+    way, footprint = course(u), get_coordinates(column.footprint())
+    assert np.abs(way.frame[0]) == pytest.approx([0, 1])
+    assert way.inward == pytest.approx(np.array([[1, 0], [1, 0]]))
     # from x = 0.4 - 0.2 on: two legs of 1.0 m and one of 2 m, of 4.4 m
-    assert reduced_share(u, column.footprint(), along, 0.5) == pytest.approx(4.0 / 4.4)
-    assert reduced_share(u, column.footprint(), along, 0.1) == pytest.approx((2 * 0.95 + 2) / 4.4)
+    assert reduced_share(u, footprint, way, 0.5) == pytest.approx(4.0 / 4.4)
+    assert reduced_share(u, footprint, way, 0.1) == pytest.approx((2 * 0.95 + 2) / 4.4)
 
 
 def test_beta_at_an_edge_by_hand() -> None:

@@ -5,25 +5,28 @@
     A_v / s = (v_u / phi - v_c) b_o / f_yt                                               22.6.7.2
     v_u = V_u / (b_o d) + gamma_v M_sc c / J_c,  gamma_v = 1 - 1 / (1 + 2/3 (b_1 / b_2)^(1/2))     8.4.4.2, 8.4.2.2.2
 
-on the critical section at d / 2 from the column, of straight sides around a rectangular one (22.6.4.1). J_c is that of
-the section's sides, d int e^2 dl + d^3 / 12 int cos^2 dl, as in the commentary R8.4.4.2.3; b_1 is along the
-eccentricity.
+on the critical section at d / 2 from the column, of straight sides around a rectangular one (22.6.4.1), without the
+part between the tangents to openings (22.6.4.3). Centroid and J_c are those of what is left. J_c is that of the sides,
+d int e^2 dl + d^3 / 12 int cos^2 dl, as in the commentary R8.4.4.2.3, about principal axes, on which it has no mixed
+term; moments about both count at once. b_1, along the eccentricity, and b_2 are extents of the whole section.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.aci318.materials import PHI_SHEAR, Concrete, Steel
+from groundslab.design.line_properties import centroid, directions, second_moments, total_length
 
 #: alpha_s of columns inside, at an edge and at a corner (22.6.5.3), by how the critical section runs.
 ALPHA_S = {"closed": 40.0, "edge": 30.0, "corner": 20.0}
 #: A slab with stirrups as shear reinforcement is at least so deep [m] (22.6.7.1).
 LEAST_DEPTH = 0.15
+#: A mixed term of J_c is none below this share of the whole.
+MIXED = 1e-9
 
 
 def without_links(concrete: Concrete, d: float, b_o: float, beta: float, alpha_s: float) -> float:
@@ -51,24 +54,42 @@ def gamma_v(b_1: float, b_2: float) -> float:
     return 1 - 1 / (1 + 2 / 3 * math.sqrt(b_1 / b_2))
 
 
-def polar_moments(legs: Array, axes: Array, d: float) -> Array:
-    """Return J_c (2,) [m4] of the sides (l, 2, 2) of a critical section, for e along x and along y from axes (2,)."""
-    length = np.linalg.norm(legs[:, 1] - legs[:, 0], axis=1)[:, None]
-    start, end = legs[:, 0] - axes, legs[:, 1] - axes
-    second = (length * (start**2 + start * end + end**2) / 3).sum(axis=0)
-    along = ((end - start) ** 2 / length).sum(axis=0)
-    return np.asarray(d * second + d**3 / 12 * along)
+def polar_moments(legs: Array, center: Array, d: float) -> Array:
+    """Return J_c (2, 2) [m4] of the sides (l, 2, 2) of a critical section about a center (2,) [m].
 
-
-def stress(V_u: float, moments: Sequence[float], legs: Array, b_o: float, d: float) -> float:
-    """Return the largest v_u [Pa] on the sides (l, 2, 2) of a critical section, about their centroid at the origin.
-
-    V_u [N] acts with moments [N m] of forces along x and along y. Where openings shorten the section to b_o [m], J_c is
-    shortened alike.
+    On its diagonal are those for e along x and along y, beside it the mixed term, which principal axes do not have.
     """
-    length = float(np.linalg.norm(legs[:, 1] - legs[:, 0], axis=1).sum())
-    J = polar_moments(legs, np.zeros(2), d) * b_o / length
-    b_1, b_2 = np.ptp(legs.reshape(-1, 2), axis=0)
+    return d * second_moments(legs, center) + d**3 / 12 * directions(legs)
+
+
+def principal_axes(J: Array) -> Array:
+    """Return the principal axes (2, 2) of J_c (2, 2), a unit vector in each row; x and y if they are."""
+    if abs(J[0, 1]) <= MIXED * np.trace(J):
+        return np.eye(2)
+    return np.asarray(np.linalg.eigh(J)[1].T)
+
+
+def stress(V_u: float, moments: Array, legs: Array, d: float, whole: Array | None = None) -> float:
+    """Return the largest v_u [Pa] on the sides of a critical section.
+
+    Parameters
+    ----------
+    V_u : float
+        Shear force [N].
+    moments : (2,) array of float
+        Its moments of forces along x and along y about the sides' centroid [N m].
+    legs : (l, 2, 2) array of float
+        The sides that count [m].
+    d : float
+        Effective depth [m].
+    whole : (k, 2, 2) array of float, optional
+        All sides, those that openings take off, too [m]; by default those that count.
+    """
+    center = centroid(legs)
+    J = polar_moments(legs, center, d)
+    axes = principal_axes(J)
+    b_1, b_2 = np.ptp((legs if whole is None else whole).reshape(-1, 2) @ axes.T, axis=0)
     shares = np.array([gamma_v(b_1, b_2), gamma_v(b_2, b_1)])
-    by_moment = legs.reshape(-1, 2) @ (shares * np.asarray(moments) / J)
-    return float(V_u / (b_o * d) + by_moment.max())
+    places = (legs.reshape(-1, 2) - center) @ axes.T
+    by_moment = places @ (shares * (axes @ moments) / np.diag(axes @ J @ axes.T))
+    return float(V_u / (total_length(legs) * d) + by_moment.max())

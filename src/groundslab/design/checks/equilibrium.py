@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from groundslab.design.checks.check import DesignCheck, some
-from groundslab.design.punching import outline
+from groundslab.design.perimeters import outline
 from groundslab.design.tables import column_loads
 from groundslab.design.tables.quantities import solved_results
 from groundslab.model.loads.load_cases import Combination

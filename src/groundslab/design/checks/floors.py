@@ -20,9 +20,11 @@ from groundslab.design.checks.check import DesignCheck
 from groundslab.design.design_moments import principal_moments
 from groundslab.design.en1992 import punching as punching_resistance
 from groundslab.design.en1992.materials import CONCRETE_CLASSES, Concrete, Steel
+from groundslab.design.en1992.perimeters import face_length, openings
 from groundslab.design.floors import acting_loads, resistance, strips, yield_lines
 from groundslab.design.floors.acting_loads import Borders, Force
 from groundslab.design.floors.yield_lines import Location, YieldSlab
+from groundslab.design.perimeters import surroundings
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.quantities import solved_results, why_none
 from groundslab.discretize.ground import grounds_of
@@ -188,7 +190,7 @@ def _punching(floor: TR34Floor, concrete: Concrete, slab: Slab, standing: Standi
     for location, (load, each) in sorted(largest.items()):
         column, P = acting_loads.as_column(load), load.share * load.P
         try:
-            at_face = P / (punching.face_length(each.plate, column, d) * d)
+            at_face = P / (face_length(surroundings(each.plate, column, 0.0, openings(d)), d) * d)
             around = punching.demand(each.plate, column, d, P).v_Ed
         except InputError as error:
             yield DesignCheck("punching", "attention", f"{location}: not judged, {error}", of=location)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from groundslab.design.checks import punching, two_way
+from groundslab.design.checks import punching_en1992, two_way_aci318
 from groundslab.design.checks.check import DesignCheck
 from groundslab.design.en1992.annex import unconfirmed
 from groundslab.design.tables import reinforcement
@@ -16,10 +16,10 @@ from groundslab.design.tables.quantities import why_none
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.results.results import Results
 
-#: Checks of columns by the codes of [reinforcement].
+#: Checks of columns and piles by the codes of [reinforcement].
 PUNCHING: dict[str, Callable[[Results], Iterator[DesignCheck]]] = {
-    "EN 1992-1-1": punching.checks,
-    "ACI 318": two_way.checks,
+    "EN 1992-1-1": punching_en1992.checks,
+    "ACI 318": two_way_aci318.checks,
 }
 
 
@@ -36,7 +36,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     needs = reinforcement.governing_needs(combined, steel)
     yield _bending(needs)
     yield _compression(needs, reinforcement.CLAUSES[steel.code][2])
-    if combined.model.columns:
+    if combined.model.columns or combined.model.supports:
         yield from PUNCHING[steel.code](combined)
     if reinforcement.without_partial_factors(combined):
         yield DesignCheck("partial factors", "attention", reinforcement.UNFACTORED)

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, assert_never
 
 import numpy as np
 
-from groundslab.arrays import Integers
+from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
 from groundslab.geometry.plan import FLAT
-from groundslab.model.loads import load_types
 from groundslab.model.loads.acting import (
     Acting,
     AreaPressure,
@@ -23,6 +23,7 @@ from groundslab.model.loads.acting import (
     SupportSettlement,
 )
 from groundslab.model.loads.clipping import clip_line
+from groundslab.model.loads.load_types import PointLoad
 from groundslab.model.model import Model
 from groundslab.model.plates.further import first_sections
 from groundslab.results.results import CombinationResult
@@ -31,24 +32,22 @@ if TYPE_CHECKING:
     from shapely import Polygon
     from shapely.geometry.base import BaseGeometry
 
+#: What acts, each shape with its load case.
+Shapes = Sequence[tuple[str, Acting]]
+
 
 def sum_of_column(model: Model, name: str) -> dict[str, float]:
     """Return the sum of the point loads that name a column [N], by load case."""
-    force: dict[str, float] = defaultdict(float)
-    for load in model.loads:
-        if isinstance(load, load_types.PointLoad) and load.column == name:
-            force[load.case] += load.P
-    return force
+    return {case: float(sums[0]) for case, sums in by_column(model, name).items()}
 
 
-def moments_of_column(model: Model, name: str) -> tuple[dict[str, float], dict[str, float]]:
-    """Return the sums of the moments M_x and M_y of the point loads that name a column [N m], by load case."""
-    sums: tuple[dict[str, float], dict[str, float]] = defaultdict(float), defaultdict(float)
+def by_column(model: Model, name: str) -> dict[str, Array]:
+    """Return the sums of P [N], M_x and M_y [N m] (3,) of the point loads that name a column, by load case."""
+    sums: dict[str, Array] = defaultdict(lambda: np.zeros(3))
     for load in model.loads:
-        if isinstance(load, load_types.PointLoad) and load.column == name:
-            sums[0][load.case] += load.M_x
-            sums[1][load.case] += load.M_y
-    return sums
+        if isinstance(load, PointLoad) and load.column == name:
+            sums[load.case] += (load.P, load.M_x, load.M_y)
+    return dict(sums)
 
 
 def sum_of_others(results: CombinationResult, part: Polygon, column: str | None) -> dict[str, float]:
@@ -56,54 +55,130 @@ def sum_of_others(results: CombinationResult, part: Polygon, column: str | None)
 
     Without a column it is that of all loads.
     """
-    model = results.solved_model
-    mesh = Mesh(results.plate.nodes, results.plate.elements)
-    elements = load_vectors.find_elements_near(mesh, part)
-    force: dict[str, float] = defaultdict(float)
+    return {case: float(sums[0]) for case, sums in acting_inside(results, part, column).items()}
+
+
+def shapes_around(model: Model, part: Polygon, column: str | None) -> Shapes:
+    """Return what may press a part of the plate, without the loads that name a column if one is given."""
+    shapes: list[tuple[str, Acting]] = []
     for load in model.loads:
         on_column = getattr(load, "column", "")
-        if not on_column or (on_column != column and _stands_near(on_column, model, part)):
-            for shape in model.shapes(load):
-                force[load.case] += _force_on(shape, part, results, mesh, elements)
-    return force
+        if on_column and (on_column == column or not _stands_near(on_column, model, part)):
+            continue
+        shapes += [(load.case, shape) for shape in model.shapes(load)]
+    return [(case, shape) for case, shape in shapes if getattr(shape, "on", "plate") == "plate"]
 
 
-def _force_on(shape: Acting, part: Polygon, results: CombinationResult, mesh: Mesh, elements: Integers) -> float:
-    """Return the force [N] of a shape on a part of the plate, near which some elements of the mesh lie."""
-    chord = FLAT * max(results.model.sides)
-    if isinstance(shape, AreaPressure):
-        pieces = [] if shape.on == "ground" else _pieces(part, shape.to_shapely())
-        return sum(_pressure_force(mesh, elements, piece, shape.pressure) for piece in pieces)
-    if isinstance(shape, LineForce):
-        return _on_line(shape, results.model, part, chord)
-    if isinstance(shape, PointForce):
-        return _on_footprint(shape, part, chord)
-    if isinstance(shape, PlateAction):
-        loaded = _of_plate(results, elements, shape.plate)
-        area = load_vectors.integrate_over_polygon(mesh, loaded, part).sum(axis=1)
-        weight = shape.unit_weight * float(area @ results.elements.thickness[loaded])
-        return weight + (_pressure_force(mesh, loaded, part, shape.pressure) if shape.presses else 0.0)
-    if not isinstance(shape, SupportSettlement):
-        assert_never(shape)
-    return 0.0
+def acting_inside(
+    results: CombinationResult,
+    part: Polygon,
+    column: str | None,
+    shapes: Shapes | None = None,
+    shares: tuple[Integers, Array] | None = None,
+) -> dict[str, Array]:
+    """Return force [N] and first moments int q x dA, int q y dA [N m] (3,) of loads on a part, by load case.
+
+    Parameters
+    ----------
+    results : CombinationResult
+        The results whose mesh and model are meant.
+    part : shapely.Polygon
+        Part of the plate.
+    column : str or None
+        Loads that name this column are left out.
+    shapes : sequence of (str, Acting), optional
+        What may press the part (see `shapes_around`), with its load case; all of the model by default.
+    shares : ((k,) array of int, (k, 9) array), optional
+        Elements that may meet the part and int N dA over it [m2], if they are known.
+
+    Returns
+    -------
+    dict of str to (3,) array
+        The sums by load case.
+    """
+    mesh = Mesh(results.plate.nodes, results.plate.elements)
+    if shares is None:
+        near = load_vectors.find_elements_near(mesh, part)
+        shares = near, load_vectors.integrate_over_polygon(mesh, near, part)
+    inside = _Inside(results, mesh, part, *shares)
+    if shapes is None:
+        shapes = shapes_around(results.solved_model, part, column)
+    sums: dict[str, Array] = defaultdict(lambda: np.zeros(3))
+    for case, shape in shapes:
+        sums[case] += inside.of(shape)
+    return dict(sums)
 
 
-def _pressure_force(mesh: Mesh, elements: Integers, part: Polygon, pressure: Pressure) -> float:
-    """Return the force [N] of a pressure on the part of some elements that lies in a polygon."""
-    return float(load_vectors.integrate_over_polygon(mesh, elements, part, pressure).sum())
+@dataclass(frozen=True, slots=True)
+class _Inside:
+    """A part of the plate, and what its elements have inside it."""
+
+    results: CombinationResult
+    mesh: Mesh
+    part: Polygon
+    elements: Integers
+    shares: Array  # (k, 9): int N dA over the part [m2]
+
+    def of(self, shape: Acting) -> Array:
+        """Return force and first moments (3,) of a shape inside."""
+        model = self.results.solved_model
+        chord = FLAT * max(model.sides)
+        if isinstance(shape, AreaPressure):
+            pieces = _pieces(self.part, shape.to_shapely())
+            return sum((self.pressed(self.elements, piece, shape.pressure) for piece in pieces), np.zeros(3))
+        if isinstance(shape, LineForce):
+            return _on_line(shape, model, self.part, chord)
+        if isinstance(shape, PointForce):
+            return _on_footprint(shape, self.part, chord)
+        if isinstance(shape, PlateAction):
+            return self.all_over(shape)
+        if not isinstance(shape, SupportSettlement):
+            assert_never(shape)
+        return np.zeros(3)
+
+    def sums(self, elements: Integers, forces: Array) -> Array:
+        """Return force and first moments (3,) of nodal forces (k, 9) [N] of elements (k,)."""
+        first = np.einsum("ea,eax->x", forces, self.mesh.nodes[self.mesh.elements[elements]])
+        return np.array([forces.sum(), *first])
+
+    def pressed(self, elements: Integers, piece: Polygon, pressure: Pressure) -> Array:
+        """Return force and first moments (3,) of a pressure on a piece."""
+        return self.sums(elements, load_vectors.integrate_over_polygon(self.mesh, elements, piece, pressure))
+
+    def all_over(self, action: PlateAction) -> Array:
+        """Return force and first moments (3,) of what acts all over a plate."""
+        of_plate = _of_plate(self.results, self.elements, action.plate)
+        elements = self.elements[of_plate]
+        thickness = self.results.elements.thickness[elements, None]
+        uniform = action.pressure.q if action.pressure.constant else 0.0
+        sums = self.sums(elements, (uniform + action.unit_weight * thickness) * self.shares[of_plate])
+        return sums if action.pressure.constant else sums + self.pressed(elements, self.part, action.pressure)
 
 
-def _of_plate(results: CombinationResult, elements: Integers, name: str) -> Integers:
-    """Return those of some elements that belong to the plate of a name, all of them if there is none."""
+def _of_plate(results: CombinationResult, elements: Integers, name: str) -> Flags:
+    """Return which of some elements belong to the plate of a name; all of them if there is none."""
+    if not name:
+        return np.ones(len(elements), dtype=bool)
     plates = results.model.every_plate
     number = np.searchsorted(first_sections(plates), results.elements.section[elements], side="right") - 1
-    return elements if not name else elements[np.array([each.name for each in plates])[number] == name]
+    return np.asarray(np.array([plate.name for plate in plates])[number] == name)
 
 
 def factored_sum(results: CombinationResult, force: Mapping[str, float]) -> float:
     """Return the sum of forces by load case [N], each with the factor of its case in a combination."""
-    factors = dict(results.factors) if results.solved_model.cases else {"": 1.0}
-    return sum(factors.get(case, 0.0) * each for case, each in force.items())
+    factors = _factors(results)
+    return sum(factors.get(case, 0.0) * of_case for case, of_case in force.items())
+
+
+def factored_sums(results: CombinationResult, sums: Mapping[str, Array]) -> Array:
+    """Return the sum of values (3,) by load case, those of each case with its factor in a combination."""
+    factors = _factors(results)
+    return sum((factors.get(case, 0.0) * of_case for case, of_case in sums.items()), np.zeros(3))
+
+
+def _factors(results: CombinationResult) -> dict[str, float]:
+    """Return the factors of the load cases in a combination."""
+    return dict(results.factors) if results.solved_model.cases else {"": 1.0}
 
 
 def _pieces(part: Polygon, area: BaseGeometry) -> list[Polygon]:
@@ -113,11 +188,11 @@ def _pieces(part: Polygon, area: BaseGeometry) -> list[Polygon]:
     return [piece for piece in get_parts(intersection(part, area)) if piece.geom_type == "Polygon" and piece.area > 0]
 
 
-def _on_line(line: LineForce, model: Model, part: Polygon, chord: float) -> float:
-    """Return the force [N] of a line force on a part of the plate."""
+def _on_line(line: LineForce, model: Model, part: Polygon, chord: float) -> Array:
+    """Return force and first moments (3,) of a line force on a part of the plate."""
     from shapely import LineString, Point, get_coordinates, get_parts, intersection
 
-    force = 0.0
+    sums = np.zeros(3)
     for piece in clip_line(model.plate, line, model.plates):
         n = piece.edge.chords(chord)
         places = np.arange(n + 1) / n
@@ -127,8 +202,9 @@ def _on_line(line: LineForce, model: Model, part: Polygon, chord: float) -> floa
                 # the force of a linear q is that in the middle of the way times the length
                 ways = [flat.project(Point(end)) / flat.length for end in get_coordinates(inside)[[0, -1]]]
                 q = piece.q[0] + (piece.q[1] - piece.q[0]) * sum(ways) / 2
-                force += q * inside.length / flat.length * piece.edge.length
-    return float(force)
+                force = q * inside.length / flat.length * piece.edge.length
+                sums += force * np.array([1.0, inside.centroid.x, inside.centroid.y])
+    return sums
 
 
 def _stands_near(name: str, model: Model, part: Polygon) -> bool:
@@ -137,12 +213,15 @@ def _stands_near(name: str, model: Model, part: Polygon) -> bool:
     return bool(column.to_shapely(FLAT * max(model.sides)).intersects(part))
 
 
-def _on_footprint(point: PointForce, part: Polygon, chord: float) -> float:
-    """Return the force [N] of a point force on a part of the plate, by its pressure where it has a footprint."""
+def _on_footprint(point: PointForce, part: Polygon, chord: float) -> Array:
+    """Return force and first moments (3,) of a point force on a part, by its pressure where it has a footprint."""
     place = point.to_shapely(chord)
     if point.ring is None:
-        return point.P if part.covers(place) else 0.0
+        return point.P * np.array([1.0, *point.place]) if part.covers(place) else np.zeros(3)
     pressure = point.pressure(place)
-    # a linear pressure is that at the center times the area
-    forces = [pressure(np.array(piece.centroid.coords[0])) * piece.area for piece in _pieces(part, place)]
-    return float(sum(forces))
+    sums = np.zeros(3)
+    for piece in _pieces(part, place):
+        middle = np.array(piece.centroid.coords[0])
+        # a linear pressure is that at the center times the area
+        sums += float(pressure(middle) * piece.area) * np.array([1.0, *middle])
+    return sums

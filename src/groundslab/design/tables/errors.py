@@ -15,6 +15,16 @@ from groundslab.results.fields import LINE_FORCE, POINT_FIELDS, RANGED_FIELDS
 from groundslab.results.results import CombinationResult, Results
 
 _QUANTITIES = tuple(about.head[0] for about in POINT_FIELDS.values() if about.head[1] != "deg")
+_PUNCHING = (
+    "V_Ed",
+    "v_Ed",
+    "V_u",
+    "v_u",
+    "pressure inside",
+    "edge line force inside",
+    "v_Ed / v_Rd",
+    "v_Ed at the face",
+)
 #: The columns whose values have discretization errors, by table. Loads, lengths and directions have none.
 VALUES: dict[str, tuple[str, ...]] = {
     "combinations": ("area in contact",),
@@ -33,9 +43,9 @@ VALUES: dict[str, tuple[str, ...]] = {
     ),
     "joints": ("force", "greatest force per length", "greatest step"),
     "columns": (
-        "settlement", "settlement difference", "angular distortion", "angular distortion without tilt", "V_Ed", "v_Ed",
-        "pressure inside", "v_Ed at the face",
+        "settlement", "settlement difference", "angular distortion", "angular distortion without tilt", *_PUNCHING,
     ),
+    "pile_punching": ("force", *_PUNCHING),
     "reinforcement": ("required area", "design moment"),
 }  # fmt: skip
 #: Extremes in the table of combinations: which of which quantity.

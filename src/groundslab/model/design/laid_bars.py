@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -105,10 +105,15 @@ def mean_area(
 
 
 def punching_ratio(
-    plate: Plate, steel: Reinforcement, column: Column, d: float, plates: tuple[FurtherPlate, ...] = ()
+    plate: Plate,
+    steel: Reinforcement,
+    column: Column,
+    d: float,
+    plates: tuple[FurtherPlate, ...] = (),
+    face: Literal["bottom", "top"] = "bottom",
 ) -> float:
-    """Return rho_l of the bars that are laid at the bottom, for punching at a column (6.4.4(1))."""
-    x, y = (mean_area(plate, steel, layer, column, d, plates) for layer in ("bottom_x", "bottom_y"))
+    """Return rho_l of the bars that are laid at a face, for punching at a column, or a pile (6.4.4(1))."""
+    x, y = (mean_area(plate, steel, layer, column, d, plates) for layer in (f"{face}_x", f"{face}_y"))
     return math.sqrt(x * y) / d
 
 

@@ -72,26 +72,25 @@ def test_polar_moment_by_quadrature() -> None:
         e = start + at[:, None] * (end - start)
         for axis in (0, 1):
             expected[axis] += (e[:, None, axis] ** 2 + z**2 * cos2[axis]).mean() * length * d
-    assert punching.polar_moments(legs, np.zeros(2), d) == pytest.approx(expected, rel=1e-4)
+    assert np.diag(punching.polar_moments(legs, np.zeros(2), d)) == pytest.approx(expected, rel=1e-4)
 
 
 def test_polar_moment_of_a_rectangle() -> None:
     """D (a^3 / 6 + b a^2 / 2) + a d^3 / 6, the commentary's R8.4.4.2.3 for a column inside."""
     a, b, d = 0.9, 0.7, 0.4
-    J = punching.polar_moments(rectangle(a, b), np.zeros(2), d)
+    J = np.diag(punching.polar_moments(rectangle(a, b), np.zeros(2), d))
     assert J[0] == pytest.approx(d * (a**3 / 6 + b * a**2 / 2) + a * d**3 / 6)
     assert J[1] == pytest.approx(d * (b**3 / 6 + a * b**2 / 2) + b * d**3 / 6)
 
 
 def test_stress_with_a_moment() -> None:
-    """A square section, gamma_v = 0.4: V / (b_o d) + 0.4 M (b / 2) / J on one side; openings raise both alike."""
+    """A square section, gamma_v = 0.4: V / (b_o d) + 0.4 M (b / 2) / J on one side."""
     b, d, V, M = 0.8, 0.35, 900e3, 200e3
     J = d * (b**3 / 6 + b**3 / 2) + b * d**3 / 6
     legs = rectangle(b, b)
-    v_u = punching.stress(V, [M, 0.0], legs, 4 * b, d)
+    v_u = punching.stress(V, np.array([M, 0.0]), legs, d)
     assert v_u == pytest.approx(V / (4 * b * d) + 0.4 * M * b / 2 / J)
-    assert punching.stress(V, [0.0, -M], legs, 4 * b, d) == pytest.approx(v_u)
-    assert punching.stress(V, [M, 0.0], legs, 2 * b, d) == pytest.approx(2 * v_u)
+    assert punching.stress(V, np.array([0.0, -M]), legs, d) == pytest.approx(v_u)
     assert punching.gamma_v(1.0, 1.0) == pytest.approx(0.4)
 
 

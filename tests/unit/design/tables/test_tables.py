@@ -317,8 +317,8 @@ def test_punching_under_even_pressure() -> None:
 
 
 def test_punching_that_cannot_be_looked_at() -> None:
-    """A plate with nothing left at 2 d from the column has no perimeter, and a note says why."""
-    column = {"name": "K", "x": 0.0, "y": 0.0, "width_x": 9.0, "width_y": 7.0}
+    """A plate with nothing left around the column has no perimeter, and a note says why."""
+    column = {"name": "K", "x": 0.0, "y": 0.0, "width_x": 9.6, "width_y": 7.2}
     of = combined(described(columns=[column], loads=[{**ON_COLUMNS[0], "column": "K"}], reinforcement=STEEL))
     found = table("columns", of)
     assert set(found["V_Ed"]) == {None}

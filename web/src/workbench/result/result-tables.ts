@@ -15,7 +15,11 @@ const GROUPS: readonly { name: string; label: string; tables: Record<string, str
   },
   { name: "envelope", label: "Envelope", tables: { envelope: "envelope" } },
   { name: "columns", label: "Columns", tables: { column_envelope: "extremes", columns: "all combinations" } },
-  { name: "supports", label: "Supports", tables: { supports: "supports", joints: "joints" } },
+  {
+    name: "supports",
+    label: "Supports",
+    tables: { supports: "supports", pile_punching: "punching over piles", joints: "joints" },
+  },
   { name: "strips", label: "Strips", tables: { strips: "design strips", lines: "section lines", points: "points" } },
   { name: "reinforcement", label: "Reinforcement", tables: { reinforcement: "required", bars: "laid, quantities" } },
   {

@@ -15,7 +15,7 @@ from groundslab.design.by_plate import distances_to_edges, results_by_plate
 from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, region_within_d
 from groundslab.design.en1992 import shear
 from groundslab.design.floors.acting_loads import factors_of
-from groundslab.design.punching import outline
+from groundslab.design.perimeters import outline
 from groundslab.design.tables import reinforcement
 from groundslab.discretize.singular_places import near_singular
 from groundslab.fem.line_traversal import interpolation, pieces

@@ -14,8 +14,8 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.design.by_plate import results_by_plate
-from groundslab.design.punching import outline
-from groundslab.design.tables.punching import depth_under, shape_of_column
+from groundslab.design.perimeters import outline
+from groundslab.design.tables.punching.perimeter_loads import effective_depth, footprint_of
 from groundslab.fem.line_traversal import interpolation, pieces
 from groundslab.fem.mesh import Mesh
 from groundslab.model.columns import Column
@@ -56,7 +56,7 @@ def cuts(results: CombinationResult, steel: Reinforcement) -> Iterator[Cut]:
     mesh = Mesh(results.plate.nodes, results.plate.elements)
     for column in columns:
         plan = plans[region.plate_at((column.x, column.y))]
-        d = depth_under(results, shape_of_column(column), steel)
+        d = effective_depth(results, footprint_of(column), steel)
         for axis in (0, 1):
             half = (column.diameter or (column.width_x, column.width_y)[axis] or 0.0) / 2
             for side in (-1.0, 1.0):

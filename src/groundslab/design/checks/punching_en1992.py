@@ -1,0 +1,170 @@
+"""Punching by EN 1992-1-1 6.4 of columns, and of the plate over piles: at faces, within 2 d, and the links it takes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+from groundslab.design.checks.check import DesignCheck, Status
+from groundslab.design.en1992 import punching as en1992
+from groundslab.design.tables import reinforcement
+from groundslab.design.tables.punching.en1992 import demands, pile_demands
+from groundslab.design.tables.punching.en1992_demand import Demand, Demands, Stress
+from groundslab.design.tables.punching.perimeter_loads import punching_piles
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.results import Results
+
+#: Radial distance of the perimeters of links over the effective depth, the largest that 9.4.3(1) allows.
+LINK_SPACING = 0.75
+#: How far inside the outer perimeter the outermost links are at most, over the effective depth (6.4.5(4)).
+LAST_LINKS = 1.5
+
+#: A demand, the stress on one of its perimeters, and what resists it there [Pa].
+Judged = tuple[Demand, Stress, float]
+
+
+class Names(NamedTuple):
+    """How checks call what punches."""
+
+    face: str
+    within: str
+    one: str
+
+
+COLUMNS = Names("punching at the column's face", "punching within 2 d", "column")
+PILES = Names("punching at the pile's face", "punching over piles within 2 d", "pile")
+
+
+def checks(combined: Results) -> Iterator[DesignCheck]:
+    """Yield the checks of punching over all ultimate combinations."""
+    steel = combined.model.reinforcement
+    assert steel is not None
+    if combined.model.columns:
+        yield from _checks(steel, demands(combined), COLUMNS)
+    if punching_piles(combined.model):
+        yield from _checks(steel, pile_demands(combined), PILES)
+
+
+def _checks(steel: Reinforcement, punched: Demands, names: Names) -> Iterator[DesignCheck]:
+    """Yield the checks at faces and around."""
+    face = _face(steel, punched, names)
+    if face is not None:
+        yield face
+    yield _within_2d(steel, punched, names)
+
+
+def _face(steel: Reinforcement, punched: Demands, names: Names) -> DesignCheck | None:
+    """Return whether punching exceeds v_Rd,max at any face (EN 1992-1-1 6.4.5(3)), if it is limited."""
+    if en1992.max_resistance(reinforcement.materials(steel)[0]) is None:
+        return None
+    stresses = [
+        (demand, demand.face, en1992.max_resistance(reinforcement.materials(steel, demand.limit_state)[0]) or 0.0)
+        for demand in punched.found.values()
+        if demand.face is not None
+    ]
+    return _punching(names.face, names, "v_Rd,max", stresses, punched, "fails", "6.4.5(3)")
+
+
+def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> DesignCheck:
+    """Return whether punching within 2 d needs links, or exceeds what they can carry.
+
+    With the bars that are laid in tension, or with the most that count, whatever will be laid. What links can carry is
+    limited at 2 d, or on all perimeters where the face has no limit of its own.
+    """
+    name, which = names.within, "the bars that are laid" if steel.laid else "the most bars that count"
+    most: list[Judged] = []
+    there: list[Judged] = []
+    annex = reinforcement.materials(steel)[0].annex
+    for demand in punched.found.values():
+        around = [(demand, stress, demand.resistance(stress)) for stress in demand.around]
+        there += around
+        limited = around[-1:] if annex.face else around
+        most += [(demand, stress, annex.k_max * resistance) for demand, stress, resistance in limited]
+    limit = f"{annex.k_max:g} v_Rd,c with {which}"
+    with_links = _punching(name, names, limit, most, punched, "fails", "6.4.5(1)")
+    if with_links.status == "fails":
+        return with_links
+    without = _punching(name, names, f"v_Rd with {which}", there, punched, "attention", "6.4.4(2)")
+    needing = [judged for judged in there if judged[1].v_Ed > judged[2] and not judged[1].supported]
+    if not needing:
+        return without
+    worst = max(needing, key=lambda judged: judged[1].v_Ed / judged[2])
+    links, reach = _links(steel, worst), _outer(worst[0], [judged for judged in there if judged[0] is worst[0]])
+    return replace(without, words=f"punching reinforcement is needed at {without.words}; {links}, {reach}")
+
+
+def _links(steel: Reinforcement, worst: Judged) -> str:
+    """Return the links that a perimeter needs, in words."""
+    demand, stress, resistance = worst
+    concrete, bars = reinforcement.materials(steel, demand.limit_state)
+    if concrete.annex.links_alone:
+        A_sw = en1992.links_alone(stress.v_Ed * stress.u * demand.d, demand.d, bars.f_yd)
+        return f"there {A_sw * 1e4:.3g} cm2 of vertical links in the two inner rows together (6.4.5(1) of the annex)"
+    s_r = LINK_SPACING * demand.d
+    A_sw = en1992.links_per_perimeter(stress.v_Ed, resistance, stress.u, demand.d, s_r, bars.f_yd)
+    return f"there {A_sw * 1e4:.3g} cm2 of vertical links on each perimeter, {s_r:.2f} m apart (6.4.5(1), 9.4.3)"
+
+
+def _outer(demand: Demand, around: list[Judged]) -> str:
+    """Return in words where links are needed no more, of the perimeters of one demand from the inner to the outer one.
+
+    Beyond the outermost one by 6.54, its length growing as it does between the two last ones.
+    """
+    last = max(number for number, (_, stress, resistance) in enumerate(around) if stress.v_Ed > resistance)
+    if last + 1 < len(around):
+        u, distance = around[last + 1][1].u, around[last + 1][1].distance
+    else:
+        _, stress, resistance = around[-1]
+        u = en1992.outer_perimeter(stress.v_Ed, resistance * stress.distance / (2 * demand.d), stress.u)
+        inner = around[-2][1] if len(around) > 1 else None
+        grows = (stress.u - inner.u) / (stress.distance - inner.distance) if inner is not None else 2 * math.pi
+        distance = stress.distance + max(u - stress.u, 0.0) / max(grows, 1e-9)
+    return (
+        f"to within {LAST_LINKS * demand.d:.2f} m of the perimeter beyond which none are needed, u_out {u:.2f} m long, "
+        f"{distance:.2f} m from the column (6.4.5(4), 6.54)"
+    )
+
+
+def _at(stress: Stress, d: float) -> str:
+    """Return where a perimeter runs."""
+    return f" at {stress.distance / d:.2g} d" if stress.distance else ""
+
+
+def _punching(
+    name: str, names: Names, limit: str, stresses: list[Judged], punched: Demands, status: Status, clause: str
+) -> DesignCheck:
+    """Return whether any stress exceeds its limit, with the worst; a support inside leaves it open."""
+    judged = [one for one in stresses if not one[1].supported]
+    beyond = [one for one in judged if one[1].v_Ed > one[2]]
+    numbers: dict[str, Any] = {}
+    if judged:
+        demand, stress, most = max(judged, key=lambda one: one[1].v_Ed / one[2])
+        numbers = {
+            "of": demand.name,
+            "demand": max(stress.v_Ed, 0.0) / 1e6,
+            "resistance": most / 1e6,
+            "unit": "MPa",
+            "clause": f"EN 1992-1-1 {clause}",
+            "combination": demand.combination,
+            "place": punched.places[demand.name],
+        }
+    if beyond:
+        count = len({judged[0].name for judged in beyond})
+        words = (
+            f'{count} {names.one}{"s" if count > 1 else ""}; worst {demand.name} in "{demand.combination}": v_Ed '
+            f"{stress.v_Ed / 1e6:.3g} MPa{_at(stress, demand.d)}, with beta {stress.beta:.2f}, is "
+            f"{stress.v_Ed / most:.3g} times {most / 1e6:.3g} MPa, {limit} ({clause})"
+        )
+        return DesignCheck(name, status, words, **numbers)
+    unjudged = sorted({one[0].name for one in stresses if one[1].supported} | punched.missing.keys())
+    if unjudged:
+        listed = ", ".join(unjudged[:5]) + (" ..." if len(unjudged) > 5 else "")
+        words = f"not judged, for a support inside or no perimeter on the plate: {names.one}s {listed}"
+        return DesignCheck(name, "attention", words, **numbers)
+    if not judged:
+        return DesignCheck(name, "no failure found", f"no {names.one} pushes {'up' if names is PILES else 'down'}")
+    used = max(stress.v_Ed / most for _, stress, most in judged)
+    words = f"v_Ed is at most {100 * max(used, 0.0):.3g} % of {limit}, {demand.name}{_at(stress, demand.d)}"
+    return DesignCheck(name, "no failure found", words, **numbers)

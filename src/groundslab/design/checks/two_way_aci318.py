@@ -1,0 +1,70 @@
+"""Two-way shear by ACI 318-19 22.6 at columns, and of the plate over piles, at d / 2 from their faces."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from groundslab.design.aci318 import punching as aci318
+from groundslab.design.aci318.materials import PHI_SHEAR
+from groundslab.design.checks.check import DesignCheck, Status
+from groundslab.design.tables import reinforcement
+from groundslab.design.tables.punching.aci318 import TwoWay, pile_two_way, strength, two_way
+from groundslab.design.tables.punching.perimeter_loads import punching_piles
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.results import Results
+
+
+def checks(combined: Results) -> Iterator[DesignCheck]:
+    """Yield the check of two-way shear over all ultimate combinations."""
+    steel = combined.model.reinforcement
+    assert steel is not None
+    if combined.model.columns:
+        yield from _checks(steel, two_way(combined), "two-way shear", ("column", "down"))
+    if punching_piles(combined.model):
+        yield from _checks(steel, pile_two_way(combined), "two-way shear over piles", ("pile", "up"))
+
+
+def _checks(
+    steel: Reinforcement,
+    demands: tuple[Mapping[tuple[str, str], TwoWay], Mapping[str, str]],
+    name: str,
+    pushing: tuple[str, str],
+) -> Iterator[DesignCheck]:
+    """Yield the check of columns that push down, or piles that push up, and which of them it leaves out."""
+    known, missing = demands
+    one, way = pushing
+    judged = [demand for demand in known.values() if not demand.supported]
+    unjudged = sorted({demand.name for demand in known.values() if demand.supported} | missing.keys())
+    if judged:
+        yield _worst(max(judged, key=lambda demand: demand.v_u / strength(demand, steel)), steel, name)
+    elif not unjudged:
+        yield DesignCheck(name, "no failure found", f"no {one} pushes {way}")
+    if unjudged:
+        listed = ", ".join(unjudged[:5]) + (" ..." if len(unjudged) > 5 else "")
+        words = f"not judged, for a support inside or no critical section on the plate: {one}s {listed}"
+        yield DesignCheck(f"{name} of some {one}s", "attention", words)
+
+
+def _worst(demand: TwoWay, steel: Reinforcement, name: str) -> DesignCheck:
+    """Return the check of the column or pile that is used most."""
+    v_u, resistance = max(demand.v_u, 0.0), strength(demand, steel)
+    words = (
+        f'{demand.name} in "{demand.combination}": v_u {v_u / 1e6:.3g} MPa on b_o {demand.b_o:.2f} m is '
+        f"{v_u / resistance:.3g} times phi v_c {resistance / 1e6:.3g} MPa (22.6.5.2)"
+    )
+    status: Status = "no failure found"
+    if v_u > resistance:
+        concrete, bars = reinforcement.aci318_materials(steel)
+        most = PHI_SHEAR * aci318.most_with_links(concrete)
+        thin = demand.d < aci318.LEAST_DEPTH
+        status = "fails" if v_u > most or thin else "attention"
+        per_meter = aci318.links(v_u, demand.d, demand.b_o, concrete, bars)
+        words += (
+            f"; no stirrups help, which bear {most / 1e6:.3g} MPa at most (22.6.6.3)" if v_u > most
+            else "; too thin for stirrups (22.6.7.1)" if thin
+            else f"; stirrups of A_v/s {per_meter * 1e4:.3g} cm2/m are needed around it (22.6.7.2)"
+        )  # fmt: skip
+    return DesignCheck(
+        name, status, words, of=demand.name, demand=v_u / 1e6, resistance=resistance / 1e6, unit="MPa",
+        clause="ACI 318-19 22.6.5.2, 8.4.4.2", combination=demand.combination, place=demand.place,
+    )  # fmt: skip

@@ -1,0 +1,104 @@
+"""What straight pieces of a perimeter amount to: length, center, moduli, second moments, and how they run."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from groundslab.arrays import Array
+
+#: How a perimeter runs, by the angle in degrees that it turns at least.
+Shape = Literal["closed", "edge", "corner", "cut"]
+TURNED: Mapping[Shape, float] = {"closed": 225.0, "edge": 135.0, "corner": 45.0, "cut": -1.0}
+
+
+class Course(NamedTuple):
+    """How a perimeter runs."""
+
+    shape: Shape
+    frame: Array  # (2, 2): unit vectors from end to end and across; x and y of a closed one
+    inward: Array  # (k, 2): unit vectors from the plate's edges inwards, where its two ends are; none of a closed one
+
+
+def lengths(legs: Array) -> Array:
+    """Return the length of each piece (l,) [m] of legs (l, 2, 2) [m]."""
+    return np.asarray(np.linalg.norm(legs[:, 1] - legs[:, 0], axis=1))
+
+
+def total_length(legs: Array) -> float:
+    """Return the length [m] of legs (l, 2, 2) [m]."""
+    return float(lengths(legs).sum())
+
+
+def centroid(legs: Array) -> Array:
+    """Return the centroid (2,) [m] of straight pieces (l, 2, 2) of a perimeter."""
+    length = lengths(legs)
+    return np.asarray(length @ legs.mean(axis=1) / length.sum())
+
+
+def moduli(legs: Array, axes: Array) -> Array:
+    """Return W_1 = int |e| dl (2,) [m2] of a perimeter, e along x and along y from axes (2,) [m], by 6.40."""
+    length = lengths(legs)[:, None]
+    start, end = legs[:, 0] - axes, legs[:, 1] - axes
+    size = np.abs(start) + np.abs(end)
+    crossing = np.divide(start**2 + end**2, 2 * size, out=np.zeros_like(size), where=size > 0)
+    return np.asarray((length * np.where(start * end >= 0, size / 2, crossing)).sum(axis=0))
+
+
+def second_moments(legs: Array, center: Array) -> Array:
+    """Return int e e^T dl (2, 2) [m3] of straight pieces (l, 2, 2) [m] about a center (2,) [m]."""
+    length = lengths(legs)
+    start, end = legs[:, 0] - center, legs[:, 1] - center
+    middle, half = (start + end) / 2, (end - start) / 2
+    of_middles = np.einsum("l,li,lj->ij", length, middle, middle)
+    return np.asarray(of_middles + np.einsum("l,li,lj->ij", length, half, half) / 3)
+
+
+def directions(legs: Array) -> Array:
+    """Return int t t^T dl (2, 2) [m] of straight pieces (l, 2, 2) [m], t along them."""
+    length, run = lengths(legs), legs[:, 1] - legs[:, 0]
+    return np.asarray(np.einsum("l,li,lj->ij", 1 / length, run, run))
+
+
+def shape_of(legs: Array) -> Shape:
+    """Return how a perimeter of legs (l, 2, 2) runs.
+
+    It is told by the angle that it turns: all around the column, half around at an edge, a quarter at a corner. One
+    that hardly turns cuts the slab from edge to edge, which is one-way shear and no punching.
+    """
+    return _shape(_chains(legs))
+
+
+def course(legs: Array) -> Course:
+    """Return how a perimeter of legs (l, 2, 2) runs, with its directions."""
+    chains = _chains(legs)
+    shape = _shape(chains)
+    longest = max(chains, key=len)
+    chord = longest[-1] - longest[0]
+    if shape == "closed" or not chord.any():
+        return Course(shape, np.eye(2), np.empty((0, 2)))
+    along = chord / np.linalg.norm(chord)
+    ends = np.array([longest[1] - longest[0], longest[-2] - longest[-1]])
+    inward = ends / np.linalg.norm(ends, axis=1, keepdims=True)
+    return Course(shape, np.array([along, [-along[1], along[0]]]), inward)
+
+
+def _chains(legs: Array) -> list[Array]:
+    """Return the places (k, 2) along each connected part of legs (l, 2, 2)."""
+    from shapely import get_coordinates, get_parts, line_merge, linestrings, multilinestrings
+
+    return [get_coordinates(chain) for chain in get_parts(line_merge(multilinestrings(linestrings(legs))))]
+
+
+def _shape(chains: list[Array]) -> Shape:
+    """Return the shape by the angle that all parts turn together."""
+    turned = 0.0
+    for chain in chains:
+        steps = np.diff(chain, axis=0)
+        if np.allclose(chain[0], chain[-1]):
+            steps = np.vstack([steps, steps[:1]])
+        angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
+        turned += abs(float(np.degrees(angles[-1] - angles[0])))
+    return next(name for name, least in TURNED.items() if turned > least)

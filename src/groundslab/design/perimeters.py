@@ -1,0 +1,324 @@
+"""Perimeters around columns and piles on a plate: how they run, and what openings leave of them.
+
+No code's formulas are in here. The shape of a perimeter at a distance is that of EN 1992-1-1 6.4.2 (Figures 6.13 to
+6.15), or with square corners that of ACI 318-19 22.6.4.1; both take off it what lies between the tangents from the
+center of the loaded area to an opening (6.4.2(3), 22.6.4.3). What is left is a `Perimeter`: its length, center, moduli
+and second moments (`line_properties`) are those of the legs that are left, not of the whole way around.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import combinations, pairwise
+from typing import TYPE_CHECKING, Literal, NamedTuple
+
+import numpy as np
+
+from groundslab.arrays import Array, Memo
+from groundslab.design.line_properties import total_length
+from groundslab.errors import InputError, Issue
+from groundslab.fem.mesh import sides_on_boundary
+from groundslab.fem.shape_functions import lagrange
+from groundslab.geometry.plan import SAME_PLACE
+from groundslab.results.mesh_results import PlateResult
+
+if TYPE_CHECKING:
+    from shapely import MultiPolygon, Polygon
+    from shapely.geometry.base import BaseGeometry
+
+#: Chords of a quarter of a circle; the perimeter is shorter than with arcs by less than 3e-5 of itself.
+QUARTER_CHORDS = 64
+#: Chords of a curved side of an element at the plate's edge.
+SIDE_CHORDS = 16
+#: Of the plate's edges near a column so many are tried as edges that the perimeter may run out to.
+NEAREST_EDGES = 3
+#: Tangents to an opening are followed so many times as far as the place reaches that is looked at.
+FAR = 4.0
+#: An opening's shadow is drawn in steps of this angle [rad] at most.
+SHADOW_STEP = np.pi / 4
+
+
+@dataclass(frozen=True, slots=True)
+class RectangularColumn:
+    """A column's footprint: a rectangle along x and y around its center [m]."""
+
+    x: float
+    y: float
+    width_x: float
+    width_y: float
+
+    def footprint(self) -> Polygon:
+        """Return the rectangle."""
+        from shapely import box
+
+        a, b = self.width_x / 2, self.width_y / 2
+        return box(self.x - a, self.y - b, self.x + a, self.y + b)
+
+
+@dataclass(frozen=True, slots=True)
+class RoundColumn:
+    """The footprint of a column or a pile: a circle around its center [m]."""
+
+    x: float
+    y: float
+    diameter: float
+
+    def footprint(self) -> Polygon:
+        """Return the circle, as chords."""
+        from shapely import Point
+
+        return Point(self.x, self.y).buffer(self.diameter / 2, quad_segs=QUARTER_CHORDS)
+
+
+Footprint = RectangularColumn | RoundColumn
+
+
+class Openings(NamedTuple):
+    """Which openings shorten a perimeter, and how."""
+
+    reach: float = 0.0  # those at most so far from the footprint [m]
+    widened: bool = False  # whether one longer along the ray than across counts as wider (Figure 6.14)
+
+
+class NearEdge(NamedTuple):
+    """A straight edge of the plate near a footprint."""
+
+    setback: float  # distance from the footprint [m]
+    depth: float  # of the footprint's far side from the edge [m]
+    outward: Array  # (2,): unit vector
+
+
+@dataclass(frozen=True, slots=True)
+class Surroundings:
+    """The plate around a footprint, as far as its perimeters depend on it."""
+
+    footprint: Polygon
+    center: Array  # (2,) of the footprint [m]
+    plan: Polygon | MultiPolygon  # the plate, within reach
+    boundary: BaseGeometry  # of the plate, its openings' too, within reach
+    filled: Polygon | MultiPolygon  # the same without openings
+    rim: BaseGeometry  # of the plate without openings, within reach
+    edges: tuple[NearEdge, ...]  # the nearest ones first
+    shadow: BaseGeometry  # the part of the plan behind openings, seen from the center
+    rounding: float  # places closer than this are one [m]
+
+
+@dataclass(frozen=True, slots=True)
+class Perimeter:
+    """A control perimeter on the plate, and the part of the plate that it cuts off with the column."""
+
+    legs: Array  # (l, 2, 2): straight pieces that count, what it cuts off on their left [m]
+    whole: Array  # (k, 2, 2): all of it on the plate, what openings take off too; free edges are none of it [m]
+    ring: Array  # (r, 2, 2): the same as if the plate had no openings [m]
+    inside: Polygon
+    opened: bool  # whether an opening is near enough to take off a part of it
+    setbacks: tuple[float, ...]  # of the edges that it runs straight out to [m]
+
+    @property
+    def u(self) -> float:
+        """Return the length that counts [m]."""
+        return total_length(self.legs)
+
+    @property
+    def length(self) -> float:
+        """Return the length of all of it [m]."""
+        return total_length(self.whole)
+
+
+def perimeter(
+    plate: PlateResult, column: Footprint, distance: float, openings: Openings | None = None, *, square: bool = False
+) -> Perimeter:
+    """Return the control perimeter at a distance [m] from a footprint on a plate (see `Surroundings`).
+
+    Raises
+    ------
+    InputError
+        If the footprint does not lie on the plate, or nothing of the perimeter does.
+    """
+    return perimeter_at(surroundings(plate, column, distance, openings or Openings()), distance, square=square)
+
+
+def surroundings(plate: PlateResult, column: Footprint, within: float, openings: Openings) -> Surroundings:
+    """Return the plate around a footprint, for perimeters at most so far from it [m].
+
+    Raises
+    ------
+    InputError
+        If the footprint does not lie on the plate.
+    """
+    from shapely import Polygon, box, get_coordinates, get_parts, intersection, prepare, union_all
+
+    plan, footprint = outline(plate), column.footprint()
+    x0, y0, x1, y1 = plan.bounds
+    rounding = SAME_PLACE * max(x1 - x0, y1 - y0)
+    if footprint.area == 0 or not plan.buffer(rounding).covers(footprint):
+        where = f"a column at ({column.x:g}, {column.y:g}) m"
+        raise InputError([Issue("column", where, "a footprint that lies on the plate")])
+    a0, b0, a1, b1 = footprint.bounds
+    reach = 3 * (within + max(a1 - a0, b1 - b0))
+    part = box(a0 - reach, b0 - reach, a1 + reach, b1 + reach)
+    filled = union_all([Polygon(polygon.exterior) for polygon in get_parts(plan)])
+    boundary, rim = intersection(plan.boundary, part), intersection(filled.boundary, part)
+    prepare(boundary)
+    prepare(rim)
+    center = get_coordinates(footprint.centroid)[0]
+    return Surroundings(
+        footprint=footprint,
+        center=center,
+        plan=intersection(plan, part),
+        boundary=boundary,
+        filled=intersection(filled, part),
+        rim=rim,
+        edges=tuple(_near_edges(plan, footprint, rounding)),
+        shadow=_shadow(plan, footprint, center, openings, FAR * reach),
+        rounding=rounding,
+    )
+
+
+def perimeter_at(around: Surroundings, distance: float, *, square: bool = False) -> Perimeter:
+    """Return the shortest perimeter on the plate at a distance [m] from a footprint (EN 1992-1-1 6.4.2).
+
+    It runs around the footprint, with rounded corners, and ends where it meets the plate's edge (Figure 6.13), or runs
+    straight out to one or several edges nearer than the distance at a right angle, if that is shorter (Figure 6.15).
+    Lengths of the free edge itself do not count, nor what lies in the shadow of openings (Figure 6.14). With `square`
+    its corners are square, as those of ACI 318-19 22.6.4.1.
+
+    Raises
+    ------
+    InputError
+        If nothing of the perimeter is left on the plate.
+    """
+    join: Literal["mitre", "round"] = "mitre" if square else "round"
+    near = [edge for edge in around.edges if edge.setback <= distance]
+    stretched = list(stretched_over(around, near, distance))
+    regions = [polygon.buffer(distance, quad_segs=QUARTER_CHORDS, join_style=join) for _, polygon in stretched]
+    ways = [_cut_off(around, region) for region in regions]
+    shortest = min(range(len(ways)), key=lambda i: total_length(ways[i][1]))
+    inside, whole = ways[shortest]
+    opened = not around.shadow.is_empty
+    ring = _cut_off(around, regions[shortest], filled=True)[1] if opened else whole
+    legs = outside(whole, around.shadow)
+    if not total_length(legs) > around.rounding:
+        where = "a column at ({:g}, {:g}) m".format(*around.center)
+        expected = f"some plate at {distance:g} m from it"
+        raise InputError([Issue("column", where, expected, "take a smaller distance")])
+    setbacks = tuple(edge.setback for edge in stretched[shortest][0])
+    return Perimeter(legs, whole, ring, inside, opened, setbacks)
+
+
+def stretched_over(
+    around: Surroundings, edges: list[NearEdge], distance: float = 0.0, at_most: int = NEAREST_EDGES
+) -> Iterator[tuple[tuple[NearEdge, ...], Polygon]]:
+    """Yield the footprint itself, then stretched at a right angle over edges, one and several, with these edges."""
+    from shapely import MultiPoint, get_coordinates
+
+    nearest = edges[:NEAREST_EDGES]
+    for count in range(min(len(nearest), at_most) + 1):
+        for chosen in combinations(nearest, count):
+            points = get_coordinates(around.footprint)
+            for edge in chosen:
+                points = np.vstack([points, points + (edge.depth + distance) * edge.outward])
+            yield chosen, MultiPoint(points).convex_hull
+
+
+def way_around(around: Surroundings, region: Polygon) -> Array:
+    """Return the legs (l, 2, 2) [m] of a region's border on the plate, free edges left out."""
+    return _cut_off(around, region)[1]
+
+
+def outside(legs: Array, region: BaseGeometry) -> Array:
+    """Return the parts (k, 2, 2) of legs (l, 2, 2) outside a region, each in the direction of its leg."""
+    from shapely import difference, get_coordinates, get_parts, linestrings
+
+    if region.is_empty:
+        return legs
+    parts, leg = get_parts(difference(linestrings(legs), region), return_index=True)
+    ends = np.array([get_coordinates(part)[[0, -1]] for part in parts if not part.is_empty]).reshape(-1, 2, 2)
+    leg = leg[[not part.is_empty for part in parts]]
+    along = ((ends[:, 1] - ends[:, 0]) * (legs[leg, 1] - legs[leg, 0])).sum(axis=1)
+    return np.where(along[:, None, None] >= 0, ends, ends[:, ::-1])
+
+
+#: The outlines of plates, by their nodes.
+_OUTLINES: Memo[Polygon | MultiPolygon] = Memo()
+
+
+def outline(plate: PlateResult) -> Polygon | MultiPolygon:
+    """Return the plate in plan, its openings as holes, curved sides as chords."""
+    return _OUTLINES.get(plate.nodes, plate.elements, lambda: _outline(plate))
+
+
+def _outline(plate: PlateResult) -> Polygon | MultiPolygon:
+    from shapely import build_area, linestrings, multilinestrings
+
+    # the border of two sections is no edge: its nodes stand once for each section, at exactly the same place
+    _, first, same = np.unique(plate.nodes + 0.0, axis=0, return_index=True, return_inverse=True)
+    sides = first[sides_on_boundary(same.reshape(-1)[plate.elements])]
+    N, _ = lagrange(np.linspace(-1, 1, SIDE_CHORDS + 1))
+    curves = np.einsum("ta,sax->stx", N, plate.nodes[sides][:, [0, 2, 1]])
+    return build_area(multilinestrings(linestrings(curves)))
+
+
+def _near_edges(plan: Polygon | MultiPolygon, footprint: Polygon, rounding: float) -> Iterator[NearEdge]:
+    """Yield the straight edges around the plate, the nearest to a footprint first."""
+    from shapely import distance, get_coordinates, get_parts, linestrings
+    from shapely.geometry.polygon import orient
+
+    rings = [get_coordinates(orient(part).exterior.simplify(rounding)) for part in get_parts(plan)]
+    ends = np.array([pair for ring in rings for pair in pairwise(ring)])
+    setbacks = distance(linestrings(ends), footprint)
+    points = get_coordinates(footprint)
+    for i in np.argsort(setbacks, kind="stable"):
+        a, b = ends[i]
+        along = (b - a) / np.linalg.norm(b - a)
+        outward = np.array([along[1], -along[0]])
+        yield NearEdge(float(setbacks[i]), float(abs(((points - a) @ outward).min())), outward)
+
+
+def _cut_off(around: Surroundings, region: Polygon, *, filled: bool = False) -> tuple[Polygon, Array]:
+    """Return the part of the plate in a region that holds the column, and the legs (l, 2, 2) of its inner border."""
+    from shapely import dwithin, get_coordinates, get_parts, intersection, points
+    from shapely.geometry.polygon import orient
+
+    plan, boundary = (around.filled, around.rim) if filled else (around.plan, around.boundary)
+    parts = get_parts(intersection(plan, region))
+    inside = orient(max(parts, key=lambda part: part.intersection(around.footprint).area))
+    rings = [get_coordinates(ring) for ring in (inside.exterior, *inside.interiors)]
+    legs = np.concatenate([np.stack([ring[:-1], ring[1:]], axis=1) for ring in rings])
+    legs = legs[np.linalg.norm(legs[:, 1] - legs[:, 0], axis=1) > around.rounding]
+    return inside, legs[~dwithin(boundary, points(legs.mean(axis=1)), around.rounding)]
+
+
+def _shadow(
+    plan: Polygon | MultiPolygon, footprint: Polygon, center: Array, openings: Openings, far: float
+) -> BaseGeometry:
+    """Return what lies between the tangents from a center to openings, as far out as given [m]."""
+    from shapely import Polygon, get_coordinates, get_parts, union_all
+
+    wedges = []
+    for hole in (hole for part in get_parts(plan) for hole in part.interiors):
+        if hole.distance(footprint) > openings.reach:
+            continue
+        rays = get_coordinates(hole) - center
+        if openings.widened:
+            rays = _widened(rays, get_coordinates(Polygon(hole).centroid)[0] - center)
+        # the center lies outside the opening, so that the angles come back to where they began
+        angles = np.unwrap(np.arctan2(rays[:, 1], rays[:, 0]))
+        low, high = angles.min(), angles.max()
+        steps = np.linspace(low, high, 2 + int((high - low) / SHADOW_STEP))
+        wedges.append(Polygon(np.vstack([center, center + far * np.column_stack([np.cos(steps), np.sin(steps)])])))
+    return union_all(wedges)
+
+
+def _widened(rays: Array, middle: Array) -> Array:
+    """Return the rays (k, 2) to an opening, widened to (l_1 l_2)^(1/2) if it is longer along its ray than across.
+
+    l_1 is its extent along the ray to its middle (2,), l_2 that across (EN 1992-1-1 Figure 6.14).
+    """
+    along = middle / np.linalg.norm(middle)
+    across = np.array([-along[1], along[0]])
+    l_1, l_2 = np.ptp(rays @ along), np.ptp(rays @ across)
+    if l_1 <= l_2:
+        return rays
+    return rays + np.outer((rays - middle) @ across * (np.sqrt(l_1 / l_2) - 1), across)

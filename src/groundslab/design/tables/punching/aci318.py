@@ -1,0 +1,150 @@
+"""What punches at columns and piles in each ultimate combination by ACI 318-19 22.6 and 8.4.4.2, at d / 2 from them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from groundslab.arrays import Array, Memo
+from groundslab.design import line_properties
+from groundslab.design.aci318 import punching as aci318
+from groundslab.design.aci318.materials import PHI_SHEAR
+from groundslab.design.by_plate import plate_under
+from groundslab.design.perimeters import Openings, Perimeter, perimeter
+from groundslab.design.tables import reinforcement
+from groundslab.design.tables.punching import perimeter_loads
+from groundslab.design.tables.punching.perimeter_loads import PerimeterLoads, PunchingForce
+from groundslab.errors import InputError
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.results import CombinationResult, Results
+
+#: An opening counts if it is closer than this to the column, over the slab's thickness (22.6.4.3).
+OPENING_REACH = 4.0
+
+
+@dataclass(frozen=True, slots=True)
+class TwoWay:
+    """The demand on the critical section of a column or pile that pushes in one combination."""
+
+    name: str
+    combination: str
+    force: float  # that pushes [N]
+    d: float  # effective depth [m]
+    b_o: float  # length of the critical section that counts [m]
+    beta: float  # long side of the column over the short one
+    alpha_s: float
+    V_u: float  # force that punches, less what relieves it inside [N]
+    v_u: float  # with the moments that shear transfers [Pa]
+    pressure: float  # contact pressure inside [N]
+    edge: float  # line force along the plate's edge inside [N]
+    others: float  # other loads inside [N]
+    supported: bool  # whether another support stands inside, whose force is not in V_u
+    place: tuple[float, float]  # of the column [m]
+
+
+@dataclass(frozen=True, slots=True)
+class CriticalSection:
+    """The critical section of a column or pile."""
+
+    d: float  # effective depth [m]
+    line: Perimeter
+    center: Array  # (2,): of the sides that count [m]
+    beta: float
+    alpha_s: float
+    loads: PerimeterLoads
+
+
+#: Those of the columns and piles of a model, or why there is none, by its mesh.
+_SECTIONS: Memo[dict[tuple[bool, str], CriticalSection | str]] = Memo()
+
+
+def two_way(combined: Results) -> tuple[dict[tuple[str, str], TwoWay], Mapping[str, str]]:
+    """Return the demands by combination and column, at columns that push down, and why columns have none."""
+    return _two_way(combined, perimeter_loads.punching_columns(combined.model))
+
+
+def pile_two_way(combined: Results) -> tuple[dict[tuple[str, str], TwoWay], Mapping[str, str]]:
+    """Return the demands by combination and pile, at piles that push up, and why piles have none."""
+    return _two_way(combined, perimeter_loads.punching_piles(combined.model))
+
+
+def _two_way(
+    combined: Results, forces: tuple[PunchingForce, ...]
+) -> tuple[dict[tuple[str, str], TwoWay], Mapping[str, str]]:
+    """Return the demands of forces that punch the plate by combination and name, and why some have none."""
+    model, steel = combined.model, combined.model.reinforcement
+    demands: dict[tuple[str, str], TwoWay] = {}
+    missing: dict[str, str] = {}
+    if steel is None:
+        return demands, missing
+    results = reinforcement.ultimate_results(combined)
+    for punching in forces:
+        pushing = [result for result in results if punching.pushing(result)[0] > 0]
+        if not pushing:
+            continue
+        known = _SECTIONS.get(pushing[0].plate.nodes, model, dict)
+        key = punching.from_below, punching.name
+        if key not in known:
+            known[key] = critical_section(pushing[0], punching, steel)
+        section = known[key]
+        if isinstance(section, str):
+            missing[punching.name] = section
+            continue
+        for result in pushing:
+            demands[result.combination, punching.name] = _demand(result, section, punching, steel)
+    return demands, missing
+
+
+def critical_section(
+    results: CombinationResult, punching: PunchingForce, steel: Reinforcement
+) -> CriticalSection | str:
+    """Return the critical section at d / 2 from a column's or pile's faces, or why there is none."""
+    footprint = punching.footprint
+    d = perimeter_loads.effective_depth(results, footprint, steel, from_below=punching.from_below)
+    openings = Openings(OPENING_REACH * perimeter_loads.thickness_at(results, footprint))
+    try:
+        plate = plate_under(results, *punching.place)
+        line = perimeter(plate, footprint, d / 2, openings, square=True)
+    except InputError as error:
+        return str(error)
+    shape = line_properties.shape_of(line.whole)
+    if shape == "cut":
+        return "its critical section cuts the slab from edge to edge, which is one-way shear"
+    column = punching.column
+    sides = column.width_x or 1.0, column.width_y or 1.0  # a round column has none, and beta = 1
+    loads = perimeter_loads.loads_near(results, punching, d / 2).inside(results, line.inside)
+    center = line_properties.centroid(line.legs)
+    return CriticalSection(d, line, center, max(sides) / min(sides), aci318.ALPHA_S[shape], loads)
+
+
+def _demand(
+    results: CombinationResult, section: CriticalSection, punching: PunchingForce, steel: Reinforcement
+) -> TwoWay:
+    """Return the demand on a critical section in a combination."""
+    shear = perimeter_loads.punching_shear(
+        results, section.loads, punching, section.center, edge_relieves=steel.line_force_relieves
+    )
+    v_u = aci318.stress(shear.V, shear.moments, section.line.legs, section.d, section.line.whole)
+    return TwoWay(
+        punching.name,
+        results.combination,
+        float(punching.pushing(results)[0]),
+        section.d,
+        section.line.u,
+        section.beta,
+        section.alpha_s,
+        shear.V,
+        v_u,
+        shear.pressure,
+        shear.edge,
+        shear.others,
+        section.loads.supported,
+        punching.place,
+    )
+
+
+def strength(demand: TwoWay, steel: Reinforcement) -> float:
+    """Return phi v_c [Pa] of a critical section without shear reinforcement."""
+    concrete, _ = reinforcement.aci318_materials(steel)
+    v_c = aci318.without_links(concrete, demand.d, demand.b_o, demand.beta, demand.alpha_s)
+    return PHI_SHEAR * v_c

@@ -1,0 +1,342 @@
+"""What punches at columns and piles in each ultimate combination, at their faces and around them (EN 1992-1-1 6.4).
+
+Foundations are checked on all perimeters within 2 d (6.4.4(2)): what counts is the largest v_Ed / v_Rd over the
+distance a from the face, v_Rd = v_Rd,c 2 d / a. It is looked for from STEPS on, which all combinations have, at further
+distances where a parabola through the three largest has its top.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from functools import partial
+from itertools import pairwise
+from typing import Literal
+
+import numpy as np
+
+from groundslab.arrays import Array, Memo
+from groundslab.design import line_properties
+from groundslab.design.by_plate import plate_under
+from groundslab.design.en1992 import punching as en1992
+from groundslab.design.en1992.perimeters import face_length, openings
+from groundslab.design.line_properties import Course
+from groundslab.design.perimeters import Perimeter, Surroundings, perimeter_at, surroundings
+from groundslab.design.tables import reinforcement
+from groundslab.design.tables.punching import perimeter_loads
+from groundslab.design.tables.punching.en1992_demand import (
+    REACH,
+    SAME_DISTANCE,
+    ControlPerimeter,
+    Demand,
+    Demands,
+    Stress,
+)
+from groundslab.design.tables.punching.perimeter_loads import LoadsNear, PerimeterLoads, PunchingForce
+from groundslab.errors import InputError
+from groundslab.model.design.laid_bars import punching_ratio
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.model.model import Model
+from groundslab.results.results import CombinationResult, Results
+
+#: Distances of the perimeters that are looked at first, over the effective depth.
+STEPS = np.arange(1, 9) / 4
+#: So many halvings find the last perimeter before those that cut the slab, or run out to other edges.
+HALVINGS = 7
+#: So many further distances are tried at most for the largest v_Ed / v_Rd; a gain of this share is none.
+MOST_TRIALS, GAIN = 10, 1e-4
+#: An eccentricity [m] smaller than this points nowhere.
+NO_ECCENTRICITY = 1e-9
+
+
+def demands(combined: Results) -> Demands:
+    """Return the demands of punching in all ultimate combinations, if bars are given; at columns that push down."""
+    return _demands(combined, perimeter_loads.punching_columns(combined.model))
+
+
+def pile_demands(combined: Results) -> Demands:
+    """Return the demands of punching in all ultimate combinations, if bars are given; at piles that push up."""
+    return _demands(combined, perimeter_loads.punching_piles(combined.model))
+
+
+def _demands(combined: Results, forces: tuple[PunchingForce, ...]) -> Demands:
+    """Return the demands of forces that punch the plate."""
+    model, steel = combined.model, combined.model.reinforcement
+    results = reinforcement.ultimate_results(combined)
+    found: dict[tuple[str, str], Demand] = {}
+    missing: dict[str, str] = {}
+    reach: dict[str, float] = {}
+    for punching in forces if steel is not None else ():
+        pushing = [result for result in results if punching.pushing(result)[0] > 0]
+        if not pushing:
+            continue
+        assert steel is not None
+        known = _SITES.get(pushing[0].plate.nodes, model, dict)
+        key = punching.from_below, punching.name
+        if key not in known:
+            known[key] = _site(pushing[0], punching, steel)
+        site = known[key]
+        of_combinations, why = _largest(pushing, site)
+        if why:
+            missing[punching.name] = why
+        # beyond d from the face, where uniform loads are, one-way shear is checked in any case (6.2.1(8))
+        last = max((stress.distance for demand in of_combinations for stress in demand.around), default=0.0)
+        reach[punching.name] = max(site.d, last)
+        found |= {(demand.combination, punching.name): demand for demand in of_combinations}
+    return Demands(found, missing, {punching.name: punching.place for punching in forces}, reach)
+
+
+@dataclass(frozen=True, slots=True)
+class _Site:
+    """A column or pile on its plate, and the perimeters around it that are known, by their distance."""
+
+    punching: PunchingForce
+    steel: Reinforcement
+    ratio: float  # of the bars in tension, or the most that count
+    d: float  # effective depth [m]
+    around: Surroundings | None
+    near: LoadsNear | None
+    u_0: float  # [m]
+    why: str  # it does not lie on the plate; else empty
+    lines: dict[float, Perimeter | str] = field(default_factory=dict)
+    controls: dict[float, ControlPerimeter | str] = field(default_factory=dict)
+
+    def line(self, distance: float) -> Perimeter | str:
+        """Return how the perimeter at a distance [m] from the face runs, or why there is none."""
+        if distance not in self.lines:
+            self.lines[distance] = self._line(distance)
+        return self.lines[distance]
+
+    def _line(self, distance: float) -> Perimeter | str:
+        if self.around is None:
+            return self.why
+        try:
+            line = perimeter_at(self.around, distance)
+        except InputError as error:
+            return str(error)
+        return CUT if distance > 0 and line_properties.shape_of(line.whole) == "cut" else line
+
+    def control(self, results: CombinationResult, distance: float) -> ControlPerimeter | str:
+        """Return the perimeter at a distance [m] from the face with what is inside, or why there is none."""
+        if distance not in self.controls:
+            self.controls[distance] = self._control(results, distance)
+        return self.controls[distance]
+
+    def _control(self, results: CombinationResult, distance: float) -> ControlPerimeter | str:
+        line = self.line(distance)
+        if isinstance(line, str) or self.around is None or self.near is None:
+            return self.why or str(line)
+        control = _control(line, distance, self.d, self.around, self.near.inside(results, line.inside))
+        return control if distance > 0 else replace(control, u=self.u_0)
+
+
+#: Why there is no perimeter at some distance.
+CUT = "its control perimeters cut the slab from edge to edge, which is one-way shear"
+
+#: Those of the columns and piles of a model, by its mesh.
+_SITES: Memo[dict[tuple[bool, str], _Site]] = Memo()
+
+
+def _site(results: CombinationResult, punching: PunchingForce, steel: Reinforcement) -> _Site:
+    """Return a column or pile on its plate."""
+    plate, footprint, model = plate_under(results, *punching.place), punching.footprint, results.model
+    d = perimeter_loads.effective_depth(results, footprint, steel, from_below=punching.from_below)
+    ratio = _ratio(model, punching, steel, d)
+    try:
+        around = surroundings(plate, footprint, REACH * d, openings(d))
+    except InputError as error:
+        return _Site(punching, steel, ratio, d, None, None, 0.0, str(error))
+    near = perimeter_loads.loads_near(results, punching, REACH * d)
+    return _Site(punching, steel, ratio, d, around, near, face_length(around, d), "")
+
+
+def _ratio(model: Model, punching: PunchingForce, steel: Reinforcement, d: float) -> float:
+    """Return rho_l of the bars that are laid in tension at a column or pile (6.4.4(1)), the most if none are."""
+    if not steel.laid:
+        return en1992.MOST_BARS
+    face: Literal["bottom", "top"] = "top" if punching.from_below else "bottom"
+    return punching_ratio(model.plate, steel, punching.column, d, model.plates, face)
+
+
+def _control(
+    line: Perimeter, distance: float, d: float, around: Surroundings, loads: PerimeterLoads
+) -> ControlPerimeter:
+    """Return a perimeter with what EN 1992-1-1 needs of it."""
+    from shapely import get_coordinates
+
+    course = line_properties.course(line.ring)
+    center = line_properties.centroid(line.legs)
+    frame = course.frame
+    points = get_coordinates(around.footprint)
+    c_1, c_2 = np.ptp(points @ frame.T, axis=0)
+    reduced = reduced_share(line.legs, points, course, d) if course.shape == "edge" else 1.0
+    return ControlPerimeter(
+        distance,
+        line.u,
+        center,
+        course,
+        line_properties.moduli(line.legs @ frame.T, frame @ center),
+        np.array([en1992.transfer_share(c_1 / c_2), en1992.transfer_share(c_2 / c_1)]),
+        reduced,
+        line.opened,
+        loads,
+    )
+
+
+def reduced_share(legs: Array, footprint: Array, course: Course, d: float) -> float:
+    """Return u_1* / u_1 of legs (l, 2, 2) at an edge around a footprint's points (k, 2), by Figure 6.20a.
+
+    Of legs at a right angle to the edge the least of 1.5 d and half of the column's side counts, from its inner face.
+    """
+    inward = course.frame[1] * (np.sign(course.frame[1] @ course.inward.sum(axis=0)) or 1.0)
+    across = footprint @ inward
+    least = across.max() - min(1.5 * d, 0.5 * np.ptp(across))
+    start, end = legs[:, 0] @ inward - least, legs[:, 1] @ inward - least
+    length = line_properties.lengths(legs)
+    size = np.abs(start) + np.abs(end)
+    # of a leg that crosses the limit, the part beyond it
+    beyond = np.divide(np.maximum(start, 0) + np.maximum(end, 0), size, out=np.zeros_like(size), where=size > 0)
+    return float(length @ beyond / length.sum())
+
+
+def _largest(results: list[CombinationResult], site: _Site) -> tuple[list[Demand], str]:
+    """Return the demands of combinations on perimeters so chosen that the largest v_Ed / v_Rd of all is among them.
+
+    With the reason why there is none at 2 d, or nowhere, if it is no other than that it cuts the slab.
+    """
+    first = results[0]
+    face = site.control(first, 0.0)
+    distances, why = _first_distances(site)
+    made = [_demand(result, site, face, distances) for result in results]
+    for _ in range(MOST_TRIALS):
+        distance = _next_distance(made, site.d)
+        if distance is None or isinstance(control := site.control(first, distance), str):
+            break
+        made = [_with_perimeter(demand, result, site, control) for demand, result in zip(made, results, strict=True)]
+    return made, why
+
+
+def _first_distances(site: _Site) -> tuple[list[float], str]:
+    """Return the distances [m] of perimeters that there are, up to the last one, and why there are no more.
+
+    Where perimeters begin to run out to an edge the part inside jumps: the distances on both sides are among them.
+    """
+    good: list[float] = []
+    steps = [float(distance) for distance in STEPS * site.d]
+    for before, distance in pairwise([0.0, *steps]):
+        line, known = site.line(distance), site.line(before)
+        if isinstance(line, str):
+            last, _ = _halved(before, distance, lambda a: not isinstance(site.line(a), str))
+            good += [last] if last > before else []
+            return good, "" if good and line == CUT else line
+        if good and not isinstance(known, str) and known.setbacks != line.setbacks:
+            good += _halved(before, distance, partial(_runs_out_to, site, known.setbacks))
+        good.append(distance)
+    return good, ""
+
+
+def _runs_out_to(site: _Site, setbacks: tuple[float, ...], distance: float) -> bool:
+    """Return whether the perimeter at a distance [m] runs out to edges of these setbacks [m] and no others."""
+    line = site.line(distance)
+    return not isinstance(line, str) and line.setbacks == setbacks
+
+
+def _halved(low: float, high: float, holds: Callable[[float], bool]) -> tuple[float, float]:
+    """Return two distances [m] closer to each other, at the lower of which something still holds."""
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        low, high = (middle, high) if holds(middle) else (low, middle)
+    return low, high
+
+
+def _next_distance(made: list[Demand], d: float) -> float | None:
+    """Return where v_Ed / v_Rd may be larger than at all distances tried yet [m], None if nowhere."""
+    governing = [(demand, stress) for demand in made if (stress := demand.governing) is not None]
+    if not governing:
+        return None
+    demand, top = max(governing, key=lambda one: one[0].used(one[1]))
+    a = np.array([0.0, *(stress.distance for stress in demand.around)])
+    y = np.array([0.0, *(0.0 if stress.supported else demand.used(stress) for stress in demand.around)])
+    i = int(np.argmax(y))
+    if y[i] <= 0:
+        return None
+    middle = min(i, len(a) - 2)
+    three = slice(middle - 1, middle + 2) if middle > 0 else slice(0, 0)
+    highest, gain = _top(a[three], y[three])
+    if gain > GAIN * y[i] and abs(a - highest).min() > SAME_DISTANCE * d:
+        return highest
+    # a kink looks like a flat top to a parabola whose points are far apart
+    wide = max(((high - low, (low + high) / 2) for low, high in pairwise(a[max(i - 1, 0) : i + 2])), default=(0.0, 0.0))
+    return wide[1] if wide[0] > d / 6 and top.distance < a[-1] else None
+
+
+def _top(a: Array, y: Array) -> tuple[float, float]:
+    """Return where a parabola through three points (3,) is highest between them, and by how much above them."""
+    if len(a) < 3:
+        return float(a[-1]) if len(a) else 0.0, 0.0
+    curve = np.polynomial.Polynomial.fit(a, y, 2, domain=[a[0], a[-1]])
+    second = float(curve.deriv(2)(a[1]))
+    if second >= 0:
+        return float(a[1]), 0.0
+    at = float(np.clip(curve.deriv().roots().real[0], a[0], a[-1]))
+    return at, float(curve(at)) - float(y.max())
+
+
+def _demand(results: CombinationResult, site: _Site, face: ControlPerimeter | str, distances: list[float]) -> Demand:
+    """Return the demand of a combination on perimeters at distances [m] and at the face."""
+    controls = [control for a in distances if not isinstance(control := site.control(results, a), str)]
+    stresses = tuple(_stress(results, site, control) for control in controls)
+    concrete, bars = reinforcement.materials(site.steel, results.limit_state)
+    ratio = min(site.ratio, en1992.most_bars(concrete, bars))
+    v_Rd_c = en1992.resistance_without_links(concrete, site.d, ratio)
+    force = float(site.punching.pushing(results)[0])
+    at_face = None if isinstance(face, str) else _face_stress(results, site, face, controls[-1] if controls else face)
+    name = site.punching.name
+    return Demand(name, results.combination, results.limit_state, force, site.d, v_Rd_c, at_face, stresses)
+
+
+def _with_perimeter(demand: Demand, results: CombinationResult, site: _Site, control: ControlPerimeter) -> Demand:
+    """Return a demand with one more perimeter."""
+    around = sorted([*demand.around, _stress(results, site, control)], key=lambda stress: stress.distance)
+    return replace(demand, around=tuple(around))
+
+
+def _stress(results: CombinationResult, site: _Site, control: ControlPerimeter) -> Stress:
+    """Return the demand on a perimeter in a combination.
+
+    beta is that of the moments of all forces inside about the perimeter's center, of loads and pressure.
+    """
+    shear = perimeter_loads.punching_shear(
+        results, control.loads, site.punching, control.center, edge_relieves=site.steel.line_force_relieves
+    )
+    applied = site.punching.pushing(results)[1:]
+    beta = _beta(control, shear.moments, shear.V, applied) if shear.V > 0 else 1.0
+    v_Ed = beta * shear.V / (control.u * site.d)
+    return Stress(control, shear.V, beta, v_Ed, shear.pressure, shear.edge, shear.others)
+
+
+def _face_stress(results: CombinationResult, site: _Site, face: ControlPerimeter, outer: ControlPerimeter) -> Stress:
+    """Return the demand at the face (6.4.5(3)), beta that of the own force and moments on the outermost perimeter."""
+    stress = _stress(results, site, face)
+    force, *applied = site.punching.pushing(results)
+    moments = np.array(applied) + force * (np.array(site.punching.place) - outer.center)
+    beta = _beta(outer, moments, float(force), np.array(applied))
+    return replace(stress, beta=beta, v_Ed=beta * stress.V_Ed / (face.u * site.d))
+
+
+def _beta(control: ControlPerimeter, moments: Array, force: float, applied: Array) -> float:
+    """Return beta of moments (2,) [N m] of forces along x and y about a perimeter's center (6.4.3, 6.4.4(2)).
+
+    Values for edges and corners (6.4.3(4) and (5), Figure 6.21N) are for perimeters without openings and for moments
+    `applied` (2,) [N m] of the column that do not bend it outwards; else 6.39 counts, if it is larger.
+    """
+    turned, shape = control.course.frame @ moments, control.course.shape
+    general = en1992.beta(list(turned), list(control.shares), force, control.u, list(control.moduli))
+    if shape == "closed":
+        return general
+    simple = en1992.CORNER
+    if shape == "edge":
+        along, share, W = float(turned[0]), float(control.shares[0]), float(control.moduli[0])
+        simple = en1992.beta_at_an_edge(control.reduced, along, share, force, control.u, W)
+    outwards = (control.course.inward @ applied < -NO_ECCENTRICITY * force).any()
+    return max(simple, general) if control.opened or outwards else simple

@@ -1,0 +1,102 @@
+"""Demands of punching by EN 1992-1-1 6.4: perimeters, the stress on each, and which of them governs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from groundslab.arrays import Array
+from groundslab.design.line_properties import Course
+from groundslab.design.tables.punching.perimeter_loads import PerimeterLoads
+
+#: How far from the face perimeters reach, over the effective depth.
+REACH = 2.0
+#: Distances closer than this are one, over the effective depth.
+SAME_DISTANCE = 1e-2
+
+
+@dataclass(frozen=True, slots=True)
+class ControlPerimeter:
+    """A perimeter around a column or pile, and what is the same about it in every combination."""
+
+    distance: float  # from the face [m]
+    u: float  # its length that counts [m]
+    center: Array  # (2,): of what counts [m]
+    course: Course
+    moduli: Array  # (2,): W of places along the course's frame, about the center [m2]
+    shares: Array  # (2,): k of Table 6.1 for moments of forces along both
+    reduced: float  # u_1* / u_1 of a perimeter at an edge, else 1
+    opened: bool  # whether openings take off a part of it
+    loads: PerimeterLoads
+
+
+@dataclass(frozen=True, slots=True)
+class Stress:
+    """The demand on a perimeter."""
+
+    control: ControlPerimeter
+    V_Ed: float  # force that punches, less what relieves it inside [N]
+    beta: float  # by the moments about the perimeter's center (expression 6.51)
+    v_Ed: float  # beta V_Ed / (u d) [Pa]
+    pressure: float  # contact pressure inside [N]
+    edge: float  # line force along the plate's edge inside [N]
+    others: float  # other loads inside [N]
+
+    @property
+    def distance(self) -> float:
+        """Return how far from the face the perimeter is [m]."""
+        return self.control.distance
+
+    @property
+    def u(self) -> float:
+        """Return its length that counts [m]."""
+        return self.control.u
+
+    @property
+    def supported(self) -> bool:
+        """Return whether another support stands inside, whose force is not in V_Ed."""
+        return self.control.loads.supported
+
+
+@dataclass(frozen=True, slots=True)
+class Demand:
+    """What punches at a column or pile that pushes in one combination."""
+
+    name: str
+    combination: str
+    limit_state: str
+    force: float  # that pushes [N]
+    d: float  # effective depth [m]
+    v_Rd_c: float  # at 2 d, with the bars that are laid or the most that count [Pa]
+    face: Stress | None
+    around: tuple[Stress, ...]  # from the face outwards; none where there is no such perimeter on the plate
+
+    @property
+    def at_2d(self) -> Stress | None:
+        """Return the demand at 2 d, None where that perimeter cuts the slab from edge to edge or leaves the plate."""
+        reaches = self.around and self.around[-1].distance > (REACH - SAME_DISTANCE) * self.d
+        return self.around[-1] if reaches else None
+
+    @property
+    def governing(self) -> Stress | None:
+        """Return the demand where v_Ed / v_Rd is largest, None where there is no perimeter or a support inside."""
+        judged = [stress for stress in self.around if not stress.supported]
+        return max(judged, key=self.used, default=None)
+
+    def resistance(self, stress: Stress) -> float:
+        """Return v_Rd [Pa] on a perimeter around (6.4.4(2))."""
+        return self.v_Rd_c * REACH * self.d / stress.distance
+
+    def used(self, stress: Stress) -> float:
+        """Return v_Ed / v_Rd on a perimeter around."""
+        return stress.v_Ed / self.resistance(stress)
+
+
+@dataclass(frozen=True, slots=True)
+class Demands:
+    """The demands at all columns, or all piles: by combination and name, and why some have none at 2 d, by name."""
+
+    found: Mapping[tuple[str, str], Demand]
+    missing: Mapping[str, str]
+    places: Mapping[str, tuple[float, float]]  # of all of them [m]
+    reach: Mapping[str, float]  # how far from the face punching is checked, the rest is one-way shear [m]

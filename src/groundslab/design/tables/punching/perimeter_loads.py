@@ -1,0 +1,265 @@
+"""What acts inside a perimeter: the force that punches, pressure of the ground, line force of the edge, other loads.
+
+No code's formulas are in here. What relieves a column's force is counted apart: the ground's pressure inside the
+perimeter (EN 1992-1-1 6.4.4(2)), and the line force along the plate's edge, which is no pressure and relieves nothing
+unless the case says so. Where it adds to what punches, it always counts.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.arrays import Array, Integers, Memo
+from groundslab.design.perimeters import SIDE_CHORDS, Footprint, RectangularColumn, RoundColumn
+from groundslab.design.tables import column_loads
+from groundslab.fem import load_vectors
+from groundslab.fem.assembly import scatter
+from groundslab.fem.mesh import SIDES, Mesh
+from groundslab.fem.shape_functions import gauss_line, lagrange
+from groundslab.geometry.plan import SAME_PLACE
+from groundslab.model.columns import Column
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.model.model import Model
+from groundslab.model.supports import LineSupport
+from groundslab.results.mesh_results import PlateResult
+from groundslab.results.results import CombinationResult
+
+if TYPE_CHECKING:
+    from shapely import Polygon
+
+#: Parts of the plate's edge that lie so near to a polygon are in it, over the rounding of places.
+ON_EDGE = 2.0
+#: What lies inside a perimeter that runs out to a corner is at most so many times its distance away.
+CORNER_REACH = 1 + math.sqrt(2)
+#: A side is curved if its middle lies off its chord by more than this, over its length.
+CURVED = 1e-9
+
+
+@dataclass(frozen=True)
+class PunchingForce:
+    """A column on the plate or a pile below it, whose force punches the plate."""
+
+    column: Column  # of a pile, one with its place and diameter
+    by_case: Mapping[str, Array]  # (3,): P [N], M_x and M_y [N m] of a column, by load case
+    support: int | None = None  # number of the pile among the supports, from 0
+
+    @property
+    def name(self) -> str:
+        """Return the name of the column or pile."""
+        return self.column.name
+
+    @property
+    def from_below(self) -> bool:
+        """Return whether it is a pile, which pushes up and has the tension at the top."""
+        return self.support is not None
+
+    @cached_property
+    def footprint(self) -> Footprint:
+        """Return what of the plate it stands on."""
+        return footprint_of(self.column)
+
+    @property
+    def place(self) -> tuple[float, float]:
+        """Return its center [m]."""
+        return self.column.x, self.column.y
+
+    def pushing(self, results: CombinationResult) -> Array:
+        """Return its force on the plate [N], positive if it pushes, and its moments [N m] (3,) in a combination.
+
+        The force is downwards of a column and upwards of a pile; moments are those that press the side of larger x or
+        y the way that the force pushes.
+        """
+        if self.support is None:
+            return column_loads.factored_sums(results, self.by_case)
+        pile = results.supports[self.support]
+        return np.array([pile.total, -float(pile.moment_x.sum()), -float(pile.moment_y.sum())])
+
+
+def punching_columns(model: Model) -> tuple[PunchingForce, ...]:
+    """Return the columns of a model."""
+    return tuple(PunchingForce(column, column_loads.by_column(model, column.name)) for column in model.columns)
+
+
+def punching_piles(model: Model) -> tuple[PunchingForce, ...]:
+    """Return the piles of a model, and the other point supports that have a diameter."""
+    return tuple(
+        PunchingForce(
+            Column(name=support.name or f"support {number}", x=support.x, y=support.y, diameter=support.diameter),
+            {},
+            number - 1,
+        )
+        for number, support in enumerate(model.supports, start=1)
+        if not isinstance(support, LineSupport) and support.diameter is not None
+    )
+
+
+def footprint_of(column: Column) -> Footprint:
+    """Return a column's footprint."""
+    if column.diameter is not None:
+        return RoundColumn(column.x, column.y, column.diameter)
+    assert column.width_x is not None
+    assert column.width_y is not None
+    return RectangularColumn(column.x, column.y, column.width_x, column.width_y)
+
+
+def thickness_at(results: CombinationResult, footprint: Footprint) -> float:
+    """Return the plate's least thickness under a footprint [m]."""
+    mesh, part = Mesh(results.plate.nodes, results.plate.elements), footprint.footprint()
+    elements = load_vectors.find_elements_near(mesh, part)
+    covered = load_vectors.integrate_over_polygon(mesh, elements, part).sum(axis=1)
+    return float(results.elements.thickness[elements[covered > 1e-9 * covered.max()]].min())
+
+
+def effective_depth(
+    results: CombinationResult, footprint: Footprint, steel: Reinforcement, *, from_below: bool = False
+) -> float:
+    """Return the least thickness at a footprint less the mean distance of the axes of the bars in tension [m].
+
+    These are the bottom bars under a column, and the top bars above a pile, which pushes from below.
+    """
+    axes = steel.top_axes if from_below else steel.bottom_axes
+    return thickness_at(results, footprint) - sum(axes) / 2
+
+
+@dataclass(frozen=True, slots=True)
+class PerimeterLoads:
+    """What lies inside a perimeter, the same in every combination."""
+
+    nodes: Integers  # (k,)
+    area: Array  # (k,): these nodes' shares of the area inside [m2]
+    edge_nodes: Integers  # (e,)
+    edge: Array  # (e,): these nodes' shares of the length of the plate's edge inside [m]
+    others: Mapping[str, Array]  # (3,): other loads [N] and their first moments [N m], by load case
+    supported: bool  # whether another support stands inside, whose force is not counted
+
+
+@dataclass(frozen=True, slots=True)
+class PunchingShear:
+    """What punches on a perimeter in one combination."""
+
+    V: float  # force that punches, less or more what else acts inside [N]
+    moments: Array  # (2,): of all that about the perimeter's center [N m]
+    pressure: float  # of the ground inside [N]
+    edge: float  # line force of the ground along the plate's edge inside [N]
+    others: float  # other loads inside [N]
+
+
+@dataclass(frozen=True, slots=True)
+class LoadsNear:
+    """The elements, loads and supports near a column or pile, from which those inside its perimeters are taken."""
+
+    elements: Integers
+    shapes: column_loads.Shapes  # without the loads of the column itself
+    supports: tuple[Polygon, ...]  # places of the other supports
+
+    def inside(self, results: CombinationResult, part: Polygon) -> PerimeterLoads:
+        """Return what lies inside a perimeter that cuts off a part of the plate."""
+        mesh = Mesh(results.plate.nodes, results.plate.elements)
+        shares = load_vectors.integrate_over_polygon(mesh, self.elements, part, rule=load_vectors.SHAPE_POINTS)
+        area = scatter(mesh.elements[self.elements], shares, len(mesh.nodes))
+        nodes = np.flatnonzero(area)
+        others = column_loads.acting_inside(results, part, None, self.shapes, (self.elements, shares))
+        supported = any(map(part.intersects, self.supports))
+        return PerimeterLoads(nodes, area[nodes], *edge_inside(results.plate, part), others, supported)
+
+
+def loads_near(results: CombinationResult, punching: PunchingForce, within: float) -> LoadsNear:
+    """Return what is near a column or pile whose perimeters are at most so far from it [m]."""
+    from shapely import LineString, Point
+
+    model = results.solved_model
+    part = punching.footprint.footprint().buffer(CORNER_REACH * within)
+    mesh = Mesh(results.plate.nodes, results.plate.elements)
+    supports = tuple(
+        LineString(support.points) if support.edges else Point(support.points[0])
+        for number, support in enumerate(model.supports)
+        if number != punching.support
+    )
+    shapes = column_loads.shapes_around(model, part, None if punching.from_below else punching.name)
+    return LoadsNear(load_vectors.find_elements_near(mesh, part), shapes, supports)
+
+
+def punching_shear(
+    results: CombinationResult, inside: PerimeterLoads, punching: PunchingForce, center: Array, *, edge_relieves: bool
+) -> PunchingShear:
+    """Return what punches on a perimeter about its center (2,) [m] in a combination.
+
+    Of a column V is its force and the other loads inside less the ground's pressure there; of a pile its force and the
+    pressure less the loads. The edge's line force inside is taken off only where the case says so, but added in any
+    case where it adds.
+    """
+    sign = -1.0 if punching.from_below else 1.0
+    plate = results.plate
+    force, *own_moments = punching.pushing(results)
+    pressure = _with_moments(inside.area * plate.pressure[inside.nodes], plate.nodes[inside.nodes])
+    edge = _with_moments(inside.edge * plate.line_force[inside.edge_nodes], plate.nodes[inside.edge_nodes])
+    others = column_loads.factored_sums(results, inside.others)
+    acting = np.array([force, *(force * np.array(punching.place))]) + sign * (others - pressure)
+    if edge_relieves or sign * edge[0] < 0:
+        acting = acting - sign * edge
+    moments = np.array(own_moments) + acting[1:] - acting[0] * center
+    return PunchingShear(float(acting[0]), moments, float(pressure[0]), float(edge[0]), float(others[0]))
+
+
+def _with_moments(forces: Array, places: Array) -> Array:
+    """Return the sum of forces (k,) [N] at places (k, 2) [m] and their first moments (3,)."""
+    return np.array([forces.sum(), *(forces @ places)])
+
+
+#: The sides (s, 3: end, middle, end) along the plate's edge, by its nodes.
+_EDGE_SIDES: Memo[Integers] = Memo()
+
+
+def edge_inside(plate: PlateResult, part: Polygon) -> tuple[Integers, Array]:
+    """Return the nodes (e,) on the plate's edge inside a polygon, and int N ds (e,) [m] over the edge there."""
+    sides = _EDGE_SIDES.get(plate.nodes, plate.elements, lambda: _edge_sides(plate))
+    places = plate.nodes[sides]
+    x0, y0, x1, y1 = part.bounds
+    grown = part.buffer(ON_EDGE * SAME_PLACE * float(np.ptp(plate.nodes, axis=0).max()))
+    near = ((places.min(axis=1) <= (x1, y1)) & (places.max(axis=1) >= (x0, y0))).all(axis=1)
+    total = np.zeros(len(plate.nodes))
+    for side, x in zip(sides[near], places[near], strict=True):
+        for low, high in _intervals(x, grown):
+            np.add.at(total, side, _shares(x, low, high))
+    nodes = np.flatnonzero(total)
+    return nodes, total[nodes]
+
+
+def _edge_sides(plate: PlateResult) -> Integers:
+    # the border of two sections is no edge: its nodes stand once for each section, at exactly the same place
+    _, same = np.unique(plate.nodes + 0.0, axis=0, return_inverse=True)
+    sides = plate.elements[:, SIDES].reshape(-1, 3)
+    middles = same.reshape(-1)[sides[:, 2]]
+    on_edge: Integers = sides[np.bincount(middles)[middles] == 1][:, [0, 2, 1]]
+    return on_edge
+
+
+def _intervals(x: Array, part: Polygon) -> Iterator[tuple[float, float]]:
+    """Yield the intervals of t in -1 to 1 in which a side (3, 2) lies inside a polygon."""
+    from shapely import get_coordinates, get_parts, intersection, linestrings
+
+    off = np.abs(x[1] - (x[0] + x[2]) / 2).max()
+    t = np.linspace(-1, 1, SIDE_CHORDS + 1 if off > CURVED * np.ptp(x, axis=0).max() else 2)
+    points = lagrange(t)[0] @ x
+    ends = np.stack([points[:-1], points[1:]], axis=1)
+    pieces, chord = get_parts(intersection(linestrings(ends), part), return_index=True)
+    for piece, i in zip(pieces, chord, strict=True):
+        if piece.length > 0:
+            a, b = ends[i]
+            along = (get_coordinates(piece)[[0, -1]] - a) @ (b - a) / ((b - a) @ (b - a))
+            low, high = t[i] + (t[i + 1] - t[i]) * np.sort(along)
+            yield float(low), float(high)
+
+
+def _shares(x: Array, low: float, high: float) -> Array:
+    """Return int N ds (3,) [m] of a side (3, 2) from t = low to t = high."""
+    t, weights = gauss_line(3)
+    N, dN = lagrange((low + high) / 2 + (high - low) / 2 * t)
+    ds = np.linalg.norm(dN @ x, axis=1) * weights * (high - low) / 2
+    return np.asarray(ds @ N)
