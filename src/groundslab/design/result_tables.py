@@ -7,7 +7,7 @@ from functools import cache, partial
 
 from groundslab.design.bar_quantities import bars
 from groundslab.design.checks import check_design
-from groundslab.design.checks.table import checks_table
+from groundslab.design.checks_table import checks_table
 from groundslab.design.tables import errors
 from groundslab.design.tables.columns import column_envelope, column_table
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
@@ -26,9 +26,8 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
     """Return the tables of results: combinations, extremes, envelopes and tilt, and those that the model asks for.
 
     Points, section lines, design strips, supports, joints, columns, reinforcement and laid bars have a table each if
-    the model names any, and so have checks; on a continuum, the soil below the points too. Without results the first
-    says why, beside the checks. Discretization errors stand in columns at the
-    right. docs/results.md explains every column.
+    the model names any, and so have checks; on a continuum, the soil below the points too. Discretization errors stand
+    in columns at the right. docs/results.md explains every column.
 
     Parameters
     ----------
@@ -67,8 +66,6 @@ def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
     checks: dict[str, Callable[[], Table]] = {}
     if check_design(combined).checks:
         checks["checks"] = lambda: checks_table(combined)
-    if not combined.results:
-        return {"combinations": lambda: combinations(combined), **checks}
     each = cache(lambda: errors.with_errors_of_extremes(extremes(combined), combined))
     columns = cache(lambda: errors.with_errors(column_table, combined))
     makers: dict[str, Callable[[], Table]] = {

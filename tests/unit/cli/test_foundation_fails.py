@@ -247,4 +247,4 @@ def test_the_workbench_says_it() -> None:
     assert answer.summary["combinations"][1]["refused"] == answer.refused["falls"]
     answer, _, _ = process.solve(PAD + combinations(("falls", "ultimate", 1.0)), process.Progress(lambda *_: None))
     assert answer.summary["design"]["headline"].startswith("FOUNDATION FAILS")
-    assert answer.tables == ("combinations", "checks")
+    assert {"combinations", "checks"} <= set(answer.tables)

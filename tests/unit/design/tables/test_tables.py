@@ -541,12 +541,12 @@ def test_different_meshes_have_no_envelope() -> None:
 
 
 def test_all_refused() -> None:
-    """Where nothing has results, the table of combinations says why, and each is a check that fails."""
+    """Where nothing has results, the table of combinations says why, each is a check that fails; others are empty."""
     output = {"points": [{"name": "P", "x": 0, "y": 0}]}
     model = described(columns=COLUMNS, reinforcement=STEEL, output=output)
     refused = {each.name: NoEquilibrium("no") for each in model.combinations}
     of = Results(model, model.combinations, {}, refused)
-    assert {each.name: len(each) for each in tables_of(of)} == {"combinations": 4, "checks": 4}
+    assert {each.name: len(each) for each in tables_of(of) if len(each)} == {"combinations": 4, "checks": 4}
     assert set(table("checks", of)["verdict"]) == {"fails"}
     assert fields_of_envelope(of) == {}
 
