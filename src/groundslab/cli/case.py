@@ -40,6 +40,15 @@ def describe_dxf(dxf: argparse.ArgumentParser) -> None:
     dxf.add_argument("--out", metavar="FILE", help="file to make (default: print the text)")
 
 
+def describe_check(check: argparse.ArgumentParser) -> None:
+    """Add what the command check understands."""
+    check.epilog = (
+        "Combinations whose loads ground and supports cannot balance are named: the foundation fails, and the exit "
+        "code is 3. Other checks of the design need a solution."
+    )
+    check.add_argument("case", help="case file or study file (TOML)")
+
+
 def check_case(options: argparse.Namespace) -> int:
     """Read a case file, or a study file with its case; wrong ones raise InputError."""
     from groundslab.case import casefile

@@ -126,12 +126,8 @@ def _parser() -> argparse.ArgumentParser:
         _command(commands, "evaluate", study.evaluate, "make the page and the tables of a study from its rows")
     )
 
-    check = _command(commands, "check", case.check_case, "read a case file or a study file, and list all its issues")
-    check.epilog = (
-        "Combinations whose loads ground and supports cannot balance are named: the foundation fails, and the exit "
-        "code is 3. Other checks of the design need a solution."
-    )
-    check.add_argument("case", help="case file or study file (TOML)")
+    meaning = "read a case file or a study file, and list all its issues"
+    case.describe_check(_command(commands, "check", case.check_case, meaning))
 
     new = _command(commands, "new", case.write_starter, "write a case file to start from")
     new.add_argument("file", nargs="?", metavar="FILE", help="file to make (default: print the text)")

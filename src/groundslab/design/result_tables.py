@@ -7,7 +7,7 @@ from functools import cache, partial
 
 from groundslab.design.bar_quantities import bars
 from groundslab.design.checks import check_design
-from groundslab.design.checks.table import checks_table
+from groundslab.design.checks_table import checks_table
 from groundslab.design.tables import errors
 from groundslab.design.tables.acting import acting_cases
 from groundslab.design.tables.columns import column_envelope, column_table
@@ -30,8 +30,8 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
 
     Load cases have a table of what acts where. Points, section lines, design strips, supports, joints, columns, piles
     that punch the plate, reinforcement and laid bars have a table each if the model names any, and so have checks; on a
-    continuum, the soil below the points too. Without results the first says why, beside the checks. Discretization
-    errors stand in columns at the right. docs/results.md explains every column.
+    continuum, the soil below the points too. Discretization errors stand in columns at the right. docs/results.md
+    explains every column.
 
     Parameters
     ----------
@@ -67,11 +67,10 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
 def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
     """Return what makes each table of `tables_of` by the table's name; a table that others are made of is made once."""
     model = combined.model
-    has_checks = bool(check_design(combined).checks)
-    checks: dict[str, Callable[[], Table]] = {"checks": lambda: checks_table(combined)} if has_checks else {}
+    checks: dict[str, Callable[[], Table]] = {}
+    if check_design(combined).checks:
+        checks["checks"] = lambda: checks_table(combined)
     acting: dict[str, Callable[[], Table]] = {"acting": lambda: acting_cases(combined)} if model.cases else {}
-    if not combined.results:
-        return {"combinations": lambda: combinations(combined)} | acting | checks
     each = cache(lambda: errors.with_errors_of_extremes(extremes(combined), combined))
     columns = cache(lambda: errors.with_errors(column_table, combined))
     makers: dict[str, Callable[[], Table]] = {

@@ -31,7 +31,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     """Yield what has a limit in the model, and whether it stands there in any combination."""
     results = solved_results(combined)
     # where limits are reached at the same share, combinations of strength are named first
-    results.sort(key=lambda each: each.limit_state not in STRENGTH)
+    results.sort(key=lambda result: result.limit_state not in STRENGTH)
     if results:
         yield from _supports(results)
         yield from _joints(results)
@@ -43,7 +43,7 @@ def _supports(results: list[CombinationResult]) -> Iterator[DesignCheck]:
     """Yield what each support carries against its limits, and which one-sided supports carry nothing."""
     for number, (described, support) in enumerate(zip(results[0].model.supports, results[0].supports, strict=False)):
         name = support.name
-        used = {each.combination: utilization(described, each.supports[number]) for each in results}
+        used = {result.combination: utilization(described, result.supports[number]) for result in results}
         limited = {combination: one for combination, one in used.items() if one is not None}
         if limited:
             yield _resistance(described, name, limited)
@@ -54,7 +54,7 @@ def _supports(results: list[CombinationResult]) -> Iterator[DesignCheck]:
 def _resistance(described: AnySupport, name: str, used: Mapping[str, Utilization]) -> DesignCheck:
     """Return the check of a support against its limits, in the combination that governs."""
     reached = [combination for combination, one in used.items() if one.reached]
-    governing = reached[0] if reached else max(used, key=lambda each: used[each].share)
+    governing = reached[0] if reached else max(used, key=lambda combination: used[combination].share)
     one = used[governing]
     unit = "kN/m" if isinstance(described, LineSupport) else "kN"
     force, limit = one.force / 1e3, one.limit / 1e3
@@ -88,16 +88,17 @@ def _one_sided(
 
     The plate that lifts off a support needs attention; an anchor that is slack, or a gap that stays open, does not.
     """
-    shares = {each.combination: _idle_share(each, number) for each in results}
+    shares = {result.combination: _idle_share(result, number) for result in results}
     lifted = [combination for combination, share in shares.items() if share > 0]
     if not lifted:
         return
-    most = max(lifted, key=lambda each: shares[each])
+    most = max(lifted, key=lambda combination: shares[combination])
     part = f"over {100 * shares[most]:.3g} % of its length " if isinstance(described, LineSupport) else ""
     gap = getattr(described, "gap", 0.0)
     slack = described.acts == "in tension"
     what = "its gap stays open" if gap else "it is slack" if slack else "the plate lifts off"
-    words = f"{name}: {what} {part}in {some([most, *(each for each in lifted if each != most)])}"
+    lifted.sort(key=lambda combination: combination != most)
+    words = f"{name}: {what} {part}in {some(lifted)}"
     status: Status = "no failure found" if gap or slack else "attention"
     yield DesignCheck(ONE_SIDED, status, words, of=name, combination=most)
 
@@ -138,9 +139,9 @@ def _ground(results: list[CombinationResult]) -> Iterator[DesignCheck]:
     limit = results[0].model.contact.limit_pressure
     if limit is None:
         return
-    shares = {each.combination: _yielding_share(each, limit) for each in results}
+    shares = {result.combination: _yielding_share(result, limit) for result in results}
     yielding = [combination for combination, share in shares.items() if share > 0]
-    governing = max(results, key=lambda each: (shares[each.combination], float(each.plate.pressure.max())))
+    governing = max(results, key=lambda result: (shares[result.combination], float(result.plate.pressure.max())))
     largest = min(float(governing.plate.pressure.max()), limit) if not yielding else limit
     words = f'{largest / 1e3:.4g} kPa is {largest / limit:.3g} times the limit pressure in "{governing.combination}"'
     if yielding:
@@ -173,11 +174,11 @@ def _cut_off(combined: Results) -> Iterator[DesignCheck]:
     """Yield what of the loads does not act, as it lies beside the plate, or under it if it presses on the ground."""
     model = combined.solved_model
     clipped = find_clipped_loads(model.plate, model.loads, model.plates)
-    for where in dict.fromkeys(each.where for each in clipped):
-        yield _cut_off_there([each for each in clipped if each.where == where])
+    for where in dict.fromkeys(part.where for part in clipped):
+        yield _cut_off_there([part for part in clipped if part.where == where])
 
 
 def _cut_off_there(clipped: list[Clipped]) -> DesignCheck:
     """Return that parts of some loads do not act, all for the same reason."""
     more = f"; and {len(clipped) - MOST_CUT} more loads" if len(clipped) > MOST_CUT else ""
-    return DesignCheck(CUT_OFF, "attention", "; ".join(each.words() for each in clipped[:MOST_CUT]) + more)
+    return DesignCheck(CUT_OFF, "attention", "; ".join(part.words() for part in clipped[:MOST_CUT]) + more)
