@@ -47,7 +47,7 @@ def check_case(options: argparse.Namespace) -> int:
     model = casefile.from_table(tables)
     from groundslab.analysis.check import check
     from groundslab.model.combinations import list_combinations
-    from groundslab.model.remarks import find_remarks
+    from groundslab.model.remarks.remarks import find_remarks
 
     check(model)
     what = f"{len(model.every_plate)} plates" if model.plates else "plate"
@@ -83,7 +83,7 @@ def _cases_and_combinations(model: Model, combinations: Sequence[Combination]) -
     """Return the load cases of a model, where they act, and what is solved of them in words, a line each."""
     if not model.cases:
         return []
-    from groundslab.model.case_use import case_uses
+    from groundslab.model.remarks.case_use import case_uses
     from groundslab.views.summary.combinations import factors_text
 
     cases = [f"  case {use.case.name}: {use.about()}; {use.words()}" for use in case_uses(model, combinations)]

@@ -8,16 +8,15 @@ from functools import cache, partial
 from groundslab.design.bar_quantities import bars
 from groundslab.design.checks.table import checks_table
 from groundslab.design.tables import errors
-from groundslab.design.tables.acting import acting_cases
 from groundslab.design.tables.columns import column_envelope, column_table
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
 from groundslab.design.tables.locations import lines, points, soil, strips
 from groundslab.design.tables.reinforcement import reinforcement
-from groundslab.design.tables.summary import combinations, extremes, tilts
+from groundslab.design.tables.summary import acting_cases, combinations, extremes, tilts
 from groundslab.design.tables.supports import joint_table, support_table
 from groundslab.design.tables.table import Column, Table
 from groundslab.model.ground import ContinuousGround
-from groundslab.model.remarks import find_remarks
+from groundslab.model.remarks.remarks import find_remarks
 from groundslab.results.results import Results
 
 __all__ = ["Column", "Table", "fields_of_envelope", "table_makers", "tables_of"]

@@ -5,14 +5,23 @@ Another check is a function of CHECKS; its file names the clause of each check.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
-from groundslab.design.checks import bearing, equilibrium, floors, limits, loads, provided, shear, strength
+from groundslab.design.checks import bearing, equilibrium, floors, limits, provided, shear, strength
 from groundslab.design.checks.check import ORDER, DesignCheck, Status
+from groundslab.model.remarks.remarks import find_remarks
 from groundslab.results.results import Results
 
 __all__ = ["CHECKS", "Design", "DesignCheck", "Status", "check_design"]
+
+
+def _left_out(combined: Results) -> Iterator[DesignCheck]:
+    """Yield the remarks on loads and combinations that leave a verdict in doubt."""
+    for remark in find_remarks(combined.model, combined.combinations):
+        if remark.doubtful:
+            yield DesignCheck("loads", "attention", remark.words, of=remark.of)
+
 
 #: All checks, in the order in which those of one status are told.
 CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
@@ -23,7 +32,7 @@ CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
     bearing.checks,
     equilibrium.checks,
     limits.checks,
-    loads.checks,
+    _left_out,
 )
 
 #: What no check looks at.
