@@ -69,8 +69,8 @@ from .model.plate import Zone as Zone
 from .model.plates.further import FurtherPlate as FurtherPlate
 from .model.plates.joints import ElasticJoint as ElasticJoint
 from .model.plates.joints import HingeJoint as HingeJoint
-from .model.remarks import Remark as Remark
-from .model.remarks import find_remarks as find_remarks
+from .model.remarks.remarks import Remark as Remark
+from .model.remarks.remarks import find_remarks as find_remarks
 from .model.serviceability.cracking import Cracking as Cracking
 from .model.serviceability.long_term import LongTerm as LongTerm
 from .model.settings import Analysis as Analysis

@@ -63,7 +63,7 @@ def check_case(options: argparse.Namespace) -> int:
     model = casefile.from_table(tables)
     from groundslab.analysis.check import check, find_unbalanced
     from groundslab.model.combinations import list_combinations
-    from groundslab.model.remarks import find_remarks
+    from groundslab.model.remarks.remarks import find_remarks
 
     check(model)
     lost = find_unbalanced(model)
@@ -103,7 +103,7 @@ def _cases_and_combinations(model: Model, combinations: Sequence[Combination]) -
     """Return the load cases of a model, where they act, and what is solved of them in words, a line each."""
     if not model.cases:
         return []
-    from groundslab.model.case_use import case_uses
+    from groundslab.model.remarks.case_use import case_uses
     from groundslab.views.summary.combinations import factors_text
 
     cases = [f"  case {use.case.name}: {use.about()}; {use.words()}" for use in case_uses(model, combinations)]

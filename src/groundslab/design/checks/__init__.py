@@ -5,17 +5,26 @@ Another check is a function of CHECKS; its file names the clause of each check.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 from groundslab.arrays import Memo
-from groundslab.design.checks import equilibrium, floors, limits, loads, provided, reached, strength
+from groundslab.design.checks import equilibrium, floors, limits, provided, reached, strength
 from groundslab.design.checks.check import ORDER, DesignCheck, Status
 from groundslab.design.checks.ground import bearing, edge_force
 from groundslab.design.checks.one_way_shear import shear
+from groundslab.model.remarks.remarks import find_remarks
 from groundslab.results.results import Results
 
 __all__ = ["CHECKS", "Design", "DesignCheck", "Status", "check_design"]
+
+
+def _left_out(combined: Results) -> Iterator[DesignCheck]:
+    """Yield the remarks on loads and combinations that leave a verdict in doubt."""
+    for remark in find_remarks(combined.model, combined.combinations):
+        if remark.doubtful:
+            yield DesignCheck("loads", "attention", remark.words, of=remark.of)
+
 
 #: All checks, in the order in which those of one status are told.
 CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
@@ -28,7 +37,7 @@ CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
     equilibrium.checks,
     reached.checks,
     limits.checks,
-    loads.checks,
+    _left_out,
 )
 
 #: Designs, which summary, tables and report ask for.

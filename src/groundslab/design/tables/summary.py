@@ -1,4 +1,4 @@
-"""Tables of the combinations: what was solved, extremes of all fields, tilt."""
+"""Tables of the combinations: what was solved, what acts where, extremes of all fields, tilt."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.design.tilt import tilt
 from groundslab.discretize.singular_places import notes_on_singular_places
 from groundslab.model.loads.load_cases import Combination
+from groundslab.model.remarks.resultants import case_forces
 from groundslab.results.contact_zone import EDGE_NOTE, has_line_force
 from groundslab.results.fields import extreme
 from groundslab.results.results import CombinationResult, Results, refusal_words
@@ -37,6 +38,31 @@ def combinations(combined: Results) -> Table:
     if any(has_line_force(each) for each in combined.results.values()):
         notes.append(EDGE_NOTE)
     return table_of("combinations", "Combinations", heads, rows, notes)
+
+
+def acting_cases(combined: Results) -> Table:
+    """Return the factor of each case as solved in each combination in which it acts; one that acts nowhere has a row.
+
+    The forces are those of all vertical loads of the case on the plate.
+    """
+    heads = [
+        ("case", ""), ("action", ""), ("combination", ""), ("limit state", ""), ("factor", ""),
+        ("force of the case", "kN"), ("force with the factor", "kN"),
+    ]  # fmt: skip
+    forces = case_forces(combined.solved_model)
+    rows: list[list[Cell]] = []
+    for case in combined.solved_model.cases:
+        force = forces.get(case.name, 0.0) / 1e3
+        acting = [(combination, dict(combination.factors).get(case.name, 0.0)) for combination in combined.combinations]
+        acting = [(combination, factor) for combination, factor in acting if factor]
+        rows += [
+            [case.name, case.action, combination.name, combination.limit_state, factor, force, factor * force]
+            for combination, factor in acting
+        ]
+        if not acting:
+            rows.append([case.name, case.action, None, None, 0.0, force, 0.0])
+    notes = ["A case that moves is a case at each of its positions. A row without a combination acts nowhere."]
+    return table_of("acting", "What acts where", heads, rows, notes)
 
 
 def factors(combined: Results, combination: Combination) -> str:

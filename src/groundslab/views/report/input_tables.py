@@ -9,8 +9,8 @@ from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from groundslab.model.case_use import case_uses
-from groundslab.model.remarks import find_remarks
+from groundslab.model.remarks.case_use import case_uses
+from groundslab.model.remarks.remarks import find_remarks
 from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.schema.base import Section, get_field_type, get_meaning, get_sections
 from groundslab.schema.fields import Boolean, Choice, Factors, FieldType, Integer, ListOf, Number, Quantity, Text

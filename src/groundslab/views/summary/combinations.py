@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from groundslab.errors import NotCertified
-from groundslab.model.case_use import case_uses
-from groundslab.model.remarks import find_remarks
+from groundslab.model.remarks.case_use import case_uses
+from groundslab.model.remarks.remarks import find_remarks
 from groundslab.results.contact_zone import require_finite as require_one_finite
 from groundslab.views.summary import sections
 from groundslab.views.summary.rows import Row, SummarySection

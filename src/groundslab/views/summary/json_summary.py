@@ -17,15 +17,15 @@ import numpy as np
 
 from groundslab._version import __version__
 from groundslab.errors import NotConverged
-from groundslab.model.case_use import case_uses
-from groundslab.model.remarks import find_remarks
+from groundslab.model.remarks.case_use import case_uses
+from groundslab.model.remarks.remarks import find_remarks
 from groundslab.units import UNITS, Unit
 from groundslab.views.summary import combinations, sections
 
 if TYPE_CHECKING:
     from groundslab.design.checks import DesignCheck
     from groundslab.errors import GroundslabError
-    from groundslab.model.case_use import CaseUse
+    from groundslab.model.remarks.case_use import CaseUse
     from groundslab.results.results import CombinationResult, Results
     from groundslab.views.summary.combinations import Entry, Extreme
     from groundslab.views.summary.rows import Row, SummarySection

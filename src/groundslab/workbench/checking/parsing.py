@@ -54,7 +54,7 @@ def check(document: Document) -> CheckResult:
     document = _cache(document)
     try:
         from groundslab.model.combinations import list_combinations
-        from groundslab.model.remarks import find_remarks
+        from groundslab.model.remarks.remarks import find_remarks
         from groundslab.views.scene.plan import plan_of
 
         data = document.data

@@ -9,7 +9,7 @@ from dataclasses import asdict
 from typing import Any
 
 from groundslab.errors import Issue
-from groundslab.model.remarks import Remark
+from groundslab.model.remarks.remarks import Remark
 from groundslab.schema.issues import RelativeIssue
 from groundslab.workbench.editing.toml_layout import TomlLayout
 from groundslab.workbench.editing.toml_values import Path

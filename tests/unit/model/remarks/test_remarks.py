@@ -9,10 +9,10 @@ import pytest
 
 from groundslab.case import casefile
 from groundslab.cli.main import main
-from groundslab.model.case_use import case_uses
 from groundslab.model.combinations import list_combinations
 from groundslab.model.model import Model
-from groundslab.model.remarks import Remark, find_remarks
+from groundslab.model.remarks.case_use import case_uses
+from groundslab.model.remarks.remarks import Remark, find_remarks
 
 PLATE: dict[str, Any] = {
     "plate": {"length_x": 6, "length_y": 4, "thickness": 0.4, "E": 33e9, "nu": 0.2},

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from groundslab.model.model import Model
-from groundslab.model.resultants import case_forces
+from groundslab.model.remarks.resultants import case_forces
 
 #: 6 m x 4 m, 0.3 m thick, with an opening of 1 m x 1 m; two zones that overlap by half.
 PLATE: dict[str, Any] = {

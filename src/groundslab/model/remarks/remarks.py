@@ -11,13 +11,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from groundslab.model.case_use import CaseUse, case_uses
 from groundslab.model.columns import overlapping_columns
 from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.clipping import find_clipped_loads
 from groundslab.model.loads.load_cases import SERVICEABILITY, Combination, LimitState
 from groundslab.model.loads.patterns import absent_forces
-from groundslab.model.resultants import case_forces
+from groundslab.model.remarks.case_use import CaseUse, case_uses
+from groundslab.model.remarks.resultants import case_forces
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import listed, quote
 from groundslab.units import show
