@@ -14,6 +14,7 @@ from groundslab.analysis.adaptivity import solve_adaptively
 from groundslab.analysis.cracking_iteration import solve_cracked_meshes
 from groundslab.analysis.load_step import OnStep
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions
+from groundslab.analysis.moved_results import move_back
 from groundslab.analysis.nested import HALVINGS, margin_effect, required_coarsenings, solve_nested
 from groundslab.analysis.parallel import run_parallel
 from groundslab.arrays import Array
@@ -28,7 +29,6 @@ from groundslab.model.model import Model
 from groundslab.model.plan_origin import move_to_center
 from groundslab.model.settings import Mesh
 from groundslab.results.certificate import certificate, worst
-from groundslab.results.moved import move_back
 from groundslab.results.record import Step
 from groundslab.results.recovery import expand, recover, recover_fields
 from groundslab.results.results import CombinationResult, Increment, Results

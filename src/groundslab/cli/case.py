@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from groundslab.cli.console import EXIT_OK, print_stderr, print_stdout
 from groundslab.errors import InputError, Issue
-from groundslab.geometry.plan import format_place
 
 if TYPE_CHECKING:
     import argparse
@@ -64,6 +63,8 @@ def check_case(options: argparse.Namespace) -> int:
 
 def _columns_and_supports(model: Model) -> list[str]:
     """Return the columns and supports of a model in words, a line each."""
+    from groundslab.geometry.plan import format_place
+
     lines = []
     for column in model.columns:
         if column.diameter is not None:

@@ -15,17 +15,9 @@ from groundslab.model.columns import Column, check_footprint, footprint
 from groundslab.model.ground import POSITIVE
 from groundslab.model.shapes import BULGE, AcrossX, AcrossY, AnyShape, Place, Shape
 from groundslab.schema.base import ByKind, Check, Section, Table
-from groundslab.schema.fields import (
-    Choice,
-    ListOf,
-    Number,
-    Quantity,
-    Text,
-    coordinate,
-    list_quantities,
-    place_in_plan,
-)
+from groundslab.schema.fields import Choice, ListOf, Number, Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.places import coordinate, place_in_plan
 from groundslab.schema.ranges import Range
 
 if TYPE_CHECKING:
