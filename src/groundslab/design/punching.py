@@ -20,7 +20,8 @@ from groundslab.fem import load_vectors
 from groundslab.fem.line_traversal import interpolation, pieces
 from groundslab.fem.mesh import Mesh, sides_on_boundary
 from groundslab.fem.shape_functions import lagrange
-from groundslab.geometry.plan import format_place, same_place
+from groundslab.geometry.places import same_place
+from groundslab.geometry.plan import format_place
 from groundslab.results.mesh_results import PlateResult
 
 if TYPE_CHECKING:

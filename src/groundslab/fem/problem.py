@@ -20,7 +20,7 @@ from groundslab.fem.concrete.cracked_section import CrackedSections
 from groundslab.fem.continuum.elastic_ground import ElasticGround
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import Mesh
-from groundslab.fem.shape_functions import areas, unique_integers
+from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
 
 W, BETA_X, BETA_Y, TOP = range(4)
@@ -169,25 +169,26 @@ class Problem:
         return number
 
     @property
-    def element_length(self) -> float:
-        """Return the root of the mean area of the plate's elements [m], over which rotations count as displacements."""
-        return float(np.sqrt(areas(self.mesh.xy[self.plate_elements]).mean()))
+    def length(self) -> float:
+        """Return the longer side of the largest plate's meshed part [m], times which a rotation is a displacement."""
+        numbers = range(len(self.plate_names))
+        return max(float(np.ptp(self.mesh.nodes[self.nodes_of(number)], axis=0).max()) for number in numbers)
 
     @property
     def measures(self) -> Measures:
         """Return what displacements and forces are measured by."""
         has, size = self.unknown >= 0, self.unknown.max(initial=-1) + 1
         lever, plate = np.ones(size), np.full(size, -1)
-        lever[self.unknown[:, BETA_X : BETA_Y + 1][has[:, BETA_X : BETA_Y + 1]]] = self.element_length
+        lever[self.unknown[:, BETA_X : BETA_Y + 1][has[:, BETA_X : BETA_Y + 1]]] = self.length
         if len(self.plate_names) == 1:
             return Measures(lever)
         plate[self.unknown[has]] = np.broadcast_to(self.plate_at_nodes[:, None], self.unknown.shape)[has]
         return Measures(lever, plate)
 
     def nodal_sizes(self, forces: Array) -> Array:
-        """Return the largest of the forces (n, F) at each node, moments over the elements' length, (n,) [N]."""
+        """Return the largest of the forces (n, F) at each node, moments over the plate's length, (n,) [N]."""
         lever = np.ones(forces.shape[1])
-        lever[BETA_X : BETA_Y + 1] = self.element_length
+        lever[BETA_X : BETA_Y + 1] = self.length
         sizes: Array = (np.abs(forces) / lever).max(axis=1)
         return sizes
 

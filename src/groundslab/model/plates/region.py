@@ -5,7 +5,8 @@ from __future__ import annotations
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from groundslab.geometry.plan import Place, equal_area_polygon, same_place
+from groundslab.geometry.places import same_place
+from groundslab.geometry.plan import Place, equal_area_polygon
 from groundslab.geometry.regions import Region
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, list_plates
