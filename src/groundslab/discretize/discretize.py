@@ -57,8 +57,7 @@ def discretize(
     present = _with_slips(_present(model, plan, element, surfaces), lines)
     fields = present.shape[1]
     cases = _cases(model, plan, element, fields, like, loaded)
-    group, present = hinged_nodes(model, lines, present)
-    unknown = number_unknowns(plan.rank, present, group if model.joints else None)
+    unknown = _numbered(model, plan, lines, present)
     below, gap = find_depths(model, plan, ground, coarsening == 0), initial_gap(model, plan)
     others = support_bearing(model, plan, unknown), slip_bearing(model, lines, unknown)
     bearing = concatenate(ground_bearing(model, plan, unknown, below, ground, gap), *others)
@@ -177,6 +176,14 @@ def _with_slips(present: Flags, lines: list[JointLine]) -> Flags:
         if line.slip:
             found[line.pairs[:, 1], line.slip] = True
     return found
+
+
+def _numbered(model: Model, plan: Layout, lines: list[JointLine], present: Flags) -> Integers:
+    """Return the numbers of the unknowns that are present, (n, F); nodes that hinges hold together share that of w."""
+    if not model.joints:
+        return number_unknowns(plan.rank, present)
+    group, left = hinged_nodes(model, lines, present)
+    return number_unknowns(plan.rank, left, group)
 
 
 def _fix(present: Flags, nodes: Flags | Integers, kind: str, along: int) -> None:

@@ -1,4 +1,4 @@
-"""Plan geometry: segments, closed curves, the plan of a plate. Places are (x, y) in meters, the extent its longer side."""
+"""Plan geometry: segments, closed curves, plans. Places are (x, y) in meters, a plan's extent is its longer side."""
 
 from __future__ import annotations
 
