@@ -55,12 +55,11 @@ def discretize(
     surfaces = surfaces_of(ground)
     lines = joint_lines(model, plan, surfaces)
     present = _with_slips(_present(model, plan, element, surfaces), lines)
-    fields = present.shape[1]
-    cases = _cases(model, plan, element, fields, like, loaded)
+    cases = _cases(model, plan, element, fields := present.shape[1], like, loaded)
     unknown = _numbered(model, plan, lines, present)
     below, gap = find_depths(model, plan, ground, coarsening == 0), initial_gap(model, plan)
-    others = support_bearing(model, plan, unknown), slip_bearing(model, lines, unknown)
-    bearing = concatenate(ground_bearing(model, plan, unknown, below, ground, gap), *others)
+    of_ground = ground_bearing(model, plan, unknown, below, ground, gap)
+    bearing = concatenate(of_ground, support_bearing(model, plan, unknown), slip_bearing(model, lines, unknown))
     edges, corners = _infinite_edges(model, plan)
     return Problem(
         mesh=plan.mesh,
