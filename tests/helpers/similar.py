@@ -6,8 +6,9 @@ from typing import Any
 
 from groundslab import units
 from groundslab.model.model import Model
-from groundslab.schema.base import Section, get_field_type, move
+from groundslab.schema.base import Section, get_field_type
 from groundslab.schema.fields import FieldType, ListOf, Quantity
+from groundslab.schema.places import move
 
 
 def rescale(model: Model, lengths: float, forces: float) -> Model:

@@ -15,7 +15,7 @@ from groundslab.fem.assembly import find_congruent, scatter
 from groundslab.fem.problem import Problem, W, plate_unknowns
 from groundslab.fem.shape_functions import areas, gauss, jacobian, q9
 from groundslab.fem.system import surface_settlement
-from groundslab.results.certificate import apply, pressing_forces, resistance
+from groundslab.results.balance.forces import apply, pressing_forces, resistance
 from groundslab.results.patch_recovery import extrapolation
 from groundslab.results.recovery import free_moments
 from groundslab.results.result_mesh import ResultMesh

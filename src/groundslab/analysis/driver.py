@@ -10,17 +10,19 @@ from typing import Any
 from groundslab.analysis.adaptivity import solve_adaptively
 from groundslab.analysis.load_step import OnStep
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions
+from groundslab.analysis.moved_results import move_back
 from groundslab.analysis.tasks.run import Report, Setting, run
 from groundslab.analysis.tasks.task import Outcome, Task, solve_task, task_of
+from groundslab.arrays import Array
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes
 from groundslab.errors import GroundslabError, NotCertified
+from groundslab.geometry.plan import Place
 from groundslab.model.combinations import as_solved, list_combinations
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.model.plan_origin import move_to_center
 from groundslab.model.settings import Mesh
-from groundslab.results.moved import move_back
 from groundslab.results.record import Step
 from groundslab.results.results import CombinationResult, Results
 from groundslab.solvers import factorization
@@ -165,7 +167,7 @@ class Variants:
         if factors:
             model = model.model_copy(update={"mesh": model.mesh.replace(symmetry="off")})
         local = move_to_center(model)
-        setting = Setting(as_solved(local), self._reference.meshes, self._reference, factors)
+        setting = Setting(as_solved(local), self._reference.meshes, self._reference, _about(local.origin, factors))
         return move_back(analyze(local, setting, _report(on_step)), model)
 
 
@@ -202,6 +204,16 @@ def _with(outcome: Outcome, **changes: Any) -> Outcome:
     if isinstance(outcome, NotCertified):
         return NotCertified(replace(outcome.results, **changes))
     return replace(outcome, **changes) if isinstance(outcome, CombinationResult) else outcome
+
+
+def _about(origin: Place, factors: Factors | None) -> Factors | None:
+    """Return factors on the ground's constants as functions of places about an origin [m]."""
+    x_0, y_0 = origin
+
+    def moved(factor: Callable[[Array, Array], Array]) -> Callable[[Array, Array], Array]:
+        return lambda x, y: factor(x + x_0, y + y_0)
+
+    return None if factors is None else {name: moved(factor) for name, factor in factors.items()}
 
 
 def _report(on_step: OnStep | None = None, on_combination: OnCombination | None = None) -> Report:

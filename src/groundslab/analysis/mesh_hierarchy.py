@@ -15,7 +15,7 @@ from groundslab.fem.foundation import Column
 from groundslab.fem.sparse import Symmetric
 from groundslab.fem.system import System, build_system, stiffness
 from groundslab.model.model import Model
-from groundslab.results.certificate import exact_rigid_products
+from groundslab.results.balance.forces import exact_rigid_products
 from groundslab.results.result_mesh import ResultMesh, make_result_mesh
 from groundslab.solvers import warm_start
 from groundslab.solvers.coarser_plate import CoarserPlate

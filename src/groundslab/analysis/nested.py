@@ -14,7 +14,8 @@ from groundslab.analysis.mesh_hierarchy import Level, MeshHierarchy
 from groundslab.arrays import Array
 from groundslab.discretize.plan_layout import coarsest, has_coarser
 from groundslab.errors import NoEquilibrium, NotConverged, SingularMatrix
-from groundslab.fem.problem import W, largest_of_parts
+from groundslab.fem.bearings import largest_of_parts
+from groundslab.fem.problem import W
 from groundslab.fem.system import System
 from groundslab.model.model import Model
 from groundslab.model.plates.joints import play_of

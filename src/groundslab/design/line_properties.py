@@ -97,7 +97,7 @@ def _shape(chains: list[Array]) -> Shape:
     turned = 0.0
     for chain in chains:
         steps = np.diff(chain, axis=0)
-        if np.allclose(chain[0], chain[-1]):
+        if (chain[0] == chain[-1]).all():
             steps = np.vstack([steps, steps[:1]])
         angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
         turned += abs(float(np.degrees(angles[-1] - angles[0])))

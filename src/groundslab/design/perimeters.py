@@ -20,7 +20,8 @@ from groundslab.design.line_properties import total_length
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.shape_functions import lagrange
-from groundslab.geometry.plan import SAME_PLACE
+from groundslab.geometry.places import same_place
+from groundslab.geometry.plan import format_place
 from groundslab.results.mesh_results import PlateResult
 
 if TYPE_CHECKING:
@@ -151,9 +152,9 @@ def surroundings(plate: PlateResult, column: Footprint, within: float, openings:
 
     plan, footprint = outline(plate), column.footprint()
     x0, y0, x1, y1 = plan.bounds
-    rounding = SAME_PLACE * max(x1 - x0, y1 - y0)
+    rounding = same_place(x0, x1, y0, y1)
     if footprint.area == 0 or not plan.buffer(rounding).covers(footprint):
-        where = f"a column at ({column.x:g}, {column.y:g}) m"
+        where = f"a column at {format_place((column.x, column.y))} m"
         raise InputError([Issue("column", where, "a footprint that lies on the plate")])
     a0, b0, a1, b1 = footprint.bounds
     reach = 3 * (within + max(a1 - a0, b1 - b0))
@@ -200,7 +201,7 @@ def perimeter_at(around: Surroundings, distance: float, *, square: bool = False)
     ring = _cut_off(around, regions[shortest], filled=True)[1] if opened else whole
     legs = outside(whole, around.shadow)
     if not total_length(legs) > around.rounding:
-        where = "a column at ({:g}, {:g}) m".format(*around.center)
+        where = f"a column at {format_place(around.center)} m"
         expected = f"some plate at {distance:g} m from it"
         raise InputError([Issue("column", where, expected, "take a smaller distance")])
     setbacks = tuple(edge.setback for edge in stretched[shortest][0])

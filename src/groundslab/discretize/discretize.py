@@ -55,13 +55,11 @@ def discretize(
     surfaces = surfaces_of(ground)
     lines = joint_lines(model, plan, surfaces)
     present = _with_slips(_present(model, plan, element, surfaces), lines)
-    fields = present.shape[1]
-    cases = _cases(model, plan, element, fields, like, loaded)
-    group, present = hinged_nodes(model, lines, present)
-    unknown = number_unknowns(plan.rank, present, group if model.joints else None)
+    cases = _cases(model, plan, element, fields := present.shape[1], like, loaded)
+    unknown = _numbered(model, plan, lines, present)
     below, gap = find_depths(model, plan, ground, coarsening == 0), initial_gap(model, plan)
-    others = support_bearing(model, plan, unknown), slip_bearing(model, lines, unknown)
-    bearing = concatenate(ground_bearing(model, plan, unknown, below, ground, gap), *others)
+    of_ground = ground_bearing(model, plan, unknown, below, ground, gap)
+    bearing = concatenate(of_ground, support_bearing(model, plan, unknown), slip_bearing(model, lines, unknown))
     edges, corners = _infinite_edges(model, plan)
     return Problem(
         mesh=plan.mesh,
@@ -177,6 +175,14 @@ def _with_slips(present: Flags, lines: list[JointLine]) -> Flags:
         if line.slip:
             found[line.pairs[:, 1], line.slip] = True
     return found
+
+
+def _numbered(model: Model, plan: Layout, lines: list[JointLine], present: Flags) -> Integers:
+    """Return the numbers of the unknowns that are present, (n, F); nodes that hinges hold together share that of w."""
+    if not model.joints:
+        return number_unknowns(plan.rank, present)
+    group, left = hinged_nodes(model, lines, present)
+    return number_unknowns(plan.rank, left, group)
 
 
 def _fix(present: Flags, nodes: Flags | Integers, kind: str, along: int) -> None:

@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, assert_never
 
 from groundslab.discretize.borders import MOST_BORDERS, add_borders
+from groundslab.geometry.places import same_place_in
 from groundslab.geometry.plan import FLAT, Place, Plan, Ring, Segment
 from groundslab.geometry.validity import find_issues
 from groundslab.model.loads.acting import (
@@ -74,7 +75,7 @@ def _follow(plan: Plan, rings: tuple[Ring, ...], lines: tuple[Line, ...], thickn
 
     chord = FLAT * plan.extent
     there = [ring.polygon(chord).exterior for ring in plan.rings().values()] + [LineString(each) for each in plan.lines]
-    same = plan.same_place
+    same = same_place_in(plan)
 
     def is_clear(own: LineString, near: float) -> bool:
         clear = all(_clear(own, other, same, near) for other in there)

@@ -1,4 +1,5 @@
 """One-sided bearings on single unknowns: the ground under a plate that may lift off, and supports. Links of two nodes.
+Measures of what is small.
 
 A bearing on the unknown u_i, with sign s, offset l, stiffness k (infinite if rigid) and limit force F, has the
 penetration d = s (l - u_i) and pushes u_i in the direction s with the force clip(k d, 0, F). The ground under a gap g0
@@ -15,6 +16,8 @@ from groundslab.arrays import Array, Flags, Integers
 
 #: States of a bearing: free, bearing, yielding at its limit force.
 OPEN, CLOSED, YIELDING = range(3)
+#: What plates do is told from the rounding of what others do down to this share of it.
+LEAST = 1e-8
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,3 +134,33 @@ class Links:
         np.add.at(found, self.nodes[:, 0], by_field)
         np.add.at(found, self.nodes[:, 1], -by_field)
         return found
+
+
+@dataclass(frozen=True, slots=True)
+class Measures:
+    """What displacements and forces are measured by, whatever the unit of length and what other plates do."""
+
+    lever: Array  # (size,): what makes a displacement [m] of an unknown: 1, or of a rotation a length [m]
+    plate: Integers | None = None  # (size,): of each unknown, -1 beside all plates; None of a single plate
+
+    def displacements(self, u: Array) -> Array:
+        """Return the largest displacement of each unknown's plate, (size,) [m]."""
+        return largest_of_parts(u * self.lever, self.plate)
+
+    def forces(self, f: Array) -> Array:
+        """Return the largest force on each unknown's plate, (size,) [N]."""
+        return largest_of_parts(f / self.lever, self.plate)
+
+
+def largest_of_parts(values: Array, part: Integers | None) -> Array:
+    """Return the largest size of values (k,) in the part that each of them belongs to, (k,), -1 beside all.
+
+    None is less than a share LEAST of the largest of all, which is the rounding of that.
+    """
+    sizes = np.abs(values)
+    if part is None or not len(values):
+        return np.full(len(values), sizes.max(initial=0.0))
+    largest = np.zeros(part.max() + 2)  # the last one of what is beside all plates, whose number is -1
+    np.maximum.at(largest, part, sizes)
+    found: Array = np.maximum(largest, LEAST * largest.max())[part]
+    return found

@@ -15,19 +15,17 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem import plate
-from groundslab.fem.bearings import Bearings, Links
+from groundslab.fem.bearings import Bearings, Links, Measures
 from groundslab.fem.concrete.cracked_section import CrackedSections
 from groundslab.fem.continuum.elastic_ground import ElasticGround
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import Mesh
-from groundslab.fem.shape_functions import areas, unique_integers
+from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
 
 W, BETA_X, BETA_Y, TOP = range(4)
 #: Shares of an element's area that differ by less than this are equal.
 TIE = 1e-6
-#: What plates do is told from the rounding of what others do down to this share of it.
-LEAST = 1e-8
 #: The middles of an element's sides.
 MIDSIDES = slice(4, 8)
 
@@ -171,25 +169,26 @@ class Problem:
         return number
 
     @property
-    def element_length(self) -> float:
-        """Return the root of the mean area of the plate's elements [m], over which rotations count as displacements."""
-        return float(np.sqrt(areas(self.mesh.xy[self.plate_elements]).mean()))
+    def length(self) -> float:
+        """Return the longer side of the largest plate's meshed part [m], times which a rotation is a displacement."""
+        numbers = range(len(self.plate_names))
+        return max(float(np.ptp(self.mesh.nodes[self.nodes_of(number)], axis=0).max()) for number in numbers)
 
     @property
     def measures(self) -> Measures:
         """Return what displacements and forces are measured by."""
         has, size = self.unknown >= 0, self.unknown.max(initial=-1) + 1
         lever, plate = np.ones(size), np.full(size, -1)
-        lever[self.unknown[:, BETA_X : BETA_Y + 1][has[:, BETA_X : BETA_Y + 1]]] = self.element_length
+        lever[self.unknown[:, BETA_X : BETA_Y + 1][has[:, BETA_X : BETA_Y + 1]]] = self.length
         if len(self.plate_names) == 1:
             return Measures(lever)
         plate[self.unknown[has]] = np.broadcast_to(self.plate_at_nodes[:, None], self.unknown.shape)[has]
         return Measures(lever, plate)
 
     def nodal_sizes(self, forces: Array) -> Array:
-        """Return the largest of the forces (n, F) at each node, moments over the elements' length, (n,) [N]."""
+        """Return the largest of the forces (n, F) at each node, moments over the plate's length, (n,) [N]."""
         lever = np.ones(forces.shape[1])
-        lever[BETA_X : BETA_Y + 1] = self.element_length
+        lever[BETA_X : BETA_Y + 1] = self.length
         sizes: Array = (np.abs(forces) / lever).max(axis=1)
         return sizes
 
@@ -197,36 +196,6 @@ class Problem:
         """Return the problem under the sum of its load cases times factors (cases,)."""
         first, *others = (case.scale(factor) for case, factor in zip(self.cases, factors, strict=True) if factor != 0)
         return replace(self, loading=sum(others, first))
-
-
-@dataclass(frozen=True, slots=True)
-class Measures:
-    """What displacements and forces are measured by, whatever the unit of length and what other plates do."""
-
-    lever: Array  # (size,): what makes a displacement [m] of an unknown: 1, or of a rotation a length [m]
-    plate: Integers | None = None  # (size,): of each unknown, -1 beside all plates; None of a single plate
-
-    def displacements(self, u: Array) -> Array:
-        """Return the largest displacement of each unknown's plate, (size,) [m]."""
-        return largest_of_parts(u * self.lever, self.plate)
-
-    def forces(self, f: Array) -> Array:
-        """Return the largest force on each unknown's plate, (size,) [N]."""
-        return largest_of_parts(f / self.lever, self.plate)
-
-
-def largest_of_parts(values: Array, part: Integers | None) -> Array:
-    """Return the largest size of values (k,) in the part that each of them belongs to, (k,), -1 beside all.
-
-    None is less than a share LEAST of the largest of all, which is the rounding of that.
-    """
-    sizes = np.abs(values)
-    if part is None or not len(values):
-        return np.full(len(values), sizes.max(initial=0.0))
-    largest = np.zeros(part.max() + 2)  # the last one of what is beside all plates, whose number is -1
-    np.maximum.at(largest, part, sizes)
-    found: Array = np.maximum(largest, LEAST * largest.max())[part]
-    return found
 
 
 def plate_unknowns(problem: Problem, U: Array) -> Array:

@@ -1,7 +1,4 @@
-"""Plan geometry: segments, closed curves of straight edges and arcs, and the plan of a plate.
-
-Places are (x, y) in meters. The extent of a plan is the longer side of its bounding rectangle.
-"""
+"""Plan geometry: segments, closed curves, plans. Places are (x, y) in meters, a plan's extent is its longer side."""
 
 from __future__ import annotations
 
@@ -24,8 +21,6 @@ Place = tuple[float, float]
 
 #: Places closer than this, relative to the extent, are one.
 SAME_PLACE = 1e-9
-#: Nor are places told apart by less than so many steps of double precision.
-ROUNDED = 4
 #: Arcs are replaced by chords that are at most this far off, relative to the extent, to see what lies inside what.
 FLAT = 1e-6
 #: Drawings replace arcs by chords at most this far off, relative to the extent.
@@ -355,12 +350,6 @@ class Plan:
         return max(x1 - x0, y1 - y0)
 
     @property
-    def same_place(self) -> float:
-        """Return how far apart places are that count as one [m]."""
-        x0, y0, x1, y1 = self.bounds
-        return same_place(x0, x1, y0, y1)
-
-    @property
     def rectilinear(self) -> bool:
         """Return whether everything runs along x or y, so that a grid can be fitted to it."""
         return all(edge.along_axis for edge in self.line_segments()) and all(
@@ -396,16 +385,6 @@ def sections(plan: Plan, places: Array) -> Integers:
     return section
 
 
-def same_place(x0: float, x1: float, y0: float, y1: float) -> float:
-    """Return how far apart places are that count as one [m], of a plan within a rectangle.
-
-    No less than coordinates are rounded, which is much far from x = y = 0.
-    """
-    rounding = math.ulp(max(map(abs, (x0, x1, y0, y1))))
-    return max(SAME_PLACE * max(x1 - x0, y1 - y0), ROUNDED * rounding)
-
-
 def format_place(place: Place | Array, origin: Place = (0.0, 0.0)) -> str:
     """Return a place as issues name it; of a plan that was moved, with where its x = y = 0 lies in the one given."""
-    x, y = (format_coordinate(float(value) + start) for value, start in zip(place, origin, strict=True))
-    return f"({x}, {y})"
+    return f"({format_coordinate(place[0] + origin[0])}, {format_coordinate(place[1] + origin[1])})"

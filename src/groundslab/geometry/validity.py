@@ -12,6 +12,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.errors import Issue
+from groundslab.geometry.places import same_place_in
 from groundslab.geometry.plan import FLAT, Place, Plan, Ring, Segment, format_place
 
 if TYPE_CHECKING:
@@ -168,7 +169,7 @@ def _find_zone_issues(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
     outline = _outlines(flat)
     plate = outline.difference(shapely.union_all(_openings(flat)))
     for name, polygon in flat.items():
-        if name.startswith("plate.zones") and plate.intersection(polygon).area <= plan.same_place**2:
+        if name.startswith("plate.zones") and plate.intersection(polygon).area <= same_place_in(plan) ** 2:
             yield Issue(name, "a zone that covers nothing of the plate", "one on the plate", "move it or leave it out")
     if "beyond" in flat:
         left = outline.difference(flat["beyond"].buffer(2 * FLAT * plan.extent))
@@ -237,7 +238,7 @@ def _find_near_misses(plan: Plan) -> Iterator[Issue]:
         k_near = k_near[counts[k_near] & (names[k_near] != name)]
         distance = np.zeros(len(places))
         distance[k_near] = edge.distance(places[k_near])
-        for k in k_near[(distance[k_near] > plan.same_place) & (distance[k_near] < near)]:
+        for k in k_near[(distance[k_near] > same_place_in(plan)) & (distance[k_near] < near)]:
             pair = min(name, str(names[k])), max(name, str(names[k]))
             if pair not in seen:
                 seen.add(pair)

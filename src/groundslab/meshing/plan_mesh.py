@@ -10,6 +10,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.errors import InputError, Issue
 from groundslab.fem.shape_functions import gauss, jacobian, q9
+from groundslab.geometry.places import same_place_in
 from groundslab.geometry.plan import MOST_ELEMENTS, NOTHING, Plan, format_place
 from groundslab.geometry.validity import find_issues
 from groundslab.meshing.quality import Quality, quality
@@ -64,7 +65,7 @@ def finish(plan: Plan, nodes: Array, elements: Integers, section: Integers) -> P
 def on_bounds(plan: Plan, nodes: Array) -> Array:
     """Return nodes (n, 2), those next to the rectangle around a plan exactly on it: there further ground begins."""
     low, high = np.reshape(plan.bounds, (2, 2))
-    near = plan.same_place
+    near = same_place_in(plan)
     found: Array = np.where(np.abs(nodes - low) < near, low, np.where(np.abs(nodes - high) < near, high, nodes))
     return found
 

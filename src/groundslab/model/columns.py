@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 from groundslab.geometry.plan import Ring, circle, rectangle
 from groundslab.model.ground import POSITIVE
 from groundslab.schema.base import Check, Section
-from groundslab.schema.fields import Quantity, Text, coordinate
+from groundslab.schema.fields import Quantity, Text
 from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.places import coordinate
 from groundslab.schema.repairs import remove
 
 if TYPE_CHECKING:

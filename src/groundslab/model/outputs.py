@@ -13,8 +13,9 @@ from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import Place
 from groundslab.model.supports import check_names
 from groundslab.schema.base import Check, Section, Table
-from groundslab.schema.fields import Choice, Integer, ListOf, Quantity, Text, coordinate
+from groundslab.schema.fields import Choice, Integer, ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.places import coordinate
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry

@@ -10,7 +10,7 @@ import math
 from typing import TYPE_CHECKING
 
 from groundslab.geometry.plan import Place
-from groundslab.schema.base import move
+from groundslab.schema.places import move
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model

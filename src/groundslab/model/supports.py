@@ -12,8 +12,9 @@ from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, first_sections, list_plates
 from groundslab.model.shapes import Place
 from groundslab.schema.base import ByKind, Check, Section, Table
-from groundslab.schema.fields import Choice, ListOf, Quantity, Text, coordinate
+from groundslab.schema.fields import Choice, ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.places import coordinate
 from groundslab.schema.ranges import Range
 from groundslab.schema.repairs import remove, set_value, use_free_name
 from groundslab.schema.wording import describe, quote

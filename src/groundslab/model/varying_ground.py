@@ -23,8 +23,9 @@ from groundslab.model.ground import (
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import AnyShape, Shape
 from groundslab.schema.base import Check, Section, Table
-from groundslab.schema.fields import Quantity, Text, coordinate, extent
+from groundslab.schema.fields import Quantity, Text
 from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.places import coordinate, extent
 from groundslab.schema.repairs import remove, set_value
 from groundslab.schema.wording import quote
 

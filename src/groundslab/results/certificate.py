@@ -8,235 +8,33 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.fem.assembly import scatter
-from groundslab.fem.bearings import CLOSED, YIELDING
+from groundslab.fem.bearings import CLOSED, LEAST, YIELDING, largest_of_parts
 from groundslab.fem.continuum.pile_group import PileGroup
-from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
+from groundslab.fem.foundation import Column
 from groundslab.fem.problem import (
     BETA_X,
     BETA_Y,
-    LEAST,
     TOP,
     Problem,
     W,
-    free_motions,
-    largest_of_parts,
-    move_plates,
-    plate_unknowns,
     settlement_by_loads_beside,
     single_plates,
 )
 from groundslab.fem.system import (
     System,
-    edge_decays,
-    edge_lengths,
-    link_forces,
     link_stiffness,
-    surface_fields,
     surface_settlement,
 )
+from groundslab.results.balance.forces import bearing_forces, resistance, tail_forces
 from groundslab.results.record import Certificate
 from groundslab.solvers.conditioning import plate_stiffness
 from groundslab.solvers.cracking import error_of_law
 from groundslab.solvers.solution import Solution
 
-_CHUNK = 4096
 #: A settlement this small against the plate, or a contact force this small against the load, counts as none.
 NOTHING = 1e-12
 #: Forces are exact to 1e-15 of stiffness times displacement: the share of it whose TOLERANCE that is.
 ROUNDING = 1e-15 / Certificate.TOLERANCE
-
-
-def decay_squared(s: System, U: Array, column: Column) -> float:
-    """Return int |grad w0|^2 / int w0^2 [1/m2] over all ground, that beyond infinite edges included (paper (2.23))."""
-    problem, b = s.problem, s.blocks
-    w = surface_settlement(s, U)
-    we = w[0][problem.mesh.elements]
-    squares = _by_kind(b.mass, b.kind, we, we)
-    varying = we - we[:, 8:]  # else rounding makes slopes of a settlement that is everywhere the same
-    slopes = _by_kind(b.slope, b.kind, varying, varying)
-    if len(problem.edges):
-        t, at_corners = edge_decays(problem, column)
-        X, Y, _, _ = t.square_integrals()
-        _, _, Xc, Yc = at_corners.square_integrals()
-        length = edge_lengths(problem)
-        # the amplitudes' products are summed over edges and corners where the tails are the same
-        products = "emn" if t.varies else "mn"
-        c = np.einsum("...ms,s...k->...km", t.projection, w[:, problem.edges])
-        along = np.einsum(f"e,ekm,kl,eln->{products}", length, c, EDGE_MASS, c)
-        across = np.einsum(f"e,ekm,kl,eln->{products}", 1 / length, c, EDGE_SLOPE, c)
-        c = np.einsum("...ms,s...->...m", at_corners.projection, w[:, problem.corners])
-        corner = np.einsum(f"em,en->{products}", c, c)
-        squares += float((X * along).sum() + (Xc * corner).sum())
-        slopes += float((Y * along).sum() + (X * across).sum() + (Yc * corner).sum())
-    return max(slopes, 0.0) / squares if squares > 0 else 0.0
-
-
-def _by_kind(matrices: Array, kind: Integers, u: Array, v: Array) -> float:
-    """Return the sum over elements of u_e . M_kind(e) v_e."""
-    return float(np.einsum("ea,ea->", u, apply(matrices, kind, v)))
-
-
-def apply(matrices: Array, kind: Integers, v: Array) -> Array:
-    """Return M_kind(e) v_e for every element, (m, rows), some thousand elements at a time to spare memory."""
-    if len(matrices) == 1:
-        only: Array = v @ matrices[0].T
-        return only
-    out = np.empty((len(v), matrices.shape[1]))
-    for start in range(0, len(v), _CHUNK):
-        part = slice(start, start + _CHUNK)
-        out[part] = np.einsum("eab,eb->ea", matrices[kind[part]], v[part], optimize=True)
-    return out
-
-
-def plate_forces(s: System, U: Array) -> Array:
-    """Return the forces (n, 3) that the plate's deformation puts on w, beta_x, beta_y of each node."""
-    problem, b = s.problem, s.blocks
-    elements = problem.mesh.elements[problem.plate_elements]
-    f = apply(b.plate, b.kind[problem.plate_elements], plate_unknowns(problem, U))
-    n = len(problem.mesh.nodes)
-    return np.column_stack([scatter(elements, f[:, 9 * i : 9 * i + 9], n) for i in range(3)])
-
-
-def ground_forces(s: System, U: Array, column: Column) -> Array:
-    """Return the forces (n, 1 + S) that the ground's deformation puts on the plate's w and on each surface.
-
-    The first column differs from the second only where a plate's center w hangs on its element's other nodes.
-    """
-    problem, b = s.problem, s.blocks
-    w = surface_settlement(s, U)
-    elements, n = problem.mesh.elements, len(problem.mesh.nodes)
-    forces = np.zeros((n, 1 + column.surfaces))
-    mass = [apply(b.mass, b.kind, w[j][elements]) for j in range(column.surfaces)]
-    slope = [apply(b.slope, b.kind, w[j][elements]) for j in range(column.surfaces)]
-    for i in range(column.surfaces):
-        by_element = np.zeros_like(mass[0])
-        for j in range(column.surfaces):
-            by_element += column.A0[..., i, j, None] * mass[j] + column.A1[..., i, j, None] * slope[j]
-        forces[:, 1 + i] = scatter(elements, by_element, n)
-        if i == 0:
-            on_w = np.einsum("ea,eab->eb", by_element, b.T[b.kind])
-            under = problem.plate_nodes
-            forces[under, 0] = scatter(elements, on_w, n)[under]
-    if len(problem.edges):
-        forces[:, 1:] += _tail_forces(problem, w, column)
-    if len(problem.links.joint):
-        surface = link_forces(s, U, column, joints=False)
-        forces += surface[:, [W, *range(TOP, TOP + column.surfaces)]]
-    return forces
-
-
-def exact_rigid_products(s: System, column: Column) -> tuple[Array, Array]:
-    """Return orthonormal rigid motions of the plate with the ground under it (size, 3), and their forces (size, 3).
-
-    The forces are the ground's alone, which the matrix knows with the rounding of a plate that may be much stiffer.
-    Of a plate that supports hold, or of which a part is meshed, the motions that are left, (size, m).
-    """
-    problem, size = s.problem, s.pattern.size
-    nodes, free = problem.plate_nodes, free_motions(problem)
-    motions, forces = np.zeros((size, free.shape[1])), np.zeros((size, free.shape[1]))
-    has = problem.unknown >= 0
-    for number, motion in enumerate(np.moveaxis(move_plates(problem, free), 2, 0)):
-        U = np.zeros(problem.unknown.shape)
-        U[nodes, :TOP] = motion[nodes]
-        ground = ground_forces(s, U, column)
-        resisting = link_forces(s, U, column, joints=True)
-        for surface in range(column.surfaces):
-            for field in surface_fields(surface):
-                resisting[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]
-        motions[problem.unknown[has], number] = U[has]
-        np.add.at(forces[:, number], problem.unknown[has], resisting[has])
-    Q, R = np.linalg.qr(motions)
-    return Q, np.linalg.solve(R.T, forces.T).T
-
-
-def _tail_forces(problem: Problem, w: Array, column: Column) -> Array:
-    """Return the forces (n, S) that infinite ground puts on the outer edges."""
-    (t, at_corners), length = edge_decays(problem, column), edge_lengths(problem)
-    we = w[:, problem.edges]
-    f = np.einsum("...ij,...,kl,j...l->i...k", t.spring, length, EDGE_MASS, we)
-    f += np.einsum("...ij,...,kl,j...l->i...k", t.slope, 1 / length, EDGE_SLOPE, we)
-    n = len(problem.mesh.nodes)
-    forces = np.column_stack([scatter(problem.edges, each, n) for each in f])
-    forces[problem.corners] += np.einsum("...ij,j...->...i", at_corners.corner, w[:, problem.corners])
-    return forces
-
-
-@dataclass(frozen=True, slots=True)
-class Resistance:
-    """What resists the loads at n nodes: all of it, and what of it ground and joints contribute."""
-
-    all: Array  # (n, F) [N, N m]
-    ground: Array  # (n, 1 + S) [N]: on the plate's w, and on each surface
-    joints: Array  # (l,) [N]: of each link across a joint on its first node, upwards
-
-
-def pressing_forces(solution: Solution) -> Array:
-    """Return the forces (n, 2) that the cells of an elastic continuum put on the plate's w, and on their surface."""
-    elastic, pressed = solution.system.problem.elastic, solution.pressed
-    assert elastic is not None
-    assert pressed is not None
-    on_w = elastic.cells.spread @ pressed.force
-    return np.column_stack([on_w, on_w])
-
-
-def resistance(solution: Solution) -> Resistance:
-    """Return the forces with which plate, ground and joints resist."""
-    s, U, column = solution.system, solution.U, solution.column
-    ground = ground_forces(s, U, column) if solution.pressed is None else pressing_forces(solution)
-    inner = np.zeros_like(U)
-    inner[:, :TOP] += plate_forces(s, U)
-    for surface in range(column.surfaces):
-        for field in surface_fields(surface):
-            inner[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]
-    joints = _joint_forces(solution, inner)
-    return Resistance(inner + s.problem.links.spread(joints, len(U)), ground, joints)
-
-
-def bearing_forces(solution: Solution) -> Array:
-    """Return the forces (n, F) with which bearings push."""
-    problem, borne = solution.system.problem, np.zeros_like(solution.U)
-    bearing = problem.bearing
-    np.add.at(borne, (bearing.node, bearing.field), bearing.law.sign * solution.contact.force)
-    return borne
-
-
-def _joint_forces(solution: Solution, inner: Array) -> Array:
-    """Return the force (l,) [N] of each link of a joint on its first node, upwards, 0 of all other links.
-
-    inner (n, F) are the forces with which plate and ground resist. Elastic joints resist by their stiffness. Hinges
-    carry what then is left over at the nodes that they hold together: the plates' equations are taken for each alone.
-    """
-    s, problem = solution.system, solution.system.problem
-    links = problem.links
-    stiffness = np.where(links.joint >= 0, link_stiffness(s, solution.column), 0.0)
-    force = stiffness * links.difference(solution.U)
-    hinges = links.shared & (problem.unknown[links.nodes[:, 0], W] >= 0)
-    if hinges.any():
-        left = inner - problem.load - bearing_forces(solution) + links.spread(force, len(inner))
-        force[hinges] = _balancing(links.nodes[hinges], left[:, W])
-    return force
-
-
-def _balancing(pairs: Integers, left: Array) -> Array:
-    """Return the forces (k,) between pairs of nodes (k, 2) that balance what is left over at the nodes, (n,).
-
-    Each is that on the first node of its pair. Where more than two nodes meet, the least of those that balance.
-    """
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
-    force = left[pairs[:, 1]].copy()
-    n = len(left)
-    place = connected_components(coo_array((np.ones(len(pairs)), pairs.T), shape=(n, n)), directed=False)[1]
-    _, number, count = np.unique(place[pairs[:, 0]], return_inverse=True, return_counts=True)
-    for which in np.flatnonzero(count > 1):
-        own = np.flatnonzero(number == which)
-        nodes, ends = np.unique(pairs[own], return_inverse=True)
-        incidence = np.zeros((len(nodes), len(own)))
-        incidence[ends.reshape(-1, 2).T, np.arange(len(own))] = np.array([[1.0], [-1.0]])
-        force[own] = np.linalg.lstsq(incidence, -left[nodes], rcond=None)[0]
-    return force
 
 
 def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
@@ -508,5 +306,5 @@ def _sum_lost_forces(s: System, U: Array, column: Column, rest: Array) -> float:
     fixed = (problem.unknown[:, of_ground] < 0) & (rest[:, of_ground] != 0)
     fixed[problem.plate_nodes] = False
     edge = -rest[:, of_ground][fixed].sum()
-    lost = _tail_forces(problem, w, column).sum() if len(problem.edges) else 0.0
+    lost = tail_forces(problem, w, column).sum() if len(problem.edges) else 0.0
     return float(base + edge + lost)

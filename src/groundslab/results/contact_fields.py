@@ -9,7 +9,7 @@ from groundslab.fem.assembly import scatter
 from groundslab.fem.problem import MIDSIDES, TOP
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.system import plate_settlement
-from groundslab.results.certificate import ground_forces
+from groundslab.results.balance.forces import ground_forces
 from groundslab.results.edge_forces import ground_shear, pressure_forces, split_contact_force
 from groundslab.results.result_mesh import ResultMesh
 from groundslab.solvers.solution import Solution

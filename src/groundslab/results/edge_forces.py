@@ -17,7 +17,7 @@ from groundslab.fem.mesh import SIDES
 from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import gauss, gauss_line, jacobian, lagrange, q9
 from groundslab.fem.system import System, surface_settlement
-from groundslab.results.certificate import apply
+from groundslab.results.balance.forces import apply
 
 
 @dataclass(frozen=True, slots=True)

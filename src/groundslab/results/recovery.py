@@ -14,7 +14,7 @@ from groundslab.fem.system import plate_settlement, surface_settlement
 from groundslab.fem.vlasov import Soil
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
-from groundslab.results.certificate import apply, resistance
+from groundslab.results.balance.forces import apply, resistance
 from groundslab.results.contact_fields import contact_fields
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
 from groundslab.results.record import Certificate, Constants, Step

@@ -6,7 +6,7 @@ import inspect
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, lru_cache
-from typing import Annotated, Any, ClassVar, Self, TypeVar, get_args, get_origin
+from typing import Annotated, Any, ClassVar, Self, get_args, get_origin
 
 from pydantic import (
     BaseModel,
@@ -196,30 +196,6 @@ class Section(BaseModel):
         if made is None or relative_issues:
             raise FieldError(*_limit_issues(relative_issues))
         return made
-
-
-Moved = TypeVar("Moved", bound=Section)
-
-
-def move(section: Moved, by: tuple[float, float], digits: int = 15) -> Moved:
-    """Return a section whose places in plan are moved along x and y [m], with so many decimals; unchecked."""
-    changes = {}
-    for name, field in type(section).model_fields.items():
-        value = getattr(section, name)
-        key = get_field_type(field)
-        moved = _move_sections(value, by, digits) if key is None else key.move(value, by, digits)
-        if moved != value:
-            changes[name] = moved
-    return section.model_copy(update=changes) if changes else section
-
-
-def _move_sections(value: Any, by: tuple[float, float], digits: int) -> Any:
-    """Return the sections that a field holds, one or several, in the moved plan; anything else as it is."""
-    if isinstance(value, Section):
-        return move(value, by, digits)
-    if isinstance(value, tuple):
-        return tuple(_move_sections(item, by, digits) for item in value)
-    return value
 
 
 def get_kind(value: Any) -> str | None:

@@ -22,8 +22,6 @@ from groundslab.schema.wording import describe, listed, quote
 
 #: Validation context of files: units are mandatory there, and a key without effect is an issue.
 FROM_FILE = {"from_file": True}
-#: Coordinates reach further than lengths: national grids count from far away, some with the number of a zone in front.
-ANYWHERE = ranges.Range(at_least=-1e8, at_most=1e8)
 MOST_ISSUES, MOST_VALUES = 100, 10_000  # reported for one table; of a list, unless its key says otherwise
 LARGEST_WHOLE = 2**31 - 1
 
@@ -65,10 +63,6 @@ class FieldType:
         """Return the JSON schema of the value in a file."""
         return self.SCHEMA
 
-    def move(self, value: Any, by: tuple[float, float], digits: int) -> Any:  # noqa: ARG002
-        """Return the value where the plan is moved along x and y [m]; coordinates keep so many decimals."""
-        return value
-
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         """Let pydantic read the value with ``read``; None is allowed where the type says so."""
         schema = core_schema.with_info_plain_validator_function(
@@ -100,11 +94,6 @@ class Quantity(FieldType):
     symbol: str
     meaning: str
     range: ranges.Range = ranges.ANY
-    axis: int | None = None  # of a coordinate in plan: 0 along x, 1 along y
-
-    def move(self, value: float | None, by: tuple[float, float], digits: int) -> float | None:
-        """Return a coordinate in the moved plan, any other quantity as it is."""
-        return value if value is None or self.axis is None else round(value + by[self.axis], digits)
 
     def read(self, value: Any, from_file: bool) -> float:
         """Return the quantity in SI units."""
@@ -327,15 +316,6 @@ class ListOf(FieldType):
     unique: bool = False
     least: int = 1  # values, where no length is fixed
     most: int = MOST_VALUES
-    place: bool = False  # whether it is a place x, y in plan
-
-    def move(self, value: tuple[Any, ...] | None, by: tuple[float, float], digits: int) -> tuple[Any, ...] | None:
-        """Return a place, or what holds coordinates or places, in the moved plan."""
-        if value is None:
-            return None
-        if self.place:
-            return round(value[0] + by[0], digits), round(value[1] + by[1], digits)
-        return tuple(self.each.move(item, by, digits) for item in value)
 
     @property
     def _most(self) -> int:
@@ -386,21 +366,6 @@ def list_quantities(
 ) -> ListOf:
     """Return the type of a list of so many quantities of one dimension."""
     return ListOf(Quantity(dimension, symbol, "", limits), symbol, meaning, length, rising)
-
-
-def coordinate(axis: int, meaning: str) -> Quantity:
-    """Return the type of a coordinate in plan along x (0) or y (1)."""
-    return Quantity("length", "xy"[axis], meaning, ANYWHERE, axis)
-
-
-def extent(axis: int, meaning: str) -> ListOf:
-    """Return the type of an extent in plan along x (0) or y (1)."""
-    return ListOf(coordinate(axis, ""), "xy"[axis], meaning, 2, rising=True)
-
-
-def place_in_plan(meaning: str, symbol: str = "x, y") -> ListOf:
-    """Return the type of a place in plan."""
-    return ListOf(Quantity("length", symbol, "", ANYWHERE), symbol, meaning, 2, place=True)
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import NotConverged, SingularMatrix
 from groundslab.fem.assembly import scatter
-from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings, Contact
-from groundslab.fem.problem import Measures, largest_of_parts
+from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings, Contact, Measures, largest_of_parts
 from groundslab.fem.sparse import Symmetric
 from groundslab.solvers import interior_point
 from groundslab.solvers.factor_reuse import CachedFactorization, ConstrainedSystem

@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.fem.bearings import Bearings
+from groundslab.fem.bearings import Bearings, largest_of_parts
 from groundslab.fem.continuum.elastic_ground import ElasticGround
 from groundslab.fem.continuum.media import elastic_length
 from groundslab.fem.continuum.preconditioner import Preconditioner, make_preconditioner
-from groundslab.fem.problem import TOP, Problem, W, free_motions, largest_of_parts, move_plates
+from groundslab.fem.problem import TOP, Problem, W, free_motions, move_plates
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.sparse import Symmetric
 from groundslab.fem.system import System

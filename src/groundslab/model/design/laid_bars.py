@@ -17,7 +17,8 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.geometry.plan import Ring, same_place
+from groundslab.geometry.places import same_place
+from groundslab.geometry.plan import Ring
 from groundslab.model.columns import Column
 from groundslab.model.design.bars import Bars
 from groundslab.model.design.reinforcement import Reinforcement

@@ -22,8 +22,9 @@ from groundslab.model.loads.base import Magnitude, _Load
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Shape
 from groundslab.schema.base import ByKind, Check, Table
-from groundslab.schema.fields import Choice, Number, Quantity, Text, coordinate, list_quantities, place_in_plan
+from groundslab.schema.fields import Choice, Number, Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.places import coordinate, place_in_plan
 from groundslab.schema.ranges import Range
 
 if TYPE_CHECKING:

@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 from itertools import accumulate, combinations
 from typing import TYPE_CHECKING, Annotated, ClassVar, Protocol
 
-from groundslab.geometry.plan import Ring, format_place, get_bounds, same_place
+from groundslab.geometry.places import same_place
+from groundslab.geometry.plan import Ring, format_place, get_bounds
 from groundslab.geometry.validity import TOO_CLOSE
 from groundslab.model.ground import POISSON, POSITIVE
 from groundslab.model.plate import SHEAR_FACTOR, Plate, Zone, check_geometry

@@ -6,7 +6,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from groundslab.geometry.areas import equal_area_polygon
-from groundslab.geometry.plan import Place, same_place
+from groundslab.geometry.places import same_place
+from groundslab.geometry.plan import Place
 from groundslab.geometry.regions import Region
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, list_plates

@@ -22,7 +22,7 @@ from groundslab.fem import load_vectors
 from groundslab.fem.assembly import scatter
 from groundslab.fem.mesh import SIDES, Mesh
 from groundslab.fem.shape_functions import gauss_line, lagrange
-from groundslab.geometry.plan import SAME_PLACE
+from groundslab.geometry.places import same_place
 from groundslab.model.columns import Column
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
@@ -221,7 +221,8 @@ def edge_inside(plate: PlateResult, part: Polygon) -> tuple[Integers, Array]:
     sides = _EDGE_SIDES.get(plate.nodes, plate.elements, lambda: _edge_sides(plate))
     places = plate.nodes[sides]
     x0, y0, x1, y1 = part.bounds
-    grown = part.buffer(ON_EDGE * SAME_PLACE * float(np.ptp(plate.nodes, axis=0).max()))
+    (low_x, low_y), (high_x, high_y) = plate.nodes.min(axis=0), plate.nodes.max(axis=0)
+    grown = part.buffer(ON_EDGE * same_place(low_x, high_x, low_y, high_y))
     near = ((places.min(axis=1) <= (x1, y1)) & (places.max(axis=1) >= (x0, y0))).all(axis=1)
     total = np.zeros(len(plate.nodes))
     for side, x in zip(sides[near], places[near], strict=True):

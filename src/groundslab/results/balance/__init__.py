@@ -1,0 +1,1 @@
+"""Forces with which plate, ground and joints resist, from element matrices alone."""
