@@ -212,3 +212,15 @@ def test_what_is_no_refusal_is_found(spoilt: ModuleType, tmp_path: Path) -> None
     assert spoilt.attempt(refuses, tmp_path, log)[0] == spoilt.REFUSED
     assert spoilt.attempt(lambda _: bytearray(10**11), tmp_path, log)[0] == spoilt.NO_MEMORY
     assert spoilt.attempt(lambda _: None, tmp_path, log)[0] == spoilt.ACCEPTED
+
+
+def test_json_that_is_nested_too_deeply(tmp_path: Path) -> None:
+    """A comparison of grounds and unsaved work of a hundred thousand brackets are refused, without a traceback."""
+    from groundslab.views.ground_comparison.files import load_comparison
+    from groundslab.workbench.persistence.autosave import HEAD, read_unsaved
+
+    (tmp_path / "ground-comparison.json").write_text("[" * 100_000)
+    with pytest.raises(InputError):
+        load_comparison(tmp_path)
+    (tmp_path / "x.unsaved").write_text(HEAD + "[" * 100_000)
+    assert read_unsaved(tmp_path / "x.unsaved") is None

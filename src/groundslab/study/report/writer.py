@@ -114,7 +114,7 @@ def _make_way(folder: Path) -> None:
         return
     try:
         known = dict(json.loads(bounded.read_whole(path, LARGEST))["checksums"])
-    except (ValueError, KeyError, TypeError):
+    except (ValueError, KeyError, TypeError, RecursionError):
         known = {}
     checksums.keep_files(folder, checksums.find_edited(folder, {name: known[name] for name in known if name in NAMES}))
 

@@ -57,7 +57,7 @@ def read_unsaved(path: Path) -> UnsavedWork | None:
         return (
             UnsavedWork(path, about["when"], document, about["file"], about["base"]) if head.startswith(HEAD) else None
         )
-    except (OSError, ValueError, KeyError, TypeError):
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return None
 
 

@@ -40,7 +40,7 @@ class Lock:
         try:
             lock.acquire()
         except Timeout:
-            with suppress(OSError, ValueError):
+            with suppress(OSError, ValueError, TypeError, RecursionError):
                 return None, dict(json.loads(bounded.read_whole(owner_file, LARGEST)))
             return None, {}
         except OSError as error:
