@@ -9,6 +9,7 @@ import pytest
 
 from groundslab import Model, NoEquilibrium, solve
 from groundslab.design import punching
+from groundslab.design.demands import line_properties
 from groundslab.design.result_tables import tables_of
 from groundslab.results.results import CombinationResult, results_of
 from helpers.similar import move_validated, rescale
@@ -173,7 +174,7 @@ def test_columns_punch_alike_in_a_national_grid() -> None:
         far = punching.RectangularColumn(x + by[0], y + by[1], 0.4, 0.4)
         one, other = (punching.demand(p, c, 0.2, 1e5) for p, c in zip(plates, (near, far), strict=True))
         assert (other.u, other.V_Ed) == pytest.approx((one.u, one.V_Ed), rel=SAME)
-        shapes = [punching.shape_of(each.perimeter.legs)[0] for each in (one, other)]
+        shapes = [line_properties.shape_of(each.perimeter.legs)[0] for each in (one, other)]
         assert shapes[0] == shapes[1]
         np.testing.assert_allclose(other.perimeter.legs - by, one.perimeter.legs, atol=2e-8)
 

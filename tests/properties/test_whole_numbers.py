@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 
 import groundslab as g
 from groundslab.analysis.driver import Variants
-from groundslab.design import design_moments, punching, section_cuts, tilt
+from groundslab.design import punching, tilt
+from groundslab.design.demands import design_moments, section_cuts
 from groundslab.design.en1992 import bending, materials
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.results import CombinationResult

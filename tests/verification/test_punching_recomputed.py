@@ -16,7 +16,7 @@ import pytest
 import shapely
 
 import groundslab as gs
-from groundslab.design.tables.punching import perimeter_loads
+from groundslab.design.demands import perimeter_loads
 from groundslab.design.tables.punching.aci318 import CriticalSection, TwoWay, critical_section, two_way
 from groundslab.design.tables.punching.en1992 import demands
 from groundslab.design.tables.punching.en1992_demand import Demands

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array, Flags
-from groundslab.design.design_moments import DesignMoments
+from groundslab.design.demands.design_moments import DesignMoments
 from groundslab.errors import InputError, Issue
 
 

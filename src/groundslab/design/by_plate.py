@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.arrays import Array, Flags
-from groundslab.design.perimeters import outline
+from groundslab.design.demands.perimeters import outline
 from groundslab.model.loads.acting import PlateAction, PointForce
 from groundslab.model.loads.load_types import AnyLoad
 from groundslab.model.model import Model

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.design.demands.perimeter_loads import edge_inside
+from groundslab.design.demands.perimeters import Footprint, Perimeter, RectangularColumn, RoundColumn, perimeter
+from groundslab.design.demands.section_cuts import rotate_to_cut
 from groundslab.design.en1992.perimeters import openings
-from groundslab.design.perimeters import Footprint, Perimeter, RectangularColumn, RoundColumn, perimeter
-from groundslab.design.section_cuts import rotate_to_cut
-from groundslab.design.tables.punching.perimeter_loads import edge_inside
 from groundslab.errors import InputError, Issue
 from groundslab.fem import load_vectors
 from groundslab.fem.line_traversal import interpolation, pieces

@@ -8,12 +8,12 @@ from functools import cache, partial
 from groundslab.design.bar_quantities import bars
 from groundslab.design.checks import check_design
 from groundslab.design.checks_table import checks_table
+from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.tables import errors
 from groundslab.design.tables.columns import column_envelope, column_table
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
 from groundslab.design.tables.locations import lines, points, soil, strips
 from groundslab.design.tables.punching.cells import pile_punching
-from groundslab.design.tables.punching.perimeter_loads import punching_piles
 from groundslab.design.tables.reinforcement import reinforcement
 from groundslab.design.tables.summary import acting_cases, combinations, extremes, tilts
 from groundslab.design.tables.supports import joint_table, support_table

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 #: The ground's surface goes on across joints by links so many times as stiff as an element of it.
-RIGID_LINK = 1e6
+RIGID_LINK = 1e5
 
 
 def current_bearings(problem: Problem, factor: float, slip: Array) -> Bearings:

@@ -396,6 +396,6 @@ def results_of(results: CombinationResult) -> Results:
 
     about = {"name": results.combination, "limit_state": results.limit_state}
     combination = Combination(**about, factors=dict(results.factors) or {"": 1.0})
-    if results.certificate.holds:
-        return Results(results.model, (combination,), {combination.name: results}, {})
-    return Results(results.model, (combination,), {}, {combination.name: NotCertified(results)})
+    holds = results.certificate.holds
+    solved = {combination.name: results} if holds else {}
+    return Results(results.model, (combination,), solved, {} if holds else {combination.name: NotCertified(results)})

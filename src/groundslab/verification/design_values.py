@@ -15,7 +15,7 @@ from groundslab.design.aci318 import shear as aci_shear
 from groundslab.design.aci318.materials import PHI_BENDING, PHI_SHEAR
 from groundslab.design.aci318.materials import Concrete as AciConcrete
 from groundslab.design.aci318.materials import Steel as AciSteel
-from groundslab.design.design_moments import wood_armer
+from groundslab.design.demands.design_moments import wood_armer
 from groundslab.design.en1992 import bending, cracking, punching, shear
 from groundslab.design.en1992.annex import annex_of
 from groundslab.design.en1992.materials import Concrete, Steel

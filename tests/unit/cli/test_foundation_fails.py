@@ -111,7 +111,6 @@ def test_a_topple_in_any_limit_state(case: Path, capsys: pytest.CaptureFixture[s
     assert list(kept.without_equilibrium) == ["falls"]
     design = json.loads((case.with_name("pad-results") / "summary.json").read_text(encoding="utf-8"))["design"]
     assert [check["combination"] for check in design["checks"] if check["status"] == "fails"] == ["falls"]
-    assert [(check["combination"], check["status"]) for check in design["checks"]] == [("falls", "fails")]
     assert "x = 1.71429 m" in design["checks"][0]["words"]  # 300 / 175
     assert design["checks"][0]["foundation"] is True
 

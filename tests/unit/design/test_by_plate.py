@@ -11,7 +11,7 @@ from shapely import Point
 from groundslab import Model, Results, solve
 from groundslab.design.by_plate import edges_of, plate_under, results_by_plate
 from groundslab.design.checks import check_design
-from groundslab.design.perimeters import RectangularColumn, perimeter
+from groundslab.design.demands.perimeters import RectangularColumn, perimeter
 from groundslab.design.result_tables import tables_of
 from groundslab.design.tilt import largest_tilt, tilt
 from groundslab.views.scene.plan import plan_of

@@ -19,7 +19,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.aci318.materials import PHI_SHEAR, Concrete, Steel
-from groundslab.design.line_properties import centroid, directions, second_moments, total_length
+from groundslab.design.demands.line_properties import centroid, directions, second_moments, total_length
 
 #: alpha_s of columns inside, at an edge and at a corner (22.6.5.3), by how the critical section runs.
 ALPHA_S = {"closed": 40.0, "edge": 30.0, "corner": 20.0}

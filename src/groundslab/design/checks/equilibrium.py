@@ -11,8 +11,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from groundslab.design.checks.check import DesignCheck, some
-from groundslab.design.perimeters import outline
-from groundslab.design.tables import column_loads
+from groundslab.design.demands import column_loads
+from groundslab.design.demands.perimeters import outline
 from groundslab.design.tables.quantities import solved_results
 from groundslab.model.loads.load_cases import Combination
 from groundslab.results.results import Results

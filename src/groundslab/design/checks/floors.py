@@ -17,14 +17,14 @@ import numpy as np
 from groundslab.design import punching
 from groundslab.design.by_plate import split_by_plate
 from groundslab.design.checks.check import DesignCheck
-from groundslab.design.design_moments import principal_moments
+from groundslab.design.demands.design_moments import principal_moments
+from groundslab.design.demands.perimeters import surroundings
 from groundslab.design.en1992 import punching as punching_resistance
 from groundslab.design.en1992.materials import CONCRETE_CLASSES, Concrete, Steel
 from groundslab.design.en1992.perimeters import face_length, openings
 from groundslab.design.floors import acting_loads, resistance, strips, yield_lines
 from groundslab.design.floors.acting_loads import Borders, Force
 from groundslab.design.floors.yield_lines import Location, YieldSlab
-from groundslab.design.perimeters import surroundings
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.quantities import solved_results, why_none
 from groundslab.discretize.ground import grounds_of

@@ -8,11 +8,11 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from groundslab.design.checks.check import DesignCheck, Status
+from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.tables import reinforcement
 from groundslab.design.tables.punching.en1992 import demands, pile_demands
 from groundslab.design.tables.punching.en1992_demand import Demand, Demands, Stress
-from groundslab.design.tables.punching.perimeter_loads import punching_piles
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 

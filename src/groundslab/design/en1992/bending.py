@@ -19,7 +19,7 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.design import bending
 from groundslab.design.bending import Axes, BendingRule, Block, Reinforcement, SlabReinforcement
-from groundslab.design.design_moments import DesignMoments
+from groundslab.design.demands.design_moments import DesignMoments
 from groundslab.design.en1992.materials import Concrete, Steel
 from groundslab.errors import InputError, Issue
 

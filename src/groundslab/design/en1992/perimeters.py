@@ -16,8 +16,8 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.line_properties import total_length
-from groundslab.design.perimeters import NearEdge, Openings, Surroundings, outside, stretched_over, way_around
+from groundslab.design.demands.line_properties import total_length
+from groundslab.design.demands.perimeters import NearEdge, Openings, Surroundings, outside, stretched_over, way_around
 
 #: An opening counts up to this distance from the column, in effective depths (6.4.2(3)).
 OPENING_REACH = 6.0

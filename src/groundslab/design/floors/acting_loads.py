@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Integers
+from groundslab.design.demands.perimeters import RectangularColumn, RoundColumn
 from groundslab.design.floors.yield_lines import Location
-from groundslab.design.perimeters import RectangularColumn, RoundColumn
 from groundslab.geometry.plan import FLAT
 from groundslab.model.loads.acting import AreaPressure, LineForce, PlateAction
 from groundslab.model.loads.clipping import clip_line, get_plate_region

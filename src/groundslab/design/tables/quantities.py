@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from groundslab.arrays import Array, Flags
-from groundslab.design.design_moments import derive_field, fields_of
+from groundslab.design.demands.design_moments import derive_field, fields_of
 from groundslab.errors import GroundslabError
 from groundslab.fem.shape_functions import areas
 from groundslab.results.contact_zone import has_line_force

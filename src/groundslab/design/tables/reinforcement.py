@@ -12,7 +12,7 @@ from groundslab.design.aci318 import bending as aci318
 from groundslab.design.aci318.materials import Concrete as Aci318Concrete
 from groundslab.design.aci318.materials import Steel as Aci318Steel
 from groundslab.design.bending import Axes, BendingRule, SlabReinforcement, slab
-from groundslab.design.design_moments import DesignMoments, wood_armer
+from groundslab.design.demands.design_moments import DesignMoments, wood_armer
 from groundslab.design.en1992 import bending as en1992
 from groundslab.design.en1992.annex import annex_of
 from groundslab.design.en1992.materials import CONCRETE_CLASSES, STEEL_CLASSES, Concrete, Steel

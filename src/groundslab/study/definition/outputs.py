@@ -10,7 +10,7 @@ import numpy as np
 
 from groundslab.accuracy.values import error_of_largest, estimate_error
 from groundslab.design.by_plate import results_by_plate
-from groundslab.design.design_moments import derive_field, fields_of, wood_armer
+from groundslab.design.demands.design_moments import derive_field, fields_of, wood_armer
 from groundslab.design.tilt import largest_tilt
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import format_place

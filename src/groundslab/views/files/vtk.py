@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.design.design_moments import derive_field, fields_of
+from groundslab.design.demands.design_moments import derive_field, fields_of
 from groundslab.errors import GroundslabError
 from groundslab.fem.mesh import in_space
 from groundslab.results.fields import DIRECTION, ELEMENT_FIELDS, LAYERS, PLATE_FIELDS, PRINCIPAL

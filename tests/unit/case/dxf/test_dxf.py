@@ -726,7 +726,7 @@ class TestSpreadLoads:
         model = casefile.loads(filled(dxf.to_case(drawing)))
         lines = [load for load in model.loads if isinstance(load, LineLoad)]
         assert [load.q for load in lines] == [20e3, 15e3, 7.5e3, 10e3, 20e3]
-        lengths = [sum(edge.length for edge in load.segments()) for load in lines]
+        lengths = [sum(edge.length for edge in load.acts[0].edges) for load in lines]
         sweep = 4 * math.atan(0.5)
         arc = 2 / (2 * math.sin(sweep / 2)) * sweep
         assert lengths == pytest.approx([4, arc + 3, math.pi, 4 * math.pi, 1])
@@ -760,7 +760,7 @@ class TestSpreadLoads:
         model = casefile.loads(filled(dxf.to_case(drawing)))
         areas = [load for load in model.loads if isinstance(load, AreaLoad)]
         assert [load.q for load in areas] == [30e3, 5e3, 20e3, 10e3]
-        assert [load.to_shapely(0).area for load in areas] == pytest.approx([8 * math.pi, 16, 1, 1])
+        assert [load.acts[0].to_shapely().area for load in areas] == pytest.approx([8 * math.pi, 16, 1, 1])
         assert areas[0].holes == (Circle(radius=1),)
         assert "area loads: 4 (sum" in dxf.report_text(drawing)
 

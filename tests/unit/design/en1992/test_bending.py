@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from groundslab.design.design_moments import DesignMoments, wood_armer
+from groundslab.design.demands.design_moments import DesignMoments, wood_armer
 from groundslab.design.en1992.bending import Axes, Reinforcement, deepest_axis, required, slab
 from groundslab.design.en1992.materials import Concrete, Steel
 from groundslab.errors import InputError

@@ -11,8 +11,8 @@ import pytest
 from shapely import box
 
 import groundslab
+from groundslab.design.demands import column_loads
 from groundslab.design.result_tables import tables_of
-from groundslab.design.tables import column_loads
 from groundslab.design.tables.envelopes import fields_of_envelope
 from groundslab.design.tables.table import Table, table_of
 from groundslab.errors import InputError, NoEquilibrium

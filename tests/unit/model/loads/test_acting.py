@@ -10,7 +10,7 @@ import shapely
 from matplotlib import pyplot
 
 import groundslab
-from groundslab.design.tables.column_loads import sum_of_others
+from groundslab.design.demands.column_loads import sum_of_others
 from groundslab.discretize.load_borders import borders_of
 from groundslab.discretize.local_sizes import local_sizes
 from groundslab.discretize.singular_places import singular_places

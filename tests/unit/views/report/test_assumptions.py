@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from groundslab.model.combinations import list_combinations
 from groundslab.model.model import Model
 from groundslab.results.results import Results
 from groundslab.views.report import content
@@ -77,7 +78,7 @@ def echoed(of: Model) -> str:
     """Return all that the chapter of the case shows."""
     return " ".join(
         f"{head.text} {head.symbol} {cell.text}"
-        for section in input_tables(of) for grid in section.grids for row in grid.rows
+        for section in input_tables(of, list_combinations(of)) for grid in section.grids for row in grid.rows
         for head, cell in zip(grid.heads, row, strict=True)
     )  # fmt: skip
 

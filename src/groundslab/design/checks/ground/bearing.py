@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.design.checks.check import DesignCheck
+from groundslab.design.demands.perimeters import outline
 from groundslab.design.en1997 import bearing
-from groundslab.design.perimeters import outline
 from groundslab.design.tables import reinforcement
 from groundslab.model.design.limits import SoilStrength
 from groundslab.results.results import CombinationResult, Results

@@ -13,9 +13,9 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.aci318.bending import LEAST
 from groundslab.design.by_plate import distances_to_edges, results_by_plate
 from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, region_within_d
+from groundslab.design.demands.perimeters import outline
 from groundslab.design.en1992 import shear
 from groundslab.design.floors.acting_loads import factors_of
-from groundslab.design.perimeters import outline
 from groundslab.design.tables import reinforcement
 from groundslab.discretize.singular_places import near_singular
 from groundslab.fem.line_traversal import interpolation, pieces

@@ -14,8 +14,8 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.design.by_plate import results_by_plate
-from groundslab.design.perimeters import outline
-from groundslab.design.tables.punching.perimeter_loads import effective_depth, footprint_of
+from groundslab.design.demands.perimeter_loads import effective_depth, footprint_of
+from groundslab.design.demands.perimeters import outline
 from groundslab.fem.line_traversal import interpolation, pieces
 from groundslab.fem.mesh import Mesh
 from groundslab.model.columns import Column

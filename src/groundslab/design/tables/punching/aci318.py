@@ -6,14 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from groundslab.arrays import Array, Memo
-from groundslab.design import line_properties
 from groundslab.design.aci318 import punching as aci318
 from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.by_plate import plate_under
-from groundslab.design.perimeters import Openings, Perimeter, perimeter
+from groundslab.design.demands import line_properties, perimeter_loads
+from groundslab.design.demands.perimeter_loads import PerimeterLoads, PunchingForce
+from groundslab.design.demands.perimeters import Openings, Perimeter, perimeter
 from groundslab.design.tables import reinforcement
-from groundslab.design.tables.punching import perimeter_loads
-from groundslab.design.tables.punching.perimeter_loads import PerimeterLoads, PunchingForce
 from groundslab.errors import InputError
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import CombinationResult, Results

@@ -16,14 +16,14 @@ from typing import Literal
 import numpy as np
 
 from groundslab.arrays import Array, Memo
-from groundslab.design import line_properties
 from groundslab.design.by_plate import plate_under
+from groundslab.design.demands import line_properties, perimeter_loads
+from groundslab.design.demands.line_properties import Course
+from groundslab.design.demands.perimeter_loads import LoadsNear, PerimeterLoads, PunchingForce
+from groundslab.design.demands.perimeters import Perimeter, Surroundings, perimeter_at, surroundings
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.perimeters import face_length, openings
-from groundslab.design.line_properties import Course
-from groundslab.design.perimeters import Perimeter, Surroundings, perimeter_at, surroundings
 from groundslab.design.tables import reinforcement
-from groundslab.design.tables.punching import perimeter_loads
 from groundslab.design.tables.punching.en1992_demand import (
     REACH,
     SAME_DISTANCE,
@@ -32,7 +32,6 @@ from groundslab.design.tables.punching.en1992_demand import (
     Demands,
     Stress,
 )
-from groundslab.design.tables.punching.perimeter_loads import LoadsNear, PerimeterLoads, PunchingForce
 from groundslab.errors import InputError
 from groundslab.model.design.laid_bars import punching_ratio
 from groundslab.model.design.reinforcement import Reinforcement

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from groundslab.arrays import Array
-from groundslab.design.line_properties import Course
-from groundslab.design.tables.punching.perimeter_loads import PerimeterLoads
+from groundslab.design.demands.line_properties import Course
+from groundslab.design.demands.perimeter_loads import PerimeterLoads
 
 #: How far from the face perimeters reach, over the effective depth.
 REACH = 2.0

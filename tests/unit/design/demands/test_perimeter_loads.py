@@ -9,8 +9,8 @@ import pytest
 from shapely import box
 
 import groundslab as gs
+from groundslab.design.demands.perimeter_loads import edge_inside
 from groundslab.design.punching import RectangularColumn, demand
-from groundslab.design.tables.punching.perimeter_loads import edge_inside
 from groundslab.fem.mesh import Mesh
 from helpers.plates import parted, plate_of, straight
 

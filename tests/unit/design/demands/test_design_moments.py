@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from groundslab.design.design_moments import principal_moments, wood_armer
+from groundslab.design.demands.design_moments import principal_moments, wood_armer
 
 MOMENTS = st.floats(-100, 100).map(lambda value: round(value, 3))
 ANGLES = np.linspace(0, np.pi, 721)

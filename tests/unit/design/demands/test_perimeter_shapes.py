@@ -8,9 +8,9 @@ from shapely import get_coordinates
 
 import groundslab as gs
 from groundslab.design.checks import check_design
+from groundslab.design.demands.line_properties import course
+from groundslab.design.demands.perimeters import RectangularColumn
 from groundslab.design.en1992 import punching as en1992
-from groundslab.design.line_properties import course
-from groundslab.design.perimeters import RectangularColumn
 from groundslab.design.result_tables import tables_of
 from groundslab.design.tables.punching.en1992 import reduced_share
 

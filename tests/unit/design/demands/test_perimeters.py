@@ -5,10 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from groundslab.design.en1992.perimeters import face_length
-from groundslab.design.en1992.punching import beta
-from groundslab.design.line_properties import centroid, moduli
-from groundslab.design.perimeters import (
+from groundslab.design.demands.line_properties import centroid, moduli
+from groundslab.design.demands.perimeters import (
     Footprint,
     Openings,
     RectangularColumn,
@@ -17,6 +15,8 @@ from groundslab.design.perimeters import (
     perimeter,
     surroundings,
 )
+from groundslab.design.en1992.perimeters import face_length
+from groundslab.design.en1992.punching import beta
 from groundslab.fem.mesh import Mesh
 from helpers.plates import parted, plate_of, straight, without
 

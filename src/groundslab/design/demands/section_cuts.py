@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers, Memo
-from groundslab.design.design_moments import wood_armer
+from groundslab.design.demands.design_moments import wood_armer
 from groundslab.errors import InputError, Issue
 from groundslab.fem.line_traversal import ON_LINE, Pieces, interpolation, is_continuous, pieces
 from groundslab.fem.mesh import Mesh

@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Integers, Memo
-from groundslab.design.perimeters import SIDE_CHORDS, Footprint, RectangularColumn, RoundColumn
-from groundslab.design.tables import column_loads
+from groundslab.design.demands import column_loads
+from groundslab.design.demands.perimeters import SIDE_CHORDS, Footprint, RectangularColumn, RoundColumn
 from groundslab.fem import load_vectors
 from groundslab.fem.assembly import scatter
 from groundslab.fem.mesh import SIDES, Mesh

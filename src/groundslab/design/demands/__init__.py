@@ -1,0 +1,1 @@
+"""What acts on sections, perimeters and supports, without any code: forces, moments, lengths, places."""
