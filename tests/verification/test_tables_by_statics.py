@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from groundslab.design.design_moments import wood_armer
+from groundslab.design.demands.design_moments import wood_armer
 from groundslab.design.punching import RectangularColumn, demand
-from groundslab.design.section_cuts import cut_plate
+from groundslab.design.demands.section_cuts import cut_plate
 
 import groundslab
 from groundslab.design.en1992.bending import Axes, slab

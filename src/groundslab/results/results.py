@@ -384,9 +384,8 @@ def refusal_words(error: GroundslabError) -> str:
 
 def _figures(results: CombinationResult) -> tuple[str, str, str]:
     """Return largest settlement [mm], area in contact [%] and verdict of the certificate as texts."""
-    plate = results.plate
-    settlement = format_number(plate.settlement.max() * PLATE_FIELDS["settlement"].scale, 4, trim=True)
-    contact = format_number(100 * plate.contact_share, 4, trim=True)
+    settlement = format_number(results.plate.settlement.max() * PLATE_FIELDS["settlement"].scale, 4, trim=True)
+    contact = format_number(100 * results.plate.contact_share, 4, trim=True)
     return settlement, contact, "certified" if results.certificate.holds else "NOT CERTIFIED"
 
 
