@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from groundslab.design.demands.design_moments import wood_armer
-from groundslab.design.punching import RectangularColumn, demand
-from groundslab.design.demands.section_cuts import cut_plate
 
 import groundslab
+from groundslab.design.demands.design_moments import wood_armer
+from groundslab.design.demands.section_cuts import cut_plate
 from groundslab.design.en1992.bending import Axes, slab
 from groundslab.design.en1992.materials import Concrete, Steel
+from groundslab.design.punching import RectangularColumn, demand
 from groundslab.design.result_tables import tables_of
 from groundslab.design.tables.envelopes import fields_of_envelope
 from groundslab.design.tables.table import Table

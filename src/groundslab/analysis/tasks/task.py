@@ -90,21 +90,41 @@ def solve_task(
         *earlier, solution = solutions
         if task.cracks:
             solution, coarser = solve_cracked_meshes(finest, solution, coarser, report)
-        frame = finest.result_mesh(solution, 0)
-        before = _with_load_shares(earlier)
-        proof = worst([certificate(solution, effect), *(certificate(state, effect) for _, state in before)])
-        increments = tuple(Increment(share, *expand(recover_fields(state, frame), frame)) for share, state in before)
-        fields = recover_fields(solution, frame)
-        comparison = None
-        if coarser is not None:
-            prolongation = finest.prolongation(coarser, solution, frame)
-            comparison, fields = compare(model, solution, coarser, prolongation, fields)
-        parts = expand(fields, frame)
-        results = recover(model, combination, solution, parts, proof, tuple(steps), solver, increments, comparison)
+        solved = _Solved(solution, coarser, earlier, effect, tuple(steps), solver)
+        results = _recover(model, combination, finest, solved)
         return results if results.certificate.holds else NotCertified(results)
     except (IllConditioned, NoEquilibrium, NotConverged, SingularMatrix) as error:
         # its traceback would keep meshes and factors alive
         return error.with_traceback(None)
+
+
+@dataclass(frozen=True, slots=True)
+class _Solved:
+    """What was solved for a combination."""
+
+    solution: Solution  # under the full load, on the finest mesh
+    coarser: Solution | None  # the same on the next coarser mesh
+    earlier: Sequence[Solution]  # under smaller shares of the load
+    margin_effect: float | None
+    steps: tuple[Step, ...]
+    solver: str
+
+
+def _recover(model: Model, combination: Combination, finest: MeshHierarchy, solved: _Solved) -> CombinationResult:
+    """Return fields, forces, errors and certificate of what was solved."""
+    solution = solved.solution
+    effect = solved.margin_effect
+    frame = finest.result_mesh(solution, 0)
+    before = _with_load_shares(solved.earlier)
+    proof = worst([certificate(solution, effect), *(certificate(state, effect) for _, state in before)])
+    increments = tuple(Increment(share, *expand(recover_fields(state, frame), frame)) for share, state in before)
+    fields = recover_fields(solution, frame)
+    comparison = None
+    if solved.coarser is not None:
+        prolongation = finest.prolongation(solved.coarser, solution, frame)
+        comparison, fields = compare(model, solution, solved.coarser, prolongation, fields)
+    parts = expand(fields, frame)
+    return recover(model, combination, solution, parts, proof, solved.steps, solved.solver, increments, comparison)
 
 
 def ends_in_tails(model: Model) -> bool:
