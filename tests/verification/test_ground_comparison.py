@@ -172,4 +172,5 @@ def test_combinations_without_a_result_are_named() -> None:
     loads = [{"kind": "uniform", "q": 2e4, "case": "down"}, {"kind": "uniform", "q": -2e4, "case": "up"}]
     found = compare_grounds(slab(cases=cases, loads=loads, mesh={"counts": (4, 4)}))
     assert found.combination == "down"
-    assert any('continuum: "up"' in note for note in found.notes)
+    assert any('no equilibrium on the continuum in "up"' in note for note in found.notes)
+    assert found.without_equilibrium == ("up",)

@@ -6,8 +6,6 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from groundslab.errors import NotCertified
-from groundslab.model.remarks.case_use import case_uses
-from groundslab.model.remarks.remarks import find_remarks
 from groundslab.results.contact_zone import require_finite as require_one_finite
 from groundslab.views.summary import sections
 from groundslab.views.summary.rows import Row, SummarySection
@@ -67,6 +65,9 @@ def factors_text(combination: Combination) -> str:
 
 def case_lines(combined: Results) -> list[str]:
     """Return where each load case acts, in words, and the remarks on the case that no other section has."""
+    from groundslab.model.remarks.case_use import case_uses
+    from groundslab.model.remarks.remarks import find_remarks
+
     uses = case_uses(combined.model, combined.combinations)
     remarks = find_remarks(combined.model, combined.combinations)
     return [

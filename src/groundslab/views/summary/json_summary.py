@@ -17,8 +17,6 @@ import numpy as np
 
 from groundslab._version import __version__
 from groundslab.errors import NotConverged
-from groundslab.model.remarks.case_use import case_uses
-from groundslab.model.remarks.remarks import find_remarks
 from groundslab.units import UNITS, Unit
 from groundslab.views.summary import combinations, sections
 
@@ -39,6 +37,9 @@ def to_json(combined: Results, folders: Mapping[str, str] | None = None, files: 
 
     `folders` are those of the combinations by name. The results of an only combination stand at the top.
     """
+    from groundslab.model.remarks.case_use import case_uses
+    from groundslab.model.remarks.remarks import find_remarks
+
     found = combinations.entries(combined)
     combinations.require_finite(combined)
     document: dict[str, Any] = {

@@ -117,7 +117,7 @@ class TestSeveral:
         folder = results_folder.save_results(synthetic.combined(), tmp_path / "raft", plot=True)
         each = {"plate.vtu", "ground.vtu", "results.npz", "picture.png"}
         shared = {"plate.pvd", "ground.pvd", "combinations.csv", "envelope.vtu", "case.toml", "summary.json"} | TABLES
-        shared |= {"tables/checks.csv"}  # one combination has no equilibrium
+        shared |= {"tables/acting.csv", "tables/checks.csv"}  # cases, and a combination without equilibrium
         files = shared | {f"{room}/{name}" for room in self.EACH for name in each}
         assert tree(folder) == files == set(json.loads((folder / "summary.json").read_text())["files"])
         assert debris(folder) == []

@@ -852,8 +852,9 @@ class TestFiles:
         program = f"""
 import sys
 sys.path.insert(0, {str(ROOT / "tests")!r})
+import groundslab
 from helpers import synthetic
-synthetic.results(2).plot("w", "p", to=sys.argv[1])
+groundslab.plot(synthetic.results(2), "w", "p", to=sys.argv[1])
 assert "matplotlib.pyplot" not in sys.modules
 """
         for seed in ("1", "2"):
