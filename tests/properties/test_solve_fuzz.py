@@ -16,7 +16,7 @@ from scipy.optimize import linprog
 
 from groundslab.analysis.driver import solve, solve_combinations
 from groundslab.discretize.discretize import discretize
-from groundslab.errors import GroundslabError, InputError, NoEquilibrium
+from groundslab.errors import EditedFilesKept, GroundslabError, InputError, NoEquilibrium
 from groundslab.fem.problem import BETA_X, TOP, Problem, W
 from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.load_types import UniformLoad
