@@ -125,7 +125,7 @@ def _syntax(text: str, name: str, message: str) -> Issue:
     content = lines[line - 1].strip() if line <= len(lines) else ""
     hint = _PLACE.sub("", message)
     if _BARE_UNIT.search(content):
-        hint = 'number and unit stand in quotes, as in thickness = "200 mm"'
+        hint = 'put number and unit in quotes, as in thickness = "200 mm"'
     return Issue(f"{name}, line {line}, column {column}", describe(content) if content else "nothing", "TOML", hint)
 
 

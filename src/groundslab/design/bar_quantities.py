@@ -17,7 +17,7 @@ MM = 1e3
 
 
 def bars(model: Model) -> Table:
-    """Return the quantities of the bars that are laid, with their sum in the last row."""
+    """Return the quantities of the bars provided, with their sum in the last row."""
     heads = [
         ("layer", ""), ("zone", ""), ("mesh", ""), ("diameter", "mm"), ("spacing", "mm"), ("number", ""),
         ("least length", "m"), ("greatest length", "m"), ("total length", "m"), ("mass", "kg"),

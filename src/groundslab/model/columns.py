@@ -27,7 +27,7 @@ def check_footprint(width_x: float | None, width_y: float | None, diameter: floa
         widths = [(key,) for key, width in (("width_x", width_x), ("width_y", width_y)) if width is not None]
         repairs = (remove(("diameter",)), remove(*widths))
         expected = "width_x and width_y, or diameter"
-        yield RelativeIssue(("diameter",), "a diameter beside a width", expected, repairs=repairs)
+        yield RelativeIssue(("diameter",), "a diameter together with a width", expected, repairs=repairs)
     if (width_x is None) != (width_y is None):
         missing = "width_x" if width_x is None else "width_y"
         yield RelativeIssue((missing,), "nothing", "width_x and width_y, both of them")

@@ -93,7 +93,9 @@ class Model(Section):
     boreholes: Annotated[
         tuple[varying_ground.Borehole, ...], Table("where the layers are known, to be interpolated between")
     ] = ()
-    supports: Annotated[tuple[Support, ...], Table("supports at points and along lines, beside the ground")] = ()
+    supports: Annotated[
+        tuple[Support, ...], Table("supports at points and along lines, in addition to the ground")
+    ] = ()
     columns: Annotated[
         tuple[Column, ...], Table("columns on the plate, which loads name; punching is checked", 10_000)
     ] = ()
@@ -101,16 +103,16 @@ class Model(Section):
         tuple[LoadCase, ...], Table("load cases; without any, all loads act together, without factors")
     ] = ()
     loads: Annotated[tuple[Load, ...], Field(min_length=1), Table("the loads, at least one", 200_000)]
-    patterns: Annotated[
-        tuple[Pattern, ...], Table("vehicles and racks, which moves stand at places or move along paths")
-    ] = ()
+    patterns: Annotated[tuple[Pattern, ...], Table("vehicles and racks, which moves place or take along paths")] = ()
     moves: Annotated[
-        tuple[Move, ...], Table("where patterns stand, and paths along which cases are solved at each position")
+        tuple[Move, ...], Table("where patterns are placed, and paths along which cases are solved at each position")
     ] = ()
     combinations: Annotated[
         tuple[Combination, ...], Table("what to solve; without any, each case by itself, or what combine makes")
     ] = ()
-    combine: Annotated[Combine | None, Table("automatic combinations by EN 1990 or ACI 318, beside those given")] = None
+    combine: Annotated[
+        Combine | None, Table("automatic combinations by EN 1990 or ACI 318, in addition to those given")
+    ] = None
     output: Annotated[Output, Table("where values are listed")] = Output()
     reinforcement: Annotated[
         Reinforcement | None,
@@ -124,7 +126,7 @@ class Model(Section):
     soil_strength: Annotated[
         SoilStrength | None, Table("strength of the soil, for bearing resistance and sliding by EN 1997-1")
     ] = None
-    floor: Annotated[Floor | None, Table("checks of an industrial floor, beside the elastic results")] = None
+    floor: Annotated[Floor | None, Table("checks of an industrial floor, in addition to the elastic results")] = None
     mesh: Annotated[Mesh, Table("the mesh; made for an accuracy by default")] = Mesh()
     analysis: Annotated[Analysis, Table("how the equations are solved")] = Analysis()
 

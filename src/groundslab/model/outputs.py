@@ -129,4 +129,4 @@ def check_output(plate: Plate, plates: tuple[FurtherPlate, ...], output: Output)
     for part, lines in wanted.items():
         for position, line in enumerate(lines):
             if not outline.intersects(LineString([line.start, line.end])):
-                yield RelativeIssue(("output", part, position), "a line beside the plate", "one that crosses it")
+                yield RelativeIssue(("output", part, position), "a line off the plate", "one that crosses it")

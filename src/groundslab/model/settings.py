@@ -143,7 +143,7 @@ def _check_size(
         yield RelativeIssue((), "both size and counts", "at most one of size and counts", repairs=repairs)
     if refine and counts is not None:
         hint = "give a size instead of counts"
-        yield RelativeIssue(("refine",), "refine beside counts", "no refine", hint, (remove(("refine",)),))
+        yield RelativeIssue(("refine",), "refine together with counts", "no refine", hint, (remove(("refine",)),))
 
 
 class Mesh(Section):

@@ -155,7 +155,7 @@ class LineSupport(Section):
 def _check_slenderness(length: float, diameter: float) -> Iterator[RelativeIssue]:
     if length < LEAST_SLENDERNESS * diameter:
         expected = f"at least {LEAST_SLENDERNESS:g} diameters, {LEAST_SLENDERNESS * diameter:g} m"
-        yield RelativeIssue(("length",), f"{length:g} m", expected, "what is shorter is no pile but a footing")
+        yield RelativeIssue(("length",), f"{length:g} m", expected, "anything shorter is a footing, not a pile")
 
 
 class Pile(Section):
@@ -240,7 +240,7 @@ def check_names(part: str, names: list[str], needed: bool) -> Iterator[RelativeI
             yield RelativeIssue((part, position, "name"), "no name", "a name")
         if name in seen:
             place, repairs = (part, position, "name"), use_free_name((part, position, "name"), name, names)
-            yield RelativeIssue(place, f"{describe(name)} again", "a name of its own", repairs=repairs)
+            yield RelativeIssue(place, f"{describe(name)} again", "a unique name", repairs=repairs)
         seen |= {name} - {""}
 
 
@@ -276,11 +276,11 @@ def check_piles(ground: AnyGround, supports: tuple[AnySupport, ...]) -> Iterator
         place = ("supports", position)
         if not isinstance(ground, ContinuousGround):
             expected = 'ground.kind = "continuum" or "constrained modulus"'
-            hint = 'kind = "point" has a stiffness of its own'
+            hint = 'kind = "point" takes a stiffness'
             yield RelativeIssue((*place, "kind"), f'"pile" in {quote(ground.kind)} ground', expected, hint)
             continue
         depth = sum(layer.thickness for layer in ground.layers)
         if getattr(ground, "half_space", None) is None and pile.length >= depth:
-            hint = 'one that stands on the rigid base is a support of kind "point", with E A / l as its stiffness'
+            hint = 'a pile on the rigid base is a support of kind "point", with E A / l as its stiffness'
             found = f"{pile.length:g} m, with layers of {depth:g} m"
             yield RelativeIssue((*place, "length"), found, "a pile that ends in the layers", hint)

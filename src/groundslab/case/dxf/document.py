@@ -59,7 +59,7 @@ def open_drawing(path: str) -> Document:
     if re.match(rb"AC10\d\d", start):
         raise InputError([Issue(path, "a DWG drawing", expected, "save it as DXF in the CAD program")])
     if size > LARGEST_FILE:
-        hint = "save only the layers that are needed in a file of their own"
+        hint = "save only the layers that are needed in a separate file"
         found = f"a file of {size / 1e6:,.0f} MB"
         raise InputError([Issue(path, found, f"at most {LARGEST_FILE / 1e6:.0f} MB", hint)])
     # what ezdxf says of a damaged drawing is no message for who reads ours, and may be very long
@@ -151,7 +151,7 @@ def assign_roles(layers: Layers, context: ReadContext) -> Roles:
     for role in (each.name for each in fields(layers)):
         name: str = getattr(layers, role)
         if name and name.lower() in roles:
-            expected = "a layer of its own"
+            expected = "a separate layer"
             context.issues.append(
                 Issue(f"layer for {role}", f"{describe(name)}, as for {roles[name.lower()]}", expected)
             )

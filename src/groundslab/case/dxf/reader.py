@@ -152,7 +152,7 @@ def _why_no_filling(role: str, entity: DXFEntity, entities: dict[str, list[tuple
     if not is_filling(entity):
         return None
     if role == "line_loads":
-        return "a filling is no line"
+        return "a filling is not a line"
     # what is filled in an outline drawn as lines need not be an opening
     if role == "outline" and not all(is_filling(other) for _, other in entities[role]):
         return "a filling is taken for the outline only where the layer has nothing else"

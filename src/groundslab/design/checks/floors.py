@@ -95,7 +95,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     by_tr34 = isinstance(floor, TR34Floor)
     found = reinforcement.ultimate_results(combined) if by_tr34 else _serviceable(combined)
     if not found:
-        states = (STRENGTH, "ultimate combination") if by_tr34 else (SERVICEABILITY, "combination of serviceability")
+        states = (STRENGTH, "ultimate combination") if by_tr34 else (SERVICEABILITY, "serviceability combination")
         yield DesignCheck("floor", "attention", f"not checked: {why_none(combined, *states)}")
         return
     transfers = []
@@ -272,7 +272,7 @@ def _largest_transfer(standing: Standing) -> float:
 def _joints(most: float) -> Iterator[DesignCheck]:
     """Yield what joints are relied on for, the most that they carry over of a force [N], which nothing checks."""
     if most > 0:
-        words = f"that joints carry over up to {most / 1e3:.4g} kN of a force is not checked"
+        words = f"the transfer of up to {most / 1e3:.4g} kN of a force across joints is not checked"
         yield DesignCheck("load transfer at joints", "not checked", words)
 
 

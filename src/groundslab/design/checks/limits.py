@@ -138,7 +138,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     for key, limit in LIMITS.items():
         allowed: float | None = getattr(limits, key)
         if allowed is not None:
-            missing = why_none(combined, SERVICEABILITY, "combination of serviceability")
+            missing = why_none(combined, SERVICEABILITY, "serviceability combination")
             yield _check(limit, allowed * limit.scale, results, missing)
 
 

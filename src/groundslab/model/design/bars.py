@@ -51,7 +51,7 @@ def _check_bars_or_mesh(
                 yield RelativeIssue((name,), "nothing", "diameter and spacing, or mesh")
         return
     if diameter is not None or spacing is not None:
-        yield RelativeIssue(("mesh",), "a mesh beside diameter or spacing", "one of them")
+        yield RelativeIssue(("mesh",), "a mesh together with diameter or spacing", "one of them")
     alone = [layer for layer in layers if layer.replace("_x", "_y") not in layers or layer[:-1] + "x" not in layers]
     if alone:
         yield RelativeIssue(("layers",), quote(alone[0]), "both layers of a face, as a mesh has wires both ways")

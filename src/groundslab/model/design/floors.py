@@ -60,7 +60,9 @@ def _check_sagging(
             missing = name if pair[0] is None else other
             yield RelativeIssue((missing,), "nothing", f"{name} and {other}, both of them")
     if f_R1 is not None and mesh_area is not None:
-        yield RelativeIssue(("mesh_area",), "a mesh beside fibers", "one of them", "that of the larger moment counts")
+        yield RelativeIssue(
+            ("mesh_area",), "a mesh together with fibers", "one of them", "that of the larger moment counts"
+        )
 
 
 def _check_bars(mesh_area: float | None, f_yk: float, gamma_s: float, given: set[str]) -> Iterator[RelativeIssue]:

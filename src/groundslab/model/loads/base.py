@@ -16,4 +16,4 @@ class _Load(Section):
 
     kind: str
     name: Annotated[str, Text("name of the load, for people")] = ""
-    case: Annotated[str, Text("load case that it belongs to, one of [[cases]]; none where there are no cases")] = ""
+    case: Annotated[str, Text("its load case, one of [[cases]]; none if there are no cases")] = ""

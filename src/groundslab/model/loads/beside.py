@@ -47,7 +47,7 @@ def check_ground_loads(
         if presses_ground(load):
             place, on = ("loads", position), ("loads", position, "on")
             if not carries_shear:
-                hint = "what presses on springs beside the plate has no effect on it"
+                hint = "loads on springs off the plate have no effect on it"
                 yield RelativeIssue(on, '"ground" on ground without shear', "ground that carries shear", hint)
             elif beyond.kind == "none":
                 hint = 'beyond.kind = "infinite", or "margin" with a width'
@@ -78,4 +78,4 @@ def _check_reach(
             return
     shape = load.acts[0].to_shapely()
     if shape.difference(region.grown).area <= NO_PART * shape.area:
-        yield RelativeIssue(place, "a load on the ground that lies under the plate", "some of it beside the plate")
+        yield RelativeIssue(place, "a load on the ground that lies under the plate", "some of it off the plate")

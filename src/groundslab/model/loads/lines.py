@@ -30,7 +30,7 @@ def _check_line(
     for name, given in {"points": points, **along}.items():
         if given is not None:
             hint = f"all of a shape's edge bears the same {value}"
-            yield RelativeIssue((name,), f"{name} beside a shape", "one of them", hint)
+            yield RelativeIssue((name,), f"{name} together with a shape", "one of them", hint)
 
 
 def _check_points_or_shape(
@@ -81,7 +81,7 @@ LineBulges = Annotated[
         least=0,
     ),
 ]
-LineShape = Annotated[Shape | None, Table("closed curve that the load stands on, such as a circle; not with points")]
+LineShape = Annotated[Shape | None, Table("closed curve along which the load acts, such as a circle; not with points")]
 
 
 def _line_segments(

@@ -171,7 +171,7 @@ class Combine(Section):
     )  # fmt: skip
     accidental_leader: Annotated[
         Literal["psi_1", "psi_2"],
-        Choice(Literal["psi_1", "psi_2"], "value of the leading variable action beside an accidental one (6.11b)"),
+        Choice(Literal["psi_1", "psi_2"], "value of the leading variable action with an accidental one (6.11b)"),
     ] = "psi_1"
 
 

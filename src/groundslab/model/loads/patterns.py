@@ -109,7 +109,7 @@ def _check_path(points: tuple[tuple[float, float], ...], step: float | None) -> 
     if len(points) > 1 and step is None:
         yield RelativeIssue(("step",), "nothing", 'a step along the path such as "0.5 m"', "one point is a fixed place")
     elif len(points) == 1 and step is not None:
-        expected, repairs = "no step where the pattern stands at one point", (remove(("step",)),)
+        expected, repairs = "no step if the pattern is at a single point", (remove(("step",)),)
         yield RelativeIssue(("step",), f"{step!r} m", expected, repairs=repairs)
 
 
@@ -291,7 +291,7 @@ def check_patterns(
     for number, move in enumerate(moves):
         if move.travels and paths.count((move.case, move.name)) > 1:
             found = f"several paths of {describe(move.case)}"
-            yield RelativeIssue(("moves", number, "name"), found, "a name of its own for each")
+            yield RelativeIssue(("moves", number, "name"), found, "a unique name for each")
 
 
 def _check_places(covered: PlateRegion, pattern: AnyPattern, move: Move, number: int) -> Iterator[RelativeIssue]:

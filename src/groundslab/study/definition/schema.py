@@ -239,7 +239,7 @@ def _known_correlations(
                 yield RelativeIssue(place, describe(name), expected, suggestion(name, names))
         own = {frozenset(pair) for pair in itertools.combinations(each.between, 2)}
         if own & pairs:
-            yield RelativeIssue(("correlation", position, "between"), "a pair that stands above", "each pair once")
+            yield RelativeIssue(("correlation", position, "between"), "a pair that is already listed", "each pair once")
         pairs |= own
 
 
@@ -270,8 +270,8 @@ class StudyFile(Section):
     )
 
     title: Annotated[str, Text("title of the study")] = ""
-    case: Annotated[str, Text("case file, from the folder of this file on")]
-    seed: Annotated[int, Integer("seed of all that is drawn", at_least=0)] = 1
+    case: Annotated[str, Text("case file, relative to the folder of this file")]
+    seed: Annotated[int, Integer("seed of all random sampling", at_least=0)] = 1
     sampling: Annotated[Sampling, Table("how variants are made of what varies")]
     vary: Annotated[tuple[VariedQuantity, ...], Table("quantities of the case that vary")] = ()
     correlation: Annotated[tuple[Correlation, ...], Table("variables that depend on each other")] = ()

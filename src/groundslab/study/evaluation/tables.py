@@ -102,7 +102,7 @@ def tabulate_discretization(sample: Samples) -> Table | None:
     return replace(table, columns=(*others, value, replace(error, error_of=value.name)))
 
 
-NO_CHANCE = "The variants were set, not drawn: their shares are no probabilities, and means are left out."
+NO_CHANCE = "The variants were set, not drawn: their shares are not probabilities, and means are omitted."
 
 
 def _statistics_cells(sample: Samples, group: Group, output: Output, level: float) -> list[Cell]:

@@ -99,7 +99,7 @@ def _require_free(folder: Path) -> None:
         return
     expected, hint = "an evaluation of groundslab, or nothing", "move it away; nothing was changed"
     if folder.is_symlink() or not folder.is_dir():
-        raise InputError([Issue(str(folder), "something that is no folder", expected, hint)])
+        raise InputError([Issue(str(folder), "something that is not a folder", expected, hint)])
     found = _foreign(folder)
     if found:
         given = "something that groundslab did not write"

@@ -17,7 +17,7 @@ from groundslab.views.plots import export
 
 
 def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Path:
-    """Draw the bars that are laid: a plan of each face, and how many there are, how long, and what they weigh.
+    """Draw the bars provided: a plan of each face, and how many there are, how long, and what they weigh.
 
     One bar of each set stands for all of them, with a line across over which they are distributed. Bars are straight;
     laps, hooks and edge bars are not in the drawing.

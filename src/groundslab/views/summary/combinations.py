@@ -101,7 +101,7 @@ def description(combined: Results) -> list[SummarySection]:
     same = tuple(row for row in ground.rows if all(row in rows for rows in others))
     notes = ground.notes
     if len(same) < len(ground.rows):
-        notes += ("The ground's other constants depend on the combination; each has its own in summary.json.",)
+        notes += ("The ground's other constants depend on the combination; summary.json has them.",)
     return [plate, mesh, replace(ground, rows=same, notes=notes), *cut]
 
 

@@ -754,7 +754,7 @@ class TestSpreadLoads:
             (30e3, 1), (5e3, 0), (20e3, 0), (None, 0),
         ]  # fmt: skip
         assert said(drawing, "CIRCLE") == [
-            (True, "area load 1 of 30 kPa"), (True, "hole in area load 1, as it has no value of its own"),
+            (True, "area load 1 of 30 kPa"), (True, "hole in area load 1, as it has no value"),
         ]  # fmt: skip
         assert said(drawing, "LINE") == [(True, "part of area load 4, no value")] * 3
         model = casefile.loads(filled(dxf.to_case(drawing)))
@@ -924,7 +924,7 @@ class TestOutput:
         assert "openings: 1, zones: 1, columns: 2, point loads: 2 (sum 320 kN)" in text
         assert text.index("layer ") < text.index("ignored:") < text.index("taken:")
         assert "  ZONES     1      1\n" in text
-        assert "text is taken beside point loads only" in text
+        assert "text is read only next to point loads" in text
         assert "\x1b" not in text
 
     def test_case(self, drawn: Any) -> None:

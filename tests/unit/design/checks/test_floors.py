@@ -313,7 +313,7 @@ def test_a_floor_that_fails_says_so_first() -> None:
     [
         ({"kind": "TR34"}, "neither concrete nor f_ck"),
         ({**TR34, "f_R1": 2e6}, "nothing"),
-        ({**FIBERS, "mesh_area": 4e-4, "mesh_axis": 0.05}, "a mesh beside fibers"),
+        ({**FIBERS, "mesh_area": 4e-4, "mesh_axis": 0.05}, "a mesh together with fibers"),
         ({**TR34, "mesh_area": 4e-4, "mesh_axis": 0.15}, "0.15 m"),
         ({**ACI, "friction": 0.5}, "nothing"),
         ({**ACI, "joint_transfer": 0.2}, "none without R_e3"),

@@ -236,7 +236,7 @@ def test_the_summary_on_the_terminal_has_a_section_of_what_is_cut_off() -> None:
     assert [(row.label, row.value) for row in section.rows] == [
         ("loads[2] rack, off the plate", pytest.approx(0.5)),
         ("loads[2] rack, does not act", pytest.approx(20e3)),
-        ("all that does not act", pytest.approx(20e3)),
+        ("total without effect", pytest.approx(20e3)),
     ]
     assert sections.cut_loads(model.replace(loads=model.loads[:1])) == []
 

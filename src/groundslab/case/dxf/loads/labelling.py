@@ -224,7 +224,7 @@ def assign_texts(marks: Sequence[PendingLoad], texts: Sequence[Label], role: str
         elif t in given:
             continue
         elif text.value is None:
-            context.report_entity(text.source, False, f"{describe(text.words)}, which stands beside no {what}")
+            context.report_entity(text.source, False, f"{describe(text.words)}, with no {what} next to it")
         elif t in near:
             hint = "write the sum, or move the text nearer to its own load"
             context.issue(

@@ -100,7 +100,7 @@ def _by_en1992(combined: Results, steel: Reinforcement, punched: Demands, one: s
         "beta V_Ed / (u d), beta by the moments of all forces inside about the perimeter's center, 6.51. Other "
         "supports inside are not counted.",
         "a is the distance from the face, up to 2 d, at which v_Ed / v_Rd is largest, v_Rd = v_Rd,c 2 d / a with the "
-        "bars that are laid or the most that count.",
+        "bars provided or the most that count.",
         _EFFECTIVE.format("W"),
         _edge_note(steel, one),
         "At the face v_Ed is that of 6.4.5(3) on u_0, with the same beta, on what is left of the force there. Above "
