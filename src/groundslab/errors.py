@@ -113,7 +113,7 @@ class NotCertified(NoResult):
     """
 
     ROUNDING = (
-        "rounding errors dominate where stiffnesses differ by ten digits or more: bring the stiffness of plate "
+        "rounding dominates where stiffnesses differ by ten digits or more: bring the stiffness of plate "
         "(thickness and E), supports and ground closer together"
     )
 

@@ -187,11 +187,11 @@ class TestTable:
     def test_says_what_it_must(self) -> None:
         """Values, units, places and the verdict stand on the lines of their names."""
         lines = printed(synthetic.results()).splitlines()
-        found = {key: next(line for line in lines if key in line) for key in ("uplift", "m_xy", "left over")}
+        found = {key: next(line for line in lines if key in line) for key in ("uplift", "m_xy", "residual force")}
         assert "28.000 mm" in found["uplift"]
         assert "(4.800, 3.600)" in found["uplift"]
         assert "34.560 kNm/m" in found["m_xy"]
-        assert found["left over"].endswith("3.0e-12 ok (limit 1e-06)")
+        assert found["residual force"].endswith("3.0e-12 ok (limit 1e-06)")
         assert any("1234" in line and line.rstrip().endswith("*") for line in lines)
 
     def test_a_failing_certificate_shows_without_colour(self) -> None:

@@ -168,7 +168,7 @@ def test_a_line_that_lifts_off_in_part() -> None:
     assert f"the plate lifts off over {100 * share:.3g} % of its length in " in check.words
 
 
-@pytest.mark.parametrize(("gap", "words"), [(1.0, "stays open"), (1e-4, "closes over 100 % of its length")])
+@pytest.mark.parametrize(("gap", "words"), [(1.0, "does not close"), (1e-4, "closes over 100 % of its length")])
 def test_play_of_a_joint(gap: float, words: str) -> None:
     """Two stiff plates on springs settle by 1.35 times 45 and 25 kPa over 10 MPa/m, 2.7 mm apart, unless joined."""
     joint = {"kind": "elastic", "between": ("A", "B"), "stiffness": 1e5, "gap": gap}

@@ -146,7 +146,7 @@ def test_nothing_that_fails_is_no_approval() -> None:
     assert design.headline.startswith("No failure found in 5 checks; anchorage is not checked")
     assert not design.open
     assert check_design(solved(described(reinforcement=None))).headline.startswith("Strength was not checked")
-    assert "This is no approval" in printed(solved(described()))
+    assert "This is not a design approval" in printed(solved(described()))
 
 
 def test_ultimate_combinations_that_count_for_nothing() -> None:

@@ -122,8 +122,9 @@ def test_uplift_without_water() -> None:
     flood = {"name": "flood", "action": "accidental"}
     loads = [uniform("G"), uniform("Q"), uniform("flood", -20e3)]
     nothing, without = remarks(cases=[G, Q, flood], loads=loads, combine={"sets": ["accidental", "uplift"]})
-    assert nothing.words == "nothing acts upwards in the uplift combinations; water pressure from below is a load "
-    "with q below 0"
+    assert nothing.words == (
+        "nothing acts upwards in the uplift combinations; water pressure from below is a load with q below 0"
+    )
     assert without.words == (
         'case "flood" acts upwards, but in no uplift combination; [combine] makes none with accidental actions, '
         "[[combinations]] can list one"
