@@ -138,7 +138,7 @@ ONE_FAULT = [
     (case(loads=[{"kind": "point", "P": "1 N", "column": "a1"}]),
      "loads[1].column", '"a1"', "a column, and [[columns]] that says where it is"),
     (case(loads=[{**LOAD, "y": "0 m", "x": None} | {"column": "A1"}], columns=[COLUMN]),
-     "loads[1].y", "y beside a column", "one of them"),
+     "loads[1].y", "y together with a column", "one of them"),
     (case(loads=[{"kind": "point", "P": "1 N", "x": "0 m"}]),
      "loads[1].y", "nothing", 'a position such as "1.5 m", or the name of a column'),
     (case(loads=[{**LOAD, "diameter": "0.1 m", "width_x": "0.1 m", "width_y": "0.1 m"}]),

@@ -445,7 +445,7 @@ class TestRoles:
 
         drawing = drawn(both)
         assert drawing.openings[0].points[0] == (5, 5)
-        assert any("layer of their own" in why for _, why in said(drawing, "LWPOLYLINE"))
+        assert any("their own layer" in why for _, why in said(drawing, "LWPOLYLINE"))
 
     def test_hidden_layers_are_read_and_mentioned(self, drawn: Any) -> None:
         """Frozen layers and layers that are off count; the report says so."""
@@ -550,7 +550,7 @@ class TestFaults:
     def test_outlines_side_by_side(self, tmp_path: Path) -> None:
         """Two plates, and two that overlap, are distinguished."""
         text = issues(lambda space: [outline(space), square(space, 10, 0, 1, "OUTLINE")], tmp_path)
-        assert "beside the outline" in text
+        assert "next to the outline" in text
         assert "(10, 0) m" in text
         text = issues(lambda space: [outline(space), space.add_circle((4, 1), 0.5, on("OUTLINE"))], tmp_path)
         assert "crosses or touches the outline" in text
@@ -1038,7 +1038,7 @@ class TestOutput:
         unknown = [load for load in model.loads if isinstance(load, PointLoad) and not load.name]
         assert [(load.column, load.x) for load in unknown] == [("", 1.35), ("C2", None)]
         assert text.count("as a circle of the same area: its sides do not run along x and y.") == 2
-        assert text.count("for information only: it does not stand on the plate.") == 2
+        assert text.count("for information only: it is not on the plate.") == 2
         assert "# Column 7 of the drawing, for information only: a point says nothing of its size." in text
 
     @pytest.mark.slow
