@@ -1039,7 +1039,7 @@ class TestOutput:
         assert [(load.column, load.x) for load in unknown] == [("", 1.35), ("C2", None)]
         assert text.count("as a circle of the same area: its sides do not run along x and y.") == 2
         assert text.count("for information only: it is not on the plate.") == 2
-        assert "# Column 7 of the drawing, for information only: a point says nothing of its size." in text
+        assert "# Column 7 of the drawing, for information only: a point has no size." in text
 
     @pytest.mark.slow
     @given(turn=st.sampled_from([0, 1, 2, 3]), x=st.floats(-100, 100), y=st.floats(-100, 100))
