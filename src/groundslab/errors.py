@@ -164,6 +164,6 @@ class NotConverged(NoResult):
         super().__init__(self.what, self.history, self.last)
 
     def __str__(self) -> str:
-        """Return what did not converge and how the last steps went."""
+        """Return a message with the process that did not converge and its last steps."""
         tail = "\n".join(f"  {step}" for step in self.history[-5:])
         return f"{self.what} did not converge in {len(self.history)} steps; the last of them:\n{tail}"

@@ -170,12 +170,12 @@ class Model(Section):
         return list_plates(self.plate, self.plates)
 
     def shapes(self, load: AnyLoad) -> tuple[Acting, ...]:
-        """Return what acts of a load, at the place of its column if it names one."""
+        """Return the acting shapes of a load, at the place of its column if it names one."""
         return (load.on(self.columns) if isinstance(load, PointLoad) else load).acts
 
     @property
     def acting(self) -> tuple[tuple[AnyLoad, Acting], ...]:
-        """Return what acts, each shape with the load that it belongs to."""
+        """Return the acting shapes, each with its load."""
         return tuple((load, shape) for load in self.loads for shape in self.shapes(load))
 
     @property

@@ -61,7 +61,7 @@ class Borehole(Section):
 
 
 def _signature(ground: AnyGround) -> tuple[object, ...]:
-    """Return what must be the same in all the ground: kind, rule, number and kind of layers."""
+    """Return the features that all the ground must share: kind, rule, number and kind of layers."""
     if isinstance(ground, Vlasov):
         return ground.kind, ground.gamma, ground.formulas, ground.mode, len(ground.layers)
     if isinstance(ground, Layered):

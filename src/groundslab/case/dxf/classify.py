@@ -191,7 +191,7 @@ def circle_of(curve: Ring) -> tuple[Place, float] | None:
 
 
 def remark_on_column(curve: Ring) -> str:
-    """Return what is said of a column that is not taken as it is drawn, nothing of others."""
+    """Return the note on a column that is not read as drawn, none for others."""
     found = footprint_of(curve, "")
     if found is None:
         return "neither a rectangle along x and y nor compact; a force on it is spread over it, punching is not checked"

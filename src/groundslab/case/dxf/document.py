@@ -130,12 +130,12 @@ class Roles:
         self._starts = usual if every else named
 
     def of(self, layer: str) -> str | None:
-        """Return what a layer holds, None if it is not read."""
+        """Return the role of a layer, None if it is not read."""
         name = layer.lower()
         return self.named.get(name) or (None if self._every else self.named.get(self._start(name)))
 
     def suffix(self, layer: str) -> str:
-        """Return what follows the known name in the name of a layer."""
+        """Return the part of a layer's name after the known name."""
         start = self._start(layer.lower())
         return layer[len(start) :].strip(" _-=") if start else ""
 
@@ -146,7 +146,7 @@ class Roles:
 
 
 def assign_roles(layers: Layers, context: ReadContext) -> Roles:
-    """Return what each layer holds."""
+    """Return the role of each layer."""
     roles: dict[str, str] = {}
     for role in (each.name for each in fields(layers)):
         name: str = getattr(layers, role)
@@ -163,7 +163,7 @@ def assign_roles(layers: Layers, context: ReadContext) -> Roles:
 
 
 def name_roles(layers: Mapping[str, str], context: ReadContext) -> Roles:
-    """Return what each layer holds, where all that are read are named, several for the same if need be."""
+    """Return the role of each layer from a full list of names, of which several may have the same role."""
     known = [each.name for each in fields(Layers)]
     for layer, role in layers.items():
         if role not in known:

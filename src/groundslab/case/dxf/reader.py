@@ -112,7 +112,7 @@ def parse_gap(text: str) -> float:
 
 
 def _entities(document: Document, roles: Roles, context: ReadContext) -> dict[str, list[tuple[Source, DXFEntity]]]:
-    """Return what lies on the layers that are read, by what it stands for."""
+    """Return the entities on the layers that are read, by role."""
     entities: dict[str, list[tuple[Source, DXFEntity]]] = defaultdict(list)
     blocks = BlockCounts(document, roles, context)
     for role, source, entity in iterate_entities(document.modelspace(), roles, blocks, context):
@@ -160,7 +160,7 @@ def _why_no_filling(role: str, entity: DXFEntity, entities: dict[str, list[tuple
 
 
 def _texts(entities: list[tuple[Source, DXFEntity]], dimension: str, context: ReadContext) -> list[Label]:
-    """Return what is written on the layers of loads."""
+    """Return the texts on the layers of loads."""
     found = [read_label(source, entity, context, dimension) for source, entity in entities]
     return [label for label in found if label is not None]
 

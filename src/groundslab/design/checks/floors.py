@@ -63,7 +63,7 @@ class Slab:
 
     @property
     def springs(self) -> str:
-        """Return what is said of k beside a clause, nothing where the ground has a k of its own."""
+        """Return the note on k after a clause, empty where the ground itself has a k."""
         return f", with k = {self.k / 1e6:.3g} MPa/m equivalent to the continuum" if self.equivalent else ""
 
     @property
@@ -129,7 +129,7 @@ def _serviceable(combined: Results) -> list[CombinationResult]:
 
 
 def slab_of(model: Model) -> Slab:
-    """Return what the formulas know of a model: its thinnest part on its softest ground."""
+    """Return the slab that the formulas use for a model: its thinnest part on its softest ground."""
     plate = model.plate
     h = min([plate.thickness, *(zone.thickness for zone in plate.zones if zone.thickness is not None)])
     grounds = [each if isinstance(each, Column) else each.first_column() for each in grounds_of(model)]

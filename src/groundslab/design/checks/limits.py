@@ -38,7 +38,7 @@ class Limit:
 
 
 def _extreme(field: str, sign: int) -> Callable[[CombinationResult], Demand]:
-    """Return what finds the largest value of a nodal field, or of its negative."""
+    """Return a function that finds the largest value of a nodal field, or of its negative."""
 
     def find(results: CombinationResult) -> Demand:
         value, place = extreme(results.plate.nodes, getattr(results.plate, field), sign)

@@ -125,7 +125,7 @@ def _joints(results: list[CombinationResult]) -> Iterator[DesignCheck]:
 
 
 def _play(forces: JointResult, gap: float, closed: list[str]) -> str:
-    """Return what becomes of the play of a joint, from its forces where the step across it is largest."""
+    """Return the state of a joint's play in words, from its forces where the step across it is largest."""
     play, step = f"its play of {gap * 1e3:.4g} mm", f"the largest step is {np.abs(forces.step).max() * 1e3:.4g} mm"
     if not closed:
         return f"{play} does not close, {step}"

@@ -175,12 +175,12 @@ def _distances(move: Move, length: float) -> list[float]:
 
 
 def position_name(move: Move, station: Station) -> str:
-    """Return what the case is called at a position, as in "forklift at 3.50 m"."""
+    """Return the name of the case at a position, as in "forklift at 3.50 m"."""
     return f"{move.case} at {station.distance:.2f} m" + (f" of {move.name}" if move.name else "")
 
 
 def position_names(moves: tuple[Move, ...]) -> dict[str, tuple[str, ...]]:
-    """Return what each case that moves is called at its positions; on several paths it moves along one at a time."""
+    """Return the names of each moving case at its positions; on several paths it moves along one at a time."""
     names: dict[str, tuple[str, ...]] = {}
     for move in moves:
         if move.travels:

@@ -88,7 +88,7 @@ class Variable:
         return float(low + (1 - high))
 
     def value_in_case(self, value: Any) -> Any:
-        """Return what stands in the case for a value of the variable."""
+        """Return the value in the case for a value of the variable."""
         return value * self.place.value if self.times else value
 
 

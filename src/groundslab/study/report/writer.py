@@ -158,7 +158,7 @@ def maps(study: Study) -> Iterator[page.Map]:
 
 
 def origin(study: Study) -> page.Origin:
-    """Return what makes a study repeatable: its seed, versions and checksums, for the page."""
+    """Return the facts that make a study repeatable: its seed, versions and checksums, for the page."""
     about = study.about
     facts = [(name, str(about[name])) for name in ("seed", "variants", "made")]
     facts += [(f"SHA-256 of the {name} file", about[f"{name}_sha256"]) for name in ("study", "case")]

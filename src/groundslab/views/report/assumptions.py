@@ -76,7 +76,7 @@ def _of_plate(model: Model) -> str:
 
 
 def _of_contact(model: Model) -> str:
-    """Return what happens between plate and ground."""
+    """Return the assumptions on contact between plate and ground."""
     lifts = "The ground carries no tension: the plate lifts off." if model.contact.tensionless else (
         "The case bonds them: the ground can carry tension."
     )  # fmt: skip

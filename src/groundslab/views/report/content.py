@@ -69,7 +69,7 @@ def build_page(
     chapters: Sequence[str] | None = None,
     comparison: GroundComparison | None = None,
 ) -> dict[str, Any]:
-    """Return what the report of a solved model says, for the template; text and file are those of its input.
+    """Return the content of the report of a solved model, for the template; text and file are those of its input.
 
     The chapters are those that the case asks for, unless given; that of ground models is there with a comparison only.
     """
@@ -188,7 +188,7 @@ def _shared_label(rows: Sequence[Row]) -> Row:
 
 
 def _words_of(row: Row) -> tuple[Cell, ...]:
-    """Return what a row is called, its symbol and its unit."""
+    """Return a row's name, symbol and unit."""
     return Cell(row.label, "words"), Cell(row.symbol, "symbol"), Cell(shown_row(row).unit)
 
 

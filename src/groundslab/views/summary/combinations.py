@@ -61,7 +61,7 @@ def require_finite(combined: Results) -> None:
 
 
 def factors_text(combination: Combination) -> str:
-    """Return what acts together in words, such as "1.35 dead + 1.5 live"."""
+    """Return the factors and cases of a combination in words, such as "1.35 dead + 1.5 live"."""
     return " + ".join(f"{factor:.6g} {name}".rstrip() for name, factor in combination.factors)
 
 
@@ -94,7 +94,7 @@ def _some_of(combined: Results, names: Collection[str]) -> str:
 
 
 def description(combined: Results) -> list[SummarySection]:
-    """Return what was analyzed; of the ground only what is the same in all combinations."""
+    """Return the sections on the model; of the ground only what is the same in all combinations."""
     found = [entry.results for entry in entries(combined) if entry.results is not None]
     plate, mesh, ground, *cut = sections.description(found[0])
     others = [sections.description_of_ground(results).rows for results in found[1:]]

@@ -78,7 +78,7 @@ def _not_judged(results: CombinationResult) -> tuple[str, ...]:
 
 
 def _remedy(model: Model) -> str:
-    """Return what makes the errors smaller."""
+    """Return the advice that makes the errors smaller."""
     if model.mesh.adaptive:
         return "it was refined until this error stopped falling, or as far as the limits on unknowns and meshes allow."
     return "reduce mesh.size, or omit it and set mesh.accuracy."

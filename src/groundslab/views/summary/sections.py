@@ -76,7 +76,7 @@ def summary(results: CombinationResult) -> list[SummarySection]:
 
 
 def description(results: CombinationResult) -> list[SummarySection]:
-    """Return what was analyzed: plate, mesh, ground, and loads that were cut off at the plate's edge."""
+    """Return the sections on the model: plate, mesh, ground, and loads cut off at the plate's edge."""
     return [_plate(results), mesh_section(results), description_of_ground(results), *cut_loads(results.model)]
 
 
@@ -85,7 +85,7 @@ _FIGURES: Memo[list[SummarySection]] = Memo()
 
 
 def figures(results: CombinationResult) -> list[SummarySection]:
-    """Return what came out: settlement, contact, what supports carry, section forces, with discretization errors."""
+    """Return the sections on the results: settlement, contact, support and section forces, with their errors."""
     return _FIGURES.get(results, None, lambda: _figures(results))
 
 
@@ -245,7 +245,7 @@ def _borders(results: CombinationResult) -> tuple[Row, ...]:
 
 
 def cut_loads(model: Model) -> list[SummarySection]:
-    """Return what of the loads lies where it does not act, nothing where all of them act."""
+    """Return the parts of loads that do not act, nothing where all of them act."""
     from groundslab.model.loads.clipping import find_clipped_loads
 
     clipped = find_clipped_loads(model.plate, model.loads, model.plates)
@@ -336,7 +336,7 @@ def _section_forces(results: CombinationResult) -> SummarySection:
 
 
 def _supports(results: CombinationResult) -> SummarySection:
-    """Return what the supports carry: each of a few, else the largest and the smallest force and their sum."""
+    """Return the support forces: each of a few, else the largest and the smallest and their sum."""
     totals = [(support.total, support) for support in results.supports if len(support.nodes)]
     rows = [
         Row(f"force_{number}", f"force of {support.name}", total, UNITS["kN"], "", _middle(support))

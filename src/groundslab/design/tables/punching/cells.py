@@ -55,7 +55,7 @@ class PunchingCells:
 
 
 def punching_at_columns(combined: Results) -> PunchingCells:
-    """Return what the table of columns tells of punching; nothing without reinforcement."""
+    """Return the punching columns of the table of columns; none without reinforcement."""
     steel = combined.model.reinforcement
     if steel is None:
         return PunchingCells((), lambda _, __: [], ())
@@ -142,7 +142,7 @@ _DEPTH = {
 
 
 def _edge_note(steel: Reinforcement, one: str) -> str:
-    """Return what the line force along the plate's edge does."""
+    """Return the effect of the line force along the plate's edge in words."""
     if one == "pile":
         return _OVER_EDGE
     return _RELIEVES if steel.line_force_relieves else _ONE_EDGE
@@ -179,5 +179,5 @@ def _aci318_cells(demand: TwoWay | None, steel: Reinforcement) -> list[Cell]:
 
 
 def _inside(force: float, pressure: float, edge: float, others: float) -> list[Cell]:
-    """Return what acts inside, in the order of the table, of forces [N]."""
+    """Return the forces inside [N], in the order of the table."""
     return [pressure / 1e3, 100 * pressure / force, edge / 1e3, others / 1e3]
