@@ -54,7 +54,7 @@ class Column(Section):
 
     checks: ClassVar[tuple[Check, ...]] = (check_footprint, _check_footprint_given)
 
-    name: Annotated[str, Text("name of the column, by which loads call it")]
+    name: Annotated[str, Text("name of the column, used by loads")]
     x: Annotated[float, coordinate(0, "its center")]
     y: Annotated[float, coordinate(1, "its center")]
     width_x: Annotated[float | None, Quantity("length", "c_x", "width along x", POSITIVE)] = None

@@ -31,7 +31,7 @@ class Project(Section):
     author: Annotated[str, Text("who made the calculation")] = ""
     checker: Annotated[str, Text("who checked it")] = ""
     revision: Annotated[str, Text("revision of the calculation")] = ""
-    date: Annotated[str, Text("its date, as it is to be shown")] = ""
+    date: Annotated[str, Text("its date, as it should be shown")] = ""
 
 
 #: Chapters of the report, in their order.

@@ -112,7 +112,7 @@ class Plate(Section):
 
     checks: ClassVar[tuple[Check, ...]] = (_check_outline, _check_edges, _check_hinged_edges, _check_geometry)
 
-    name: Annotated[str, Text("name of the plate, needed where loads of one of several plates name it")] = ""
+    name: Annotated[str, Text("name of the plate, needed if there are several and loads name it")] = ""
     length_x: Annotated[
         float | None, Quantity("length", "L_x", "side along x of a rectangle about the origin", POSITIVE)
     ] = None

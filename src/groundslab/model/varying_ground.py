@@ -49,7 +49,7 @@ class SoilZone(Section):
 class Borehole(Section):
     """A place where the layers are known; between boreholes they are interpolated."""
 
-    name: Annotated[str, Text("name of the borehole, for people")] = ""
+    name: Annotated[str, Text("name of the borehole, for reference")] = ""
     x: Annotated[float, coordinate(0, "position, on or off the plate")]
     y: Annotated[float, coordinate(1, "position, on or off the plate")]
     layers: Annotated[
@@ -184,7 +184,7 @@ class Void(Section):
 
     depth: Annotated[
         float | None,
-        Quantity("length", "d", "initial gap there; without it a cavity, whose bottom is never reached", POSITIVE),
+        Quantity("length", "d", "initial gap there; if omitted a cavity, whose bottom is never reached", POSITIVE),
     ] = None
     x: Annotated[
         tuple[float, float] | None,

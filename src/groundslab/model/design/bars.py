@@ -66,7 +66,7 @@ class BarZone(Section):
     shape: Annotated[Shape, Table("where; what reaches over the plate's edge is cut off")]
     layers: Annotated[tuple[Layer, ...], ListOf(Choice(Layer, ""), "", "layers of the bars", unique=True)]
     diameter: Annotated[float | None, Quantity("length", "phi", "diameter of the bars", BAR)] = None
-    spacing: Annotated[float | None, Quantity("length", "s", "of these bars, from axis to axis", APART)] = None
+    spacing: Annotated[float | None, Quantity("length", "s", "of these bars, center to center", APART)] = None
     mesh: Annotated[
         MeshName | None,
         Choice(MeshName, "welded mesh in both layers of a face, instead of diameter and spacing", OTHER_MESH),

@@ -35,7 +35,7 @@ class Limits(Section):
     ] = None
     angular_distortion: Annotated[
         float | None,
-        Number("beta", "difference of settlement between two columns over their distance, without the tilt", SLOPE),
+        Number("beta", "difference in settlement between two columns over their distance, without the tilt", SLOPE),
     ] = None
     deflection: Annotated[
         float | None,

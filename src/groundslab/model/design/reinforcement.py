@@ -136,7 +136,7 @@ class Reinforcement(Section):
         _check_zones,
     )  # fmt: skip
 
-    code: Annotated[Code, Choice(Code, "code that strength is checked by", "")] = "EN 1992-1-1"
+    code: Annotated[Code, Choice(Code, "code for the strength checks", "")] = "EN 1992-1-1"
     annex: Annotated[
         AnnexName,
         Choice(AnnexName, "national parameters of EN 1992-1-1", "other values: gamma_c, gamma_s and alpha_cc"),
@@ -219,7 +219,7 @@ class Reinforcement(Section):
     top_mesh: Annotated[
         MeshName | None, Choice(MeshName, "welded mesh at the top, instead of top_x and top_y", OTHER_MESH)
     ] = None
-    zones: Annotated[tuple[BarZone, ...], Table("parts of the plan with further bars between these")] = ()
+    zones: Annotated[tuple[BarZone, ...], Table("parts of the plan with additional bars between these")] = ()
     w_max: Annotated[
         float | None,
         Quantity(

@@ -73,7 +73,7 @@ def _check_reach(
             found = f"a load that reaches {distance:.6g} m beyond the plate's {side} side"
             ends = reach < FARTHEST * size
             expected = f"at most {reach:g} m, where the ground ends" if ends else f"at most {reach:g} m"
-            hint = "beyond says how far the ground goes" if ends else "what lies so far away has no effect"
+            hint = "beyond says how far the ground goes" if ends else "a load so far away has no effect"
             yield RelativeIssue(place, found, expected, hint)
             return
     shape = load.acts[0].to_shapely()

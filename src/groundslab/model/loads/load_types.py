@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 STRAIN = Range(at_least=-0.01, at_most=0.01)
 
-PlateKey = Annotated[str, Text("the one of several plates that it acts on, by its name; by default on all of them")]
+PlateKey = Annotated[str, Text("name of the plate on which it acts, if there are several; by default all of them")]
 
 
 class _Pressure(_Load):
@@ -191,15 +191,18 @@ class PointLoad(_Load):
     x: Annotated[float | None, coordinate(0, "position")] = None
     y: Annotated[float | None, coordinate(1, "position")] = None
     width_x: Annotated[
-        float | None, Quantity("length", "c_x", "width along x of what it is spread over; a point by default", POSITIVE)
+        float | None,
+        Quantity("length", "c_x", "width along x of the area over which it is spread; a point by default", POSITIVE),
     ] = None
     width_y: Annotated[
-        float | None, Quantity("length", "c_y", "width along y of what it is spread over; a point by default", POSITIVE)
+        float | None,
+        Quantity("length", "c_y", "width along y of the area over which it is spread; a point by default", POSITIVE),
     ] = None
     diameter: Annotated[
-        float | None, Quantity("length", "d", "diameter of what it is spread over, instead of both widths", POSITIVE)
+        float | None,
+        Quantity("length", "d", "diameter of the area over which it is spread, instead of both widths", POSITIVE),
     ] = None
-    column: Annotated[str, Text("column that it acts on and is spread over, one of [[columns]]")] = ""
+    column: Annotated[str, Text("column on which it acts and over which it is spread, one of [[columns]]")] = ""
 
     @property
     def magnitudes(self) -> tuple[Magnitude, ...]:

@@ -42,7 +42,7 @@ class FurtherPlate(Section):
 
     checks: ClassVar[tuple[Check, ...]] = (_check_geometry,)
 
-    name: Annotated[str, Text("name of the plate, by which loads call it")]
+    name: Annotated[str, Text("name of the plate, used by loads")]
     outline: Annotated[Shape, Table("its outline, of any shape")]
     openings: Annotated[tuple[Shape, ...], Table("what is cut out of it")] = ()
     zones: Annotated[tuple[Zone, ...], Table("parts with another thickness or material")] = ()
@@ -119,7 +119,7 @@ def check_plates(plate: Plate, plates: tuple[FurtherPlate, ...], joints: Sequenc
         if meeting is not None:
             name = "the first plate" if first == 0 else f"plates[{first}]"
             expected = f"plates next to each other, at least {TOO_CLOSE * size:.3g} m apart or joined"
-            hint = "[[joints]] joins plates that share a line; what lies on a plate is a zone of greater thickness"
+            hint = "[[joints]] joins plates that share a line; a part on top of a plate is a zone of greater thickness"
             yield RelativeIssue(("plates", second - 1, "outline"), meeting.format(name), expected, hint)
 
 

@@ -26,7 +26,8 @@ class Cracking(Section):
         float, Number("phi", "creep coefficient phi(inf, t_0) of the concrete, whose modulus is the plate's E", CREEP)
     ] = 0.0
     duration: Annotated[
-        Duration, Choice(Duration, "of the loads: beta is 0.5 of lasting or repeated loads, 1 of a single short one")
+        Duration,
+        Choice(Duration, "of the loads: beta is 0.5 for long-term or repeated loads, 1 for a single short one"),
     ] = "long"
     shrinkage: Annotated[float, Number("eps_cs", "free shrinkage strain, such as 0.0003", SHRINKAGE)] = 0.0
     f_ct: Annotated[

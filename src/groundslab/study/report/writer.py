@@ -126,7 +126,7 @@ def _foreign(folder: Path) -> list[str]:
 
 def _unwritable(folder: Path, error: OSError) -> InputError:
     """Return the error for a folder that cannot be written; an earlier evaluation there is untouched."""
-    hint = "free some space; an earlier evaluation is as it was"
+    hint = "free some space; an earlier evaluation is unchanged"
     return InputError([Issue(str(folder), error.strerror or str(error), "a folder that can be written", hint)])
 
 

@@ -338,5 +338,5 @@ def _resolve(folder: str | Path) -> Path:
 def _unwritable(target: Path, error: OSError) -> InputError:
     """Return the error for a folder that cannot be written; earlier results there are untouched."""
     found = error.strerror or str(error)
-    hint = "close programs that use the folder, free space, or choose another; earlier results are as they were"
+    hint = "close programs that use the folder, free space, or choose another; earlier results are unchanged"
     return InputError([Issue(str(target), found, "a folder that can be written", hint)])

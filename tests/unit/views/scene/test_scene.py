@@ -61,7 +61,7 @@ RAFT: dict[str, Any] = {
 
 
 def area(ring: list[list[float]]) -> float:
-    """Return the area in a closed polyline, positive if it runs counter-clockwise."""
+    """Return the area in a closed polyline, positive if counterclockwise."""
     x, y = np.array(ring).T
     return float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
 

@@ -31,17 +31,18 @@ _EN1992: Heads = (
 _ACI318: Heads = (("d", "mm"), ("V_u", "kN"), ("b_o", "m"), ("v_u", "MPa"), *_INSIDE, ("phi v_c", "MPa"))
 
 _ONE_EDGE = (
-    "The line force of the ground along the plate's edge inside is no pressure: it does not relieve punching, unless "
-    "the case says line_force_relieves; where it pulls, it is added."
+    "The line force of the ground along the plate's edge inside is not a pressure: it does not relieve punching, "
+    "unless the case sets line_force_relieves; where it pulls, it is added."
 )
 _RELIEVES = (
-    "The line force of the ground along the plate's edge inside is taken off as the pressure inside is, as the case "
-    "says line_force_relieves."
+    "The line force of the ground along the plate's edge inside is subtracted like the pressure inside, as the case "
+    "sets line_force_relieves."
 )
-_OVER_EDGE = "The line force of the ground along the plate's edge inside adds to what punches, as the pressure does."
+_OVER_EDGE = "The line force of the ground along the plate's edge inside adds to the punching force, as the pressure "
+"does."
 _EFFECTIVE = (
-    "What lies between the tangents to an opening does not count; center, moments and {} are those of the part that is "
-    "left."
+    "The part between the tangents to an opening does not count; center, moments and {} are those of the remaining "
+    "part."
 )
 
 
