@@ -205,7 +205,7 @@ def _report(options: argparse.Namespace) -> int:
     folder, suffix = Path(options.results), ".pdf" if options.pdf else ".html"
     target = Path(options.out) if options.out is not None else report.default_path(folder, suffix)
     if options.pdf and target.suffix.lower() != ".pdf":
-        raise InputError([Issue("--out", str(target), "a name that ends with .pdf, as there is --pdf")])
+        raise InputError([Issue("--out", str(target), "a name that ends in .pdf, because of --pdf")])
     if Path(os.path.realpath(folder)) in Path(os.path.realpath(target)).parents:
         found, hint = f"{target}, which is in the folder of the results", "groundslab solve would not replace it then"
         raise InputError([Issue("--out", found, "another folder", hint)])

@@ -21,7 +21,7 @@ SOLVERS: dict[str, Solver] = {"pardiso": Pardiso, "cholmod": Cholmod, "superlu":
 #: What solvers need that does not come with groundslab, and how to get it.
 PACKAGES = {
     "cholmod": ("cvxopt", "pip install groundslab[cholmod]"),
-    "mumps": ("petsc4py", "docs/large.md tells how to install it"),
+    "mumps": ("petsc4py", "docs/large.md explains how to install it"),
 }
 
 

@@ -84,7 +84,7 @@ def find_soil(model: Model) -> SoilColumn:
             f"below these, {BASE_DEPTH:g} times the plate's shorter side."
         )
     if any(map(presses_ground, model.loads)):
-        notes.append("Loads beside the plate have no effect on springs, and act on the other grounds only.")
+        notes.append("Loads off the plate have no effect on springs, and act on the other grounds only.")
     # sublayers belong to the consistent coupling alone
     plain = tuple(layer.model_copy(update={"sublayers": 1}) for layer in layers)
     return SoilColumn(ground, plain, half_space, base, tuple(notes))

@@ -98,16 +98,15 @@ def _by_en1992(combined: Results, steel: Reinforcement, punched: Demands, one: s
     relief = "load + other loads inside - pressure inside" if one == "column" else _OVER_PILE
     notes = (
         f"Punching by EN 1992-1-1 6.4.4(2), in ultimate combinations: V_Ed = {relief}, on the perimeter at 2 d. v_Ed = "
-        "beta V_Ed / (u d), beta by the moments of all forces inside about the perimeter's center, 6.51. Other "
+        "beta V_Ed / (u d), beta from the moments of all forces inside about the perimeter's center, 6.51. Other "
         "supports inside are not counted.",
         "a is the distance from the face, up to 2 d, at which v_Ed / v_Rd is largest, v_Rd = v_Rd,c 2 d / a with the "
-        "bars provided or the most that count.",
+        "bars provided or the largest ratio that counts.",
         _EFFECTIVE.format("W"),
         _edge_note(steel, one),
-        "At the face v_Ed is that of 6.4.5(3) on u_0, with the same beta, on what is left of the force there. Above "
+        "At the face v_Ed is that of 6.4.5(3) on u_0, with the same beta and the remaining force there. Above "
         "v_Rd,max no reinforcement helps; some annexes have none.",
-        _DEPTH[one] + " Where the plate gets thinner within 2 d or a little farther out, that place needs a check of "
-        "its own.",
+        _DEPTH[one] + " Where the plate gets thinner within 2 d or slightly beyond, that place needs a separate check.",
     )
     return PunchingCells(_EN1992, cells, (*notes, *_missing(punched.missing, one)))
 
