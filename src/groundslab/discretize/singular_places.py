@@ -16,8 +16,8 @@ from groundslab.model.plate import Plate
 REACH = 1.0
 #: What is said of such places.
 SINGULAR = (
-    "Moments and shear forces are singular{} at {}: within a thickness of these they are means over a disc as wide as "
-    "the plate is thick. With a footprint a force has a moment under it."
+    "Moments and shear forces are singular{} at {}: within a thickness of these they are means over a disc whose "
+    "diameter is the thickness. The moment under a force is finite if the force has a footprint."
 )
 
 

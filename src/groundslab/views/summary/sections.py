@@ -167,15 +167,8 @@ def mesh_section(results: CombinationResult) -> SummarySection:
     rows = (
         Row("element", "element", results.model.plate.element),
         Row("elements", "elements on the plate", mesh.elements),
-        Row(
-            "smallest_side",
-            "smallest element (square root of area)",
-            mesh.smallest,
-            UNITS["m"],
-            "",
-            mesh.smallest_place,
-        ),
-        Row("largest_side", "largest element (square root of area)", mesh.largest, UNITS["m"], "", mesh.largest_place),
+        Row("smallest_side", "smallest element, sqrt(area)", mesh.smallest, UNITS["m"], "", mesh.smallest_place),
+        Row("largest_side", "largest element, sqrt(area)", mesh.largest, UNITS["m"], "", mesh.largest_place),
         Row("worst_quality", "worst scaled Jacobian", round(mesh.worst_quality, 4), None, "", mesh.worst_place),
         Row("mean_quality", "mean scaled Jacobian", round(mesh.mean_quality, 4)),
         Row("unknowns", "unknowns", mesh.unknowns),

@@ -60,7 +60,7 @@ class TestPaths:
             ("ground.kk", 'did you mean "k"?'),
             ("grund.k", 'did you mean "ground"?'),
             ("ground", "a key of ground"),
-            ("ground.kind", "its kind"),
+            ("ground.kind", "says which kind it is"),
             ("loads.q", "loads is a list of 2"),
             ("loads[3].q", "loads[1] to loads[2]"),
             ("supports[1].x", "a case with supports"),
