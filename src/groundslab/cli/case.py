@@ -34,8 +34,8 @@ def describe_dxf(dxf: argparse.ArgumentParser) -> None:
         "--close-gaps",
         default="1 mm",
         metavar="LENGTH",
-        help="widest gap between the ends of lines that is closed, if it is no wider than a tenth of the edges that "
-        'end there (default: "1 mm"; "0 mm" closes none)',
+        help="widest gap to close between the ends of lines, if no wider than a tenth of the adjoining edges "
+        '(default: "1 mm"; "0 mm" closes none)',
     )
     dxf.add_argument("--out", metavar="FILE", help="file to write (default: print the text)")
 
