@@ -12,7 +12,7 @@ from groundslab.model.loads.acting import LineForce, PointForce
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 
-#: So many thicknesses around them section forces are told as means over a width.
+#: Within so many thicknesses of them section forces are reported as means over a width.
 REACH = 1.0
 #: What is said of such places.
 SINGULAR = (

@@ -152,7 +152,7 @@ class Need:
     minimum: float  # [m2/m]
     fails: float  # share of the plate's area where the concrete is too weak
     links: float  # share of the plate's area where bars in compression are counted on, in any layer
-    laid: float | None = None  # area of the bars provided there, where needs are told by it [m2/m]
+    laid: float | None = None  # area of the bars provided there, where needs depend on it [m2/m]
 
 
 def governing_needs(combined: Results, steel: Reinforcement, laid: Mapping[str, Array] | None = None) -> list[Need]:
