@@ -170,7 +170,7 @@ class Mesh(Section):
     ] = None
     refine: Annotated[tuple[Refinement, ...], Table("parts of the plan with smaller elements", 1000)] = ()
     symmetry: Annotated[
-        Symmetry, Choice(Symmetry, "whether only a half or a quarter is computed if everything is symmetric")
+        Symmetry, Choice(Symmetry, "whether a half or a quarter is computed if everything is symmetric")
     ] = "auto"
 
     @property
