@@ -113,8 +113,8 @@ class NotCertified(NoResult):
     """
 
     ROUNDING = (
-        "rounding is what is left over where stiffnesses differ by ten digits and more: bring thickness and E of the "
-        "plate, stiffness of supports and ground nearer to each other"
+        "rounding dominates where stiffnesses differ by ten digits or more: bring the stiffness of plate "
+        "(thickness and E), supports and ground closer together"
     )
 
     def __init__(self, results: Any) -> None:
@@ -129,14 +129,14 @@ class NotCertified(NoResult):
         said = []
         if large:
             figures = ", ".join(f"{name} {value:.1e}" for name, value in large.items())
-            said.append(f"the result does not fulfil the equations: {figures}")
+            said.append(f"the result does not satisfy the equations: {figures}")
             if large.keys() <= {"residual", "force_balance", "moment_balance"}:
                 said.append(self.ROUNDING)
         if margin is not None:
             said.append(
                 f"the meshed ground beyond the plate is too narrow or too coarse: with more of it settlements change "
-                f"by {margin:.2g} of the largest one, at most {certificate.MARGIN_TOLERANCE:g} is allowed; make "
-                "beyond.width larger or mesh.size smaller"
+                f"by {margin:.2g} of the largest one, at most {certificate.MARGIN_TOLERANCE:g} is allowed; increase "
+                f"beyond.width or reduce mesh.size"
             )
         return f"{'; '.join(said)}; it must not be used"
 
@@ -164,6 +164,6 @@ class NotConverged(NoResult):
         super().__init__(self.what, self.history, self.last)
 
     def __str__(self) -> str:
-        """Return what did not converge and how the last steps went."""
+        """Return a message with the process that did not converge and its last steps."""
         tail = "\n".join(f"  {step}" for step in self.history[-5:])
         return f"{self.what} did not converge in {len(self.history)} steps; the last of them:\n{tail}"

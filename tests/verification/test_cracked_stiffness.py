@@ -295,5 +295,5 @@ def test_what_is_missing_is_said() -> None:
     with pytest.raises(InputError) as error:
         casefile.loads(no_bars + "[analysis]\nincrements = 2\n")
     found = {issue.location: issue for issue in error.value.issues}
-    assert "bars laid in all four layers" in found["cracking"].expected
+    assert "bars provided in all four layers" in found["cracking"].expected
     assert "analysis.increments" in found

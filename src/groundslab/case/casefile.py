@@ -118,14 +118,14 @@ def _unreadable(path: str | Path, found: str, expected: str = "a TOML file") -> 
 
 
 def _syntax(text: str, name: str, message: str) -> Issue:
-    """Return what is wrong with the TOML, from tomllib's message, which ends with the place."""
+    """Return the fault in the TOML, from tomllib's message, which ends with the place."""
     lines = text.split("\n")
     place = _PLACE.search(message)
     line, column = (int(place[1]), int(place[2])) if place and place[1] else (len(lines), len(lines[-1]) + 1)
     content = lines[line - 1].strip() if line <= len(lines) else ""
     hint = _PLACE.sub("", message)
     if _BARE_UNIT.search(content):
-        hint = 'number and unit stand in quotes, as in thickness = "200 mm"'
+        hint = 'put number and unit in quotes, as in thickness = "200 mm"'
     return Issue(f"{name}, line {line}, column {column}", describe(content) if content else "nothing", "TOML", hint)
 
 

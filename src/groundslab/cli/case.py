@@ -29,22 +29,22 @@ def describe_dxf(dxf: argparse.ArgumentParser) -> None:
         help="names of layers; WHAT is outline, openings, zones, columns, point_loads, line_loads or area_loads, whose "
         "usual layers are OUTLINE, OPENINGS, ZONES, COLUMNS, LOADS, LOAD_LINE and LOAD_AREA",
     )
-    dxf.add_argument("--unit", help='unit of the drawing, such as "mm" (default: the one that it names)')
+    dxf.add_argument("--unit", help='unit of the drawing, such as "mm" (default: the one stated in the drawing)')
     dxf.add_argument(
         "--close-gaps",
         default="1 mm",
         metavar="LENGTH",
-        help="widest gap between the ends of lines that is closed, if it is no wider than a tenth of the edges that "
-        'end there (default: "1 mm"; "0 mm" closes none)',
+        help="widest gap to close between the ends of lines, if no wider than a tenth of the adjoining edges "
+        '(default: "1 mm"; "0 mm" closes none)',
     )
-    dxf.add_argument("--out", metavar="FILE", help="file to make (default: print the text)")
+    dxf.add_argument("--out", metavar="FILE", help="file to write (default: print the text)")
 
 
 def describe_check(check: argparse.ArgumentParser) -> None:
     """Add what the command check understands."""
     check.epilog = (
-        "Combinations whose loads ground and supports cannot balance are named: the foundation fails, and the exit "
-        "code is 3. Other checks of the design need a solution."
+        "Combinations whose loads the ground and supports cannot balance are listed: the foundation fails, and the "
+        "exit code is 3. Other design checks need a solution."
     )
     check.add_argument("case", help="case file or study file (TOML)")
 
@@ -129,7 +129,7 @@ def convert_drawing(options: argparse.Namespace) -> int:
     _write_or_print(drawings.to_case(drawing, Path(options.drawing).stem), options.out)
     print_stderr(drawings.report_text(drawing).rstrip("\n"))
     if options.out is not None:
-        print_stderr(f"\nwrote {options.out}; next: fill in what it asks for, then groundslab check {options.out}")
+        print_stderr(f"\nwrote {options.out}; next: fill in the missing values, then groundslab check {options.out}")
     return EXIT_OK
 
 

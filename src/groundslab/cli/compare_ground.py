@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 def describe(compare: argparse.ArgumentParser) -> None:
     """Add what the command compare-ground understands."""
     compare.epilog = (
-        "The ground of the case has layers given by E, nu and thickness. Bonded, they are a continuum. With it "
-        "are compared: constrained moduli and Vlasov's ground of the same layers, and the Pasternak ground and the "
-        "springs whose constants fit the continuum best under this slab. If nothing balances the loads of a "
+        "The ground of the case needs layers given by E, nu and thickness. Bonded, they form a continuum. It is "
+        "compared with constrained moduli and Vlasov's ground of the same layers, and with the Pasternak ground and "
+        "the springs whose constants best fit the continuum under this slab. If nothing balances the loads of a "
         "combination, the foundation fails, and the exit code is 3."
     )
     compare.add_argument("case", help="case file (TOML)")
@@ -31,10 +31,10 @@ def describe(compare: argparse.ArgumentParser) -> None:
     compare.add_argument(
         "--out",
         metavar="DIR",
-        help="folder for JSON, CSV and a figure, a new one or that of the results of this case, whose report has the "
-        "comparison as a chapter then (default: none)",
+        help="folder for JSON, CSV and a figure: a new one, or the results folder of this case, whose report then has "
+        "the comparison as a chapter (default: none)",
     )
-    compare.add_argument("--json", action="store_true", help="print the comparison as JSON, and nothing else")
+    compare.add_argument("--json", action="store_true", help="print only the comparison, as JSON")
 
 
 def run(options: argparse.Namespace) -> int:

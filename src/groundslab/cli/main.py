@@ -54,7 +54,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except GroundslabError as error:
         console.print_stderr(f"error: {error}")
     except MemoryError:
-        console.print_stderr("error: the memory is too small for this analysis; a coarser mesh needs less")
+        console.print_stderr("error: not enough memory for this analysis; a coarser mesh needs less")
     return console.EXIT_NO_RESULT
 
 
@@ -99,7 +99,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="groundslab",
         description="Thick plates on layered, two-parameter, tensionless ground.",
-        epilog="Exit codes: 0 fine, which is no approval of a design; 1 no certified result; 2 wrong input or usage; "
+        epilog="Exit codes: 0 success (not a design approval); 1 no certified result; 2 wrong input or usage; "
         "3 a foundation without equilibrium, or a design that fails a check; 130 interrupted.",
     )
     parser.add_argument("--version", action="version", version=f"groundslab {__version__}")
@@ -109,42 +109,38 @@ def _parser() -> argparse.ArgumentParser:
     meaning = "compare the ground of a case with an elastic continuum, and fit springs to it"
     compare_ground.describe(_command(commands, "compare-ground", compare_ground.run, meaning))
     plot.describe(_command(commands, "plot", plot.run, "draw figures of results: PDF, SVG or PNG"))
-    app = _command(commands, "app", _app, "edit a case in the browser and see its results at once")
-    app.epilog = "The page is served on this machine alone, until Ctrl-C. Unsaved work is kept and offered again."
+    app = _command(commands, "app", _app, "edit a case in the browser and see its results immediately")
+    app.epilog = "The page is served on this machine only, until Ctrl-C. Unsaved work is kept and offered next time."
     app.add_argument("case", nargs="?", help="case file (TOML; default: a new one)")
-    app.add_argument("--port", type=int, default=0, metavar="N", help="port of the server (default: any that is free)")
+    app.add_argument("--port", type=int, default=0, metavar="N", help="port of the server (default: any free port)")
     app.add_argument("--no-browser", action="store_true", help="print the address only")
-    view = _command(commands, "view", _view, "look at kept results in the browser, without editing")
-    view.epilog = "The page is served on this machine alone, until Ctrl-C. Nothing is written."
-    view.add_argument(
-        "results", metavar="RESULTS", help="folder that groundslab solve has written, or a saved ZIP file"
-    )
-    view.add_argument("--port", type=int, default=0, metavar="N", help="port of the server (default: any that is free)")
+    view = _command(commands, "view", _view, "view saved results in the browser, read-only")
+    view.epilog = "The page is served on this machine only, until Ctrl-C. Nothing is written."
+    view.add_argument("results", metavar="RESULTS", help="folder written by groundslab solve, or a saved ZIP file")
+    view.add_argument("--port", type=int, default=0, metavar="N", help="port of the server (default: any free port)")
     view.add_argument("--no-browser", action="store_true", help="print the address only")
-    study.describe(_command(commands, "study", study.run, "solve many variants of a case and keep a row of each"))
+    study.describe(_command(commands, "study", study.run, "solve many variants of a case and save one row per variant"))
     study.describe_evaluation(
-        _command(commands, "evaluate", study.evaluate, "make the page and the tables of a study from its rows")
+        _command(commands, "evaluate", study.evaluate, "make the report and the tables of a study from its rows")
     )
 
-    meaning = "read a case file or a study file, and list all its issues"
+    meaning = "read a case or study file and list all its issues"
     case.describe_check(_command(commands, "check", case.check_case, meaning))
 
     new = _command(commands, "new", case.write_starter, "write a case file to start from")
-    new.add_argument("file", nargs="?", metavar="FILE", help="file to make (default: print the text)")
+    new.add_argument("file", nargs="?", metavar="FILE", help="file to write (default: print the text)")
 
-    dxf = _command(commands, "dxf", case.convert_drawing, "make a case file from a drawing, and report what it took")
+    dxf = _command(commands, "dxf", case.convert_drawing, "make a case file from a drawing and report what was read")
     case.describe_dxf(dxf)
 
     _describe_report(_command(commands, "report", _report, "make a report of results: one HTML file, or a PDF"))
 
     tables = _command(commands, "tables", _tables, "write all tables of results into one workbook (XLSX)")
-    tables.epilog = (
-        "A file that exists is replaced only if it is such a workbook. The folder has each table as CSV, too."
-    )
-    tables.add_argument("results", metavar="RESULTS", help="folder of results that groundslab solve has written")
-    tables.add_argument("--out", metavar="FILE", help="file to make (default: RESULTS.xlsx beside the folder)")
+    tables.epilog = "An existing file is replaced only if it is such a workbook. The folder also has each table as CSV."
+    tables.add_argument("results", metavar="RESULTS", help="results folder written by groundslab solve")
+    tables.add_argument("--out", metavar="FILE", help="file to write (default: RESULTS.xlsx next to the folder)")
 
-    bars = _command(commands, "bars", plot.run_bars, "draw the bars that a case lays, with quantities: SVG and DXF")
+    bars = _command(commands, "bars", plot.run_bars, "draw the bars provided in a case, with quantities: SVG and DXF")
     plot.describe_bars(bars)
 
     verify = _command(commands, "verify", _verify, "solve cases with known answers and compare")
@@ -159,20 +155,16 @@ def _describe_report(report: argparse.ArgumentParser) -> None:
     """Add what the command report understands."""
     report.epilog = (
         "The file holds case, drawings, certificate, tables, pictures and a viewer; it opens in any browser without a "
-        "network. A file that exists is replaced only if it is such a report."
+        "network. An existing file is replaced only if it is such a report."
     )
-    report.add_argument("results", metavar="RESULTS", help="folder of results that groundslab solve has written")
-    report.add_argument(
-        "--out", metavar="FILE", help="file to make, a PDF if it ends with .pdf (default: RESULTS.html)"
-    )
-    report.add_argument(
-        "--pdf", action="store_true", help="make RESULTS.pdf, by a browser that is installed (extra pdf)"
-    )
+    report.add_argument("results", metavar="RESULTS", help="results folder written by groundslab solve")
+    report.add_argument("--out", metavar="FILE", help="file to write, a PDF if it ends in .pdf (default: RESULTS.html)")
+    report.add_argument("--pdf", action="store_true", help="make RESULTS.pdf with an installed browser (extra pdf)")
     report.add_argument(
         "--chapters",
         nargs="+",
         metavar="NAME",
-        help="chapters to make, such as extremes pictures tables (default: those of report.chapters in the case)",
+        help="chapters to include, such as extremes pictures tables (default: those of report.chapters in the case)",
     )
 
 
@@ -213,7 +205,7 @@ def _report(options: argparse.Namespace) -> int:
     folder, suffix = Path(options.results), ".pdf" if options.pdf else ".html"
     target = Path(options.out) if options.out is not None else report.default_path(folder, suffix)
     if options.pdf and target.suffix.lower() != ".pdf":
-        raise InputError([Issue("--out", str(target), "a name that ends with .pdf, as there is --pdf")])
+        raise InputError([Issue("--out", str(target), "a name that ends in .pdf, because of --pdf")])
     if Path(os.path.realpath(folder)) in Path(os.path.realpath(target)).parents:
         found, hint = f"{target}, which is in the folder of the results", "groundslab solve would not replace it then"
         raise InputError([Issue("--out", found, "another folder", hint)])

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 def describe(plot: argparse.ArgumentParser) -> None:
     """Add what the command plot understands."""
-    plot.add_argument("folder", metavar="FOLDER", help="folder of results that groundslab solve wrote")
+    plot.add_argument("folder", metavar="FOLDER", help="results folder written by groundslab solve")
     plot.add_argument(
         "fields",
         nargs="*",
@@ -26,8 +26,7 @@ def describe(plot: argparse.ArgumentParser) -> None:
         "provided_bottom_x, provided_bottom_y, provided_top_x, provided_top_y, "
         "utilisation_bottom_x, utilisation_bottom_y, utilisation_top_x, utilisation_top_y, "
         "missing_bottom_x, missing_bottom_y, missing_top_x, missing_top_y; discretization_error, "
-        "large where the mesh is too coarse; stiffness_ratio of slabs that crack "
-        "(default: a usual choice for the kind)",
+        "large where the mesh is too coarse; stiffness_ratio of cracked slabs (default: the usual choice for the kind)",
     )
     plot.add_argument(
         "--kind",
@@ -41,25 +40,25 @@ def describe(plot: argparse.ArgumentParser) -> None:
         "--combination",
         action="append",
         metavar="NAME",
-        help="combination to draw, may be repeated (default: all that have a certified result)",
+        help="combination to draw, may be repeated (default: all with a certified result)",
     )
     plot.add_argument(
         "--envelope",
         metavar="STATE",
-        help="draw the largest and smallest values over the combinations of a limit state: such as ultimate or "
+        help="draw the largest and smallest values over the combinations of a limit state, such as ultimate or "
         "quasi-permanent; for plan and lines",
     )
     plot.add_argument(
         "--line",
         action="append",
         metavar="X1,Y1,X2,Y2",
-        help="section line in meters, may be repeated (default: those that the case names)",
+        help="section line in meters, may be repeated (default: those in the case)",
     )
     plot.add_argument(
         "--out",
         metavar="FILE",
-        help="file to write, which ends with .pdf (pages of A4 width), .svg or .png (one sheet); an existing one is "
-        "replaced if groundslab drew it (default: a PDF beside the folder)",
+        help="file to write: .pdf (pages of A4 width), .svg or .png (one sheet); an existing one is replaced only if "
+        "groundslab drew it (default: a PDF next to the folder)",
     )
 
 
@@ -98,12 +97,12 @@ def describe_bars(bars: argparse.ArgumentParser) -> None:
         "A plan of each face with one bar of each set, and a table of numbers, lengths and masses, without laps. An "
         "existing file is replaced only if groundslab drew it."
     )
-    bars.add_argument("results", metavar="RESULTS", help="folder of results that groundslab solve has written")
+    bars.add_argument("results", metavar="RESULTS", help="results folder written by groundslab solve")
     bars.add_argument(
         "--out",
         metavar="FILE",
-        help="file to make, which ends with .dxf, .svg, .pdf or .png (default: RESULTS-bars.svg and RESULTS-bars.dxf "
-        "beside the folder)",
+        help="file to write: .dxf, .svg, .pdf or .png (default: RESULTS-bars.svg and RESULTS-bars.dxf next to the "
+        "folder)",
     )
 
 

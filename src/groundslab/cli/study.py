@@ -11,24 +11,24 @@ from groundslab.errors import GroundslabError, InputError
 def describe(study: argparse.ArgumentParser) -> None:
     """Add what the command study understands."""
     study.epilog = (
-        "A row is on the disk as soon as its variant is done. A study that was cut short goes on with --resume. The "
-        "exit code is 1 if variants have no row in the end; those whose row says why they failed have one."
+        "Each row is saved as soon as its variant is done. An interrupted study continues with --resume. The exit "
+        "code is 1 if variants end up without a row; a variant whose row says why it failed has one."
     )
     study.add_argument("study", help="study file (TOML)")
     study.add_argument(
-        "--out", metavar="DIR", help="folder for the rows (default: <study>-study beside the study file)"
+        "--out", metavar="DIR", help="folder for the rows (default: <study>-study next to the study file)"
     )
-    study.add_argument("--resume", action="store_true", help="go on with the study that is in the folder")
+    study.add_argument("--resume", action="store_true", help="resume the study in the folder")
     place = study.add_mutually_exclusive_group()
     place.add_argument(
         "--workers",
         type=_count,
         metavar="N",
-        help="processes on this machine (default: one for each core; 0: none but this one)",
+        help="processes on this machine (default: one for each core; 0: only this one)",
     )
     place.add_argument("--scheduler", metavar="ADDRESS", help="Dask scheduler to use, such as tls://127.0.0.1:8786")
     study.add_argument(
-        "--dashboard", action="store_true", help="let Dask show in the browser what the processes of this machine do"
+        "--dashboard", action="store_true", help="have Dask show the processes of this machine in the browser"
     )
     study.add_argument("--quiet", action="store_true", help="print no progress")
 
@@ -37,14 +37,14 @@ def describe_evaluation(evaluate: argparse.ArgumentParser) -> None:
     """Add what the command evaluate understands."""
     evaluate.epilog = (
         "Writes report.html and the tables as CSV into the folder evaluation within the study's, as groundslab study "
-        "does at its end. A study that still runs can be evaluated as far as it is."
+        "does at its end. A running study can be evaluated as far as it has got."
     )
     evaluate.add_argument("folder", help="folder of a study")
     evaluate.add_argument(
         "--design-points",
         nargs="*",
         metavar="NAME",
-        help="find the design point of these limit states, or of all, by solving the case some more times",
+        help="find the design point of these limit states, or of all, which solves the case some more times",
     )
     evaluate.add_argument(
         "--level", type=_level, default=0.95, metavar="P", help="confidence of the intervals (default: 0.95)"

@@ -17,7 +17,7 @@ MM = 1e3
 
 
 def bars(model: Model) -> Table:
-    """Return the quantities of the bars that are laid, with their sum in the last row."""
+    """Return the quantities of the bars provided, with their sum in the last row."""
     heads = [
         ("layer", ""), ("zone", ""), ("mesh", ""), ("diameter", "mm"), ("spacing", "mm"), ("number", ""),
         ("least length", "m"), ("greatest length", "m"), ("total length", "m"), ("mass", "kg"),
@@ -34,7 +34,7 @@ def bars(model: Model) -> Table:
         "not taken off. Steel of 7850 kg/m3 (EN 1992-1-1 3.2.7(3)); the mass per area is over all of the slab.",
         f"Of a set with more than {MOST_LENGTHS} different lengths there is one row.",
     ]
-    return table_of("bars", "Bars that are laid", heads, rows, notes)
+    return table_of("bars", "Bars provided", heads, rows, notes)
 
 
 def _rows(each: BarSet, area: float) -> Iterator[list[Cell]]:

@@ -38,7 +38,7 @@ def envelope(combinations: Mapping[str, Array]) -> Envelope:
         if array.shape != arrays[0].shape
     ]
     issues += [
-        Issue(f"combinations[{name!r}]", "values that are no numbers", "finite numbers")
+        Issue(f"combinations[{name!r}]", "values that are not numbers", "finite numbers")
         for name, array in zip(names, arrays, strict=True)
         if not np.isfinite(array).all()
     ]

@@ -12,12 +12,12 @@ from groundslab.model.loads.acting import LineForce, PointForce
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 
-#: So many thicknesses around them section forces are told as means over a width.
+#: Within so many thicknesses of them section forces are reported as means over a width.
 REACH = 1.0
 #: What is said of such places.
 SINGULAR = (
-    "Moments and shear forces are singular{} at {}: within a thickness of these they are means over a disc as wide as "
-    "the plate is thick. With a footprint a force has a moment under it."
+    "Moments and shear forces are singular{} at {}: within a thickness of these they are means over a disc whose "
+    "diameter is the thickness. The moment under a force is finite if the force has a footprint."
 )
 
 

@@ -27,7 +27,7 @@ def check_footprint(width_x: float | None, width_y: float | None, diameter: floa
         widths = [(key,) for key, width in (("width_x", width_x), ("width_y", width_y)) if width is not None]
         repairs = (remove(("diameter",)), remove(*widths))
         expected = "width_x and width_y, or diameter"
-        yield RelativeIssue(("diameter",), "a diameter beside a width", expected, repairs=repairs)
+        yield RelativeIssue(("diameter",), "a diameter together with a width", expected, repairs=repairs)
     if (width_x is None) != (width_y is None):
         missing = "width_x" if width_x is None else "width_y"
         yield RelativeIssue((missing,), "nothing", "width_x and width_y, both of them")
@@ -54,7 +54,7 @@ class Column(Section):
 
     checks: ClassVar[tuple[Check, ...]] = (check_footprint, _check_footprint_given)
 
-    name: Annotated[str, Text("name of the column, by which loads call it")]
+    name: Annotated[str, Text("name of the column, used by loads")]
     x: Annotated[float, coordinate(0, "its center")]
     y: Annotated[float, coordinate(1, "its center")]
     width_x: Annotated[float | None, Quantity("length", "c_x", "width along x", POSITIVE)] = None

@@ -232,7 +232,7 @@ def check_sections_with_plates(
         yield RelativeIssue(("ground", "selvadurai"), "soil that gives the k of one plate", "k", hint)
     for name, section in {"soil_strength": soil_strength, "cracking": cracking}.items():
         if section is not None:
-            found, repairs = f"{name} beside several plates", (remove((name,)),)
+            found, repairs = f"{name} with several plates", (remove((name,)),)
             yield RelativeIssue((name,), found, f"no {name}", "it is for a single plate", repairs)
 
 

@@ -86,9 +86,7 @@ class SoilLayer(Section):
     variation: Annotated[Variation, Choice(Variation, "how the modulus varies from E to E_bottom")] = "linear"
     nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]
     thickness: Annotated[float, Quantity("length", "h", "thickness", Range(above=0, at_most=10_000))]
-    sublayers: Annotated[
-        int, Integer("equal parts to divide the layer into, for consistent coupling only", at_most=100)
-    ] = 1
+    sublayers: Annotated[int, Integer("number of equal sublayers, for consistent coupling only", at_most=100)] = 1
 
 
 class InterfaceLayer(Section):
@@ -210,7 +208,7 @@ CellSide = Annotated[
 
 
 class HalfSpace(Section):
-    """Soil without an end below the layers."""
+    """Half-space of soil below the layers."""
 
     E: Annotated[float, Quantity("pressure", "E", "Young's modulus", POSITIVE)]
     nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]
@@ -232,12 +230,12 @@ def _check_continuum(layers: tuple[SoilLayer, ...], half_space: HalfSpace | None
     moduli += [] if half_space is None else [half_space.E]
     if moduli and max(moduli) > MOST_CONTRAST * min(moduli):
         found = f"moduli from {min(moduli):.3g} to {max(moduli):.3g} Pa"
-        hint = "what is so much stiffer is a rigid base"
+        hint = "anything so much stiffer is a rigid base"
         yield RelativeIssue((), found, f"moduli that differ by a factor of at most {MOST_CONTRAST:g}", hint)
 
 
 class Continuum(Section):
-    """Bonded elastic layers, isotropic and without an end sideways, on a rigid base or a half-space."""
+    """Bonded elastic layers, isotropic and laterally unbounded, on a rigid base or a half-space."""
 
     checks: ClassVar[tuple[Check, ...]] = (_check_vlasov_sublayers, _check_continuum)
 
@@ -259,7 +257,7 @@ def _check_limit_depth(
         yield RelativeIssue(("unit_weight",), "nothing", 'a weight such as "19 kN/m3", as limit_ratio is given')
     for key in ("unit_weight", "unit_weight_below_water", "groundwater"):
         if limit_ratio is None and key in given:
-            hint = "the soil's weight serves to find the limit depth"
+            hint = "the soil's weight is needed to find the limit depth"
             yield RelativeIssue((key,), f"{key} without limit_ratio", "a limit_ratio such as 0.2", hint)
 
 
@@ -303,7 +301,7 @@ class ConstrainedModulus(Section):
     ]  # fmt: skip
     relief: Annotated[
         float,
-        Quantity("pressure", "sigma_e", "what the excavation has taken off under the slab", Range(at_least=0)),
+        Quantity("pressure", "sigma_e", "weight removed by the excavation under the slab", Range(at_least=0)),
     ] = 0.0
     reloading: Annotated[
         float | None,

@@ -31,7 +31,7 @@ class Project(Section):
     author: Annotated[str, Text("who made the calculation")] = ""
     checker: Annotated[str, Text("who checked it")] = ""
     revision: Annotated[str, Text("revision of the calculation")] = ""
-    date: Annotated[str, Text("its date, as it is to be shown")] = ""
+    date: Annotated[str, Text("its date, as it should be shown")] = ""
 
 
 #: Chapters of the report, in their order.
@@ -129,4 +129,4 @@ def check_output(plate: Plate, plates: tuple[FurtherPlate, ...], output: Output)
     for part, lines in wanted.items():
         for position, line in enumerate(lines):
             if not outline.intersects(LineString([line.start, line.end])):
-                yield RelativeIssue(("output", part, position), "a line beside the plate", "one that crosses it")
+                yield RelativeIssue(("output", part, position), "a line off the plate", "one that crosses it")

@@ -24,7 +24,7 @@ Support = Literal["free", "hinged", "soft", "clamped"]
 
 def _check_zone_differs(thickness: float | None, E: float | None, nu: float | None) -> Iterator[RelativeIssue]:
     if thickness is None and E is None and nu is None:
-        yield RelativeIssue((), "a zone like the rest of the plate", "a thickness, E or nu of its own")
+        yield RelativeIssue((), "a zone like the rest of the plate", "a different thickness, E or nu")
 
 
 class Zone(Section):
@@ -58,7 +58,7 @@ def _check_outline(
     else:
         for name in ("length_x", "length_y"):
             if name in given:
-                yield RelativeIssue((name,), "a length beside an outline", "one of them", hint)
+                yield RelativeIssue((name,), "a length together with an outline", "one of them", hint)
 
 
 def _check_edges(support: str, edges: Edges) -> Iterator[RelativeIssue]:
@@ -112,7 +112,7 @@ class Plate(Section):
 
     checks: ClassVar[tuple[Check, ...]] = (_check_outline, _check_edges, _check_hinged_edges, _check_geometry)
 
-    name: Annotated[str, Text("name of the plate, needed where loads of one of several plates name it")] = ""
+    name: Annotated[str, Text("name of the plate, needed if there are several and loads name it")] = ""
     length_x: Annotated[
         float | None, Quantity("length", "L_x", "side along x of a rectangle about the origin", POSITIVE)
     ] = None

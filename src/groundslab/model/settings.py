@@ -51,15 +51,15 @@ class Beyond(Section):
 
     kind: Annotated[
         Reach,
-        Choice(Reach, "none: the ground ends with the plate; margin: a strip of ground; infinite: no end"),
+        Choice(Reach, "none: the ground ends at the plate's edge; margin: a strip of ground; infinite: no end"),
     ] = "none"
     width: Annotated[
         float | None,
         Quantity(
             "length",
             "b",
-            "width of the meshed strip; needed for a margin; if infinite, by default the length over which the ground "
-            "dies out, and one whose widening changes settlements by more than 1 % is refused",
+            "width of the meshed strip; needed for a margin; if infinite, by default the ground's decay length, and a "
+            "width is refused if widening it changes settlements by more than 1 %",
             POSITIVE,
         ),
     ] = None
@@ -121,8 +121,8 @@ class Contact(Section):
         Quantity(
             "pressure",
             "p_max",
-            "pressure at which the ground yields, no limit by default; line forces along the plate's "
-            "edges are none, but loads may not exceed this pressure over all of the plate",
+            "pressure at which the ground yields, no limit by default; line forces along the plate's edges do not "
+            "count, but loads may not exceed this pressure over the whole plate",
             POSITIVE,
         ),
     ] = None
@@ -143,7 +143,7 @@ def _check_size(
         yield RelativeIssue((), "both size and counts", "at most one of size and counts", repairs=repairs)
     if refine and counts is not None:
         hint = "give a size instead of counts"
-        yield RelativeIssue(("refine",), "refine beside counts", "no refine", hint, (remove(("refine",)),))
+        yield RelativeIssue(("refine",), "refine together with counts", "no refine", hint, (remove(("refine",)),))
 
 
 class Mesh(Section):
@@ -170,7 +170,7 @@ class Mesh(Section):
     ] = None
     refine: Annotated[tuple[Refinement, ...], Table("parts of the plan with smaller elements", 1000)] = ()
     symmetry: Annotated[
-        Symmetry, Choice(Symmetry, "whether a half or a quarter is computed where all is symmetric")
+        Symmetry, Choice(Symmetry, "whether a half or a quarter is computed if everything is symmetric")
     ] = "auto"
 
     @property
@@ -194,7 +194,7 @@ class Analysis(Section):
         Solver,
         Choice(
             Solver,
-            "direct solver; auto takes the first that is installed, mumps is for many processes",
+            "direct solver; auto takes the first one installed, mumps is for many processes",
         ),
     ] = "auto"
     nested: Annotated[bool, Boolean("start the contact zone from coarser meshes")] = True

@@ -75,7 +75,7 @@ class Polygon(Section):
         ListOf(
             BULGE,
             "b",
-            "for the edge after each point, tan of a quarter of its arc's angle, positive if it runs counter-clockwise",
+            "for the edge after each point, tan of a quarter of its arc's angle, positive if counterclockwise",
             least=0,
         ),
     ] = ()

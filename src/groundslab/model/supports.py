@@ -26,17 +26,17 @@ Acts = Literal["both ways", "in compression", "in tension"]
 Turning = Literal["free", "fixed"]
 LimitIs = Literal["ultimate resistance", "design resistance"]
 
-SupportName = Annotated[str, Text("name of the support, by which loads and results call it")]
+SupportName = Annotated[str, Text("name of the support, used by loads and results")]
 ActsKey = Annotated[Acts, Choice(Acts, "in compression: it only pushes up; in tension: it only holds down")]
 GapKey = Annotated[
-    float, Quantity("length", "g_s", "way that the plate goes freely before the support acts", Range(at_least=0))
+    float, Quantity("length", "g_s", "distance that the plate moves freely before the support acts", Range(at_least=0))
 ]
 
 LimitIsKey = Annotated[
     LimitIs,
     Choice(
         LimitIs,
-        "what the limit is (EN 1997-1 7.6.2, 7.6.3): at its ultimate resistance R a support yields, which needs "
+        "kind of limit (EN 1997-1 7.6.2, 7.6.3): at its ultimate resistance R a support yields, which needs "
         "attention; one that reaches its design resistance R_d fails",
     ),
 ]
@@ -88,7 +88,7 @@ class PointSupport(Section):
     acts: ActsKey = "both ways"
     gap: GapKey = 0.0
     limit: Annotated[
-        float | None, Quantity("force", "R_max", "largest force; with it the support yields", POSITIVE)
+        float | None, Quantity("force", "R_max", "largest force, at which the support yields", POSITIVE)
     ] = None
     limit_is: LimitIsKey = "ultimate resistance"
     rotation: Annotated[Turning, Choice(Turning, "whether the plate may turn there")] = "free"
@@ -126,9 +126,7 @@ class LineSupport(Section):
 
     kind: Annotated[Literal["line"], Table("support along straight lines, such as a wall")] = "line"
     name: SupportName = ""
-    points: Annotated[
-        tuple[tuple[float, float], ...], ListOf(Place, "x, y", "the line's points, joined one after the other")
-    ]
+    points: Annotated[tuple[tuple[float, float], ...], ListOf(Place, "x, y", "the line's points, in order")]
     stiffness: Annotated[
         float | None,
         Quantity("stiffness per length", "K_l", "force per length and settlement; rigid by default", POSITIVE),
@@ -136,7 +134,7 @@ class LineSupport(Section):
     acts: ActsKey = "both ways"
     gap: GapKey = 0.0
     limit: Annotated[
-        float | None, Quantity("force per length", "r_max", "largest force per length; with it it yields", POSITIVE)
+        float | None, Quantity("force per length", "r_max", "largest force per length, at which it yields", POSITIVE)
     ] = None
     limit_is: LimitIsKey = "ultimate resistance"
     rotation: Annotated[Turning, Choice(Turning, "whether the plate may turn across the line")] = "free"
@@ -155,7 +153,7 @@ class LineSupport(Section):
 def _check_slenderness(length: float, diameter: float) -> Iterator[RelativeIssue]:
     if length < LEAST_SLENDERNESS * diameter:
         expected = f"at least {LEAST_SLENDERNESS:g} diameters, {LEAST_SLENDERNESS * diameter:g} m"
-        yield RelativeIssue(("length",), f"{length:g} m", expected, "what is shorter is no pile but a footing")
+        yield RelativeIssue(("length",), f"{length:g} m", expected, "anything shorter is a footing, not a pile")
 
 
 class Pile(Section):
@@ -240,7 +238,7 @@ def check_names(part: str, names: list[str], needed: bool) -> Iterator[RelativeI
             yield RelativeIssue((part, position, "name"), "no name", "a name")
         if name in seen:
             place, repairs = (part, position, "name"), use_free_name((part, position, "name"), name, names)
-            yield RelativeIssue(place, f"{describe(name)} again", "a name of its own", repairs=repairs)
+            yield RelativeIssue(place, f"{describe(name)} again", "a unique name", repairs=repairs)
         seen |= {name} - {""}
 
 
@@ -276,11 +274,11 @@ def check_piles(ground: AnyGround, supports: tuple[AnySupport, ...]) -> Iterator
         place = ("supports", position)
         if not isinstance(ground, ContinuousGround):
             expected = 'ground.kind = "continuum" or "constrained modulus"'
-            hint = 'kind = "point" has a stiffness of its own'
+            hint = 'kind = "point" takes a stiffness'
             yield RelativeIssue((*place, "kind"), f'"pile" in {quote(ground.kind)} ground', expected, hint)
             continue
         depth = sum(layer.thickness for layer in ground.layers)
         if getattr(ground, "half_space", None) is None and pile.length >= depth:
-            hint = 'one that stands on the rigid base is a support of kind "point", with E A / l as its stiffness'
+            hint = 'a pile on the rigid base is a support of kind "point", with E A / l as its stiffness'
             found = f"{pile.length:g} m, with layers of {depth:g} m"
             yield RelativeIssue((*place, "length"), found, "a pile that ends in the layers", hint)

@@ -49,9 +49,9 @@ class SoilZone(Section):
 class Borehole(Section):
     """A place where the layers are known; between boreholes they are interpolated."""
 
-    name: Annotated[str, Text("name of the borehole, for people")] = ""
-    x: Annotated[float, coordinate(0, "position, on the plate or beside it")]
-    y: Annotated[float, coordinate(1, "position, on the plate or beside it")]
+    name: Annotated[str, Text("name of the borehole, for reference")] = ""
+    x: Annotated[float, coordinate(0, "position, on or off the plate")]
+    y: Annotated[float, coordinate(1, "position, on or off the plate")]
     layers: Annotated[
         tuple[SoilLayer, ...],
         Field(min_length=1),
@@ -61,7 +61,7 @@ class Borehole(Section):
 
 
 def _signature(ground: AnyGround) -> tuple[object, ...]:
-    """Return what must be the same in all the ground: kind, rule, number and kind of layers."""
+    """Return the features that all the ground must share: kind, rule, number and kind of layers."""
     if isinstance(ground, Vlasov):
         return ground.kind, ground.gamma, ground.formulas, ground.mode, len(ground.layers)
     if isinstance(ground, Layered):
@@ -123,7 +123,7 @@ def check_boreholes(
         return
     if soil_zones:
         hint, either = "a borehole says what the soil is there", (remove(("soil_zones",)), remove(("boreholes",)))
-        yield RelativeIssue(("soil_zones",), "zones beside boreholes", "one of them", hint, either)
+        yield RelativeIssue(("soil_zones",), "zones together with boreholes", "one of them", hint, either)
     if isinstance(ground, Vlasov) and ground.formulas == "as printed":
         repairs = (set_value(("ground", "formulas"), "exact"),)
         yield RelativeIssue(("ground", "formulas"), '"as printed" with boreholes', '"exact"', repairs=repairs)
@@ -146,7 +146,7 @@ def check_boreholes(
                 )
         first = seen.setdefault((hole.x, hole.y), position)
         if first != position:
-            yield RelativeIssue(("boreholes", position), f"the place of boreholes[{first + 1}]", "a place of its own")
+            yield RelativeIssue(("boreholes", position), f"the place of boreholes[{first + 1}]", "a different place")
 
 
 def check_gap_points(gaps: tuple[GapPoint, ...]) -> Iterator[RelativeIssue]:
@@ -155,7 +155,7 @@ def check_gap_points(gaps: tuple[GapPoint, ...]) -> Iterator[RelativeIssue]:
     for position, point in enumerate(gaps):
         first = seen.setdefault((point.x, point.y), position)
         if first != position:
-            yield RelativeIssue(("gaps", position), f"the place of gaps[{first + 1}]", "a place of its own")
+            yield RelativeIssue(("gaps", position), f"the place of gaps[{first + 1}]", "a different place")
 
 
 class GapPoint(Section):
@@ -163,7 +163,7 @@ class GapPoint(Section):
 
     x: Annotated[float, coordinate(0, "position")]
     y: Annotated[float, coordinate(1, "position")]
-    gap: Annotated[float, Quantity("length", "g_0", "gap there; below 0 the ground stands higher")]
+    gap: Annotated[float, Quantity("length", "g_0", "gap there; below 0 the ground is higher")]
 
 
 def _check_extent(
@@ -174,7 +174,7 @@ def _check_extent(
             if value is None:
                 yield RelativeIssue((name,), "nothing", "x and y, or a shape")
     elif x is not None or y is not None:
-        yield RelativeIssue(("shape",), "a shape beside x or y", "one of them")
+        yield RelativeIssue(("shape",), "a shape together with x or y", "one of them")
 
 
 class Void(Section):
@@ -184,7 +184,7 @@ class Void(Section):
 
     depth: Annotated[
         float | None,
-        Quantity("length", "d", "initial gap there; without it a cavity, whose bottom is never reached", POSITIVE),
+        Quantity("length", "d", "initial gap there; if omitted a cavity, whose bottom is never reached", POSITIVE),
     ] = None
     x: Annotated[
         tuple[float, float] | None,

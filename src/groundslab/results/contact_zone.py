@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
 #: What a reader must know where the ground acts by a line force along the plate's edge.
 EDGE_NOTE = (
-    "Along the plate's edge the ground's shear acts by a line force f beside the pressure. At corners of the plate it "
-    "grows slowly as the mesh is refined."
+    "Along the plate's edge the ground's shear acts as a line force f, in addition to the pressure. At corners of the "
+    "plate it grows slowly as the mesh is refined."
 )
 
 #: What a reader must know of the pressures of an elastic continuum.

@@ -147,7 +147,7 @@ _ULTIMATE = "over all ultimate combinations"
 #: What is told of bars: symbol, unit, dimension, quantity, meaning.
 _OF_BARS = {
     "required": ("a_req", "cm2/m", "area per length", "required area", f"the largest {_ULTIMATE}"),
-    "provided": ("a_prov", "cm2/m", "area per length", "provided area", "of the bars that are laid there"),
+    "provided": ("a_prov", "cm2/m", "area per length", "provided area", "of the bars provided there"),
     "utilisation": ("eta", "%", "share", "utilisation", f"required over provided area {_ULTIMATE}"),
     "missing": ("a_miss", "cm2/m", "area per length", "missing area", f"required less provided {_ULTIMATE}"),
 }

@@ -21,7 +21,7 @@ SOLVERS: dict[str, Solver] = {"pardiso": Pardiso, "cholmod": Cholmod, "superlu":
 #: What solvers need that does not come with groundslab, and how to get it.
 PACKAGES = {
     "cholmod": ("cvxopt", "pip install groundslab[cholmod]"),
-    "mumps": ("petsc4py", "docs/large.md tells how to install it"),
+    "mumps": ("petsc4py", "docs/large.md explains how to install it"),
 }
 
 
@@ -68,7 +68,7 @@ def choose(name: str) -> tuple[str, Solver]:
     if name == "auto":
         name = automatic()
     elif name == "pardiso" and pardiso_import_error():
-        hint = 'solver = "auto" takes it where it is there'
+        hint = 'solver = "auto" takes it if it is installed'
         found = f'"pardiso", which cannot be loaded ({pardiso_import_error()})'
         raise InputError([Issue("analysis.solver", found, '"cholmod", "superlu" or "auto"', hint)])
     elif name in PACKAGES and find_spec(PACKAGES[name][0]) is None:

@@ -74,7 +74,7 @@ def test_bounds_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
     """A mesh that may have no more unknowns is not refined, and the verdict says so."""
     monkeypatch.setattr(adaptivity, "MOST_UNKNOWNS", 1000)
     results = solve(slab({"accuracy": 0.001}))
-    assert "bounds on unknowns" in coarse_words(results)
+    assert "limits on unknowns" in coarse_words(results)
 
 
 @pytest.mark.slow

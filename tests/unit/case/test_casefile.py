@@ -220,8 +220,8 @@ def test_file_as_path_or_text(tmp_path: Path) -> None:
         ('title = "a', "case.toml, line 1, column 11", "Unterminated string"),
         ("a = 1\na = 2\n", "case.toml, line 2, column 6", "Cannot overwrite a value"),
         ("[a]\n[a]\n", "case.toml, line 2, column 3", "Cannot declare"),
-        ("[plate]\nthickness = 200 mm\n", "case.toml, line 2, column 17", "number and unit stand in quotes"),
-        ("[plate]\nE = 30GPa\n", "case.toml, line 2, column 7", "number and unit stand in quotes"),
+        ("[plate]\nthickness = 200 mm\n", "case.toml, line 2, column 17", "put number and unit in quotes"),
+        ("[plate]\nE = 30GPa\n", "case.toml, line 2, column 7", "put number and unit in quotes"),
     ],
 )
 def test_syntax_errors(text: str, where: str, hint: str) -> None:

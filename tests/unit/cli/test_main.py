@@ -269,8 +269,8 @@ class TestSeveral:
         out, err = capsys.readouterr()
         assert out.startswith("FOUNDATION FAILS (1 of 2 checks fails): static equilibrium: none in ")
         assert "FOUNDATION FAILS: the loads pull the plate off" in out
-        assert "not solved: the result does not fulfil the equations" in out
-        assert 'error: combination "uncertified": the result does not fulfil the equations' in err
+        assert "not solved: the result does not satisfy the equations" in out
+        assert 'error: combination "uncertified": the result does not satisfy the equations' in err
         assert "error: 1 of 4 combinations have no certified result" in err
         assert 'none in "wind alone": the loads pull the plate off. Exit code 3.' in err
         assert len(results_folder.load_results(cases.with_name("raft-results")).results) == 2

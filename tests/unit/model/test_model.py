@@ -258,7 +258,7 @@ ONE_FAULT = [
     (
         case(loads=[UNIFORM, {**PATCH, "x": ["3 m", "3.01 m"]}]),
         "loads[2]", "a load off the plate",
-        "a load of which some lies on the plate, not in an opening nor beside the outline",
+        "a load at least partly on the plate, not in an opening or outside the outline",
     ),
     (
         case(loads=[{**POINT, "y": "-2.01 m"}]),

@@ -32,7 +32,7 @@ from groundslab.schema.wording import one_of, quote, suggestion
 
 #: A figure below this share of the largest of its unit on the continuum has no difference in percent.
 NOTHING = 0.05
-UNDETERMINED = "The slab is so stiff that its settlement hardly tells two constants apart."
+UNDETERMINED = "The slab is so stiff that its settlement hardly distinguishes two constants."
 
 
 @dataclass(frozen=True, slots=True)
@@ -297,7 +297,7 @@ def _notes(model: Model, limit_state: str) -> tuple[str, ...]:
         else "Elements are of the same size on all grounds."
     )
     return (
-        f"{mesh} Ground that carries shear goes on beyond the plate without an end.",
+        f"{mesh} Ground that carries shear extends infinitely beyond the plate.",
         "Constants of Pasternak's ground and of springs are those with which this slab under these loads settles most "
         "like on the continuum, by least squares over its area. They hold for no other slab or load.",
         "The continuum's pressure grows without a limit towards the plate's edges: its largest value depends on the "

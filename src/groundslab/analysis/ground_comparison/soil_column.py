@@ -64,7 +64,7 @@ FROM_SOIL: dict[str, Callable[[SoilColumn], AnyGround]] = {
 def find_soil(model: Model) -> SoilColumn:
     """Return the column of soil of a model; raises InputError if its ground is not given by layers of soil."""
     if model.soil_zones:
-        hint = "compare each zone in a case of its own, with its ground as [ground]"
+        hint = "compare each zone in a separate case, with its ground as [ground]"
         raise InputError([Issue("soil_zones", "zones of other soil", "the same layers everywhere", hint)])
     ground, notes = model.ground, list[str]()
     layers: Sequence[Any] = getattr(ground, "layers", ())
@@ -76,7 +76,7 @@ def find_soil(model: Model) -> SoilColumn:
         notes.append(f"All grounds have the layers of {name} everywhere, the borehole nearest to the plate's middle.")
     if not all(isinstance(layer, SoilLayer) for layer in layers) or not (layers or half_space):
         found = f"{quote(ground.kind)} without layers of soil"
-        hint = 'such as kind = "continuum"; from springs alone no continuum follows'
+        hint = 'such as kind = "continuum"; springs alone do not define a continuum'
         raise InputError([Issue("ground", found, "layers given by E, nu and thickness", hint)])
     if half_space is not None:
         notes.append(
@@ -84,7 +84,7 @@ def find_soil(model: Model) -> SoilColumn:
             f"below these, {BASE_DEPTH:g} times the plate's shorter side."
         )
     if any(map(presses_ground, model.loads)):
-        notes.append("Loads beside the plate have no effect on springs, and act on the other grounds only.")
+        notes.append("Loads off the plate have no effect on springs, and act on the other grounds only.")
     # sublayers belong to the consistent coupling alone
     plain = tuple(layer.model_copy(update={"sublayers": 1}) for layer in layers)
     return SoilColumn(ground, plain, half_space, base, tuple(notes))

@@ -50,7 +50,8 @@ NOTHING = 1e-12
 def to_case(drawing: Drawing, title: str = "") -> str:
     """Return the text of a case file with the drawing's geometry and loads; the rest is there to be filled in."""
     text = [
-        "# Input file of groundslab, made from a drawing. What no drawing says stands behind #. Where it says",
+        "# Input file of groundslab, made from a drawing. What no drawing contains is commented out with #. Where it "
+        "says",
         '# "fill in", give your own value and take the # away, from the other lines of that section too.',
         f"# {_origin_text(drawing)} Loads and settlements are positive downwards.",
         "",
@@ -102,11 +103,11 @@ def _column_lines(drawing: Drawing) -> tuple[list[Footprint], list[str]]:
             text += ["", *_footprint_lines(footprint, number)]
             continue
         if isinstance(column, Ring):
-            lines, why = _point_lines(column.points, column.bulges), "it does not stand on the plate"
+            lines, why = _point_lines(column.points, column.bulges), "it is not on the plate"
             if footprint is None:
                 why = "a column is a rectangle along x and y, a circle, or as compact; punching is not checked"
         else:
-            lines, why = [f"point = {_point_text(column)}"], "a point says nothing of its size"
+            lines, why = [f"point = {_point_text(column)}"], "a point has no size"
         text += ["", f"# Column {number} of the drawing, for information only: {why}."]
         text += [f"#   {line}" for line in lines]
     return columns, text
@@ -207,7 +208,7 @@ def _place_point(mark: PointMark, columns: list[Footprint], tree: STRtree) -> li
         if mark.value is not None or not beside:
             force = mark.value or 0.0
             moments = [
-                f'{name} = "{units.write(force * arm, "moment")}"  # {arm:.6g} m beside the center of the column'
+                f'{name} = "{units.write(force * arm, "moment")}"  # {arm:.6g} m off the center of the column'
                 for name, arm in beside.items()
             ]
             return [*moments, f"column = {quote(own.name)}"]

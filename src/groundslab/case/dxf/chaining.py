@@ -224,7 +224,7 @@ def _check_ends(loose: list[_Link], at: dict[int, list[int]], nodes: PointIndex,
             paired |= {a, b}
             a, b = (b, a) if at[b] < at[a] else (a, b)
             found = f"a gap of {context.format_length(gap)}, to {context.format_point(nodes.points[b])}"
-            hint = "join the ends, move what is no edge to another layer, or let wider gaps be closed"
+            hint = "join the ends, move anything that is not an edge to another layer, or allow wider gaps to be closed"
             context.issue([loose[at[end][0]].source for end in (a, b)], nodes.points[a], found, expected, hint)
     for node in some:
         if node not in paired:

@@ -56,10 +56,10 @@ def find_outline(
             found = "a second curve that crosses or touches the outline"
             context.issue(each.sources, meeting, found, "one outline")
         elif not outline.region.holds(start, context.count_edges):
-            found, hint = "a second curve beside the outline", "a file describes one plate: move the others elsewhere"
+            found, hint = "a second curve next to the outline", "a file describes one plate: move the others elsewhere"
             context.issue(each.sources, start, found, "one outline", hint)
         elif has_openings:
-            report_ignored(each, "it lies inside the outline, but openings have a layer of their own", context)
+            report_ignored(each, "it lies inside the outline, but openings have their own layer", context)
         elif inner.find([start]) is not None:
             report_ignored(each, "it lies inside an opening", context)
         else:
@@ -191,7 +191,7 @@ def circle_of(curve: Ring) -> tuple[Place, float] | None:
 
 
 def remark_on_column(curve: Ring) -> str:
-    """Return what is said of a column that is not taken as it is drawn, nothing of others."""
+    """Return the note on a column that is not read as drawn, none for others."""
     found = footprint_of(curve, "")
     if found is None:
         return "neither a rectangle along x and y nor compact; a force on it is spread over it, punching is not checked"

@@ -20,9 +20,9 @@ FLAT = 1e-9  # bulge of a straight edge, at most
 _TILTED = "it does not lie in a horizontal plane"
 _NOT_TAKEN = {
     "SOLID": "a filled area is not taken; draw its edge as a line",
-    "POINT": "a point is no line",
-    "TEXT": "text is taken beside point loads only",
-    "MTEXT": "text is taken beside point loads only",
+    "POINT": "a point is not a line",
+    "TEXT": "text is read only next to point loads",
+    "MTEXT": "text is read only next to point loads",
     "RAY": "it has no end",
     "XLINE": "it has no end",
 }
@@ -76,7 +76,7 @@ def _to_line(drawn: Corners, context: ReadContext) -> DrawnLine | str:
     bulges = [float(bulge) if not abs(bulge) <= FLAT else 0.0 for bulge in bulges]
     numbers = [*(value for point in points for value in point), *bulges]
     if not all(abs(value) < FARTHEST for value in numbers):
-        return f"its coordinates are no numbers, or farther away than {FARTHEST:g} m"
+        return f"its coordinates are not numbers, or farther away than {FARTHEST:g} m"
     if max(map(abs, bulges), default=0.0) > LARGEST_BULGE:
         return f"an arc has a bulge of {max(map(abs, bulges)):.3g}, expected at most {LARGEST_BULGE:g}"
     heights = [context.to_meters(corner.z) for corner in corners]
@@ -108,7 +108,7 @@ def _read_corners(entity: DXFEntity, context: ReadContext) -> Corners | str:
             return _TILTED
         return flatten_ellipse(entity, entity.dxf.major_axis.magnitude, context)
     if not isinstance(entity, Circle | LWPolyline | Polyline):
-        return _NOT_TAKEN.get(entity.dxftype(), "it is no line")
+        return _NOT_TAKEN.get(entity.dxftype(), "it is not a line")
     if isinstance(entity, Polyline) and not entity.is_2d_polyline:
         return "it is a mesh"
     if not is_horizontal(entity.dxf.extrusion):

@@ -59,7 +59,7 @@ def open_drawing(path: str) -> Document:
     if re.match(rb"AC10\d\d", start):
         raise InputError([Issue(path, "a DWG drawing", expected, "save it as DXF in the CAD program")])
     if size > LARGEST_FILE:
-        hint = "save only the layers that are needed in a file of their own"
+        hint = "save only the layers that are needed in a separate file"
         found = f"a file of {size / 1e6:,.0f} MB"
         raise InputError([Issue(path, found, f"at most {LARGEST_FILE / 1e6:.0f} MB", hint)])
     # what ezdxf says of a damaged drawing is no message for who reads ours, and may be very long
@@ -130,12 +130,12 @@ class Roles:
         self._starts = usual if every else named
 
     def of(self, layer: str) -> str | None:
-        """Return what a layer holds, None if it is not read."""
+        """Return the role of a layer, None if it is not read."""
         name = layer.lower()
         return self.named.get(name) or (None if self._every else self.named.get(self._start(name)))
 
     def suffix(self, layer: str) -> str:
-        """Return what follows the known name in the name of a layer."""
+        """Return the part of a layer's name after the known name."""
         start = self._start(layer.lower())
         return layer[len(start) :].strip(" _-=") if start else ""
 
@@ -146,12 +146,12 @@ class Roles:
 
 
 def assign_roles(layers: Layers, context: ReadContext) -> Roles:
-    """Return what each layer holds."""
+    """Return the role of each layer."""
     roles: dict[str, str] = {}
     for role in (each.name for each in fields(layers)):
         name: str = getattr(layers, role)
         if name and name.lower() in roles:
-            expected = "a layer of its own"
+            expected = "a separate layer"
             context.issues.append(
                 Issue(f"layer for {role}", f"{describe(name)}, as for {roles[name.lower()]}", expected)
             )
@@ -163,7 +163,7 @@ def assign_roles(layers: Layers, context: ReadContext) -> Roles:
 
 
 def name_roles(layers: Mapping[str, str], context: ReadContext) -> Roles:
-    """Return what each layer holds, where all that are read are named, several for the same if need be."""
+    """Return the role of each layer from a full list of names, of which several may have the same role."""
     known = [each.name for each in fields(Layers)]
     for layer, role in layers.items():
         if role not in known:

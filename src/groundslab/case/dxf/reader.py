@@ -112,7 +112,7 @@ def parse_gap(text: str) -> float:
 
 
 def _entities(document: Document, roles: Roles, context: ReadContext) -> dict[str, list[tuple[Source, DXFEntity]]]:
-    """Return what lies on the layers that are read, by what it stands for."""
+    """Return the entities on the layers that are read, by role."""
     entities: dict[str, list[tuple[Source, DXFEntity]]] = defaultdict(list)
     blocks = BlockCounts(document, roles, context)
     for role, source, entity in iterate_entities(document.modelspace(), roles, blocks, context):
@@ -152,7 +152,7 @@ def _why_no_filling(role: str, entity: DXFEntity, entities: dict[str, list[tuple
     if not is_filling(entity):
         return None
     if role == "line_loads":
-        return "a filling is no line"
+        return "a filling is not a line"
     # what is filled in an outline drawn as lines need not be an opening
     if role == "outline" and not all(is_filling(other) for _, other in entities[role]):
         return "a filling is taken for the outline only where the layer has nothing else"
@@ -160,7 +160,7 @@ def _why_no_filling(role: str, entity: DXFEntity, entities: dict[str, list[tuple
 
 
 def _texts(entities: list[tuple[Source, DXFEntity]], dimension: str, context: ReadContext) -> list[Label]:
-    """Return what is written on the layers of loads."""
+    """Return the texts on the layers of loads."""
     found = [read_label(source, entity, context, dimension) for source, entity in entities]
     return [label for label in found if label is not None]
 

@@ -26,7 +26,7 @@ def _left_out(combined: Results) -> Iterator[DesignCheck]:
             yield DesignCheck("loads", "attention", remark.words, of=remark.of)
 
 
-#: All checks, in the order in which those of one status are told.
+#: All checks, in the order in which those of one status are listed.
 CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
     strength.checks,
     shear.checks,

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 Status = Literal["fails", "attention", "no failure found", "not checked"]
-#: What is told first.
+#: Statuses in the order in which they are listed.
 ORDER: tuple[Status, ...] = ("fails", "attention", "no failure found", "not checked")
 
 

@@ -37,7 +37,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         if made and state not in failed and any(each.name in combined.results for each in made):
             yield _balanced(combined, made)
     if combined.unsolved:
-        words = f"without a certified result, and so not checked: {some(list(combined.unsolved))}"
+        words = f"without a certified result, so not checked: {some(list(combined.unsolved))}"
         yield DesignCheck("unsolved combinations", "attention", words)
 
 

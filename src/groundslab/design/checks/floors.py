@@ -63,7 +63,7 @@ class Slab:
 
     @property
     def springs(self) -> str:
-        """Return what is said of k beside a clause, nothing where the ground has a k of its own."""
+        """Return the note on k after a clause, empty where the ground itself has a k."""
         return f", with k = {self.k / 1e6:.3g} MPa/m equivalent to the continuum" if self.equivalent else ""
 
     @property
@@ -95,7 +95,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     by_tr34 = isinstance(floor, TR34Floor)
     found = reinforcement.ultimate_results(combined) if by_tr34 else _serviceable(combined)
     if not found:
-        states = (STRENGTH, "ultimate combination") if by_tr34 else (SERVICEABILITY, "combination of serviceability")
+        states = (STRENGTH, "ultimate combination") if by_tr34 else (SERVICEABILITY, "serviceability combination")
         yield DesignCheck("floor", "attention", f"not checked: {why_none(combined, *states)}")
         return
     transfers = []
@@ -129,7 +129,7 @@ def _serviceable(combined: Results) -> list[CombinationResult]:
 
 
 def slab_of(model: Model) -> Slab:
-    """Return what the formulas know of a model: its thinnest part on its softest ground."""
+    """Return the slab that the formulas use for a model: its thinnest part on its softest ground."""
     plate = model.plate
     h = min([plate.thickness, *(zone.thickness for zone in plate.zones if zone.thickness is not None)])
     grounds = [each if isinstance(each, Column) else each.first_column() for each in grounds_of(model)]
@@ -272,7 +272,7 @@ def _largest_transfer(standing: Standing) -> float:
 def _joints(most: float) -> Iterator[DesignCheck]:
     """Yield what joints are relied on for, the most that they carry over of a force [N], which nothing checks."""
     if most > 0:
-        words = f"that joints carry over up to {most / 1e3:.4g} kN of a force is not checked"
+        words = f"the transfer of up to {most / 1e3:.4g} kN of a force across joints is not checked"
         yield DesignCheck("load transfer at joints", "not checked", words)
 
 

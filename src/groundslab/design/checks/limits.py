@@ -38,7 +38,7 @@ class Limit:
 
 
 def _extreme(field: str, sign: int) -> Callable[[CombinationResult], Demand]:
-    """Return what finds the largest value of a nodal field, or of its negative."""
+    """Return a function that finds the largest value of a nodal field, or of its negative."""
 
     def find(results: CombinationResult) -> Demand:
         value, place = extreme(results.plate.nodes, getattr(results.plate, field), sign)
@@ -138,7 +138,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     for key, limit in LIMITS.items():
         allowed: float | None = getattr(limits, key)
         if allowed is not None:
-            missing = why_none(combined, SERVICEABILITY, "combination of serviceability")
+            missing = why_none(combined, SERVICEABILITY, "serviceability combination")
             yield _check(limit, allowed * limit.scale, results, missing)
 
 

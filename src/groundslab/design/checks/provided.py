@@ -70,7 +70,7 @@ def _cover(steel: Reinforcement) -> DesignCheck:
     least = {layer: [max(durable, bars.diameter, 0.010) + annex.delta_c_dev for bars in bars_of(steel, layer)]
              for layer in LAYERS}  # fmt: skip
     where = (
-        "in any exposure (bond, 4.4.1.2(3)); that of durability is not checked without exposure" if exposure is None
+        "in any exposure (bond, 4.4.1.2(3)); durability is not checked without exposure" if exposure is None
         else f"in {exposure}, structural class S4, not cast against the ground (4.4.1)"
     )  # fmt: skip
     return _least_cover(steel, least, where, clause)
@@ -230,7 +230,7 @@ def _yields(bent: _Bent, f_yk: float, name: str) -> DesignCheck:
         name,
         "fails",
         f"{layer}: the bars yield, sigma_s {bent.value / 1e6:.4g} > f_yk {f_yk / 1e6:.4g} MPa of an elastic section at "
-        f'{_where(bent)} in "{bent.combination}"; the section fails, and no crack width holds (7.2(4))',
+        f'{_where(bent)} in "{bent.combination}"; the section fails, and no crack width is valid (7.2(4))',
         of=layer,
         demand=bent.value / 1e6,
         resistance=f_yk / 1e6,

@@ -70,10 +70,10 @@ def _face(steel: Reinforcement, punched: Demands, names: Names) -> DesignCheck |
 def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> DesignCheck:
     """Return whether punching within 2 d needs links, or exceeds what they can carry.
 
-    With the bars that are laid in tension, or with the most that count, whatever will be laid. What links can carry is
+    With the bars provided in tension, or with the most that count, whatever will be laid. What links can carry is
     limited at 2 d, or on all perimeters where the face has no limit of its own.
     """
-    name, which = names.within, "the bars that are laid" if steel.laid else "the most bars that count"
+    name, which = names.within, "the bars provided" if steel.laid else "the largest ratio that counts"
     most: list[Judged] = []
     there: list[Judged] = []
     annex = reinforcement.materials(steel)[0].annex
@@ -161,7 +161,7 @@ def _punching(
     unjudged = sorted({one[0].name for one in stresses if one[1].supported} | punched.missing.keys())
     if unjudged:
         listed = ", ".join(unjudged[:5]) + (" ..." if len(unjudged) > 5 else "")
-        words = f"not judged, for a support inside or no perimeter on the plate: {names.one}s {listed}"
+        words = f"not judged, with a support inside or no perimeter on the plate: {names.one}s {listed}"
         return DesignCheck(name, "attention", words, **numbers)
     if not judged:
         return DesignCheck(name, "no failure found", f"no {names.one} pushes {'up' if names is PILES else 'down'}")

@@ -96,7 +96,7 @@ def _one_sided(
     part = f"over {100 * shares[most]:.3g} % of its length " if isinstance(described, LineSupport) else ""
     gap = getattr(described, "gap", 0.0)
     slack = described.acts == "in tension"
-    what = "its gap stays open" if gap else "it is slack" if slack else "the plate lifts off"
+    what = "its gap does not close" if gap else "it is slack" if slack else "the plate lifts off"
     lifted.sort(key=lambda combination: combination != most)
     words = f"{name}: {what} {part}in {some(lifted)}"
     status: Status = "no failure found" if gap or slack else "attention"
@@ -125,10 +125,10 @@ def _joints(results: list[CombinationResult]) -> Iterator[DesignCheck]:
 
 
 def _play(forces: JointResult, gap: float, closed: list[str]) -> str:
-    """Return what becomes of the play of a joint, from its forces where the step across it is largest."""
+    """Return the state of a joint's play in words, from its forces where the step across it is largest."""
     play, step = f"its play of {gap * 1e3:.4g} mm", f"the largest step is {np.abs(forces.step).max() * 1e3:.4g} mm"
     if not closed:
-        return f"{play} stays open, {step}"
+        return f"{play} does not close, {step}"
     share = float(forces.length @ (np.abs(forces.step) > gap) / forces.length.sum())
     q = np.abs(forces.force / forces.length).max() / 1e3
     return f"{play} closes over {100 * share:.3g} % of its length in {some(closed)}; {step}, with {q:.4g} kN/m"

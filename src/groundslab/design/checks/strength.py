@@ -42,13 +42,13 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         yield DesignCheck("partial factors", "attention", reinforcement.UNFACTORED)
     if steel.code == "EN 1992-1-1" and (open_clauses := unconfirmed(steel.annex)):
         words = (
-            f"values of {steel.annex}'s annex that were found in no second source, and want a look into the standard: "
+            f"values of {steel.annex}'s annex found in only one source, to be checked against the standard: "
             f"{'; '.join(open_clauses)}"
         )
         yield DesignCheck("national parameters", "attention", words)
     rules = [each.rule for each in combined.combinations if each.limit_state in STRENGTH]
     if steel.code == "ACI 318" and any(rule.startswith("EN 1990") for rule in rules):
-        words = "combinations made by EN 1990 are not those of ACI 318-19 5.3, which combine.expression can ask for"
+        words = "combinations by EN 1990 are not those of ACI 318-19 5.3, which combine.expression can select"
         yield DesignCheck("load combinations", "attention", words, clause="ACI 318-19 5.3.1")
 
 
@@ -56,7 +56,7 @@ def _bending(needs: list[reinforcement.Need]) -> DesignCheck:
     """Return whether any reinforcement can carry the moments."""
     failing = [need for need in needs if need.governed_by == reinforcement.TOO_WEAK]
     if not failing:
-        return DesignCheck("bending", "no failure found", "required reinforcement can be found everywhere")
+        return DesignCheck("bending", "no failure found", "reinforcement can be designed everywhere")
     worst = max(failing, key=lambda need: need.fails)
     share = f"{100 * worst.fails:.3g} % of the plate's area"
     return DesignCheck("bending", "fails", f"the concrete is too weak for any reinforcement on {share}{_where(worst)}")

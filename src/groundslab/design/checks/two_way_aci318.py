@@ -41,7 +41,7 @@ def _checks(
         yield DesignCheck(name, "no failure found", f"no {one} pushes {way}")
     if unjudged:
         listed = ", ".join(unjudged[:5]) + (" ..." if len(unjudged) > 5 else "")
-        words = f"not judged, for a support inside or no critical section on the plate: {one}s {listed}"
+        words = f"not judged, with a support inside or no critical section on the plate: {one}s {listed}"
         yield DesignCheck(f"{name} of some {one}s", "attention", words)
 
 
@@ -60,7 +60,7 @@ def _worst(demand: TwoWay, steel: Reinforcement, name: str) -> DesignCheck:
         status = "fails" if v_u > most or thin else "attention"
         per_meter = aci318.links(v_u, demand.d, demand.b_o, concrete, bars)
         words += (
-            f"; no stirrups help, which bear {most / 1e6:.3g} MPa at most (22.6.6.3)" if v_u > most
+            f"; stirrups do not suffice, as they bear at most {most / 1e6:.3g} MPa (22.6.6.3)" if v_u > most
             else "; too thin for stirrups (22.6.7.1)" if thin
             else f"; stirrups of A_v/s {per_meter * 1e4:.3g} cm2/m are needed around it (22.6.7.2)"
         )  # fmt: skip

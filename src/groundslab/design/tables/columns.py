@@ -27,7 +27,7 @@ _NOTES = (
     "taken off first.",
 )
 
-#: What the envelope has: a quantity of the table, its unit, the sign of the extreme, whether its combination is told.
+#: What the envelope has: a quantity of the table, its unit, the sign of the extreme, whether its combination is shown.
 _EXTREMES = (
     ("load", "kN", 1, True), ("load", "kN", -1, True), ("settlement", "mm", 1, False), ("settlement", "mm", -1, False),
     ("angular distortion", "mm/m", 1, False), ("v_Ed", "MPa", 1, False), ("v_Ed / v_Rd", "", 1, False),

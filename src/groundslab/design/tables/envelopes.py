@@ -92,7 +92,7 @@ def _by_limit_state(combined: Results) -> Iterator[tuple[str, list[CombinationRe
     results = solved_results(combined)
     for each in results[1:]:
         if not np.array_equal(each.plate.nodes, results[0].plate.nodes):
-            raise GroundslabError("the combinations' results stand on different meshes; they have no envelope")
+            raise GroundslabError("the combinations' results are on different meshes; they have no envelope")
     for state in get_args(LimitState):
         group = [each for each in results if each.limit_state == state]
         if group:

@@ -84,9 +84,9 @@ def lines(combined: Results) -> Table:
                 rows.append([results.combination, line.name, s, x, y, int(part), *rest])
     notes = [
         _RECOVERED,
-        "Values of one part can be joined by a curve; a new part begins behind an opening and where the section "
-        "changes, where one place stands twice.",
-        "A line along the border of two sections has the values of either of them.",
+        "Values of one part can be joined by a curve; a new part begins after an opening and where the section "
+        "changes, where one place appears twice.",
+        "A line along the border of two sections has the values of one of them.",
         *_not_met("line", missed),
     ]
     heads = [("combination", ""), ("line", ""), ("s", "m"), ("x", "m"), ("y", "m"), ("part", ""), *_HEADS]

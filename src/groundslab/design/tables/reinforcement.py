@@ -37,7 +37,7 @@ def ultimate_results(combined: Results) -> list[CombinationResult]:
 
 
 def required_areas(steel: Reinforcement, results: list[CombinationResult]) -> dict[str, SlabReinforcement]:
-    """Return what the plate's nodes need in each combination, by its name."""
+    """Return the reinforcement needs at the plate's nodes in each combination, by its name."""
     if not results:
         return {}
     t, _ = results[0].elements.at_nodes(results[0].plate)
@@ -152,11 +152,11 @@ class Need:
     minimum: float  # [m2/m]
     fails: float  # share of the plate's area where the concrete is too weak
     links: float  # share of the plate's area where bars in compression are counted on, in any layer
-    laid: float | None = None  # area of the bars that are laid there, where needs are told by it [m2/m]
+    laid: float | None = None  # area of the bars provided there, where needs depend on it [m2/m]
 
 
 def governing_needs(combined: Results, steel: Reinforcement, laid: Mapping[str, Array] | None = None) -> list[Need]:
-    """Return what each layer needs in each section that the plate has, over all ultimate combinations.
+    """Return the needs of each layer in each section of the plate, over all ultimate combinations.
 
     Within a section the depth is one, so that the largest moment of each face governs in each limit state: all that a
     layer needs grows with them. With areas that are laid (n,) [m2/m], by layer, a section is divided by them.
@@ -215,7 +215,7 @@ def _need(
     moments: list[_Peak],
     shares: list[float],
 ) -> Need:
-    """Return what a layer needs by a code's rule for the largest moments of its own face and of the other one."""
+    """Return a layer's needs by a code's rule for the largest moments of its own face and of the other one."""
     here, there = axis_of(steel, layer), axis_of(steel, _OTHER[layer])
     depths = t - here, t - there
     own, other = (
@@ -289,7 +289,7 @@ def without_partial_factors(combined: Results) -> bool:
 
 
 def section_name(section: int) -> str:
-    """Return what a section of the plate is called: the plate's own, or a zone by its number."""
+    """Return the name of a section of the plate: the plate's own, or a zone by its number."""
     return f"zone {section}" if section else "plate"
 
 

@@ -26,13 +26,13 @@ def support_table(combined: Results) -> Table:
         for support, described in zip(results.supports, combined.model.supports, strict=True)
     ]
     notes = (
-        "Forces as the support pushes the plate, upwards positive. Forces per length are those of the nodes by their "
-        "share of the line; at ends and corners of rigid lines they grow as the mesh is refined.",
-        "The stiffness alone is the one given, of a pile that of Randolph and Wroth in its soil; beside it the force "
-        "over the mean settlement, in which neighbors, the ground between them and yielding have a part.",
-        "Moments are those by which the support holds the plate's rotation, summed over its nodes, positive if they "
-        "press the side of larger x (M_x, about the y axis) or y (M_y, about the x axis) down; the lever of its forces "
-        "is not in them.",
+        "Forces on the plate, positive upwards. Forces per length are nodal forces divided by their share of the "
+        "line; at ends and corners of rigid lines they grow as the mesh is refined.",
+        "The stiffness alone is the one given, for a pile that of Randolph and Wroth in its soil; the force over the "
+        "mean settlement also includes the effects of neighbors, the ground between them and yielding.",
+        "Moments are those with which the support restrains the plate's rotation, summed over its nodes, positive if "
+        "they press the side of larger x (M_x, about the y axis) or y (M_y, about the x axis) down; they exclude the "
+        "lever arms of its forces.",
     )
     return table_of("supports", "Supports", heads, rows, notes)
 

@@ -57,7 +57,7 @@ class Table:
         if len({len(column.values) for column in self.columns}) > 1:
             raise ValueError(f"the columns of {self.name} differ in length")
         if len({column.name for column in self.columns}) < len(self.columns):
-            raise ValueError(f"a column's name stands twice in {self.name}")
+            raise ValueError(f"a column's name appears twice in {self.name}")
 
     def __len__(self) -> int:
         """Return the number of rows."""

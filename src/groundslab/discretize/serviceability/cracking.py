@@ -60,7 +60,7 @@ def cracked_sections(model: Model, section: Integers, centers: Array) -> Cracked
 
 
 def _bars(steel: Reinforcement, axis: int, places: Array) -> Bars:
-    """Return the bars that are laid along x or y at places (m, 2) [m]; those of zones lie as deep as their layer."""
+    """Return the bars provided along x or y at places (m, 2) [m]; those of zones lie as deep as their layer."""
     below, above = (laid_bars(steel, f"{face}_{'xy'[axis]}", places).area for face in ("bottom", "top"))
     return Bars((below, above), (steel.bottom_axes[axis], steel.top_axes[axis]))
 

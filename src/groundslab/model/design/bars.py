@@ -51,7 +51,7 @@ def _check_bars_or_mesh(
                 yield RelativeIssue((name,), "nothing", "diameter and spacing, or mesh")
         return
     if diameter is not None or spacing is not None:
-        yield RelativeIssue(("mesh",), "a mesh beside diameter or spacing", "one of them")
+        yield RelativeIssue(("mesh",), "a mesh together with diameter or spacing", "one of them")
     alone = [layer for layer in layers if layer.replace("_x", "_y") not in layers or layer[:-1] + "x" not in layers]
     if alone:
         yield RelativeIssue(("layers",), quote(alone[0]), "both layers of a face, as a mesh has wires both ways")
@@ -66,7 +66,7 @@ class BarZone(Section):
     shape: Annotated[Shape, Table("where; what reaches over the plate's edge is cut off")]
     layers: Annotated[tuple[Layer, ...], ListOf(Choice(Layer, ""), "", "layers of the bars", unique=True)]
     diameter: Annotated[float | None, Quantity("length", "phi", "diameter of the bars", BAR)] = None
-    spacing: Annotated[float | None, Quantity("length", "s", "of these bars, from axis to axis", APART)] = None
+    spacing: Annotated[float | None, Quantity("length", "s", "of these bars, center to center", APART)] = None
     mesh: Annotated[
         MeshName | None,
         Choice(MeshName, "welded mesh in both layers of a face, instead of diameter and spacing", OTHER_MESH),

@@ -37,17 +37,18 @@ class _Floor(Section):
 
     kind: str
     joint_transfer: Annotated[
-        float, Number("t_j", "share of a load at the plate's edge that joints carry over to the next bay", TRANSFER)
+        float, Number("t_j", "share of a load at the plate's edge that joints transfer to the next bay", TRANSFER)
     ] = 0.0
     friction: Annotated[
         float | None, Number("mu", "coefficient of friction on the ground, for the restraint of shrinkage", FRICTION)
     ] = None
     joint_spacing: Annotated[
         float | None,
-        Quantity("length", "L", "distance of joints that open, for the restraint of shrinkage", POSITIVE),
+        Quantity("length", "L", "spacing of joints that open, for the restraint of shrinkage", POSITIVE),
     ] = None
     unit_weight: Annotated[
-        float, Quantity("weight per volume", "gamma", "weight of the concrete that rubs on the ground", POSITIVE)
+        float,
+        Quantity("weight per volume", "gamma", "unit weight of the concrete, for friction on the ground", POSITIVE),
     ] = 24e3
 
 
@@ -60,7 +61,9 @@ def _check_sagging(
             missing = name if pair[0] is None else other
             yield RelativeIssue((missing,), "nothing", f"{name} and {other}, both of them")
     if f_R1 is not None and mesh_area is not None:
-        yield RelativeIssue(("mesh_area",), "a mesh beside fibers", "one of them", "that of the larger moment counts")
+        yield RelativeIssue(
+            ("mesh_area",), "a mesh together with fibers", "one of them", "that of the larger moment counts"
+        )
 
 
 def _check_bars(mesh_area: float | None, f_yk: float, gamma_s: float, given: set[str]) -> Iterator[RelativeIssue]:
@@ -93,7 +96,8 @@ class TR34Floor(_Floor):
         float | None, Quantity("pressure", "f_R4", "residual strength of fiber concrete at 3.5 mm (EN 14651)", RESIDUAL)
     ] = None
     mesh_area: Annotated[
-        float | None, Quantity("area per length", "A_s", "bars at the bottom, the lesser of both directions", POSITIVE)
+        float | None,
+        Quantity("area per length", "A_s", "bars at the bottom, the smaller amount of both directions", POSITIVE),
     ] = None
     mesh_axis: Annotated[
         float | None, Quantity("length", "d_1", "bottom face to the axis of the inner bars", POSITIVE)
@@ -112,7 +116,7 @@ class ACI360Floor(_Floor):
     safety_factor: Annotated[float, Number("SF", "factor of safety, usually 1.4 to 2.0", SAFETY)] = 1.7
     repetitions: Annotated[
         float | None,
-        Number("N", "load repetitions in the life of the floor, for fatigue", Range(at_least=1, at_most=1e9)),
+        Number("N", "load repetitions over the life of the floor, for fatigue", Range(at_least=1, at_most=1e9)),
     ] = None
     R_e3: Annotated[
         float | None, Number("R_e,3", "residual strength of fiber concrete over f_r, for yield lines", RATIO)

@@ -113,7 +113,7 @@ def punching_ratio(
     plates: tuple[FurtherPlate, ...] = (),
     face: Literal["bottom", "top"] = "bottom",
 ) -> float:
-    """Return rho_l of the bars that are laid at a face, for punching at a column, or a pile (6.4.4(1))."""
+    """Return rho_l of the bars provided at a face, for punching at a column, or a pile (6.4.4(1))."""
     x, y = (mean_area(plate, steel, layer, column, d, plates) for layer in (f"{face}_x", f"{face}_y"))
     return math.sqrt(x * y) / d
 

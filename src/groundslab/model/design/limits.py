@@ -35,7 +35,7 @@ class Limits(Section):
     ] = None
     angular_distortion: Annotated[
         float | None,
-        Number("beta", "difference of settlement between two columns over their distance, without the tilt", SLOPE),
+        Number("beta", "difference in settlement between two columns over their distance, without the tilt", SLOPE),
     ] = None
     deflection: Annotated[
         float | None,
@@ -55,7 +55,7 @@ def _check_strength(phi: float | None, c_u: float | None, c: float, delta: float
         found = "neither phi nor c_u" if phi is None else "both phi and c_u"
         yield RelativeIssue(("phi",), found, "one of them", "phi with c of a drained soil, c_u of an undrained one")
     elif phi is None and c:
-        yield RelativeIssue(("c",), repr(c), "no cohesion beside c_u", "leave it out")
+        yield RelativeIssue(("c",), repr(c), "no cohesion together with c_u", "leave it out")
     elif phi is not None and delta is not None and delta > phi:
         yield RelativeIssue(("delta",), repr(delta), f"at most phi, {phi!r}")
 
@@ -72,7 +72,8 @@ class SoilStrength(Section):
         float, Quantity("weight per volume", "gamma'", "effective unit weight of the soil below the base", POSITIVE)
     ]
     overburden: Annotated[
-        float, Quantity("pressure", "q'", "pressure of the soil beside the slab at the level of its base", NOT_NEGATIVE)
+        float,
+        Quantity("pressure", "q'", "pressure of the soil next to the slab at the level of its base", NOT_NEGATIVE),
     ] = 0.0
     delta: Annotated[
         float | None, Number("delta", "angle of friction under the base in degrees; phi by default", ANGLE)

@@ -70,7 +70,9 @@ def _check_meshes(
     faces = {"bottom_mesh": (bottom_mesh, bottom_x, bottom_y), "top_mesh": (top_mesh, top_x, top_y)}
     for name, (mesh, *bars) in faces.items():
         if mesh is not None and any(bars):
-            yield RelativeIssue((name,), "a mesh beside bars", "one of them", "further bars lie in zones")
+            yield RelativeIssue(
+                (name,), "a mesh together with bars", "one of them", "additional bars are given in zones"
+            )
 
 
 def _check_zones(zones: tuple[BarZone, ...]) -> Iterator[RelativeIssue]:
@@ -134,7 +136,7 @@ class Reinforcement(Section):
         _check_zones,
     )  # fmt: skip
 
-    code: Annotated[Code, Choice(Code, "code that strength is checked by", "")] = "EN 1992-1-1"
+    code: Annotated[Code, Choice(Code, "code for the strength checks", "")] = "EN 1992-1-1"
     annex: Annotated[
         AnnexName,
         Choice(AnnexName, "national parameters of EN 1992-1-1", "other values: gamma_c, gamma_s and alpha_cc"),
@@ -176,7 +178,8 @@ class Reinforcement(Section):
         ),
     ] = False
     exposure: Annotated[
-        Exposure | None, Choice(Exposure, "exposure class, for the cover and, with bars laid, the crack width", "")
+        Exposure | None,
+        Choice(Exposure, "exposure class, for the cover and, if bars are provided, the crack width", ""),
     ] = None
     cover: Annotated[
         tuple[float, float] | None,
@@ -205,10 +208,10 @@ class Reinforcement(Section):
             POSITIVE,
         ),
     ] = None
-    bottom_x: Annotated[Bars | None, Table("bars that are laid at the bottom along x, to be checked")] = None
-    bottom_y: Annotated[Bars | None, Table("bars that are laid at the bottom along y")] = None
-    top_x: Annotated[Bars | None, Table("bars that are laid at the top along x")] = None
-    top_y: Annotated[Bars | None, Table("bars that are laid at the top along y")] = None
+    bottom_x: Annotated[Bars | None, Table("bars provided at the bottom along x, to be checked")] = None
+    bottom_y: Annotated[Bars | None, Table("bars provided at the bottom along y")] = None
+    top_x: Annotated[Bars | None, Table("bars provided at the top along x")] = None
+    top_y: Annotated[Bars | None, Table("bars provided at the top along y")] = None
     bottom_mesh: Annotated[
         MeshName | None,
         Choice(MeshName, "welded mesh at the bottom, instead of bottom_x and bottom_y", OTHER_MESH),
@@ -216,11 +219,14 @@ class Reinforcement(Section):
     top_mesh: Annotated[
         MeshName | None, Choice(MeshName, "welded mesh at the top, instead of top_x and top_y", OTHER_MESH)
     ] = None
-    zones: Annotated[tuple[BarZone, ...], Table("parts of the plan with further bars between these")] = ()
+    zones: Annotated[tuple[BarZone, ...], Table("parts of the plan with additional bars between these")] = ()
     w_max: Annotated[
         float | None,
         Quantity(
-            "length", "w_max", "largest crack width in quasi-permanent combinations; of bars laid, by exposure", CRACK
+            "length",
+            "w_max",
+            "largest crack width in quasi-permanent combinations; by exposure if bars are provided",
+            CRACK,
         ),
     ] = None
 
@@ -281,13 +287,13 @@ def check_bar_zones(
     covered = PlateRegion(plate, plates)
     count = covered.size / min(bars.spacing for bars in (*base, *(z.bars for z in reinforcement.zones)) if bars)
     if count > MOST_BARS:
-        found = f"about {count:.3g} bars beside each other"
+        found = f"about {count:.3g} bars next to each other"
         yield RelativeIssue(("reinforcement",), found, f"at most {MOST_BARS:,}", "a larger spacing")
     axes = dict(zip(get_args(Layer), (*reinforcement.bottom_axes, *reinforcement.top_axes), strict=True))
     for position, zone in enumerate(reinforcement.zones):
         if covered.area.intersection(zone.shape.ring().polygon(CHORD * covered.size)).area == 0:
             place = ("reinforcement", "zones", position, "shape")
-            yield RelativeIssue(place, "a zone beside the plate", "one that lies on it in part")
+            yield RelativeIssue(place, "a zone off the plate", "one that lies at least partly on it")
         least = min(axes[layer] for layer in zone.layers)
         if zone.bars.diameter / 2 >= least:
             expected = f"bars thinner than {2 * least!r} m, whose axes lie {least!r} m from the face"

@@ -15,5 +15,5 @@ class _Load(Section):
     """What all loads have."""
 
     kind: str
-    name: Annotated[str, Text("name of the load, for people")] = ""
-    case: Annotated[str, Text("load case that it belongs to, one of [[cases]]; none where there are no cases")] = ""
+    name: Annotated[str, Text("name of the load, for reference")] = ""
+    case: Annotated[str, Text("its load case, one of [[cases]]; none if there are no cases")] = ""

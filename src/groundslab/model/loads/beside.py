@@ -47,7 +47,7 @@ def check_ground_loads(
         if presses_ground(load):
             place, on = ("loads", position), ("loads", position, "on")
             if not carries_shear:
-                hint = "what presses on springs beside the plate has no effect on it"
+                hint = "loads on springs off the plate have no effect on it"
                 yield RelativeIssue(on, '"ground" on ground without shear', "ground that carries shear", hint)
             elif beyond.kind == "none":
                 hint = 'beyond.kind = "infinite", or "margin" with a width'
@@ -73,9 +73,9 @@ def _check_reach(
             found = f"a load that reaches {distance:.6g} m beyond the plate's {side} side"
             ends = reach < FARTHEST * size
             expected = f"at most {reach:g} m, where the ground ends" if ends else f"at most {reach:g} m"
-            hint = "beyond says how far the ground goes" if ends else "what lies so far away has no effect"
+            hint = "beyond says how far the ground goes" if ends else "a load so far away has no effect"
             yield RelativeIssue(place, found, expected, hint)
             return
     shape = load.acts[0].to_shapely()
     if shape.difference(region.grown).area <= NO_PART * shape.area:
-        yield RelativeIssue(place, "a load on the ground that lies under the plate", "some of it beside the plate")
+        yield RelativeIssue(place, "a load on the ground that lies under the plate", "some of it off the plate")

@@ -100,7 +100,7 @@ def check_distributed_loads(
     """Find areas and lines that lie off the plate entirely, or reach too far off it."""
     import shapely
 
-    expected = "a load of which some lies on the plate, not in an opening nor beside the outline"
+    expected = "a load at least partly on the plate, not in an opening or outside the outline"
     drawn = [part for part in _drawn_shapes(loads) if not part.on_ground]
     if not drawn:
         return

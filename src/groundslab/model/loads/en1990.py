@@ -205,7 +205,7 @@ def check_combine(
         if case.name and not named_well[position]:
             hint = "without outer or double blanks and without a + standing alone"
             yield RelativeIssue(
-                ("cases", position, "name"), describe(case.name), "a name that can stand in a sum", hint
+                ("cases", position, "name"), describe(case.name), "a name that can be used in a sum", hint
             )
     if not all(named_well) or len({case.name for case in cases}) < len(cases):
         return
@@ -226,4 +226,4 @@ def check_combine(
     for position, combination in enumerate(combinations):
         if combination.name in made:
             found = f"{describe(combination.name)}, which combine makes as well"
-            yield RelativeIssue(("combinations", position, "name"), found, "a name of its own")
+            yield RelativeIssue(("combinations", position, "name"), found, "a unique name")

@@ -30,7 +30,7 @@ def _check_line(
     for name, given in {"points": points, **along}.items():
         if given is not None:
             hint = f"all of a shape's edge bears the same {value}"
-            yield RelativeIssue((name,), f"{name} beside a shape", "one of them", hint)
+            yield RelativeIssue((name,), f"{name} together with a shape", "one of them", hint)
 
 
 def _check_points_or_shape(
@@ -69,19 +69,19 @@ def _check_line_length(
 
 LinePoints = Annotated[
     tuple[tuple[float, float], ...] | None,
-    ListOf(Place, "x, y", "the line's points, joined one after the other"),
+    ListOf(Place, "x, y", "the line's points, in order"),
 ]
 LineBulges = Annotated[
     tuple[float, ...],
     ListOf(
         BULGE,
         "b",
-        "for the piece after each point, tan of a quarter of its arc's angle, positive if it runs "
-        "counter-clockwise; 0 for a straight piece",
+        "for the piece after each point, tan of a quarter of its arc's angle, positive if counterclockwise; 0 for a "
+        "straight piece",
         least=0,
     ),
 ]
-LineShape = Annotated[Shape | None, Table("closed curve that the load stands on, such as a circle; not with points")]
+LineShape = Annotated[Shape | None, Table("closed curve along which the load acts, such as a circle; not with points")]
 
 
 def _line_segments(
@@ -127,15 +127,15 @@ class LineMoment(_Load):
     checks: ClassVar[tuple[Check, ...]] = (_check_moment_points_or_shape, _check_line_length)
 
     kind: Annotated[
-        Literal["line moment"], Table("moment per length about a line, as of a wall that is fixed in the plate")
+        Literal["line moment"], Table("moment per length about a line, as from a wall fixed in the plate")
     ] = "line moment"
     m: Annotated[
         float,
         Quantity(
             "moment per length",
             "m",
-            "moment about the line, positive if it presses the side down that lies to the left on the way along the "
-            "line; of a circle that is its inside",
+            "moment about the line, positive if it presses down the side to the left of the line's direction; for a "
+            "circle this is the inside",
         ),
     ]
     m_end: Annotated[

@@ -47,7 +47,7 @@ class LoadCase(Section):
 
     checks: ClassVar[tuple[Check, ...]] = (_check_psi,)
 
-    name: Annotated[str, Text("name of the case, by which loads and combinations call it")]
+    name: Annotated[str, Text("name of the case, used by loads and combinations")]
     action: Annotated[Kind, Choice(Kind, "kind of action, for automatic combinations")] = "permanent"
     category: Annotated[
         Category | None,
@@ -100,11 +100,11 @@ class Combination(Section):
     checks: ClassVar[tuple[Check, ...]] = (_check_factors,)
 
     name: Annotated[str, Text("name of the combination")]
-    limit_state: Annotated[LimitState, Choice(LimitState, "limit state that it is for", "")] = "ultimate"
+    limit_state: Annotated[LimitState, Choice(LimitState, "its limit state", "")] = "ultimate"
     factors: Annotated[
         tuple[tuple[str, float], ...], Factors("", "factor of each case that takes part, by the case's name")
     ]
-    rule: Annotated[str, Text("rule that it follows, for people, such as EN 1990 6.10")] = ""
+    rule: Annotated[str, Text("rule that it follows, for reference, such as EN 1990 6.10")] = ""
 
 
 def _check_partial_factors(
@@ -146,7 +146,7 @@ class Combine(Section):
 
     sets: Annotated[
         tuple[LimitState, ...],
-        ListOf(Choice(LimitState, "", ""), "", "limit states to make combinations for", unique=True),
+        ListOf(Choice(LimitState, "", ""), "", "limit states to generate combinations for", unique=True),
     ]
     expression: Annotated[
         Expression,
@@ -159,7 +159,8 @@ class Combine(Section):
     ] = "6.10"
     xi: Annotated[float, Number("xi", "reduction of unfavourable permanent actions in 6.10b", SHARE)] = 0.85
     separate: Annotated[
-        bool, Boolean("each permanent action is unfavourable or favourable by itself; otherwise all are together")
+        bool,
+        Boolean("whether each permanent action is unfavourable or favourable by itself; otherwise all are together"),
     ] = False
     permanent: Annotated[tuple[float, float], _partial_factors("gamma_G", "permanent")] = (1.35, 1.0)
     variable: Annotated[tuple[float, float], _partial_factors("gamma_Q", "variable")] = (1.5, 0.0)
@@ -171,7 +172,7 @@ class Combine(Section):
     )  # fmt: skip
     accidental_leader: Annotated[
         Literal["psi_1", "psi_2"],
-        Choice(Literal["psi_1", "psi_2"], "value of the leading variable action beside an accidental one (6.11b)"),
+        Choice(Literal["psi_1", "psi_2"], "value of the leading variable action with an accidental one (6.11b)"),
     ] = "psi_1"
 
 
@@ -237,5 +238,5 @@ def check_design_combinations(
         return
     add = '[[combinations]] with limit_state = "ultimate" and factors, or "ultimate" in the sets of [combine]'
     cased = "" if cases else "[[cases]], the case of each load, and then "
-    hint = f"add {cased}{add}; loads that hold partial factors already take part with the factor 1"
+    hint = f"add {cased}{add}; loads that already include partial factors take the factor 1"
     yield RelativeIssue(("reinforcement",), "no ultimate combination of loads", "at least one to design for", hint)

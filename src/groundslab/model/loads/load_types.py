@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 STRAIN = Range(at_least=-0.01, at_most=0.01)
 
-PlateKey = Annotated[str, Text("the one of several plates that it acts on, by its name; by default on all of them")]
+PlateKey = Annotated[str, Text("name of the plate on which it acts, if there are several; by default all of them")]
 
 
 class _Pressure(_Load):
@@ -81,7 +81,7 @@ class _PressureOnPart(_Pressure):
 
     on: Annotated[
         Surface,
-        Choice(Surface, "what it presses on: the plate, or the ground's surface beside the plate and in its openings"),
+        Choice(Surface, "what it acts on: the plate, or the ground's surface around the plate and in its openings"),
     ] = "plate"
 
 
@@ -104,7 +104,7 @@ def _check_holes(shape: AnyShape, holes: tuple[AnyShape, ...]) -> Iterator[Relat
     around = equal_area_polygon(shape.ring())
     for position, hole in enumerate(holes):
         if not around.intersects(equal_area_polygon(hole.ring())):
-            yield RelativeIssue(("holes", position), "a hole beside the shape", "a part of the shape", "leave it out")
+            yield RelativeIssue(("holes", position), "a hole outside the shape", "a part of the shape", "leave it out")
     if not loaded_parts(shape.ring(), *(hole.ring() for hole in holes)):
         yield RelativeIssue(("holes",), "holes that leave nothing of the shape", "a part of the shape that is loaded")
 
@@ -157,7 +157,7 @@ def _check_position(
     if column:
         for name in (name for name, value in own.items() if value is not None):
             hint = "the column says where its load acts"
-            yield RelativeIssue((name,), f"{name} beside a column", "one of them", hint)
+            yield RelativeIssue((name,), f"{name} together with a column", "one of them", hint)
     else:
         for name in (name for name in ("x", "y") if own[name] is None):
             yield RelativeIssue((name,), "nothing", 'a position such as "1.5 m", or the name of a column')
@@ -191,15 +191,18 @@ class PointLoad(_Load):
     x: Annotated[float | None, coordinate(0, "position")] = None
     y: Annotated[float | None, coordinate(1, "position")] = None
     width_x: Annotated[
-        float | None, Quantity("length", "c_x", "width along x of what it is spread over; a point by default", POSITIVE)
+        float | None,
+        Quantity("length", "c_x", "width along x of the area over which it is spread; a point by default", POSITIVE),
     ] = None
     width_y: Annotated[
-        float | None, Quantity("length", "c_y", "width along y of what it is spread over; a point by default", POSITIVE)
+        float | None,
+        Quantity("length", "c_y", "width along y of the area over which it is spread; a point by default", POSITIVE),
     ] = None
     diameter: Annotated[
-        float | None, Quantity("length", "d", "diameter of what it is spread over, instead of both widths", POSITIVE)
+        float | None,
+        Quantity("length", "d", "diameter of the area over which it is spread, instead of both widths", POSITIVE),
     ] = None
-    column: Annotated[str, Text("column that it acts on and is spread over, one of [[columns]]")] = ""
+    column: Annotated[str, Text("column on which it acts and over which it is spread, one of [[columns]]")] = ""
 
     @property
     def magnitudes(self) -> tuple[Magnitude, ...]:

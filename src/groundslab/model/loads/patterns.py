@@ -54,8 +54,8 @@ class Wheel(Section):
     checks: ClassVar[tuple[Check, ...]] = (check_footprint,)
 
     P: Annotated[float, Quantity("force", "P", "force, downwards positive")]
-    x: Annotated[float, Quantity("length", "x", "place ahead of the pattern's origin, in its direction")] = 0.0
-    y: Annotated[float, Quantity("length", "y", "place to the left of the origin")] = 0.0
+    x: Annotated[float, Quantity("length", "x", "distance ahead of the pattern's origin, in its direction")] = 0.0
+    y: Annotated[float, Quantity("length", "y", "distance to the left of the origin")] = 0.0
     width_x: Annotated[Width, Quantity("length", "c_x", "width along the direction", POSITIVE)] = None
     width_y: Annotated[Width, Quantity("length", "c_y", "width across it", POSITIVE)] = None
     diameter: Annotated[Width, Quantity("length", "d", "diameter, instead of both widths", POSITIVE)] = None
@@ -65,7 +65,7 @@ class Vehicle(Section):
     """A vehicle, or any other pattern of forces."""
 
     kind: Annotated[Literal["vehicle"], Table("forces at places relative to an origin")] = "vehicle"
-    name: Annotated[str, Text("name of the pattern, by which moves call it")]
+    name: Annotated[str, Text("name of the pattern, used by moves")]
     wheels: Annotated[tuple[Wheel, ...], Field(min_length=1), Table("its wheels", 100)]
 
     def forces(self) -> tuple[Wheel, ...]:
@@ -79,13 +79,13 @@ class Rack(Section):
     checks: ClassVar[tuple[Check, ...]] = (check_footprint,)
 
     kind: Annotated[Literal["rack"], Table("legs of racks, in frames one behind the other")] = "rack"
-    name: Annotated[str, Text("name of the pattern, by which moves call it")]
+    name: Annotated[str, Text("name of the pattern, used by moves")]
     P: Annotated[float, Quantity("force", "P", "force of each leg, downwards positive")]
     frames: Annotated[int, Integer("number of frames in the direction of the rack", at_least=1, at_most=200)] = 1
-    bay: Annotated[float, Quantity("length", "b", "distance from frame to frame", POSITIVE)] = 2.7
+    bay: Annotated[float, Quantity("length", "b", "spacing of the frames", POSITIVE)] = 2.7
     rows: Annotated[
         tuple[float, ...],
-        ListOf(Offset, "y", "places of a frame's legs across the rack, to the left of its origin", most=100),
+        ListOf(Offset, "y", "distances of a frame's legs across the rack, to the left of its origin", most=100),
     ] = (0.0,)
     width_x: Annotated[Width, Quantity("length", "c_x", "width of a base plate along the rack", POSITIVE)] = None
     width_y: Annotated[Width, Quantity("length", "c_y", "width across it", POSITIVE)] = None
@@ -109,7 +109,7 @@ def _check_path(points: tuple[tuple[float, float], ...], step: float | None) -> 
     if len(points) > 1 and step is None:
         yield RelativeIssue(("step",), "nothing", 'a step along the path such as "0.5 m"', "one point is a fixed place")
     elif len(points) == 1 and step is not None:
-        expected, repairs = "no step where the pattern stands at one point", (remove(("step",)),)
+        expected, repairs = "no step if the pattern is at a single point", (remove(("step",)),)
         yield RelativeIssue(("step",), f"{step!r} m", expected, repairs=repairs)
 
 
@@ -120,14 +120,14 @@ class Move(Section):
 
     name: Annotated[str, Text("name of the path, needed where a case has several")] = ""
     pattern: Annotated[str, Text("name of the pattern, one of [[patterns]]")]
-    case: Annotated[str, Text("load case that it belongs to; a path needs one")] = ""
+    case: Annotated[str, Text("its load case; needed for a path")] = ""
     points: Annotated[
         tuple[tuple[float, float], ...],
-        ListOf(Place, "x, y", "one place of the pattern's origin, or the points of the path that it moves along"),
+        ListOf(Place, "x, y", "one place for the pattern's origin, or the points of its path"),
     ]
     step: Annotated[
         float | None,
-        Quantity("length", "s", "distance of the positions along the path", Range(at_least=LEAST_STEP)),
+        Quantity("length", "s", "spacing of the positions along the path", Range(at_least=LEAST_STEP)),
     ] = None
     turn: Annotated[
         float, Number("alpha", "angle of the pattern's direction in degrees, from x, or from the path", TURN)
@@ -175,12 +175,12 @@ def _distances(move: Move, length: float) -> list[float]:
 
 
 def position_name(move: Move, station: Station) -> str:
-    """Return what the case is called at a position, as in "forklift at 3.50 m"."""
+    """Return the name of the case at a position, as in "forklift at 3.50 m"."""
     return f"{move.case} at {station.distance:.2f} m" + (f" of {move.name}" if move.name else "")
 
 
 def position_names(moves: tuple[Move, ...]) -> dict[str, tuple[str, ...]]:
-    """Return what each case that moves is called at its positions; on several paths it moves along one at a time."""
+    """Return the names of each moving case at its positions; on several paths it moves along one at a time."""
     names: dict[str, tuple[str, ...]] = {}
     for move in moves:
         if move.travels:
@@ -291,7 +291,7 @@ def check_patterns(
     for number, move in enumerate(moves):
         if move.travels and paths.count((move.case, move.name)) > 1:
             found = f"several paths of {describe(move.case)}"
-            yield RelativeIssue(("moves", number, "name"), found, "a name of its own for each")
+            yield RelativeIssue(("moves", number, "name"), found, "a unique name for each")
 
 
 def _check_places(covered: PlateRegion, pattern: AnyPattern, move: Move, number: int) -> Iterator[RelativeIssue]:

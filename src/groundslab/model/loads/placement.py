@@ -54,7 +54,7 @@ def _has_footprint(part: Placed) -> bool:
 
 def _on_shape(covered: PlateRegion, part: Placed, place: tuple[str | int, ...]) -> Iterator[RelativeIssue]:
     """Find a part off the plate, also within the rectangle around it."""
-    expected = "a place on the plate, not in an opening nor beside the outline"
+    expected = "a place on the plate, not in an opening or outside the outline"
     (x0, x1, y0, y1), far = covered.bounds, covered.size
     # arcs drawn roughly: chords so short would be too many for what is so large
     left, low, right, high = part.to_shapely(math.inf).bounds

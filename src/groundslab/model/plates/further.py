@@ -42,7 +42,7 @@ class FurtherPlate(Section):
 
     checks: ClassVar[tuple[Check, ...]] = (_check_geometry,)
 
-    name: Annotated[str, Text("name of the plate, by which loads call it")]
+    name: Annotated[str, Text("name of the plate, used by loads")]
     outline: Annotated[Shape, Table("its outline, of any shape")]
     openings: Annotated[tuple[Shape, ...], Table("what is cut out of it")] = ()
     zones: Annotated[tuple[Zone, ...], Table("parts with another thickness or material")] = ()
@@ -107,7 +107,7 @@ def check_plates(plate: Plate, plates: tuple[FurtherPlate, ...], joints: Sequenc
             found = f"{describe(each.name)} again" if each.name else "no name"
             place, taken = ("plates", position, "name"), [plate.name, *(other.name for other in plates)]
             repairs = use_free_name(place, each.name or "plate", taken)
-            yield RelativeIssue(place, found, "a name of its own", repairs=repairs)
+            yield RelativeIssue(place, found, "a unique name", repairs=repairs)
         seen.add(each.name)
     if not plates:
         return
@@ -118,8 +118,8 @@ def check_plates(plate: Plate, plates: tuple[FurtherPlate, ...], joints: Sequenc
         meeting = _find_meeting(one, other, size, frozenset((one.name, other.name)) in joined)
         if meeting is not None:
             name = "the first plate" if first == 0 else f"plates[{first}]"
-            expected = f"plates beside each other, at least {TOO_CLOSE * size:.3g} m apart or joined"
-            hint = "[[joints]] joins plates that share a line; what lies on a plate is a zone of greater thickness"
+            expected = f"plates next to each other, at least {TOO_CLOSE * size:.3g} m apart or joined"
+            hint = "[[joints]] joins plates that share a line; a part on top of a plate is a zone of greater thickness"
             yield RelativeIssue(("plates", second - 1, "outline"), meeting.format(name), expected, hint)
 
 
@@ -139,6 +139,6 @@ def _find_meeting(one: AnyPlate, other: FurtherPlate, size: float, joined: bool)
         at = shared.representative_point()
         return f"a plate that overlaps {{}} at {format_place((at.x, at.y))} m"
     if outline.distance(beside) > same_place(*get_bounds((*one.ring().segments(), *other.ring().segments()))):
-        return "a strip too narrow to mesh beside {}" if outline.distance(beside) < TOO_CLOSE * size else None
+        return "a strip too narrow to mesh next to {}" if outline.distance(beside) < TOO_CLOSE * size else None
     touches = shared_line(one, other).length > TOO_CLOSE * size
     return "a plate that touches {} without a joint" if touches and not joined else None

@@ -28,7 +28,7 @@ class _Joint(Section):
     checks: ClassVar[tuple[Check, ...]] = (_check_two,)
 
     kind: str
-    name: Annotated[str, Text("name of the joint, for people")] = ""
+    name: Annotated[str, Text("name of the joint, for reference")] = ""
     between: Annotated[
         tuple[str, str], ListOf(Text(""), "", "names of the two plates, which share a line of their outlines", 2)
     ]
@@ -48,19 +48,19 @@ class HingeJoint(_Joint):
 class ElasticJoint(_Joint):
     """A link that carries shear by the difference of settlement: dowels, keys, aggregate interlock."""
 
-    kind: Annotated[Literal["elastic"], Table("shear by the difference of settlement, without moments")] = "elastic"
+    kind: Annotated[Literal["elastic"], Table("shear by the difference in settlement, without moments")] = "elastic"
     stiffness: Annotated[
         float,
         Quantity(
             "pressure",
             "k_j",
-            "shear per length of the joint over the difference of settlement; 0 carries nothing",
+            "shear per length of the joint over the difference in settlement; 0 transfers nothing",
             Range(at_least=0),
         ),
     ]
     gap: Annotated[
         float,
-        Quantity("length", "g_j", "play: difference of settlement before the joint carries", Range(at_least=0)),
+        Quantity("length", "g_j", "play: difference in settlement before the joint carries load", Range(at_least=0)),
     ] = 0.0
 
 

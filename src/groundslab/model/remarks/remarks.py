@@ -122,7 +122,7 @@ def _loads(use: CaseUse) -> str:
 
 #: Limit states that are judged together, and what their combinations are called.
 _FAMILIES: tuple[tuple[str, tuple[LimitState, ...]], ...] = (
-    ("ultimate combination", ("ultimate",)), ("combination of serviceability", SERVICEABILITY),
+    ("ultimate combination", ("ultimate",)), ("serviceability combination", SERVICEABILITY),
 )  # fmt: skip
 
 
@@ -172,7 +172,7 @@ def _on_patterns(model: Model) -> Iterator[Remark]:
     placed = {move.pattern for move in model.moves}
     for position, pattern in enumerate(model.patterns):
         if pattern.name not in placed:
-            words = f"pattern {quote(pattern.name)} is placed by no move: its forces are left out"
+            words = f"pattern {quote(pattern.name)} is not placed by any move: its forces are left out"
             yield Remark(("patterns", position), words, doubtful=True, of=pattern.name)
     for position, words in absent_forces(model.plate, model.patterns, model.moves, model.plates):
         yield Remark(("moves", position), words)
@@ -205,7 +205,7 @@ def _on_combine(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Co
         return
     there = {combination.limit_state for combination in combinations}
     for state in (state for state in model.combine.sets if state not in there):
-        yield Remark(("combine", "sets"), f"{quote(state)} makes no combination: all its factors are 0", doubtful=True)
+        yield Remark(("combine", "sets"), f"{quote(state)} yields no combination: all its factors are 0", doubtful=True)
     loaded = [use.case for use in uses if not use.empty]
     if set(model.combine.sets) <= {"equilibrium", "uplift"} or any(case.action == "variable" for case in model.cases):
         return
@@ -226,7 +226,7 @@ def _on_names(model: Model, uses: Sequence[CaseUse]) -> Iterator[Remark]:
     for position, use in enumerate(uses):
         case = use.case
         if case.action == "permanent" and not use.empty and VARIABLE.fullmatch(case.name):
-            words = f'case {quote(case.name)} is permanent, as any without an action; a live load is "variable"'
+            words = f'case {quote(case.name)} is permanent, the default; a live load is "variable"'
             yield Remark(("cases", position), words, doubtful="ultimate" in model.combine.sets, of=case.name)
 
 
@@ -238,12 +238,12 @@ def _on_uplift(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Com
     inside = {use.case.name for use in uses if any(part.limit_state == "uplift" for part in use.acting)}
     if not lifting & inside:
         key = "combine" if model.combine is not None and "uplift" in model.combine.sets else "combinations"
-        words = "nothing acts upwards in the combinations of uplift; water below is a load with q below 0"
+        words = "nothing acts upwards in the uplift combinations; water pressure from below is a load with q below 0"
         yield Remark((key,), words, doubtful=True)
     for position, use in enumerate(uses):
         case = use.case
         if case.name in lifting - inside and case.action != "seismic":
             hint = "; [combine] makes none with accidental actions, [[combinations]] can list one"
-            words = f"case {quote(case.name)} acts upwards, but in no combination of uplift"
+            words = f"case {quote(case.name)} acts upwards, but in no uplift combination"
             words += hint if case.action == "accidental" else ""
             yield Remark(("cases", position), words, doubtful=True, of=case.name)

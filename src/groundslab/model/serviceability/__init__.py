@@ -1,1 +1,1 @@
-"""What belongs to serviceability: how the slab cracks, how soft the ground is under loads that last."""
+"""What belongs to serviceability: how the slab cracks, stiffness of the ground under long-term loads."""

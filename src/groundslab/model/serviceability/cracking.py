@@ -20,13 +20,14 @@ CREEP, SHRINKAGE = Range(at_least=0, at_most=10), Range(at_least=0, at_most=2e-3
 
 
 class Cracking(Section):
-    """Cracked stiffness by EN 1992-1-1 7.4.3, of the slab with the bars that are laid; ultimate states stay elastic."""
+    """Cracked stiffness by EN 1992-1-1 7.4.3, of the slab with the bars provided; ultimate states stay elastic."""
 
     creep: Annotated[
         float, Number("phi", "creep coefficient phi(inf, t_0) of the concrete, whose modulus is the plate's E", CREEP)
     ] = 0.0
     duration: Annotated[
-        Duration, Choice(Duration, "of the loads: beta is 0.5 of lasting or repeated loads, 1 of a single short one")
+        Duration,
+        Choice(Duration, "of the loads: beta is 0.5 for long-term or repeated loads, 1 for a single short one"),
     ] = "long"
     shrinkage: Annotated[float, Number("eps_cs", "free shrinkage strain, such as 0.0003", SHRINKAGE)] = 0.0
     f_ct: Annotated[
@@ -52,7 +53,7 @@ def check_cracking(
     if reinforcement is None or reinforcement.base_bars("bottom_x") is None:
         found = "no [reinforcement]" if reinforcement is None else "reinforcement without bars"
         hint = "reinforcement.bottom_x = { diameter = ..., spacing = ... }, and so on"
-        yield RelativeIssue(("cracking",), found, "bars laid in all four layers", hint)
+        yield RelativeIssue(("cracking",), found, "bars provided in all four layers", hint)
     if analysis.increments > 1:
         hint = "a secant stiffness belongs to the full load"
         yield RelativeIssue(("analysis", "increments"), f"{analysis.increments}", "1, as there is [cracking]", hint)

@@ -16,8 +16,9 @@ class LongTerm(Section):
     """Ground that is softer under loads that last: all of it, zones and boreholes too."""
 
     stiffness: Annotated[
-        float, Number("", "stiffness of the ground under loads that last over the one given, such as 0.5", RATIO)
+        float,
+        Number("", "stiffness of the ground under long-term loads, relative to the one given, such as 0.5", RATIO),
     ]
     limit_states: Annotated[
-        tuple[LimitState, ...], ListOf(Choice(LimitState, "", ""), "", "limit states whose loads last", unique=True)
+        tuple[LimitState, ...], ListOf(Choice(LimitState, "", ""), "", "limit states with long-term loads", unique=True)
     ] = ("quasi-permanent",)

@@ -39,7 +39,7 @@ def steps_of(path: str) -> tuple[Step, ...]:
         if not match or (first and path[0] in ".[") or match["number"] == "0":
             raise path_error(path, 'a path such as "ground.layers[1].E"', "positions count from 1")
         if not first and match["number"] is None and path[position] != ".":
-            raise path_error(path, 'a path such as "ground.layers[1].E"', "a dot stands between keys")
+            raise path_error(path, 'a path such as "ground.layers[1].E"', "keys are separated by dots")
         if match["number"] is not None:
             steps.append(int(match["number"]) - 1)
         else:

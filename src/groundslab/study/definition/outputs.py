@@ -91,7 +91,7 @@ _WITHOUT_ERROR = {"load", "reaction", *CONSTANTS, "margin effect"}
 class RequestedOutput(Section):
     """A result to be kept of each variant."""
 
-    name: Annotated[str, Text("its name; made of what it is by default")] = ""
+    name: Annotated[str, Text("its name; by default made from its contents")] = ""
     of: Annotated[str, Text("a field of the plate or a figure, see below")]
     take: Annotated[
         Statistic | None,
@@ -103,9 +103,7 @@ class RequestedOutput(Section):
     z: Annotated[
         float | None, Quantity("length", "z", "depth below the plate, for soil settlement and soil stress", DEPTH)
     ] = None
-    combination: Annotated[
-        str, Text("combination that it is of; by default all of them, and of these the worst one's")
-    ] = ""
+    combination: Annotated[str, Text("its combination; by default all of them, of which the worst counts")] = ""
     support: Annotated[str, Text("name of the support, for support force")] = ""
     layer: Annotated[int | None, Integer("layer of the ground from the top, for k0 and k1")] = None
 

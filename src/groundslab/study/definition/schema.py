@@ -53,13 +53,11 @@ class Sampling(Section):
         SamplingKind,
         Choice(
             SamplingKind,
-            "grid: all values with all others; list: the first of each, the second of each, ...; tornado: all medians, "
+            "grid: all combinations of values; list: the first of each, the second of each, ...; tornado: all medians, "
             "then each variable by itself at its 10 % and its 90 % quantile; the others draw from the distributions",
         ),
     ]
-    count: Annotated[
-        int | None, Integer("variants to draw; of saltelli those of each of the two samples that are mixed")
-    ] = None
+    count: Annotated[int | None, Integer("variants to draw; for saltelli, in each of its two samples")] = None
 
 
 def _choice_of_values(values: tuple[Raw, ...] | None, choose: bool) -> Iterator[RelativeIssue]:
@@ -74,16 +72,14 @@ class VariedQuantity(Section):
 
     path: Annotated[str, Text("key of the case; positions count from 1, as in ground.layers[1].E")]
     name: Annotated[str, Text("its name in the study; the path by default")] = ""
-    values: Annotated[tuple[Raw, ...] | None, ListOf(Amount("", ""), "", "values; drawn ones are equally likely")] = (
-        None
-    )
+    values: Annotated[
+        tuple[Raw, ...] | None, ListOf(Amount("", ""), "", "values; if sampled, all are equally likely")
+    ] = None
     distribution: Annotated[DistributionOf | None, Table("distribution of the values, instead of values")] = None
     choose: Annotated[
-        bool, Boolean("whether values are for the designer to choose from: not drawn, each is solved with all that is")
+        bool, Boolean("whether values are design choices: not sampled, each is solved with all samples")
     ] = False
-    times: Annotated[bool, Boolean("whether values are pure numbers that the value in the case is multiplied by")] = (
-        False
-    )
+    times: Annotated[bool, Boolean("whether values are pure numbers that multiply the value in the case")] = False
 
     @property
     def column(self) -> str:
@@ -95,7 +91,7 @@ class Correlation(Section):
     """Variables that depend on each other."""
 
     between: Annotated[tuple[str, ...], ListOf(Text(""), "", "names of two or more variables", unique=True, least=2)]
-    rho: Annotated[float, Number("rho", "correlation of each two of them, in normal scores", Range(above=-1, below=1))]
+    rho: Annotated[float, Number("rho", "correlation of each pair, in normal scores", Range(above=-1, below=1))]
 
 
 class RandomField(Section):
@@ -129,10 +125,10 @@ class LimitState(Section):
 
     name: Annotated[str, Text("its name")]
     keep: Annotated[str, Text("name of the kept result")]
-    at_most: Annotated[Raw | None, Amount("", "largest value that is fine", "as the kept result")] = None
-    at_least: Annotated[Raw | None, Amount("", "smallest value that is fine", "as the kept result")] = None
+    at_most: Annotated[Raw | None, Amount("", "largest acceptable value", "as the kept result")] = None
+    at_least: Annotated[Raw | None, Amount("", "smallest acceptable value", "as the kept result")] = None
     target: Annotated[
-        float | None, Number("", "probability of failure that is aimed at, for the evaluation", Range(above=0, below=1))
+        float | None, Number("", "target probability of failure, for the evaluation", Range(above=0, below=1))
     ] = None
 
 
@@ -239,7 +235,7 @@ def _known_correlations(
                 yield RelativeIssue(place, describe(name), expected, suggestion(name, names))
         own = {frozenset(pair) for pair in itertools.combinations(each.between, 2)}
         if own & pairs:
-            yield RelativeIssue(("correlation", position, "between"), "a pair that stands above", "each pair once")
+            yield RelativeIssue(("correlation", position, "between"), "a pair that is already listed", "each pair once")
         pairs |= own
 
 
@@ -270,9 +266,9 @@ class StudyFile(Section):
     )
 
     title: Annotated[str, Text("title of the study")] = ""
-    case: Annotated[str, Text("case file, from the folder of this file on")]
-    seed: Annotated[int, Integer("seed of all that is drawn", at_least=0)] = 1
-    sampling: Annotated[Sampling, Table("how variants are made of what varies")]
+    case: Annotated[str, Text("case file, relative to the folder of this file")]
+    seed: Annotated[int, Integer("seed of all random sampling", at_least=0)] = 1
+    sampling: Annotated[Sampling, Table("how variants are made")]
     vary: Annotated[tuple[VariedQuantity, ...], Table("quantities of the case that vary")] = ()
     correlation: Annotated[tuple[Correlation, ...], Table("variables that depend on each other")] = ()
     random_field: Annotated[tuple[RandomField, ...], Table("ground that varies from place to place by chance")] = ()

@@ -88,7 +88,7 @@ class Variable:
         return float(low + (1 - high))
 
     def value_in_case(self, value: Any) -> Any:
-        """Return what stands in the case for a value of the variable."""
+        """Return the value in the case for a value of the variable."""
         return value * self.place.value if self.times else value
 
 
@@ -237,7 +237,7 @@ def _field(field: schema.RandomField, model: Model) -> Field:
     if isinstance(model.ground, ContinuousGround):
         found = f"a random field on {quote(model.ground.kind)} ground, whose layers are the same everywhere"
         hint = "vary its moduli under [[vary]], or let them vary over the plan on vlasov or layered ground"
-        raise FieldError(RelativeIssue(("path",), found, "ground of columns, each with constants of its own", hint))
+        raise FieldError(RelativeIssue(("path",), found, "ground of columns, each with its own constants", hint))
     expected = f"a constant of the ground such as {_GROUND_CONSTANTS[model.ground.kind]}"
     with issues_below("path"):
         place = place_of(model, field.path)

@@ -93,8 +93,8 @@ def tabulate_discretization(sample: Samples) -> Table | None:
         return None
     rows = [[each.name, each.unit.name, *(x * each.unit.scale for x in both)] for each, *both in found]
     notes = [
-        "Of the case as it is, estimated from the same analysis on elements twice as large. The variants start from "
-        "its solution and have no coarser mesh of their own."
+        "Of the base case, estimated from the same analysis on elements twice as large. The variants start from its "
+        "solution and have no coarser mesh."
     ]
     heads = ["output", "unit", "value in the case", "discretization error"]
     table = _tabulate(sample, "discretization", "Discretization errors of the case", heads, rows, notes)
@@ -102,7 +102,7 @@ def tabulate_discretization(sample: Samples) -> Table | None:
     return replace(table, columns=(*others, value, replace(error, error_of=value.name)))
 
 
-NO_CHANCE = "The variants were set, not drawn: their shares are no probabilities, and means are left out."
+NO_CHANCE = "The variants were set, not drawn: their shares are not probabilities, and means are omitted."
 
 
 def _statistics_cells(sample: Samples, group: Group, output: Output, level: float) -> list[Cell]:
@@ -222,8 +222,8 @@ def tabulate_sobol_indices(sample: Samples, level: float = LEVEL) -> Table | Non
         for each, first, total in zip(sample.inputs, found.first, found.total, strict=True):
             rows.append([output.name, each.name, *_estimate_cells(first), *_estimate_cells(total), found.blocks])
     notes = [
-        "Shares of the output's variance (Saltelli 2010): first order, what is due to the input alone; total, "
-        f"what is due to it together with all others. Intervals of {level:.0%} confidence from "
+        "Shares of the output's variance (Saltelli 2010): first order, the share due to the input alone; total, "
+        "including its interaction with all others. Intervals of {level:.0%} confidence from "
         f"{sensitivity.RESAMPLES} resamples of the blocks.",
     ]
     if left_out:

@@ -99,7 +99,7 @@ def _require_free(folder: Path) -> None:
         return
     expected, hint = "an evaluation of groundslab, or nothing", "move it away; nothing was changed"
     if folder.is_symlink() or not folder.is_dir():
-        raise InputError([Issue(str(folder), "something that is no folder", expected, hint)])
+        raise InputError([Issue(str(folder), "something that is not a folder", expected, hint)])
     found = _foreign(folder)
     if found:
         given = "something that groundslab did not write"
@@ -126,7 +126,7 @@ def _foreign(folder: Path) -> list[str]:
 
 def _unwritable(folder: Path, error: OSError) -> InputError:
     """Return the error for a folder that cannot be written; an earlier evaluation there is untouched."""
-    hint = "free some space; an earlier evaluation is as it was"
+    hint = "free some space; an earlier evaluation is unchanged"
     return InputError([Issue(str(folder), error.strerror or str(error), "a folder that can be written", hint)])
 
 
@@ -158,7 +158,7 @@ def maps(study: Study) -> Iterator[page.Map]:
 
 
 def origin(study: Study) -> page.Origin:
-    """Return what makes a study repeatable: its seed, versions and checksums, for the page."""
+    """Return the facts that make a study repeatable: its seed, versions and checksums, for the page."""
     about = study.about
     facts = [(name, str(about[name])) for name in ("seed", "variants", "made")]
     facts += [(f"SHA-256 of the {name} file", about[f"{name}_sha256"]) for name in ("study", "case")]

@@ -17,7 +17,7 @@ from groundslab.views.plots import export
 
 
 def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Path:
-    """Draw the bars that are laid: a plan of each face, and how many there are, how long, and what they weigh.
+    """Draw the bars provided: a plan of each face, and how many there are, how long, and what they weigh.
 
     One bar of each set stands for all of them, with a line across over which they are distributed. Bars are straight;
     laps, hooks and edge bars are not in the drawing.
@@ -49,7 +49,7 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Pat
     target = check(path)
     if model.reinforcement is None or not model.reinforcement.laid:
         hint = "give bottom_x, bottom_y, top_x and top_y, or bottom_mesh and top_mesh, in [reinforcement]"
-        raise InputError([Issue("reinforcement", "no bars that are laid", "bars in all four layers", hint)])
+        raise InputError([Issue("reinforcement", "no bars provided", "bars in all four layers", hint)])
     shapes = draw(model)
     if _is_dxf(path):
         content = dxf.to_bytes(shapes)

@@ -82,7 +82,7 @@ def _check_entries(path: Path, entries: list[zipfile.ZipInfo]) -> list[Issue]:
     foreign = [name for name in names if name != REPORT and not manifest.is_path(name)]
     if foreign:
         hint = "the files of the folder must lie at the top of the archive"
-        issues.append(Issue(str(path), f"{foreign[0][:80]!r}, which is no file of results", expected, hint))
+        issues.append(Issue(str(path), f"{foreign[0][:80]!r}, which is not a results file", expected, hint))
     for entry in filter(_is_needed, entries):
         if entry.file_size > (most := _most(entry)):
             found = f"{entry.filename} of {entry.file_size:,} bytes"

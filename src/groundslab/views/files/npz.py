@@ -118,7 +118,7 @@ def load(path: Path) -> CombinationResult:
     """
     try:
         if not stat.S_ISREG(path.stat().st_mode):
-            raise _refusal(path, "something that is no file")
+            raise _refusal(path, "something that is not a file")
         return _results(_stored(path))
     except InputError as error:
         if error.issues[0].location == str(path):

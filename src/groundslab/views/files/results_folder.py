@@ -278,9 +278,9 @@ def _in_the_way(target: Path) -> list[Issue]:
     with suppress(OSError):
         here = Path.cwd()
         if target.samefile(here):
-            return [Issue(str(target), "the folder that you stand in", "another one", "name a folder inside it")]
+            return [Issue(str(target), "the current folder", "another one", "name a folder inside it")]
         if any(target.samefile(above) for above in here.parents):
-            return [Issue(str(target), "a folder above the one that you stand in", "another one", "leave it first")]
+            return [Issue(str(target), "a folder above the current one", "another one", "leave it first")]
     expected = "a folder that is missing, empty, or holds only results of groundslab"
     hint = "move it away or choose another folder; nothing was changed"
     return [
@@ -331,12 +331,12 @@ def _resolve(folder: str | Path) -> Path:
     if any(map(os.path.islink, (target, *target.parents))):
         raise InputError([Issue(str(folder), "a link that leads back to itself", "a folder, or a name that is free")])
     if not target.name:
-        raise InputError([Issue(str(folder), "the root of the file system", "a folder of its own for the results")])
+        raise InputError([Issue(str(folder), "the root of the file system", "a separate folder for the results")])
     return target
 
 
 def _unwritable(target: Path, error: OSError) -> InputError:
     """Return the error for a folder that cannot be written; earlier results there are untouched."""
     found = error.strerror or str(error)
-    hint = "close programs that use the folder, free space, or choose another; earlier results are as they were"
+    hint = "close programs that use the folder, free space, or choose another; earlier results are unchanged"
     return InputError([Issue(str(target), found, "a folder that can be written", hint)])

@@ -60,7 +60,7 @@ def write_file(path: str | Path, target: Path, content: bytes) -> None:
     try:
         atomic.write(target, content)
     except OSError as error:
-        hint = "free some space or choose another place; what was there is as it was"
+        hint = "free some space or choose another place; the earlier file is unchanged"
         found = error.strerror or str(error)
         raise InputError([Issue(str(path), found, "a file that can be written", hint)]) from error
 

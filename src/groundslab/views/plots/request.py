@@ -257,7 +257,7 @@ def _require_bar_fields(quantities: Sequence[PlotQuantity], combined: Results) -
     issues = []
     for name in wanted:
         if name not in there:
-            hint = "it needs [reinforcement] and ultimate combinations; all but what is required, bars that are laid"
+            hint = "it needs [reinforcement] and ultimate combinations; all but the required areas need bars provided"
             issues.append(Issue("FIELD", quote(name), "a field that these results have", hint))
         elif not np.isfinite(there[name]).all():
             hint = "the table reinforcement says where; a thicker slab or a stronger concrete helps"

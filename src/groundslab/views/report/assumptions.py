@@ -16,14 +16,14 @@ _PLATE = (
     "The plate is isotropic in each zone, with small displacements and shear deformation (Mindlin). Its midsurface "
     "stays one plane. "
 )
-_ELASTIC = "It is linearly elastic: nothing cracks, creeps or yields in it."
+_ELASTIC = "It is linearly elastic: it does not crack, creep or yield."
 _CRACKED = (
-    "In {states} combinations it has the secant stiffness of cracked sections with the bars that are laid (EN 1992-1-1 "
+    "In {states} combinations it has the secant stiffness of cracked sections with the bars provided (EN 1992-1-1 "
     "7.4.3){creep}; the bars stay elastic. In all others it is linearly elastic and uncracked."
 )
 _LOADS = (
-    "Loads act at the midsurface and vertically, moments about horizontal axes. Self-weight counts only where the case "
-    "has it as a load."
+    "Loads act at the midsurface and vertically, moments about horizontal axes. Self-weight counts only if the case "
+    "includes it as a load."
 )
 _GROUND = {
     "winkler": "The ground is made of springs that do not act on each other and stay linearly elastic",
@@ -40,8 +40,8 @@ _SMOOTHED = (
     "thickness or material. Under a point load or a rigid point support they grow without limit as the mesh is refined."
 )
 _LINE_FORCE = (
-    "At the plate's edge the ground's shear acts by a line force beside the pressure. The limit of the pressure counts "
-    "it as pressure over a strip, and it relieves neither punching nor one-way shear{unless}."
+    "At the plate's edge the ground's shear acts as a line force, in addition to the pressure. The pressure limit "
+    "counts it as pressure over a strip, and it relieves neither punching nor one-way shear{unless}."
 )
 _CELLS = (
     "Pressure at a node is the mean of the cells around it. It has no limit along the plate's edge: its largest value "
@@ -76,9 +76,9 @@ def _of_plate(model: Model) -> str:
 
 
 def _of_contact(model: Model) -> str:
-    """Return what happens between plate and ground."""
-    lifts = "The ground cannot pull: the plate lifts off." if model.contact.tensionless else (
-        "The case glues them together: the ground can pull."
+    """Return the assumptions on contact between plate and ground."""
+    lifts = "The ground carries no tension: the plate lifts off." if model.contact.tensionless else (
+        "The case bonds them: the ground can carry tension."
     )  # fmt: skip
     return f"Plate and ground exchange vertical pressure without friction. {lifts}"
 
@@ -97,8 +97,8 @@ def _of_ground(model: Model) -> str:
     if not isinstance(ground, Winkler | ContinuousGround):
         ends = {
             "none": "The ground ends with the plate.",
-            "margin": "The ground ends at the outer edge of a strip beside the plate.",
-            "infinite": "The ground has no end beside the plate.",
+            "margin": "The ground ends at the outer edge of a strip around the plate.",
+            "infinite": "The ground extends infinitely beyond the plate.",
         }
         parts.append(f" {ends[model.beyond.kind]}")
     if model.long_term is not None:
@@ -115,7 +115,7 @@ def _of_supports(model: Model) -> Iterator[str]:
         names = ", ".join(limited[:5]) + (f" and {len(limited) - 5} more" if len(limited) > 5 else "")
         yield f"Supports and piles with a limit yield there and keep that force: {names}."
     if model.joints:
-        yield "Joints pass shear by the difference of settlement of both sides, without moments."
+        yield "Joints transfer shear by the difference in settlement across them, and no moments."
 
 
 def _of_pressure(combined: Results) -> Iterator[str]:

@@ -40,11 +40,12 @@ if TYPE_CHECKING:
 
 _VALUE = ("", "symbol", "#value", "unit", "#error")
 CERTIFICATE_NOTES = (
-    "All but the sums are ratios, computed afresh from the solution with none of the factorized matrices. Each must "
+    "All but the sums are ratios, recomputed from the solution without the factorized matrices. Each must "
     f"be at most {Certificate.TOLERANCE:.0e}, the effect of a wider margin of infinite ground at most "
     f"{Certificate.MARGIN_TOLERANCE:g} of the largest settlement.",
-    "All but the discretization error say that the discrete equations are solved. That error alone tells how far the "
-    "mesh is from its limit; where it is larger than asked for, the results are certified, but too coarse.",
+    "All but the discretization error show that the discrete equations are solved. Only that error shows how far the "
+    "mesh is from convergence; where it is larger than requested, the results are certified, but the mesh is too "
+    "coarse.",
 )
 
 
@@ -68,7 +69,7 @@ def build_page(
     chapters: Sequence[str] | None = None,
     comparison: GroundComparison | None = None,
 ) -> dict[str, Any]:
-    """Return what the report of a solved model says, for the template; text and file are those of its input.
+    """Return the content of the report of a solved model, for the template; text and file are those of its input.
 
     The chapters are those that the case asks for, unless given; that of ground models is there with a comparison only.
     """
@@ -187,7 +188,7 @@ def _shared_label(rows: Sequence[Row]) -> Row:
 
 
 def _words_of(row: Row) -> tuple[Cell, ...]:
-    """Return what a row is called, its symbol and its unit."""
+    """Return a row's name, symbol and unit."""
     return Cell(row.label, "words"), Cell(row.symbol, "symbol"), Cell(shown_row(row).unit)
 
 
@@ -298,7 +299,7 @@ def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[
             "γ, k0, k1 and ψ(z) are those of the combination "
             f"{leading.combination}; other combinations have their own, see the table."
             if len(combined.combinations) > 1
-            else "γ, k0, k1 and ψ(z) as the analysis ended with them."
+            else "γ, k0, k1 and ψ(z) at the end of the analysis."
         )
     if combined.model.boreholes or combined.model.soil_zones:
         notes.append("The table's constants are means over the plate's area.")

@@ -26,7 +26,7 @@ ELSEWHERE = {"extremes", "envelope", "columns"}
 MOST_IN_FILE = 3000
 
 #: What is said of the errors in a table.
-ERRORS = "Under a value: its discretization error as a share of it, estimated."
+ERRORS = "Below each value: its estimated discretization error, as a share of it."
 
 #: So many columns at the left of a table say which row it is.
 KEYS = {

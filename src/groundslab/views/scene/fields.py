@@ -184,4 +184,4 @@ def _require_one_mesh(plates: list[PlateResult]) -> None:
     """Raise GroundslabError if the combinations' results stand on different meshes."""
     for plate in plates[1:]:
         if not (np.array_equal(plate.nodes, plates[0].nodes) and np.array_equal(plate.elements, plates[0].elements)):
-            raise GroundslabError("the combinations' results stand on different meshes; they have no common picture")
+            raise GroundslabError("the combinations' results are on different meshes; they have no common picture")

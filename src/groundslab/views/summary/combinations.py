@@ -59,7 +59,7 @@ def require_finite(combined: Results) -> None:
 
 
 def factors_text(combination: Combination) -> str:
-    """Return what acts together in words, such as "1.35 dead + 1.5 live"."""
+    """Return the factors and cases of a combination in words, such as "1.35 dead + 1.5 live"."""
     return " + ".join(f"{factor:.6g} {name}".rstrip() for name, factor in combination.factors)
 
 
@@ -95,14 +95,14 @@ def _some_of(combined: Results, names: Collection[str]) -> str:
 
 
 def description(combined: Results) -> list[SummarySection]:
-    """Return what was analyzed; of the ground only what is the same in all combinations."""
+    """Return the sections on the model; of the ground only what is the same in all combinations."""
     found = [entry.results for entry in entries(combined) if entry.results is not None]
     plate, mesh, ground, *cut = sections.description(found[0])
     others = [sections.description_of_ground(results).rows for results in found[1:]]
     same = tuple(row for row in ground.rows if all(row in rows for rows in others))
     notes = ground.notes
     if len(same) < len(ground.rows):
-        notes += ("The ground's other constants depend on the combination; each has its own in summary.json.",)
+        notes += ("The ground's other constants depend on the combination; summary.json has them.",)
     return [plate, mesh, replace(ground, rows=same, notes=notes), *cut]
 
 

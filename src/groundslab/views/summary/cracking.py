@@ -27,11 +27,11 @@ def cracking_sections(results: CombinationResult) -> list[SummarySection]:
     area = areas(plate.nodes[plate.elements])
     share = float(area[ratio < CRACKED].sum() / area.sum())
     rows = (
-        Row("share", "plate's area that has cracked", share, UNITS["%"]),
-        Row("smallest", "smallest stiffness, of the uncracked", least, about.display, about.symbol, place),
+        Row("share", "cracked share of the plate's area", share, UNITS["%"]),
+        Row("smallest", "smallest share of uncracked stiffness", least, about.display, about.symbol, place),
     )
     note = (
         "Settlements, moments and pressures of this combination are those of the cracked slab, by EN 1992-1-1 7.4.3 "
-        f"with the bars that are laid, phi = {cracking.creep:g}, loads of {cracking.duration} duration."
+        f"with the bars provided, phi = {cracking.creep:g}, loads of {cracking.duration} duration."
     )
     return [SummarySection("cracking", "Cracked stiffness", rows, (note,))]

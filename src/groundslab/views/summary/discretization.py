@@ -53,7 +53,7 @@ def unknown_words(results: CombinationResult) -> str:
     if results.coarser is not None:
         return ""
     if not has_coarser(results.solved_model):
-        reason = "the mesh has too few elements for one of elements twice as large"
+        reason = "the mesh has too few elements to compare with elements twice as large"
     elif results.ground.cells is None:
         reason = "there is no solution on elements twice as large"
     else:
@@ -61,7 +61,7 @@ def unknown_words(results: CombinationResult) -> str:
             "there is no solution on elements twice as large; the slab may bend within one of these, or within one of "
             "the cells through which it presses on the ground"
         )
-    return f"The discretization error is not known: {reason}. Make mesh.size smaller and compare."
+    return f"The discretization error is not known: {reason}. Reduce mesh.size and compare."
 
 
 def _not_judged(results: CombinationResult) -> tuple[str, ...]:
@@ -78,10 +78,10 @@ def _not_judged(results: CombinationResult) -> tuple[str, ...]:
 
 
 def _remedy(model: Model) -> str:
-    """Return what makes the errors smaller."""
+    """Return the advice that makes the errors smaller."""
     if model.mesh.adaptive:
-        return "it was refined until this error fell no more, or as far as the bounds on unknowns and meshes allow."
-    return "make mesh.size smaller, or leave it out and give mesh.accuracy."
+        return "it was refined until this error stopped falling, or as far as the limits on unknowns and meshes allow."
+    return "reduce mesh.size, or omit it and set mesh.accuracy."
 
 
 def coarse_words(combined: Results) -> str:

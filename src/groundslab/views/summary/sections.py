@@ -34,31 +34,31 @@ MOST_SUPPORTS = 12
 
 #: What is said of borders that the mesh does not follow.
 CROSSED = (
-    "An element across the border of a soil zone or void takes the mean of the ground in it, by area; of a void in "
-    "ground with shear it takes all or nothing. With mesh.size instead of mesh.counts the mesh follows borders that "
+    "An element across the border of a soil zone or void takes the area-weighted mean of the ground in it; in ground "
+    "with shear it is all void or not at all. With mesh.size instead of mesh.counts the mesh follows borders that "
     "are not finer than a thousandth of the plan."
 )
 
 #: What is said of a mesh with poor elements.
 CROOKED = (
-    f"An element has a scaled Jacobian below {POOR:g} (1 is a rectangle): near it results are less accurate. Make "
-    "mesh.size smaller, or leave out details of the outline there that do not matter."
+    f"An element has a scaled Jacobian below {POOR:g} (1 is a rectangle): near it results are less accurate. Reduce "
+    f"mesh.size, or omit details of the outline there that do not matter."
 )
 
 #: What is said of the slowest solver where it was not asked for.
 SLOW = (
-    "SuperLU is all that is installed: a factorization takes five to ten times as long as with CHOLMOD, which "
-    "pip install groundslab[cholmod] brings (under the GPL)."
+    "Only SuperLU is installed: a factorization takes five to ten times as long as with CHOLMOD, which pip install "
+    "groundslab[cholmod] adds (under the GPL)."
 )
 
 #: What the figures of the certificate mean, in words.
 CERTIFICATE_WORDS = {
-    "residual": "force left over at a node",
+    "residual": "residual force at a node",
     "force_balance": "loads against reactions",
     "moment_balance": "moments of loads and reactions",
-    "ground_balance": "contact against ground's forces",
+    "ground_balance": "contact and ground forces",
     "worst_gap": "plate inside the ground (gap < 0)",
-    "worst_pressure": "ground pulls (pressure < 0)",
+    "worst_pressure": "tension in the ground (p < 0)",
     "worst_product": "pressure across an open gap",
     "gamma_change": "last change of gamma",
     "margin_effect": "effect of a wider margin of ground",
@@ -76,7 +76,7 @@ def summary(results: CombinationResult) -> list[SummarySection]:
 
 
 def description(results: CombinationResult) -> list[SummarySection]:
-    """Return what was analyzed: plate, mesh, ground, and loads that were cut off at the plate's edge."""
+    """Return the sections on the model: plate, mesh, ground, and loads cut off at the plate's edge."""
     return [_plate(results), mesh_section(results), description_of_ground(results), *cut_loads(results.model)]
 
 
@@ -85,7 +85,7 @@ _FIGURES: Memo[list[SummarySection]] = Memo()
 
 
 def figures(results: CombinationResult) -> list[SummarySection]:
-    """Return what came out: settlement, contact, what supports carry, section forces, with discretization errors."""
+    """Return the sections on the results: settlement, contact, support and section forces, with their errors."""
     return _FIGURES.get(results, None, lambda: _figures(results))
 
 
@@ -107,7 +107,7 @@ def certified_words(count: int) -> str:
     which = f"The results of all {count} combinations are" if count > 1 else "The result is"
     return (
         f"{which} certified: equilibrium and contact conditions are satisfied on this mesh. "
-        "This is no approval of the design."
+        "This is not a design approval."
     )
 
 
@@ -167,11 +167,11 @@ def mesh_section(results: CombinationResult) -> SummarySection:
     rows = (
         Row("element", "element", results.model.plate.element),
         Row("elements", "elements on the plate", mesh.elements),
-        Row("smallest_side", "smallest element, root of its area", mesh.smallest, UNITS["m"], "", mesh.smallest_place),
-        Row("largest_side", "largest element, root of its area", mesh.largest, UNITS["m"], "", mesh.largest_place),
+        Row("smallest_side", "smallest element, sqrt(area)", mesh.smallest, UNITS["m"], "", mesh.smallest_place),
+        Row("largest_side", "largest element, sqrt(area)", mesh.largest, UNITS["m"], "", mesh.largest_place),
         Row("worst_quality", "worst scaled Jacobian", round(mesh.worst_quality, 4), None, "", mesh.worst_place),
         Row("mean_quality", "mean scaled Jacobian", round(mesh.mean_quality, 4)),
-        Row("unknowns", "unknowns that were solved for", mesh.unknowns),
+        Row("unknowns", "unknowns", mesh.unknowns),
         Row("symmetry", "symmetry used along", " and ".join(directions) or "none"),
         Row("solver", "solver", results.solver),
     )
@@ -218,7 +218,7 @@ def _continuum(results: CombinationResult) -> tuple[Row, ...]:
         Row("layers", words, len(layers)),
         *([Row("depth", "depth of the layers", depth, UNITS["m"])] if depth else []),
         Row("below", "below the layers", below),
-        Row("beyond", "beyond the plate", "the same ground, without an end"),
+        Row("beyond", "beyond the plate", "the same ground, infinite"),
         Row("cells", "cells of pressure under the plate", len(cells.force)),
         Row("cell_x", "side of a cell along x", float(cells.size[0]), UNITS["m"]),
         Row("cell_y", "side of a cell along y", float(cells.size[1]), UNITS["m"]),
@@ -238,7 +238,7 @@ def _borders(results: CombinationResult) -> tuple[Row, ...]:
 
 
 def cut_loads(model: Model) -> list[SummarySection]:
-    """Return what of the loads lies where it does not act, nothing where all of them act."""
+    """Return the parts of loads that do not act, nothing where all of them act."""
     from groundslab.model.loads.clipping import find_clipped_loads
 
     clipped = find_clipped_loads(model.plate, model.loads, model.plates)
@@ -248,13 +248,13 @@ def cut_loads(model: Model) -> list[SummarySection]:
     for each in clipped[:MOST_CUT]:
         name = f"loads[{each.number}]" + (f" {each.name}" if each.name else "")
         rows.append(Row(f"share_{each.number}", f"{name}, {each.where}", each.share, UNITS["%"]))
-        rows.append(Row(f"force_{each.number}", f"{name}, does not act", each.force, UNITS["kN"]))
+        rows.append(Row(f"force_{each.number}", f"{name}, without effect", each.force, UNITS["kN"]))
     if len(clipped) > MOST_CUT:
-        rows.append(Row("more", "further loads that are cut off", len(clipped) - MOST_CUT))
-    rows.append(Row("sum_of_forces", "all that does not act", sum(each.force for each in clipped), UNITS["kN"]))
+        rows.append(Row("more", "more loads cut off", len(clipped) - MOST_CUT))
+    rows.append(Row("sum_of_forces", "total without effect", sum(each.force for each in clipped), UNITS["kN"]))
     note = (
-        "Areas and lines act where they lie on the plate, those on the ground where they lie beside it. Forces without "
-        "the factors of combinations."
+        "Area and line loads act where they lie on the plate, loads on the ground where they lie off it. Forces "
+        "exclude the factors of combinations."
     )
     return [SummarySection("cut_loads", "Loads cut off at the edge of the plate", tuple(rows), (note,))]
 
@@ -302,7 +302,7 @@ def _pressures(nodes: Array, values: Array, name: str, words: str = "pressure") 
     if goes_below_zero(values):
         key, label = "largest_tension", "largest tension"
         if name != "pressure":
-            key, label = f"largest_pulling_{name}", f"largest {words} that pulls"
+            key, label = f"largest_pulling_{name}", f"largest tensile {words}"
         rows.append(_extreme(name, key, label, nodes, -values, 1, "-{}"))
     return rows
 
@@ -329,7 +329,7 @@ def _section_forces(results: CombinationResult) -> SummarySection:
 
 
 def _supports(results: CombinationResult) -> SummarySection:
-    """Return what the supports carry: each of a few, else the largest and the smallest force and their sum."""
+    """Return the support forces: each of a few, else the largest and the smallest and their sum."""
     totals = [(support.total, support) for support in results.supports if len(support.nodes)]
     rows = [
         Row(f"force_{number}", f"force of {support.name}", total, UNITS["kN"], "", _middle(support))
@@ -362,7 +362,7 @@ def certificate_section(results: CombinationResult) -> SummarySection:
         Row("reaction", "sum of the reactions", certificate.reaction, UNITS["kN"]),
     ]
     if certificate.ground_load:
-        rows.append(Row("ground_load", "sum of the loads beside the plate", certificate.ground_load, UNITS["kN"]))
+        rows.append(Row("ground_load", "sum of the loads off the plate", certificate.ground_load, UNITS["kN"]))
     limits = certificate.limits()
     words = CERTIFICATE_WORDS if results.ground.cells is None else CERTIFICATE_WORDS | WORDS_OF_CELLS
     for name, value in certificate.limited().items():
@@ -371,8 +371,8 @@ def certificate_section(results: CombinationResult) -> SummarySection:
     notes: tuple[str, ...] = ()
     if "margin_effect" in certificate.too_large():
         notes = (
-            "The meshed ground beyond the plate is too narrow or too coarse: make beyond.width larger or mesh.size "
-            "smaller.",
+            "The meshed ground beyond the plate is too narrow or too coarse: increase beyond.width or reduce "
+            "mesh.size.",
         )
     unknown = unknown_words(results)
     notes = (*notes, unknown) if unknown else notes

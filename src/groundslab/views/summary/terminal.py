@@ -69,7 +69,7 @@ def _print_cases(combined: Results, console: Console) -> None:
     if not lines:
         return
     console.print()
-    _print_lines(["Load cases: factors, and how many combinations they act in"], "bold cyan", console)
+    _print_lines(["Load cases: factors and number of combinations"], "bold cyan", console)
     for line in lines[:MOST_CASES]:
         _print_lines(textwrap.wrap(line, 76, initial_indent="  ", subsequent_indent="    "), "", console)
     if len(lines) > MOST_CASES:
@@ -100,9 +100,9 @@ def _print_several(combined: Results, found: Sequence[Entry], console: Console) 
         _print_section(titled, [_extreme(row) for row in rows], console)
     if not combined.results:
         return
-    worst = SummarySection("certificate", "Certificate: the worst of each figure", ())
+    worst = SummarySection("certificate", "Certificate: the worst value of each figure", ())
     _print_section(worst, [_extreme(row) for row in combinations.worst(combined)], console)
-    _print_lines(["  The number before each line is that of the combination that governs."], "dim", console)
+    _print_lines(["  The number before each line is that of the governing combination."], "dim", console)
 
 
 def _print_lines(lines: Iterable[str], style: str, console: Console) -> None:

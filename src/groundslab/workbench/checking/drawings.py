@@ -72,7 +72,7 @@ def _explain_failure(path: Path, error: CallFailure) -> Issue:
         found = f"a drawing that takes {error} to read"
     elif isinstance(error, MemoryLimit):
         found = f"a drawing that takes too much memory to read ({error})"
-    return Issue(str(path), found, "a smaller one", "save only the layers that are needed in a file of their own")
+    return Issue(str(path), found, "a smaller one", "save only the layers that are needed in a separate file")
 
 
 def load_libraries() -> None:

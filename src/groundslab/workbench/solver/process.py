@@ -201,7 +201,7 @@ def _solve(pipe: Connection, stop: Any, task: Task, run: int, text: str, shown: 
     except GroundslabError as error:
         pipe.send(("refused", run, str(error), list(error.issues) if isinstance(error, InputError) else []))
     except MemoryError:
-        pipe.send(("refused", run, "the memory is too small for this analysis; a coarser mesh needs less", []))
+        pipe.send(("refused", run, "not enough memory for this analysis; a coarser mesh needs less", []))
     except Exception as error:
         traceback.print_exc()
         pipe.send(("refused", run, f"an error in groundslab itself: {type(error).__name__}: {error}", []))

@@ -325,7 +325,7 @@ class Solver:
             if job is None and self._failed_starts >= MAX_STARTS:
                 job, self._requests.job = self._requests.job, None
             if job is not None:
-                message = f"the solver ended unexpectedly ({how}); nothing of the case is lost"
+                message = f"the solver ended unexpectedly ({how}); no part of the case is lost"
                 self._finish_run("refused", job.to_json() | {"message": message, "issues": []})
 
 

@@ -445,7 +445,7 @@ class TestRoles:
 
         drawing = drawn(both)
         assert drawing.openings[0].points[0] == (5, 5)
-        assert any("layer of their own" in why for _, why in said(drawing, "LWPOLYLINE"))
+        assert any("their own layer" in why for _, why in said(drawing, "LWPOLYLINE"))
 
     def test_hidden_layers_are_read_and_mentioned(self, drawn: Any) -> None:
         """Frozen layers and layers that are off count; the report says so."""
@@ -550,7 +550,7 @@ class TestFaults:
     def test_outlines_side_by_side(self, tmp_path: Path) -> None:
         """Two plates, and two that overlap, are distinguished."""
         text = issues(lambda space: [outline(space), square(space, 10, 0, 1, "OUTLINE")], tmp_path)
-        assert "beside the outline" in text
+        assert "next to the outline" in text
         assert "(10, 0) m" in text
         text = issues(lambda space: [outline(space), space.add_circle((4, 1), 0.5, on("OUTLINE"))], tmp_path)
         assert "crosses or touches the outline" in text
@@ -754,7 +754,7 @@ class TestSpreadLoads:
             (30e3, 1), (5e3, 0), (20e3, 0), (None, 0),
         ]  # fmt: skip
         assert said(drawing, "CIRCLE") == [
-            (True, "area load 1 of 30 kPa"), (True, "hole in area load 1, as it has no value of its own"),
+            (True, "area load 1 of 30 kPa"), (True, "hole in area load 1, as it has no value"),
         ]  # fmt: skip
         assert said(drawing, "LINE") == [(True, "part of area load 4, no value")] * 3
         model = casefile.loads(filled(dxf.to_case(drawing)))
@@ -924,7 +924,7 @@ class TestOutput:
         assert "openings: 1, zones: 1, columns: 2, point loads: 2 (sum 320 kN)" in text
         assert text.index("layer ") < text.index("ignored:") < text.index("taken:")
         assert "  ZONES     1      1\n" in text
-        assert "text is taken beside point loads only" in text
+        assert "text is read only next to point loads" in text
         assert "\x1b" not in text
 
     def test_case(self, drawn: Any) -> None:
@@ -1038,8 +1038,8 @@ class TestOutput:
         unknown = [load for load in model.loads if isinstance(load, PointLoad) and not load.name]
         assert [(load.column, load.x) for load in unknown] == [("", 1.35), ("C2", None)]
         assert text.count("as a circle of the same area: its sides do not run along x and y.") == 2
-        assert text.count("for information only: it does not stand on the plate.") == 2
-        assert "# Column 7 of the drawing, for information only: a point says nothing of its size." in text
+        assert text.count("for information only: it is not on the plate.") == 2
+        assert "# Column 7 of the drawing, for information only: a point has no size." in text
 
     @pytest.mark.slow
     @given(turn=st.sampled_from([0, 1, 2, 3]), x=st.floats(-100, 100), y=st.floats(-100, 100))

@@ -80,7 +80,7 @@ class TestGaps:
 
     def test_a_wider_gap_is_closed_on_demand(self, tmp_path: Path) -> None:
         """3 mm are an issue, which says what to do, unless gaps up to 5 mm may be closed; 0 closes none."""
-        with pytest.raises(InputError, match=r"a gap of 0\.003 m.*\n?.*wider gaps be closed"):
+        with pytest.raises(InputError, match=r"a gap of 0\.003 m.*\n?.*wider gaps to be closed"):
             read(lambda space: frame(space, 3e-3), tmp_path)
         assert len(remarks(read(lambda space: frame(space, 3e-3), tmp_path, gap=5e-3), "was closed")) == 1
         with pytest.raises(InputError, match=r"a gap of 0\.0005 m"):

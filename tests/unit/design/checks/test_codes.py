@@ -102,7 +102,7 @@ def test_bars_of_aci_318() -> None:
 
 
 def test_one_way_shear_of_aci_318() -> None:
-    """Phi v_c is that of the bars that are laid, 7.54 cm2/m, in the direction of the force."""
+    """Phi v_c is that of the bars provided, 7.54 cm2/m, in the direction of the force."""
     found = rows({**ACI, **AXES, **LAID})["one-way shear"]
     rho = math.pi * 0.012**2 / 4 / 0.15 / D
     lambda_s = math.sqrt(2 / (1 + 4 * D))

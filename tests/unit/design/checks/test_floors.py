@@ -281,7 +281,7 @@ def test_a_continuum_has_an_equivalent_modulus_and_the_clauses_say_so() -> None:
 def test_what_joints_are_relied_on_for_is_told_as_not_checked() -> None:
     """Of 75 kN at an edge joints carry over 15 %, 11.25 kN; inside and without a share, nothing."""
     inside, edge = leg(0, 0), leg(0, LENGTH_Y / 2 - 0.1)
-    relied = "anchorage is not checked; that joints carry over up to 11.25 kN of a force is not checked."
+    relied = "anchorage is not checked; the transfer of up to 11.25 kN of a force across joints is not checked."
     bars = {"concrete": "C30/37", "steel": "B500B", "bottom": (0.04, 0.05), "top": (0.04, 0.05)}
 
     def headline(loads: list[dict[str, Any]], floor: dict[str, Any], **changes: Any) -> str:
@@ -295,7 +295,7 @@ def test_what_joints_are_relied_on_for_is_told_as_not_checked() -> None:
     assert headline([inside, edge], {**FIBERS, "joint_transfer": 0.15}, reinforcement=bars).endswith(relied)
     for floor in ({**FIBERS, "joint_transfer": 0.15}, {**ACI, "R_e3": 0.5, "joint_transfer": 0.15}):
         words = headline([inside, edge], floor)
-        assert "[reinforcement]; that joints carry over up to " in words
+        assert "[reinforcement]; the transfer of up to " in words
         assert "anchorage" not in words
         assert "joints" not in headline([inside], floor)
     assert "joints" not in headline([inside, edge], FIBERS)
@@ -313,7 +313,7 @@ def test_a_floor_that_fails_says_so_first() -> None:
     [
         ({"kind": "TR34"}, "neither concrete nor f_ck"),
         ({**TR34, "f_R1": 2e6}, "nothing"),
-        ({**FIBERS, "mesh_area": 4e-4, "mesh_axis": 0.05}, "a mesh beside fibers"),
+        ({**FIBERS, "mesh_area": 4e-4, "mesh_axis": 0.05}, "a mesh together with fibers"),
         ({**TR34, "mesh_area": 4e-4, "mesh_axis": 0.15}, "0.15 m"),
         ({**ACI, "friction": 0.5}, "nothing"),
         ({**ACI, "joint_transfer": 0.2}, "none without R_e3"),
@@ -370,7 +370,7 @@ def test_each_bay_of_several_has_its_own_checks() -> None:
     assert ("pressure beside aisles", "A") in found
     assert ("pressure beside aisles", "B") not in found
     assert [of for name, of in found if name == "restraint of shrinkage"] == [""]
-    assert check_design(results).headline.count("carry over up to 15 kN of a force") == 1
+    assert check_design(results).headline.count("transfer of up to 15 kN of a force across joints") == 1
     (table,) = (each for each in tables_of(results) if each.name == "checks")
     assert "B, internal" in table["of"]
 

@@ -102,7 +102,7 @@ def test_what_must_not_be_less() -> None:
 
 
 def test_limits_without_results_need_attention() -> None:
-    """Where no combination of serviceability is solved, nothing is said to hold."""
+    """Where no serviceability combination is solved, nothing is said to hold."""
     combined = solved(model_with(settlement=0.01))
     alone = replace(combined, results={"ULS": combined.results["ULS"]}, refused={
         name: InputError([]) for name in ("SLS 1", "SLS 2")})  # fmt: skip
@@ -111,7 +111,7 @@ def test_limits_without_results_need_attention() -> None:
     assert design.checks[0].words.endswith('not checked: "SLS 1", "SLS 2"')
     none = replace(alone, combinations=combined.combinations[:1], refused={})
     words = [each.words for each in check_design(none).checks]
-    assert "not checked: the case has no combination of serviceability" in words
+    assert "not checked: the case has no serviceability combination" in words
 
 
 def test_no_limit_is_an_error() -> None:

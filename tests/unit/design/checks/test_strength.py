@@ -123,7 +123,7 @@ def test_a_support_below_leaves_punching_open() -> None:
     model = described(5e6, supports=[{"kind": "point", "x": 0, "y": 0, "stiffness": "10 MN/m"}])
     for name in ("punching at the column's face", "punching within 2 d"):
         said = words(check_design(solved(model)), name)
-        assert said == "attention: not judged, for a support inside or no perimeter on the plate: columns C1"
+        assert said == "attention: not judged, with a support inside or no perimeter on the plate: columns C1"
 
 
 def test_bending_that_no_reinforcement_carries() -> None:
@@ -146,7 +146,7 @@ def test_nothing_that_fails_is_no_approval() -> None:
     assert design.headline.startswith("No failure found in 5 checks; anchorage is not checked")
     assert not design.open
     assert check_design(solved(described(reinforcement=None))).headline.startswith("Strength was not checked")
-    assert "This is no approval" in printed(solved(described()))
+    assert "This is not a design approval" in printed(solved(described()))
 
 
 def test_ultimate_combinations_that_count_for_nothing() -> None:

@@ -315,9 +315,9 @@ def test_faulty_actions(values: tuple, message: str) -> None:
     ("name", "expected"),
     [
         ("", "a name"),
-        ("Q + W", "a name that can stand in a sum"),
-        (" Q", "a name that can stand in a sum"),
-        ("G", "a name of its own"),
+        ("Q + W", "a name that can be used in a sum"),
+        (" Q", "a name that can be used in a sum"),
+        ("G", "a unique name"),
     ],
 )
 def test_faulty_names(name: str, expected: str) -> None:

@@ -80,7 +80,7 @@ REFUSED: dict[str, tuple[dict[str, Any], str, str]] = {
         "ground.selvadurai",
         "the k of one plate",
     ),
-    "soil strength": ({"soil_strength": {"phi": 30.0, "unit_weight": 18e3}}, "soil_strength", "beside several plates"),
+    "soil strength": ({"soil_strength": {"phi": 30.0, "unit_weight": 18e3}}, "soil_strength", "with several plates"),
 }
 
 

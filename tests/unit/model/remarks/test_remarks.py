@@ -76,9 +76,9 @@ def test_a_case_without_part_in_strength_or_serviceability() -> None:
     serviceable = {"name": "SLS", "limit_state": "characteristic", "factors": {"G": 1, "Q": 1}}
     words = 'case "Q" acts in no ultimate combination'
     assert only(combinations=[dead, serviceable]) == ("cases[2]", words, True)
-    words = 'case "Q" acts in no combination of serviceability'
+    words = 'case "Q" acts in no serviceability combination'
     assert only(combinations=[BOTH, serviceable | {"factors": {"G": 1}}]) == ("cases[2]", words, False)
-    words = 'case "G" acts in no combination of serviceability'
+    words = 'case "G" acts in no serviceability combination'
     assert only(combinations=[BOTH, serviceable | {"factors": {"Q": 1}}]) == ("cases[1]", words, True)
 
 
@@ -97,7 +97,7 @@ def test_a_permanent_case_with_the_name_of_a_live_load(name: str) -> None:
     """Beside a variable case one that is typed without its action would have the factor of dead loads."""
     cases = [G, {"name": name}, {"name": "R", "action": "variable"}]
     loads = [uniform(case["name"]) for case in cases]
-    words = f'case "{name}" is permanent, as any without an action; a live load is "variable"'
+    words = f'case "{name}" is permanent, the default; a live load is "variable"'
     assert only(cases=cases, loads=loads, combine={"sets": ["ultimate"]}) == ("cases[2]", words, True)
     assert remarks(cases=cases, loads=loads, combinations=[{"name": "U", "factors": {"G": 1, name: 1, "R": 1}}]) == []
 
@@ -113,7 +113,7 @@ def test_a_set_without_combinations() -> None:
     """Of psi_2 = 0 alone no quasi-permanent combination is made."""
     wind = Q | {"category": "wind"}
     found = remarks(cases=[wind], loads=[uniform("Q")], combine={"sets": ["ultimate", "quasi-permanent"]})
-    words = '"quasi-permanent" makes no combination: all its factors are 0'
+    words = '"quasi-permanent" yields no combination: all its factors are 0'
     assert [(each.location, each.words, each.doubtful) for each in found] == [("combine.sets", words, True)]
 
 
@@ -122,9 +122,11 @@ def test_uplift_without_water() -> None:
     flood = {"name": "flood", "action": "accidental"}
     loads = [uniform("G"), uniform("Q"), uniform("flood", -20e3)]
     nothing, without = remarks(cases=[G, Q, flood], loads=loads, combine={"sets": ["accidental", "uplift"]})
-    assert nothing.words == "nothing acts upwards in the combinations of uplift; water below is a load with q below 0"
+    assert nothing.words == (
+        "nothing acts upwards in the uplift combinations; water pressure from below is a load with q below 0"
+    )
     assert without.words == (
-        'case "flood" acts upwards, but in no combination of uplift; [combine] makes none with accidental actions, '
+        'case "flood" acts upwards, but in no uplift combination; [combine] makes none with accidental actions, '
         "[[combinations]] can list one"
     )
     assert nothing.doubtful
@@ -179,7 +181,7 @@ def test_each_case_by_itself() -> None:
 def test_a_pattern_that_no_move_places() -> None:
     """A rack that is described and stands nowhere is left out."""
     rack = {"kind": "rack", "name": "rack", "P": 60e3}
-    words = 'pattern "rack" is placed by no move: its forces are left out'
+    words = 'pattern "rack" is not placed by any move: its forces are left out'
     assert only(patterns=[rack], combinations=[BOTH]) == ("patterns[1]", words, True)
 
 

@@ -55,7 +55,7 @@ def write_zip(path: Path, *files: tuple[str, bytes]) -> Path:
 def test_no_file_is_written_elsewhere(tmp_path: Path, name: str) -> None:
     """A file of any other path is refused before one is written."""
     path = write_zip(tmp_path / "x.zip", ("case.toml", b""), (name, b"x"))
-    with pytest.raises(InputError, match="no file of results"):
+    with pytest.raises(InputError, match="not a results file"):
         archive.unpack_results(path, tmp_path / "inner" / "folder")
     assert [each.name for each in tmp_path.iterdir()] == ["x.zip"]
 

@@ -216,7 +216,7 @@ class TestSeveral:
         """Nor is the working directory pulled away if it lies deeper."""
         folder = results_folder.save_results(synthetic.combined(), tmp_path / "raft")
         monkeypatch.chdir(folder / "02-nul")
-        with pytest.raises(InputError, match="stand in"):
+        with pytest.raises(InputError, match="current"):
             results_folder.check(folder)
 
     def test_one_replaces_several_and_the_reverse(self, tmp_path: Path) -> None:
@@ -513,7 +513,7 @@ class TestRefuse:
     def test_the_folder_that_the_user_stands_in(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         """The working directory is not pulled away."""
         monkeypatch.chdir(tmp_path)
-        with pytest.raises(InputError, match="stand in"):
+        with pytest.raises(InputError, match="current"):
             results_folder.check(".")
 
     def test_a_root_folder(self) -> None:

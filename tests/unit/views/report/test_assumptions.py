@@ -49,7 +49,7 @@ def said(**changes: Any) -> str:
 
 def test_what_cracks_and_yields_is_not_called_elastic() -> None:
     """With [cracking] it says which combinations crack; piles with a limit yield; else nothing does."""
-    elastic = "nothing cracks, creeps or yields in it"
+    elastic = "it does not crack, creep or yield"
     assert elastic in said()
     cracked = said(reinforcement={**EN, **BARS}, cracking={"creep": 2.5, "limit_states": ["quasi-permanent"]})
     assert elastic not in cracked
@@ -66,10 +66,10 @@ def test_ground_and_contact_are_those_of_the_case() -> None:
     assert "rigid base" not in said()
     layered = said(ground={"kind": "vlasov", "layers": LAYERS}, beyond={"kind": "infinite"})
     assert "rigid base" in layered
-    assert "no end beside the plate" in layered
+    assert "extends infinitely beyond the plate" in layered
     assert "springs" not in layered
     assert "on a half-space" in said(ground={"kind": "continuum", "half_space": {"E": 20e6, "nu": 0.3}})
-    assert "the ground can pull" in said(contact={"tensionless": False})
+    assert "the ground can carry tension" in said(contact={"tensionless": False})
     assert "limit pressure of 300 kPa" in said(contact={"limit_pressure": 3e5})
     assert "must not be added up" not in said(combinations=[{"name": "ULS", "factors": {"G": 1.35}}])
 

@@ -296,7 +296,7 @@ class TestVerdict:
         found = page(render_report(synthetic.results(certificate=bad)))
         assert "do not use the result" in found.one("p", class_="verdict bad").text
         rows = next(grids(found.one("section", id="certificate")))[1]
-        assert [row[0] for row in rows if row[-1] == "FAILED"] == ["force left over at a node"]
+        assert [row[0] for row in rows if row[-1] == "FAILED"] == ["residual force at a node"]
         assert "No combination has a certified result" in found.one("section", id="extremes").text
         assert not list(found.one("section", id="pictures").all("svg"))
 

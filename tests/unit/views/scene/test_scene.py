@@ -61,7 +61,7 @@ RAFT: dict[str, Any] = {
 
 
 def area(ring: list[list[float]]) -> float:
-    """Return the area in a closed polyline, positive if it runs counter-clockwise."""
+    """Return the area in a closed polyline, positive if counterclockwise."""
     x, y = np.array(ring).T
     return float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
 
@@ -208,7 +208,7 @@ class TestScene:
         assert [each["values"] is not None for each in head["combinations"]] == [True, True, True, False]
         assert head["combinations"][0]["factors"] == [["dead", 1.35], ["wind", 1.5]]
         assert head["combinations"][0]["refused"] is None
-        assert "does not fulfil" in head["combinations"][2]["refused"]
+        assert "does not satisfy" in head["combinations"][2]["refused"]
         assert head["combinations"][3]["refused"] == "FOUNDATION FAILS: the loads pull the plate off"
         assert head["combinations"][3]["extremes"] == {}
         assert head["left_out"] == []

@@ -95,7 +95,7 @@ WRONG: dict[str, tuple[str, str, list[str]]] = {
         write(ground='[ground]\nkind = "layered"\ncoupling = "interface"\nlayers = [\n{k0 = "20 MPa/m", '
               'k1 = "10 MN/m"},\n{k0 = "20 MPa/m", k1 = "0 MN/m"}]\n', more='[beyond]\nkind = "infinite"\n'),
         "ground.layers[2].k1", ['set beyond.kind to "none"']),
-    "zones beside boreholes": (
+    "zones together with boreholes": (
         write(ground=VLASOV, more=BOREHOLE + f'[[soil_zones]]\n{RECTANGLE}\n'
               f'ground = {{kind = "vlasov", layers = [{LAYER}]}}\n'),
         "soil_zones", ["remove soil_zones", "remove boreholes"]),

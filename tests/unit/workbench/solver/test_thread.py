@@ -239,7 +239,7 @@ def test_going_back_to_what_is_solved(make: Make, events: Events, tmp_path: Path
     [
         ("issue", "mesh.size: found"),
         ("refuse", "no"),
-        ("memory", "memory is too small"),
+        ("memory", "not enough memory"),
         ("bug", "an error in groundslab itself: ZeroDivisionError"),
     ],
 )

@@ -141,7 +141,7 @@ export function isClosed(geometry: Geometry): boolean {
   return geometry.type === "fixed" ? geometry.closed : !["point", "line", "segment"].includes(geometry.type);
 }
 
-/** The area inside a ring, positive if it runs counter-clockwise. */
+/** The area inside a ring, positive if counterclockwise. */
 export function signedArea(ring: Ring): number {
   let twice = 0;
   ring.forEach(([x, y], n) => {

@@ -110,7 +110,7 @@ export function showCertificates(element: HTMLElement, summary: Summary | null, 
 function makeVerdict({ combinations: all, coarse = "" }: Summary): HTMLElement {
   const bad = all.filter((one) => verdictOf(one) !== "certified").length;
   const whose = all.length === 1 ? "The result is" : `The results of all ${all.length} combinations are`;
-  const good = `${whose} certified: equilibrium and contact conditions are satisfied on this mesh. This is no approval of the design.`;
+  const good = `${whose} certified: equilibrium and contact conditions are satisfied on this mesh. This is not a design approval.`;
   if (bad === 0 && coarse) return h("p", { class: "verdict doubtful" }, `${good} ${coarse}`);
   if (bad === 0) return h("p", { class: "verdict good" }, good);
   const some = `${bad} of ${all.length} combinations have no result that may be used.`;

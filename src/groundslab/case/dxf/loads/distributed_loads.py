@@ -106,7 +106,7 @@ def read_area_loads(
         report_taken(found[number], f"area load {loads[number]}{how}", context)
         areas.append(AreaMark(found[number].curve, tuple(holes[number]), value, labelling.join_texts(marks[number])))
     for hole, outer in hole_of.items():
-        report_taken(found[hole], f"hole in area load {loads[outer]}, as it has no value of its own", context)
+        report_taken(found[hole], f"hole in area load {loads[outer]}, as it has no value", context)
     return areas
 
 

@@ -111,7 +111,7 @@ def _quantity(words: str, dimension: str) -> float | str:
 
 
 def read_label(source: Source, entity: DXFEntity, context: ReadContext, dimension: str = "force") -> Label | None:
-    """Return what a TEXT, ATTRIB or MTEXT says and where, None for anything else."""
+    """Return the words of a TEXT, ATTRIB or MTEXT and their place, None for anything else."""
     from ezdxf.entities import MText, Text
     from ezdxf.math import Vec3
 
@@ -224,7 +224,7 @@ def assign_texts(marks: Sequence[PendingLoad], texts: Sequence[Label], role: str
         elif t in given:
             continue
         elif text.value is None:
-            context.report_entity(text.source, False, f"{describe(text.words)}, which stands beside no {what}")
+            context.report_entity(text.source, False, f"{describe(text.words)}, with no {what} next to it")
         elif t in near:
             hint = "write the sum, or move the text nearer to its own load"
             context.issue(
@@ -257,5 +257,5 @@ def choose_value(
 
 
 def join_texts(mark: PendingLoad) -> str:
-    """Return what is written beside a load."""
+    """Return the text next to a load."""
     return " ".join(" ".join(mark.texts).split())

@@ -29,7 +29,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if share <= MOST:
         return
     relieves = model.reinforcement is not None and model.reinforcement.line_force_relieves
-    effect = "it relieves shear and punching, as the case asks" if relieves else "it relieves no check"
+    effect = "it relieves shear and punching, as the case specifies" if relieves else "it relieves no check"
     words = (
         f'{100 * share:.3g} % of the load in "{worst.combination}" is carried by the line force along the edge, '
         f"which follows from k1 (strip of {strip_width(worst):.3g} m); {effect}; compare the ground models"

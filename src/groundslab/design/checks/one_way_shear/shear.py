@@ -138,10 +138,10 @@ def _across(results: list[CombinationResult], nodes: Places, steel: Reinforcemen
 
 def _by_en1992(steel: Reinforcement, worst: _Worst) -> DesignCheck:
     """Return the check at the place that governs by EN 1992-1-1."""
-    which = "laid" if steel.laid else "needed in bending"
+    which = "provided" if steel.laid else "needed for bending"
     words = (
         f"v_Ed {worst.v / 1e3:.4g} kN/m at {worst.where} is {worst.used:.3g} times v_Rd,c "
-        f"{worst.without_links / 1e3:.4g} kN/m with the bars that are {which} (6.2.2)"
+        f"{worst.without_links / 1e3:.4g} kN/m with the bars {which} (6.2.2)"
     )
     status: Status = "no failure found"
     if worst.used > 1:
@@ -151,8 +151,8 @@ def _by_en1992(steel: Reinforcement, worst: _Worst) -> DesignCheck:
         thin = worst.thickness < LEAST_WITH_LINKS
         status = "fails" if np.isinf(area) or thin else "attention"
         words += (
-            "; no links help at what presses there (6.2.1(8))" if worst.at_support
-            else "; no links help (6.2.3(3))" if np.isinf(area)
+            "; links do not suffice at the load there (6.2.1(8))" if worst.at_support
+            else "; links do not suffice (6.2.3(3))" if np.isinf(area)
             else "; too thin for links (9.3.2(1))" if thin
             else f"; links of {area * 1e4:.3g} cm2/m2 are needed there (6.2.3)"
         )  # fmt: skip
@@ -161,17 +161,17 @@ def _by_en1992(steel: Reinforcement, worst: _Worst) -> DesignCheck:
 
 def _by_aci318(steel: Reinforcement, worst: _Worst) -> DesignCheck:
     """Return the check at the place that governs by ACI 318-19."""
-    which = "laid" if steel.laid else "needed in bending"
+    which = "provided" if steel.laid else "needed for bending"
     words = (
         f"v_u {worst.v / 1e3:.4g} kN/m at {worst.where} is {worst.used:.3g} times phi v_c "
-        f"{worst.without_links / 1e3:.4g} kN/m with the bars that are {which} (22.5.5.1)"
+        f"{worst.without_links / 1e3:.4g} kN/m with the bars {which} (22.5.5.1)"
     )
     status: Status = "no failure found"
     if worst.used > 1:
         area = aci318.links(worst.v, worst.d, *reinforcement.aci318_materials(steel))
         status = "fails" if np.isinf(area) else "attention"
         words += (
-            "; no links help (22.5.1.2)" if np.isinf(area)
+            "; links do not suffice (22.5.1.2)" if np.isinf(area)
             else f"; links of {area * 1e4:.3g} cm2/m2 are needed there (22.5.8.5.3)"
         )  # fmt: skip
     return worst.check(status, words, "ACI 318-19 22.5.5.1")

@@ -31,17 +31,18 @@ _EN1992: Heads = (
 _ACI318: Heads = (("d", "mm"), ("V_u", "kN"), ("b_o", "m"), ("v_u", "MPa"), *_INSIDE, ("phi v_c", "MPa"))
 
 _ONE_EDGE = (
-    "The line force of the ground along the plate's edge inside is no pressure: it does not relieve punching, unless "
-    "the case says line_force_relieves; where it pulls, it is added."
+    "The line force of the ground along the plate's edge inside is not a pressure: it does not relieve punching, "
+    "unless the case sets line_force_relieves; where it pulls, it is added."
 )
 _RELIEVES = (
-    "The line force of the ground along the plate's edge inside is taken off as the pressure inside is, as the case "
-    "says line_force_relieves."
+    "The line force of the ground along the plate's edge inside is subtracted like the pressure inside, as the case "
+    "sets line_force_relieves."
 )
-_OVER_EDGE = "The line force of the ground along the plate's edge inside adds to what punches, as the pressure does."
+_OVER_EDGE = "The line force of the ground along the plate's edge inside adds to the punching force, as the pressure "
+"does."
 _EFFECTIVE = (
-    "What lies between the tangents to an opening does not count; center, moments and {} are those of the part that is "
-    "left."
+    "The part between the tangents to an opening does not count; center, moments and {} are those of the remaining "
+    "part."
 )
 
 
@@ -55,7 +56,7 @@ class PunchingCells:
 
 
 def punching_at_columns(combined: Results) -> PunchingCells:
-    """Return what the table of columns tells of punching; nothing without reinforcement."""
+    """Return the punching columns of the table of columns; none without reinforcement."""
     steel = combined.model.reinforcement
     if steel is None:
         return PunchingCells((), lambda _, __: [], ())
@@ -97,16 +98,15 @@ def _by_en1992(combined: Results, steel: Reinforcement, punched: Demands, one: s
     relief = "load + other loads inside - pressure inside" if one == "column" else _OVER_PILE
     notes = (
         f"Punching by EN 1992-1-1 6.4.4(2), in ultimate combinations: V_Ed = {relief}, on the perimeter at 2 d. v_Ed = "
-        "beta V_Ed / (u d), beta by the moments of all forces inside about the perimeter's center, 6.51. Other "
+        "beta V_Ed / (u d), beta from the moments of all forces inside about the perimeter's center, 6.51. Other "
         "supports inside are not counted.",
         "a is the distance from the face, up to 2 d, at which v_Ed / v_Rd is largest, v_Rd = v_Rd,c 2 d / a with the "
-        "bars that are laid or the most that count.",
+        "bars provided or the largest ratio that counts.",
         _EFFECTIVE.format("W"),
         _edge_note(steel, one),
-        "At the face v_Ed is that of 6.4.5(3) on u_0, with the same beta, on what is left of the force there. Above "
+        "At the face v_Ed is that of 6.4.5(3) on u_0, with the same beta and the remaining force there. Above "
         "v_Rd,max no reinforcement helps; some annexes have none.",
-        _DEPTH[one] + " Where the plate gets thinner within 2 d or a little farther out, that place needs a check of "
-        "its own.",
+        _DEPTH[one] + " Where the plate gets thinner within 2 d or slightly beyond, that place needs a separate check.",
     )
     return PunchingCells(_EN1992, cells, (*notes, *_missing(punched.missing, one)))
 
@@ -142,7 +142,7 @@ _DEPTH = {
 
 
 def _edge_note(steel: Reinforcement, one: str) -> str:
-    """Return what the line force along the plate's edge does."""
+    """Return the effect of the line force along the plate's edge in words."""
     if one == "pile":
         return _OVER_EDGE
     return _RELIEVES if steel.line_force_relieves else _ONE_EDGE
@@ -179,5 +179,5 @@ def _aci318_cells(demand: TwoWay | None, steel: Reinforcement) -> list[Cell]:
 
 
 def _inside(force: float, pressure: float, edge: float, others: float) -> list[Cell]:
-    """Return what acts inside, in the order of the table, of forces [N]."""
+    """Return the forces inside [N], in the order of the table."""
     return [pressure / 1e3, 100 * pressure / force, edge / 1e3, others / 1e3]

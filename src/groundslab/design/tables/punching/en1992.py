@@ -150,7 +150,7 @@ def _site(results: CombinationResult, punching: PunchingForce, steel: Reinforcem
 
 
 def _ratio(model: Model, punching: PunchingForce, steel: Reinforcement, d: float) -> float:
-    """Return rho_l of the bars that are laid in tension at a column or pile (6.4.4(1)), the most if none are."""
+    """Return rho_l of the bars provided in tension at a column or pile (6.4.4(1)), the most if none are."""
     if not steel.laid:
         return en1992.MOST_BARS
     face: Literal["bottom", "top"] = "top" if punching.from_below else "bottom"

@@ -67,7 +67,7 @@ class Demand:
     limit_state: str
     force: float  # that pushes [N]
     d: float  # effective depth [m]
-    v_Rd_c: float  # at 2 d, with the bars that are laid or the most that count [Pa]
+    v_Rd_c: float  # at 2 d, with the bars provided or the most that count [Pa]
     face: Stress | None
     around: tuple[Stress, ...]  # from the face outwards; none where there is no such perimeter on the plate
 
