@@ -90,7 +90,7 @@ def test_wind_that_lifts_a_pad_by_aci(case: Path) -> None:
     assert ended.returncode == 3
     first = " ".join(ended.stdout.splitlines()[:3])
     assert first.startswith(
-        'FOUNDATION FAILS (1 of 5 checks fails): static equilibrium: none in "ULS 8": the loads do not'
+        'FOUNDATION FAILS (1 of 6 checks fails): static equilibrium: none in "ULS 8": the loads do not'
     )
     assert "their sum is -25.4438 kN (downwards positive)" in first
     assert "ATTENTION" not in ended.stdout

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from groundslab.design.checks import punching_en1992, two_way_aci318
+from groundslab.design.checks import pulling, punching_en1992, two_way_aci318
 from groundslab.design.checks.check import DesignCheck
 from groundslab.design.en1992.annex import unconfirmed
 from groundslab.design.tables import reinforcement
@@ -38,6 +38,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     yield _compression(needs, reinforcement.CLAUSES[steel.code][2])
     if combined.model.columns or combined.model.supports:
         yield from PUNCHING[steel.code](combined)
+        yield from pulling.checks(combined)
     if reinforcement.without_partial_factors(combined):
         yield DesignCheck("partial factors", "attention", reinforcement.UNFACTORED)
     if steel.code == "EN 1992-1-1" and (open_clauses := unconfirmed(steel.annex)):

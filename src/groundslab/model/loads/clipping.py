@@ -25,7 +25,7 @@ from groundslab.model.plates.further import FurtherPlate
 from groundslab.model.plates.region import PlateRegion
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import quote
-from groundslab.units import show
+from groundslab.units import together
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
@@ -55,9 +55,10 @@ class Clipped:
     def words(self) -> str:
         """Return a remark for the report."""
         name = f" {quote(self.name)}" if self.name else ""
+        (force, drawn), unit = together([self.force, self.drawn], self.dimension)
         return (
             f"loads[{self.number}]{name}: {100 * self.share:.3g} % of it lies {self.where}; "
-            f"{show(self.force, self.dimension)} of {show(self.drawn, self.dimension)} do not act"
+            f"{force} {unit} of {drawn} {unit} do not act"
         )
 
 

@@ -15,6 +15,7 @@ from groundslab.model.columns import overlapping_columns
 from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.clipping import find_clipped_loads
 from groundslab.model.loads.load_cases import SERVICEABILITY, Combination, LimitState
+from groundslab.model.loads.load_types import SelfWeight
 from groundslab.model.loads.patterns import absent_forces
 from groundslab.model.remarks.case_use import CaseUse, case_uses
 from groundslab.model.remarks.resultants import case_forces
@@ -95,6 +96,7 @@ def find_remarks(model: Model, combinations: Sequence[Combination] | None = None
         *_on_repeated(model, uses, combinations),
         *_on_combine(model, uses, combinations),
         *_on_names(model, uses),
+        *_on_self_weight(model),
         *_on_uplift(model, uses, combinations),
     )
 
@@ -228,6 +230,21 @@ def _on_names(model: Model, uses: Sequence[CaseUse]) -> Iterator[Remark]:
         if case.action == "permanent" and not use.empty and VARIABLE.fullmatch(case.name):
             words = f'case {quote(case.name)} is permanent, the default; a live load is "variable"'
             yield Remark(("cases", position), words, doubtful="ultimate" in model.combine.sets, of=case.name)
+
+
+def _on_self_weight(model: Model) -> Iterator[Remark]:
+    """Yield the self-weights in cases that are not permanent, where [combine] gives them the factors of live loads.
+
+    Such a weight has 1.5 and psi, and is absent wherever the live load is (EN 1990 4.1.1: self-weight is permanent).
+    """
+    if model.combine is None:
+        return
+    actions = {case.name: case.action for case in model.cases}
+    for position, load in enumerate(model.loads):
+        action = actions.get(load.case, "permanent")
+        if isinstance(load, SelfWeight) and action != "permanent":
+            words = f"self-weight is permanent, but acts in case {quote(load.case)}, which is {action}"
+            yield Remark(("loads", position), words, doubtful=True, of=load.case)
 
 
 def _on_uplift(model: Model, uses: Sequence[CaseUse], combinations: Sequence[Combination]) -> Iterator[Remark]:

@@ -16,7 +16,6 @@ from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from groundslab import errors
 from groundslab.errors import GroundslabError, InputError, Issue, NotCertified, NotConverged
@@ -32,9 +31,6 @@ from groundslab.views.files.folder_summary import (
     read_summary,
     write_summary,
 )
-
-if TYPE_CHECKING:
-    from groundslab.model.model import Model
 
 
 def save_results(results: CombinationResult | Results, folder: str | Path, *, plot: bool = False) -> Path:
@@ -206,12 +202,15 @@ def _one(path: Path) -> Results:
 
 
 def _several(path: Path, listed: Sequence[ListedCombination]) -> Results:
-    """Return the combinations that a summary lists, read from their folders; raises InputError or ValueError."""
+    """Return the combinations that a summary lists, read from their folders; raises InputError or ValueError.
+
+    The case is the one that was solved, which results hold; case.toml may have been edited since.
+    """
     from groundslab.case import casefile
     from groundslab.model.loads.load_cases import Combination
 
-    model = casefile.load(path / "case.toml")
-    results = _archived(path, listed, model)
+    results = _archived(path, listed)
+    model = next(iter(results.values())).model if results else casefile.load(path / "case.toml")
     solved_model = Results(model, (), results, {}).solved_model
     rules = {entry.name: entry.rule for entry in solved_model.combinations}
     combinations, refused = [], dict[str, GroundslabError]()
@@ -226,8 +225,8 @@ def _several(path: Path, listed: Sequence[ListedCombination]) -> Results:
     return Results(model, tuple(combinations), results, refused)
 
 
-def _archived(path: Path, listed: Sequence[ListedCombination], model: Model) -> dict[str, CombinationResult]:
-    """Return the results of those combinations of a case that have a folder, by their names."""
+def _archived(path: Path, listed: Sequence[ListedCombination]) -> dict[str, CombinationResult]:
+    """Return the results of those combinations that have a folder, by their names; all of the same case."""
     results: dict[str, CombinationResult] = {}
     for number, entry in enumerate(listed, 1):
         if entry.folder is None:
@@ -236,7 +235,8 @@ def _archived(path: Path, listed: Sequence[ListedCombination], model: Model) -> 
             raise ValueError(f'folder "{entry.folder}" of combination "{entry.name}"')
         archived = path / entry.folder / "results.npz"
         archive = npz.load(archived)
-        solved_model = next(iter(results.values()), archive).solved_model
+        first = next(iter(results.values()), archive)
+        model, solved_model = first.model, first.solved_model
         if (archive.model, archive.solved_model, archive.combination) != (model, solved_model, entry.name):
             raise _not_ours(archived, "results of another case or combination")
         results[entry.name] = replace(archive, model=model, solved_model=solved_model)

@@ -117,7 +117,7 @@ def test_the_line_force_along_the_edge_relieves_no_shear() -> None:
     assert with_it > 0
     assert spread - with_it == pytest.approx(f * (1 - s / b), rel=0.01)
     counted, relieved = shear_of(combined), shear_of(edge_walls(True))
-    assert "as pressure on a strip" in counted.words
+    assert 'm in "ULS", with the line force along the edge as pressure on a strip, is ' in counted.words
     assert "strip" not in relieved.words
     assert counted.demand is not None
     assert relieved.demand is not None

@@ -30,7 +30,7 @@ from groundslab import (
 from groundslab.case.casefile import loads
 from groundslab.cli import main
 from groundslab.design.demands import column_loads
-from groundslab.model.loads.clipping import clip_line, find_clipped_loads
+from groundslab.model.loads.clipping import Clipped, clip_line, find_clipped_loads
 from groundslab.views.plots import symbols
 from groundslab.views.scene.plan import plan_of
 from groundslab.views.summary import sections
@@ -194,6 +194,14 @@ q = "10 kPa"
 x = ["2 m", "4 m"]
 y = ["-1 m", "1 m"]
 """
+
+
+def test_words_have_one_unit() -> None:
+    """A little of much is told in the unit of both: 0.25 of 30 kNm, not 250 N m."""
+    clipped = Clipped(2, "", "", 0.25 / 30, 250.0, 30e3, "off the plate", "moment")
+    assert clipped.words() == "loads[2]: 0.833 % of it lies off the plate; 0.25 kNm of 30 kNm do not act"
+
+
 REMARK = 'loads[2] "rack": 50 % of it lies off the plate; 20 kN of 40 kN do not act'
 
 

@@ -109,6 +109,16 @@ def test_names_of_dead_loads(name: str) -> None:
     assert remarks(cases=cases, loads=[uniform(name), uniform("R")], combine={"sets": ["ultimate"]}) == []
 
 
+def test_self_weight_in_a_case_that_is_not_permanent() -> None:
+    """Combined as a live load, the slab's weight has 1.5 and is absent without it; listed factors are the user's."""
+    weight = {"kind": "self weight", "case": "Q", "unit_weight": 25e3}
+    loads = [uniform("G"), weight]
+    words = 'self-weight is permanent, but acts in case "Q", which is variable'
+    assert only(loads=loads, combine={"sets": ["ultimate"]}) == ("loads[2]", words, True)
+    assert remarks(loads=loads, combinations=[BOTH]) == []
+    assert remarks(loads=[weight | {"case": "G"}, uniform("Q")], combine={"sets": ["ultimate"]}) == []
+
+
 def test_a_set_without_combinations() -> None:
     """Of psi_2 = 0 alone no quasi-permanent combination is made."""
     wind = Q | {"category": "wind"}

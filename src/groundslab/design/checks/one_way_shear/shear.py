@@ -61,7 +61,7 @@ class _Worst:
     @property
     def where(self) -> str:
         """Return place and combination in words."""
-        edge = ", the line force along the edge as pressure on a strip" if self.spread else ""
+        edge = ", with the line force along the edge as pressure on a strip," if self.spread else ""
         return f'({self.place[0]:.3f}, {self.place[1]:.3f}) m in "{self.results.combination}"{edge}'
 
     def check(self, status: Status, words: str, clause: str) -> DesignCheck:
