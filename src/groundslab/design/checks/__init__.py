@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 from groundslab.arrays import Memo
+from groundslab.design.basis.check import ORDER, DesignCheck, Status
 from groundslab.design.checks import equilibrium, floors, limits, provided, reached, strength
-from groundslab.design.checks.check import ORDER, DesignCheck, Status
 from groundslab.design.checks.ground import bearing, edge_force
 from groundslab.design.checks.one_way_shear import shear
 from groundslab.model.remarks.remarks import find_remarks

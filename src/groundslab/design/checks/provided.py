@@ -7,12 +7,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from groundslab.design.checks.check import DesignCheck
+from groundslab.design import required_bars
+from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.combinations import solved_results, why_none
+from groundslab.design.demands.design_moments import design_moments
 from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.annex import annex_of
-from groundslab.design.tables import reinforcement
-from groundslab.design.tables.quantities import solved_results, why_none
-from groundslab.model.design.laid_bars import LaidBars, bars_of, laid_bars
+from groundslab.design.en1992.case_materials import materials, strengths
+from groundslab.model.design.laid_bars import LaidBars, axis_of, bars_of, laid_bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import LAYERS, extreme
 from groundslab.results.results import CombinationResult, Results
@@ -40,7 +42,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if steel is None or not steel.laid or not results:
         return
     laid = {layer: laid_bars(steel, layer, results[0].plate.nodes) for layer in LAYERS}
-    needs = reinforcement.governing_needs(combined, steel, {layer: bars.area for layer, bars in laid.items()})
+    needs = required_bars.governing_needs(combined, steel, {layer: bars.area for layer, bars in laid.items()})
     for layer in LAYERS:
         yield from _area(layer, [need for need in needs if need.layer == layer], CLAUSES[steel.code])
     yield _spacing(results[0], steel, laid)
@@ -99,7 +101,7 @@ def _covers(steel: Reinforcement) -> Iterator[tuple[str, float, int]]:
     """Yield the cover [m] of each set of bars, with its layer and its position among those of the layer."""
     for layer in LAYERS:
         for position, bars in enumerate(bars_of(steel, layer)):
-            yield layer, reinforcement.axis_of(steel, layer) - bars.diameter / 2, position
+            yield layer, axis_of(steel, layer) - bars.diameter / 2, position
 
 
 def _least_cover(steel: Reinforcement, least: dict[str, list[float]], where: str, clause: str) -> DesignCheck:
@@ -120,7 +122,7 @@ def _least_cover(steel: Reinforcement, least: dict[str, list[float]], where: str
     )
 
 
-def _area(layer: str, needs: list[reinforcement.Need], clauses: tuple[str, str, str]) -> Iterator[DesignCheck]:
+def _area(layer: str, needs: list[required_bars.Need], clauses: tuple[str, str, str]) -> Iterator[DesignCheck]:
     """Yield whether the bars of a layer are as much as bending and the minimum need, where it is used most."""
     if not needs:
         return
@@ -183,16 +185,16 @@ def _bars_in_tension(
     results = [each for each in solved_results(combined) if each.limit_state == state]
     if not results:
         return []
-    materials = reinforcement.materials(steel)
+    of_case = materials(steel)
     thickness, found = results[0].elements.at_nodes(results[0].plate)[0], []
     field = cracking.crack_width if widths else cracking.bar_stress
     for layer, own in laid.items():
-        cover = reinforcement.axis_of(steel, layer) - own.diameter / 2
+        cover = axis_of(steel, layer) - own.diameter / 2
         bars = cracking.Bars(own.diameter, own.spacing, cover, own.area)
         largest = []
         for each in results:
-            m = np.abs(getattr(reinforcement.design_moments(each.plate), layer))
-            largest.append((*extreme(each.plate.nodes, field(m, thickness, bars, *materials), 1), each.combination))
+            m = np.abs(getattr(design_moments(each.plate), layer))
+            largest.append((*extreme(each.plate.nodes, field(m, thickness, bars, *of_case), 1), each.combination))
         found.append(_Bent(layer, *max(largest)))
     return found
 
@@ -202,7 +204,7 @@ def _stresses(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]
     found = _bars_in_tension(combined, steel, laid, "characteristic", widths=False)
     if not found:
         return
-    worst, f_yk = max(found, key=lambda each: each.value), reinforcement.strengths(steel)[1]
+    worst, f_yk = max(found, key=lambda each: each.value), strengths(steel)[1]
     most = cracking.MOST_STRESS * f_yk
     if worst.value > f_yk:
         yield _yields(worst, f_yk, "stress of the bars")
@@ -257,7 +259,7 @@ def _cracks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars], 
         words = f"not checked: {why_none(combined, (state,), 'quasi-permanent combination')}"
         yield DesignCheck("crack width", "attention", words, resistance=w_max * MM, unit="mm")
         return
-    f_yk = reinforcement.strengths(steel)[1]
+    f_yk = strengths(steel)[1]
     for stress, crack in zip(stresses, _bars_in_tension(combined, steel, laid, state, widths=True), strict=True):
         name = f"crack width at the {crack.layer.replace('_', ' ')}"
         yield _yields(stress, f_yk, name) if stress.value > f_yk else _crack(crack, w_max, name)

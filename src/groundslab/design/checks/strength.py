@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+from groundslab.design import required_bars
+from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.combinations import UNFACTORED, ultimate_results, why_none, without_partial_factors
 from groundslab.design.checks import punching_en1992, two_way_aci318
-from groundslab.design.checks.check import DesignCheck
+from groundslab.design.codes import code_of
 from groundslab.design.en1992.annex import unconfirmed
-from groundslab.design.tables import reinforcement
-from groundslab.design.tables.quantities import why_none
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.results.results import Results
 
@@ -29,17 +30,17 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if steel is None:
         yield DesignCheck("strength", "not checked", "strength was not checked: the case has no [reinforcement]")
         return
-    if not reinforcement.ultimate_results(combined):
+    if not ultimate_results(combined):
         words = f"DESIGN NOT CHECKED: {why_none(combined, STRENGTH, 'ultimate combination')}"
         yield DesignCheck("strength", "not checked", words)
         return
-    needs = reinforcement.governing_needs(combined, steel)
+    needs = required_bars.governing_needs(combined, steel)
     yield _bending(needs)
-    yield _compression(needs, reinforcement.CLAUSES[steel.code][2])
+    yield _compression(needs, code_of(steel).clauses.held_bars)
     if combined.model.columns or combined.model.supports:
         yield from PUNCHING[steel.code](combined)
-    if reinforcement.without_partial_factors(combined):
-        yield DesignCheck("partial factors", "attention", reinforcement.UNFACTORED)
+    if without_partial_factors(combined):
+        yield DesignCheck("partial factors", "attention", UNFACTORED)
     if steel.code == "EN 1992-1-1" and (open_clauses := unconfirmed(steel.annex)):
         words = (
             f"values of {steel.annex}'s annex that were found in no second source, and want a look into the standard: "
@@ -52,9 +53,9 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         yield DesignCheck("load combinations", "attention", words, clause="ACI 318-19 5.3.1")
 
 
-def _bending(needs: list[reinforcement.Need]) -> DesignCheck:
+def _bending(needs: list[required_bars.Need]) -> DesignCheck:
     """Return whether any reinforcement can carry the moments."""
-    failing = [need for need in needs if need.governed_by == reinforcement.TOO_WEAK]
+    failing = [need for need in needs if need.governed_by == required_bars.TOO_WEAK]
     if not failing:
         return DesignCheck("bending", "no failure found", "required reinforcement can be found everywhere")
     worst = max(failing, key=lambda need: need.fails)
@@ -62,23 +63,23 @@ def _bending(needs: list[reinforcement.Need]) -> DesignCheck:
     return DesignCheck("bending", "fails", f"the concrete is too weak for any reinforcement on {share}{_where(worst)}")
 
 
-def _compression(needs: list[reinforcement.Need], clause: str) -> DesignCheck:
+def _compression(needs: list[required_bars.Need], clause: str) -> DesignCheck:
     """Return whether bars in compression are counted on."""
     name = "compression reinforcement"
     share = sum({need.section: need.links for need in needs}.values())
     if not share:
         return DesignCheck(name, "no failure found", "the concrete carries bending without bars in compression")
     words = f"bars in compression, held by links ({clause}), are needed on {100 * share:.3g} % of the plate's area"
-    of_them = [need for need in needs if need.governed_by == reinforcement.COMPRESSION]
+    of_them = [need for need in needs if need.governed_by == required_bars.COMPRESSION]
     return DesignCheck(name, "attention", words + (_where(max(of_them, key=lambda need: need.area)) if of_them else ""))
 
 
-def _where(need: reinforcement.Need) -> str:
+def _where(need: required_bars.Need) -> str:
     """Return which layer it is about, and the moment that governs it."""
     assert need.place is not None
     assert need.moment is not None
     x, y = need.place
-    part = f", {reinforcement.section_name(need.section)}" if need.section else ""
+    part = f", {required_bars.section_name(need.section)}" if need.section else ""
     return (
         f"; {need.layer.replace('_', ' ')}{part}: {need.moment / 1e3:.4g} kNm/m at ({x:.3f}, {y:.3f}) m"
         f' in "{need.combination}", thickness {need.thickness:g} m'

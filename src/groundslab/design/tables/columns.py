@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
+from groundslab.design.basis.combinations import solved_results
 from groundslab.design.demands import column_loads
 from groundslab.design.tables.punching.cells import punching_at_columns
-from groundslab.design.tables.quantities import solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.design.tilt import settlement_differences
 from groundslab.model.columns import Column

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from groundslab.design.basis.combinations import why_none
 from groundslab.design.checks import DesignCheck, check_design
 from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.materials import Concrete, Steel
-from groundslab.design.tables.quantities import why_none
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.results.results import Results

@@ -16,7 +16,7 @@ from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, regio
 from groundslab.design.demands.perimeters import outline
 from groundslab.design.en1992 import shear
 from groundslab.design.floors.acting_loads import factors_of
-from groundslab.design.tables import reinforcement
+from groundslab.design.required_bars import largest_areas, required_areas
 from groundslab.discretize.singular_places import near_singular
 from groundslab.fem.line_traversal import interpolation, pieces
 from groundslab.fem.mesh import Mesh
@@ -107,8 +107,8 @@ def nodes_of(steel: Reinforcement, results: list[CombinationResult], reach: Mapp
     if steel.laid:
         areas = {layer: laid_bars(steel, layer, plate.nodes).area for layer in LAYERS}
     else:
-        found = reinforcement.required_areas(steel, results)
-        areas = {layer: reinforcement.largest_areas(found, layer)[0] for layer in LAYERS}
+        found = required_areas(steel, results)
+        areas = {layer: largest_areas(found, layer)[0] for layer in LAYERS}
     least = LEAST * thickness if steel.code == "ACI 318" else 0.0  # of a slab that has its least bars
     ratios = {layer: np.minimum(np.maximum(area, least) / d, shear.MOST_BARS) for layer, area in areas.items()}
     numbers = np.arange(len(d))

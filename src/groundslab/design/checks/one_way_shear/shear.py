@@ -20,15 +20,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.design.aci318 import case_materials as aci318_case
 from groundslab.design.aci318 import shear as aci318
 from groundslab.design.aci318.materials import PHI_SHEAR
-from groundslab.design.checks.check import DesignCheck, Status
+from groundslab.design.basis.check import DesignCheck, Status
+from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.checks.ground.edge_strip import spread_edge_force
 from groundslab.design.checks.one_way_shear.faces import bearers
 from groundslab.design.checks.one_way_shear.places import Places, ShearPlaces, near_forces, nodes_of
 from groundslab.design.checks.one_way_shear.wide_beam import cuts
 from groundslab.design.en1992 import shear
-from groundslab.design.tables import reinforcement
+from groundslab.design.en1992.case_materials import materials
 from groundslab.design.tables.punching.en1992 import demands
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.contact_zone import has_line_force
@@ -74,7 +76,7 @@ class _Worst:
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
     """Yield the check of one-way shear over all ultimate combinations."""
-    steel, results = combined.model.reinforcement, reinforcement.ultimate_results(combined)
+    steel, results = combined.model.reinforcement, ultimate_results(combined)
     if steel is None or not results:
         return
     aci = steel.code == "ACI 318"
@@ -121,13 +123,13 @@ def _worst(
 
 def _no_links_help(worst: _Worst, steel: Reinforcement) -> bool:
     """Return whether struts fail by EN 1992-1-1."""
-    concrete, bars = reinforcement.materials(steel, worst.results.limit_state)
+    concrete, bars = materials(steel, worst.results.limit_state)
     return bool(shear.required_links(np.array([worst.v]), np.array([worst.d]), concrete, bars).fails[0])
 
 
 def _across(results: list[CombinationResult], nodes: Places, steel: Reinforcement) -> Iterator[_Worst]:
     """Yield the means over the cuts beside columns by ACI 318, in every combination."""
-    concrete, _ = reinforcement.aci318_materials(steel)
+    concrete, _ = aci318_case.materials(steel)
     v_c = {layer: PHI_SHEAR * aci318.without_links(concrete, nodes.d, rho) for layer, rho in nodes.ratios.items()}
     plates = [(each, plate) for each in results for plate in _plates(each, steel)]
     for cut in cuts(results[0], steel):
@@ -145,7 +147,7 @@ def _by_en1992(steel: Reinforcement, worst: _Worst) -> DesignCheck:
     )
     status: Status = "no failure found"
     if worst.used > 1:
-        concrete, bars = reinforcement.materials(steel, worst.results.limit_state)
+        concrete, bars = materials(steel, worst.results.limit_state)
         links = shear.required_links(np.array([worst.v]), np.array([worst.d]), concrete, bars)
         area = max(float(links.area[0]), shear.minimum_links(concrete, bars))
         thin = worst.thickness < LEAST_WITH_LINKS
@@ -168,7 +170,7 @@ def _by_aci318(steel: Reinforcement, worst: _Worst) -> DesignCheck:
     )
     status: Status = "no failure found"
     if worst.used > 1:
-        area = aci318.links(worst.v, worst.d, *reinforcement.aci318_materials(steel))
+        area = aci318.links(worst.v, worst.d, *aci318_case.materials(steel))
         status = "fails" if np.isinf(area) else "attention"
         words += (
             "; no links help (22.5.1.2)" if np.isinf(area)
@@ -190,5 +192,5 @@ def _demand(
     )
     rho = shear.ratio_along(along, rho_x, rho_y)
     if steel.code == "ACI 318":
-        return v, PHI_SHEAR * aci318.without_links(reinforcement.aci318_materials(steel)[0], places.d, rho)
-    return v, shear.resistance_without_links(reinforcement.materials(steel, results.limit_state)[0], places.d, rho)
+        return v, PHI_SHEAR * aci318.without_links(aci318_case.materials(steel)[0], places.d, rho)
+    return v, shear.resistance_without_links(materials(steel, results.limit_state)[0], places.d, rho)

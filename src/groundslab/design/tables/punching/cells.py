@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+from groundslab.design.basis.combinations import solved_results, ultimate_results
 from groundslab.design.demands.perimeter_loads import punching_piles
+from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.punching import max_resistance
 from groundslab.design.tables.punching.aci318 import TwoWay, pile_two_way, strength, two_way
 from groundslab.design.tables.punching.en1992 import demands, pile_demands
 from groundslab.design.tables.punching.en1992_demand import Demand, Demands
-from groundslab.design.tables.quantities import solved_results
-from groundslab.design.tables.reinforcement import materials, ultimate_results
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results

@@ -1,0 +1,21 @@
+"""ACI 318-19 as a design code."""
+
+from __future__ import annotations
+
+from groundslab.design.aci318 import bending
+from groundslab.design.aci318.case_materials import materials
+from groundslab.design.basis.design_code import Clauses, DesignCode
+from groundslab.design.bending import BendingRule
+from groundslab.model.design.reinforcement import Reinforcement
+
+
+def _bending(steel: Reinforcement, _: str) -> BendingRule:
+    """Return how sections of the case find their bars, in every limit state."""
+    return bending.rule(*materials(steel))
+
+
+ACI318 = DesignCode(
+    name="ACI 318-19",
+    clauses=Clauses(bars="22.3, 8.6.1.1", least_bars="8.6.1.1", held_bars="9.7.6.4"),
+    bending=_bending,
+)
