@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from groundslab.design.aci318 import bending
 from groundslab.design.aci318.case_materials import materials
-from groundslab.design.basis.design_code import Clauses, DesignCode
+from groundslab.design.aci318.checks import two_way, two_way_columns
+from groundslab.design.basis.design_code import Clauses, DesignCode, PunchingRule
 from groundslab.design.bending import BendingRule
 from groundslab.model.design.reinforcement import Reinforcement
 
@@ -18,4 +19,11 @@ ACI318 = DesignCode(
     name="ACI 318-19",
     clauses=Clauses(bars="22.3, 8.6.1.1", least_bars="8.6.1.1", held_bars="9.7.6.4"),
     bending=_bending,
+    punching=PunchingRule(
+        at_columns=two_way_columns.at_columns,
+        over_piles=two_way_columns.over_piles,
+        checks=two_way.checks,
+        extremes=(("v_u", "MPa"),),
+        with_errors=("V_u", "v_u"),
+    ),
 )

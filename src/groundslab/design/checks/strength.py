@@ -6,22 +6,16 @@ known, and anchorage is not looked at.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 from groundslab.design import required_bars
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import UNFACTORED, ultimate_results, why_none, without_partial_factors
-from groundslab.design.checks import punching_en1992, two_way_aci318
+from groundslab.design.basis.design_code import DesignCode, no_rule
 from groundslab.design.codes import code_of
 from groundslab.design.en1992.annex import unconfirmed
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.results.results import Results
-
-#: Checks of columns and piles by the codes of [reinforcement].
-PUNCHING: dict[str, Callable[[Results], Iterator[DesignCheck]]] = {
-    "EN 1992-1-1": punching_en1992.checks,
-    "ACI 318": two_way_aci318.checks,
-}
 
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
@@ -34,11 +28,12 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         words = f"DESIGN NOT CHECKED: {why_none(combined, STRENGTH, 'ultimate combination')}"
         yield DesignCheck("strength", "not checked", words)
         return
+    code = code_of(steel)
     needs = required_bars.governing_needs(combined, steel)
     yield _bending(needs)
-    yield _compression(needs, code_of(steel).clauses.held_bars)
+    yield _compression(needs, code.clauses.held_bars)
     if combined.model.columns or combined.model.supports:
-        yield from PUNCHING[steel.code](combined)
+        yield from _punching(combined, code)
     if without_partial_factors(combined):
         yield DesignCheck("partial factors", "attention", UNFACTORED)
     if steel.code == "EN 1992-1-1" and (open_clauses := unconfirmed(steel.annex)):
@@ -51,6 +46,14 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if steel.code == "ACI 318" and any(rule.startswith("EN 1990") for rule in rules):
         words = "combinations made by EN 1990 are not those of ACI 318-19 5.3, which combine.expression can ask for"
         yield DesignCheck("load combinations", "attention", words, clause="ACI 318-19 5.3.1")
+
+
+def _punching(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
+    """Yield the checks of columns and piles, or that the code has no rule for them."""
+    if code.punching is None:
+        yield no_rule(code, "punching")
+    else:
+        yield from code.punching.checks(combined)
 
 
 def _bending(needs: list[required_bars.Need]) -> DesignCheck:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from groundslab.design.basis.design_code import Clauses, DesignCode
+from groundslab.design.basis.design_code import Clauses, DesignCode, PunchingRule
 from groundslab.design.bending import BendingRule
 from groundslab.design.en1992 import bending
 from groundslab.design.en1992.case_materials import materials
+from groundslab.design.en1992.checks import punching, punching_columns
 from groundslab.model.design.reinforcement import Reinforcement
 
 
@@ -18,4 +19,11 @@ EN1992 = DesignCode(
     name="EN 1992-1-1",
     clauses=Clauses(bars="6.1, 9.2.1.1(1)", least_bars="9.2.1.1(1)", held_bars="9.2.1.2(3)"),
     bending=_bending,
+    punching=PunchingRule(
+        at_columns=punching_columns.at_columns,
+        over_piles=punching_columns.over_piles,
+        checks=punching.checks,
+        extremes=(("v_Ed", "MPa"), ("v_Ed / v_Rd", ""), ("v_Ed at the face", "MPa")),
+        with_errors=("V_Ed", "v_Ed", "v_Ed / v_Rd", "v_Ed at the face"),
+    ),
 )

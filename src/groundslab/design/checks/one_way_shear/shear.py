@@ -31,7 +31,7 @@ from groundslab.design.checks.one_way_shear.places import Places, ShearPlaces, n
 from groundslab.design.checks.one_way_shear.wide_beam import cuts
 from groundslab.design.en1992 import shear
 from groundslab.design.en1992.case_materials import materials
-from groundslab.design.tables.punching.en1992 import demands
+from groundslab.design.en1992.checks.governing_perimeters import demands
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.contact_zone import has_line_force
 from groundslab.results.fields import place_of

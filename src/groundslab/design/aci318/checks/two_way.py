@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping
 
 from groundslab.design.aci318 import punching as aci318
 from groundslab.design.aci318.case_materials import materials
+from groundslab.design.aci318.checks.two_way_demand import TwoWay, pile_two_way, strength, two_way
 from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.demands.perimeter_loads import punching_piles
-from groundslab.design.tables.punching.aci318 import TwoWay, pile_two_way, strength, two_way
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 

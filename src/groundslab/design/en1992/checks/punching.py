@@ -11,8 +11,8 @@ from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.case_materials import materials
-from groundslab.design.tables.punching.en1992 import demands, pile_demands
-from groundslab.design.tables.punching.en1992_demand import Demand, Demands, Stress
+from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
+from groundslab.design.en1992.checks.punching_demand import Demand, Demands, Stress
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 

@@ -24,8 +24,7 @@ from groundslab.design.demands.perimeter_loads import LoadsNear, PerimeterLoads,
 from groundslab.design.demands.perimeters import Perimeter, Surroundings, perimeter_at, surroundings
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.case_materials import materials
-from groundslab.design.en1992.perimeters import face_length, openings
-from groundslab.design.tables.punching.en1992_demand import (
+from groundslab.design.en1992.checks.punching_demand import (
     REACH,
     SAME_DISTANCE,
     ControlPerimeter,
@@ -33,6 +32,7 @@ from groundslab.design.tables.punching.en1992_demand import (
     Demands,
     Stress,
 )
+from groundslab.design.en1992.perimeters import face_length, openings
 from groundslab.errors import InputError
 from groundslab.model.design.laid_bars import punching_ratio
 from groundslab.model.design.reinforcement import Reinforcement
