@@ -6,14 +6,17 @@ the checks say so.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
+from groundslab.arrays import Array
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.punching_columns import Heads, PunchingColumns
+from groundslab.design.basis.shear_demand import ShearDemand
+from groundslab.design.basis.wide_beam import Cut
 from groundslab.design.bending import BendingRule
 from groundslab.model.design.reinforcement import Reinforcement
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult, Results
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,6 +26,38 @@ class Clauses:
     bars: str  # of bars that bending needs, the least ones among them
     least_bars: str
     held_bars: str  # of links that hold bars in compression
+
+
+@dataclass(frozen=True, slots=True)
+class ShearRule:
+    """One-way shear.
+
+    Attributes
+    ----------
+    resistance : callable
+        Of materials, a limit state, depths d (n,) [m] and ratios of bars (n,): what needs no links (n,) [N/m].
+    check : callable
+        Of materials and the demand at the governing place: its check.
+    most_ratio : float
+        The largest ratio of bars that counts.
+    least_share : float
+        Bars that lie in each layer in any case, over the thickness.
+    reach : callable or None
+        Of all combinations: how far from the face of columns punching is checked instead [m]; None for 2 d.
+    struts_fail : callable or None
+        Of materials, a limit state, a force [N/m] and a depth [m]: whether struts fail, which is checked up to what
+        presses there, too.
+    cuts : callable or None
+        Of a combination's results and materials: cuts beside columns over which means are checked, too.
+    """
+
+    resistance: Callable[[Reinforcement, str, Array, Array], Array]
+    check: Callable[[Reinforcement, ShearDemand], DesignCheck]
+    most_ratio: float
+    least_share: float = 0.0
+    reach: Callable[[Results], Mapping[str, float]] | None = None
+    struts_fail: Callable[[Reinforcement, str, float, float], bool] | None = None
+    cuts: Callable[[CombinationResult, Reinforcement], Iterator[Cut]] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +95,8 @@ class DesignCode:
         What they cite.
     bending : callable
         Of the case's materials and a limit state: how sections find their bars.
+    shear : ShearRule or None
+        One-way shear.
     punching : PunchingRule or None
         Columns and piles that punch the plate.
     """
@@ -67,6 +104,7 @@ class DesignCode:
     name: str
     clauses: Clauses
     bending: Callable[[Reinforcement, str], BendingRule]
+    shear: ShearRule | None = None
     punching: PunchingRule | None = None
 
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from groundslab.design.basis.design_code import Clauses, DesignCode, PunchingRule
+from groundslab.design.basis.design_code import Clauses, DesignCode, PunchingRule, ShearRule
 from groundslab.design.bending import BendingRule
-from groundslab.design.en1992 import bending
+from groundslab.design.en1992 import bending, shear
 from groundslab.design.en1992.case_materials import materials
-from groundslab.design.en1992.checks import punching, punching_columns
+from groundslab.design.en1992.checks import one_way_shear, punching, punching_columns
 from groundslab.model.design.reinforcement import Reinforcement
 
 
@@ -19,6 +19,13 @@ EN1992 = DesignCode(
     name="EN 1992-1-1",
     clauses=Clauses(bars="6.1, 9.2.1.1(1)", least_bars="9.2.1.1(1)", held_bars="9.2.1.2(3)"),
     bending=_bending,
+    shear=ShearRule(
+        resistance=one_way_shear.resistance,
+        check=one_way_shear.check,
+        most_ratio=shear.MOST_BARS,
+        reach=one_way_shear.reach,
+        struts_fail=one_way_shear.struts_fail,
+    ),
     punching=PunchingRule(
         at_columns=punching_columns.at_columns,
         over_piles=punching_columns.over_piles,
