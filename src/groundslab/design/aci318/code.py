@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from groundslab.design.aci318 import bending
 from groundslab.design.aci318.case_materials import materials
-from groundslab.design.aci318.checks import one_way_shear, two_way, two_way_columns
+from groundslab.design.aci318.checks import bars, one_way_shear, two_way, two_way_columns
+from groundslab.design.aci318.checks.remarks import remarks
 from groundslab.design.basis import wide_beam
 from groundslab.design.basis.design_code import Clauses, DesignCode, PunchingRule, ShearRule
 from groundslab.design.bending import BendingRule
@@ -37,4 +38,6 @@ ACI318 = DesignCode(
         extremes=(("v_u", "MPa"),),
         with_errors=("V_u", "v_u"),
     ),
+    bars=bars.checks,
+    remarks=remarks,
 )

@@ -15,6 +15,7 @@ from groundslab.design.basis.punching_columns import Heads, PunchingColumns
 from groundslab.design.basis.shear_demand import ShearDemand
 from groundslab.design.basis.wide_beam import Cut
 from groundslab.design.bending import BendingRule
+from groundslab.model.design.laid_bars import LaidBars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import CombinationResult, Results
 
@@ -99,6 +100,10 @@ class DesignCode:
         One-way shear.
     punching : PunchingRule or None
         Columns and piles that punch the plate.
+    bars : callable or None
+        Of all combinations, materials and laid bars by layer: the checks of these bars besides their area.
+    remarks : callable or None
+        Of all combinations and materials: what puts a verdict by the code in doubt.
     """
 
     name: str
@@ -106,6 +111,8 @@ class DesignCode:
     bending: Callable[[Reinforcement, str], BendingRule]
     shear: ShearRule | None = None
     punching: PunchingRule | None = None
+    bars: Callable[[Results, Reinforcement, dict[str, LaidBars]], Iterator[DesignCheck]] | None = None
+    remarks: Callable[[Results, Reinforcement], Iterator[DesignCheck]] | None = None
 
 
 def no_rule(code: DesignCode, what: str) -> DesignCheck:

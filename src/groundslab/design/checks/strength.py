@@ -13,7 +13,6 @@ from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import UNFACTORED, ultimate_results, why_none, without_partial_factors
 from groundslab.design.basis.design_code import DesignCode, no_rule
 from groundslab.design.codes import code_of
-from groundslab.design.en1992.annex import unconfirmed
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.results.results import Results
 
@@ -36,16 +35,8 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         yield from _punching(combined, code)
     if without_partial_factors(combined):
         yield DesignCheck("partial factors", "attention", UNFACTORED)
-    if steel.code == "EN 1992-1-1" and (open_clauses := unconfirmed(steel.annex)):
-        words = (
-            f"values of {steel.annex}'s annex that were found in no second source, and want a look into the standard: "
-            f"{'; '.join(open_clauses)}"
-        )
-        yield DesignCheck("national parameters", "attention", words)
-    rules = [each.rule for each in combined.combinations if each.limit_state in STRENGTH]
-    if steel.code == "ACI 318" and any(rule.startswith("EN 1990") for rule in rules):
-        words = "combinations made by EN 1990 are not those of ACI 318-19 5.3, which combine.expression can ask for"
-        yield DesignCheck("load combinations", "attention", words, clause="ACI 318-19 5.3.1")
+    if code.remarks is not None:
+        yield from code.remarks(combined, steel)
 
 
 def _punching(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:

@@ -6,7 +6,8 @@ from groundslab.design.basis.design_code import Clauses, DesignCode, PunchingRul
 from groundslab.design.bending import BendingRule
 from groundslab.design.en1992 import bending, shear
 from groundslab.design.en1992.case_materials import materials
-from groundslab.design.en1992.checks import one_way_shear, punching, punching_columns
+from groundslab.design.en1992.checks import bars, one_way_shear, punching, punching_columns
+from groundslab.design.en1992.checks.remarks import remarks
 from groundslab.model.design.reinforcement import Reinforcement
 
 
@@ -33,4 +34,6 @@ EN1992 = DesignCode(
         extremes=(("v_Ed", "MPa"), ("v_Ed / v_Rd", ""), ("v_Ed at the face", "MPa")),
         with_errors=("V_Ed", "v_Ed", "v_Ed / v_Rd", "v_Ed at the face"),
     ),
+    bars=bars.checks,
+    remarks=remarks,
 )
