@@ -14,6 +14,7 @@ from groundslab.design.demands.design_moments import design_moments
 from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.annex import annex_of
 from groundslab.design.en1992.case_materials import materials, strengths
+from groundslab.design.en1992.checks.first_cracks import check_first_cracks
 from groundslab.model.design.laid_bars import LaidBars, axis_of, bars_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import LAYERS, extreme
@@ -31,6 +32,7 @@ def checks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -
     yield from _stresses(combined, steel, laid)
     w_max = _widest(steel)
     if w_max is not None:
+        yield check_first_cracks(combined, steel, laid)
         yield from _cracks(combined, steel, laid, w_max)
 
 
