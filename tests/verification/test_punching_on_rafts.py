@@ -10,11 +10,11 @@ import pytest
 import shapely
 
 import groundslab as gs
+from groundslab.design.aci318.checks.two_way_demand import pile_two_way
+from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
+from groundslab.design.en1992.checks.punching_demand import Demand
 from groundslab.design.punching import RoundColumn, demand
 from groundslab.design.tables.columns import column_table
-from groundslab.design.tables.punching.aci318 import pile_two_way
-from groundslab.design.tables.punching.en1992 import demands, pile_demands
-from groundslab.design.tables.punching.en1992_demand import Demand
 
 BARS = {"diameter": 0.020, "spacing": 0.150}
 GERMAN = {
@@ -237,15 +237,15 @@ def test_the_largest_use_over_all_distances(x: float, y: float, openings: list[d
 
 def densely(results: gs.Results, demand: Demand) -> list[float]:
     """Return v_Ed / v_Rd at eighty distances up to 2 d."""
-    from groundslab.design.tables.punching import en1992
+    from groundslab.design.en1992.checks import governing_perimeters
 
-    known = en1992._SITES.get(results.only.plate.nodes, results.model, dict)
+    known = governing_perimeters._SITES.get(results.only.plate.nodes, results.model, dict)
     site = known[False, demand.name]
     uses = []
     for distance in np.linspace(0.0, 2 * demand.d, 81)[1:]:
         control = site.control(results.only, float(distance))
         if not isinstance(control, str):
-            stress = en1992._stress(results.only, site, control)
+            stress = governing_perimeters._stress(results.only, site, control)
             uses.append(demand.used(stress))
     return uses
 

@@ -16,10 +16,10 @@ import pytest
 import shapely
 
 import groundslab as gs
+from groundslab.design.aci318.checks.two_way_demand import CriticalSection, TwoWay, critical_section, two_way
 from groundslab.design.demands import perimeter_loads
-from groundslab.design.tables.punching.aci318 import CriticalSection, TwoWay, critical_section, two_way
-from groundslab.design.tables.punching.en1992 import demands
-from groundslab.design.tables.punching.en1992_demand import Demands
+from groundslab.design.en1992.checks.governing_perimeters import demands
+from groundslab.design.en1992.checks.punching_demand import Demands
 
 LENGTH_X, LENGTH_Y, H, K, UNIT_WEIGHT = 18.0, 10.0, 0.4, 40e6, 25e3
 D = H - 0.045

@@ -13,7 +13,7 @@ from groundslab.design.tables import errors
 from groundslab.design.tables.columns import column_envelope, column_table
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
 from groundslab.design.tables.locations import lines, points, soil, strips
-from groundslab.design.tables.punching.cells import pile_punching
+from groundslab.design.tables.punching import pile_punching
 from groundslab.design.tables.reinforcement import reinforcement
 from groundslab.design.tables.summary import acting_cases, combinations, extremes, tilts
 from groundslab.design.tables.supports import joint_table, support_table

@@ -183,6 +183,10 @@ VALUES: dict[str, tuple[str | None, Callable[..., float]]] = {
     "s_r,max": ("length", _crack("spacing")),
     "eps_sm - eps_cm": (None, _crack("strain")),
     "w_k": ("length", _crack("width")),
+    "least bars for cracks": (
+        None,
+        lambda h, f_ck, f_yk: float(cracking.minimum_area(np.array(h), Concrete(f_ck), f_yk)) * 1e4,
+    ),
     "z of a section": ("length", _section("z")),
     "I_I of a section": (None, _section("I_I")),
     "M_cr of a section": ("moment", _section("M_cr")),

@@ -1,1 +1,1 @@
-"""Concrete slabs by ACI 318-19, strength design: materials, bending, one-way and two-way shear, in SI units."""
+"""Concrete slabs by ACI 318-19, strength design, in SI units: materials, resistances, checks, its entry as a code."""

@@ -9,10 +9,12 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 from groundslab.arrays import Memo
-from groundslab.design.checks import equilibrium, floors, limits, provided, reached, strength
-from groundslab.design.checks.check import ORDER, DesignCheck, Status
-from groundslab.design.checks.ground import bearing, edge_force
+from groundslab.design.basis.check import ORDER, DesignCheck, Status
+from groundslab.design.checks import equilibrium, limits, provided, reached, strength
+from groundslab.design.checks.ground import edge_force
 from groundslab.design.checks.one_way_shear import shear
+from groundslab.design.en1997 import checks as en1997
+from groundslab.design.floors import checks as floors
 from groundslab.model.remarks.remarks import find_remarks
 from groundslab.results.results import Results
 
@@ -32,7 +34,7 @@ CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
     shear.checks,
     provided.checks,
     floors.checks,
-    bearing.checks,
+    en1997.checks,
     edge_force.checks,
     equilibrium.checks,
     reached.checks,

@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from groundslab.design.checks.check import DesignCheck, some
+from groundslab.design.basis.check import DesignCheck, some
+from groundslab.design.basis.combinations import solved_results
 from groundslab.design.demands import column_loads
 from groundslab.design.demands.perimeters import outline
-from groundslab.design.tables.quantities import solved_results
 from groundslab.model.loads.load_cases import Combination
 from groundslab.results.results import Results
 

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.checks.check import DesignCheck
+from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.demands.perimeter_loads import PunchingForce, punching_columns, punching_piles
-from groundslab.design.tables import reinforcement
 from groundslab.results.results import CombinationResult, Results
 
 #: Forces and moments below this share of the largest of a kind are rounding.
@@ -20,7 +20,7 @@ MOST_NAMED = 5
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
     """Yield which columns and piles pull at the plate, or only turn it, in any ultimate combination."""
-    results = reinforcement.ultimate_results(combined)
+    results = ultimate_results(combined)
     yield from _checks(punching_columns(combined.model), results, "column", "push down")
     yield from _checks(punching_piles(combined.model), results, "pile", "push up")
 

@@ -10,9 +10,9 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from groundslab.design.checks.check import DesignCheck, Status, some
+from groundslab.design.basis.check import DesignCheck, Status, some
+from groundslab.design.basis.combinations import solved_results
 from groundslab.design.demands.support_forces import REACHED, Utilization, idle, utilization
-from groundslab.design.tables.quantities import solved_results
 from groundslab.model.loads.clipping import Clipped, find_clipped_loads
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.model.plates.joints import ElasticJoint

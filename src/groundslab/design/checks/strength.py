@@ -6,21 +6,16 @@ known, and anchorage is not looked at.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
-from groundslab.design.checks import pulling, punching_en1992, two_way_aci318
-from groundslab.design.checks.check import DesignCheck
-from groundslab.design.en1992.annex import unconfirmed
-from groundslab.design.tables import reinforcement
-from groundslab.design.tables.quantities import why_none
+from groundslab.design import required_bars
+from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.combinations import UNFACTORED, ultimate_results, why_none, without_partial_factors
+from groundslab.design.basis.design_code import DesignCode, no_rule
+from groundslab.design.checks import pulling
+from groundslab.design.codes import code_of
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.results.results import Results
-
-#: Checks of columns and piles by the codes of [reinforcement].
-PUNCHING: dict[str, Callable[[Results], Iterator[DesignCheck]]] = {
-    "EN 1992-1-1": punching_en1992.checks,
-    "ACI 318": two_way_aci318.checks,
-}
 
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
@@ -29,33 +24,34 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if steel is None:
         yield DesignCheck("strength", "not checked", "strength was not checked: the case has no [reinforcement]")
         return
-    if not reinforcement.ultimate_results(combined):
+    if not ultimate_results(combined):
         words = f"DESIGN NOT CHECKED: {why_none(combined, STRENGTH, 'ultimate combination')}"
         yield DesignCheck("strength", "not checked", words)
         return
-    needs = reinforcement.governing_needs(combined, steel)
+    code = code_of(steel)
+    needs = required_bars.governing_needs(combined, steel)
     yield _bending(needs)
-    yield _compression(needs, reinforcement.CLAUSES[steel.code][2])
+    yield _compression(needs, code.clauses.held_bars)
     if combined.model.columns or combined.model.supports:
-        yield from PUNCHING[steel.code](combined)
+        yield from _punching(combined, code)
         yield from pulling.checks(combined)
-    if reinforcement.without_partial_factors(combined):
-        yield DesignCheck("partial factors", "attention", reinforcement.UNFACTORED)
-    if steel.code == "EN 1992-1-1" and (open_clauses := unconfirmed(steel.annex)):
-        words = (
-            f"values of {steel.annex}'s annex found in only one source, to be checked against the standard: "
-            f"{'; '.join(open_clauses)}"
-        )
-        yield DesignCheck("national parameters", "attention", words)
-    rules = [each.rule for each in combined.combinations if each.limit_state in STRENGTH]
-    if steel.code == "ACI 318" and any(rule.startswith("EN 1990") for rule in rules):
-        words = "combinations by EN 1990 are not those of ACI 318-19 5.3, which combine.expression can select"
-        yield DesignCheck("load combinations", "attention", words, clause="ACI 318-19 5.3.1")
+    if without_partial_factors(combined):
+        yield DesignCheck("partial factors", "attention", UNFACTORED)
+    if code.remarks is not None:
+        yield from code.remarks(combined, steel)
 
 
-def _bending(needs: list[reinforcement.Need]) -> DesignCheck:
+def _punching(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
+    """Yield the checks of columns and piles, or that the code has no rule for them."""
+    if code.punching is None:
+        yield no_rule(code, "punching")
+    else:
+        yield from code.punching.checks(combined)
+
+
+def _bending(needs: list[required_bars.Need]) -> DesignCheck:
     """Return whether any reinforcement can carry the moments."""
-    failing = [need for need in needs if need.governed_by == reinforcement.TOO_WEAK]
+    failing = [need for need in needs if need.governed_by == required_bars.TOO_WEAK]
     if not failing:
         return DesignCheck("bending", "no failure found", "reinforcement can be designed everywhere")
     worst = max(failing, key=lambda need: need.fails)
@@ -63,23 +59,23 @@ def _bending(needs: list[reinforcement.Need]) -> DesignCheck:
     return DesignCheck("bending", "fails", f"the concrete is too weak for any reinforcement on {share}{_where(worst)}")
 
 
-def _compression(needs: list[reinforcement.Need], clause: str) -> DesignCheck:
+def _compression(needs: list[required_bars.Need], clause: str) -> DesignCheck:
     """Return whether bars in compression are counted on."""
     name = "compression reinforcement"
     share = sum({need.section: need.links for need in needs}.values())
     if not share:
         return DesignCheck(name, "no failure found", "the concrete carries bending without bars in compression")
     words = f"bars in compression, held by links ({clause}), are needed on {100 * share:.3g} % of the plate's area"
-    of_them = [need for need in needs if need.governed_by == reinforcement.COMPRESSION]
+    of_them = [need for need in needs if need.governed_by == required_bars.COMPRESSION]
     return DesignCheck(name, "attention", words + (_where(max(of_them, key=lambda need: need.area)) if of_them else ""))
 
 
-def _where(need: reinforcement.Need) -> str:
+def _where(need: required_bars.Need) -> str:
     """Return which layer it is about, and the moment that governs it."""
     assert need.place is not None
     assert need.moment is not None
     x, y = need.place
-    part = f", {reinforcement.section_name(need.section)}" if need.section else ""
+    part = f", {required_bars.section_name(need.section)}" if need.section else ""
     return (
         f"; {need.layer.replace('_', ' ')}{part}: {need.moment / 1e3:.4g} kNm/m at ({x:.3f}, {y:.3f}) m"
         f' in "{need.combination}", thickness {need.thickness:g} m'

@@ -67,6 +67,11 @@ def fields_of(plate: PlateResult) -> dict[str, Array]:
     return {name: getattr(plate, name) for name in PLATE_FIELDS}
 
 
+def design_moments(plate: PlateResult) -> DesignMoments:
+    """Return Wood's design moments at the plate's nodes."""
+    return wood_armer(plate.moment_x, plate.moment_y, plate.moment_xy)
+
+
 def derive_field(fields: Mapping[str, Array], name: str) -> Array:
     """Return a quantity of POINT_FIELDS or RANGED_FIELDS (n,) from the plate's fields (n,), all in SI units."""
     if name in PLATE_FIELDS:

@@ -1,1 +1,1 @@
-"""EN 1997-1: bearing resistance and sliding of spread foundations."""
+"""EN 1997-1: bearing resistance and sliding of spread foundations, and their checks."""

@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
+from groundslab.design.basis.combinations import solved_results
 from groundslab.design.demands import column_loads
-from groundslab.design.tables.punching.cells import punching_at_columns
-from groundslab.design.tables.quantities import solved_results
+from groundslab.design.tables.punching import extremes_of_punching, punching_at_columns
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.design.tilt import settlement_differences
 from groundslab.model.columns import Column
@@ -27,11 +27,11 @@ _NOTES = (
     "taken off first.",
 )
 
-#: What the envelope has: a quantity of the table, its unit, the sign of the extreme, whether its combination is shown.
+#: What the envelope has besides punching: a quantity of the table, its unit, the sign of the extreme, whether its
+#: combination is given.
 _EXTREMES = (
     ("load", "kN", 1, True), ("load", "kN", -1, True), ("settlement", "mm", 1, False), ("settlement", "mm", -1, False),
-    ("angular distortion", "mm/m", 1, False), ("v_Ed", "MPa", 1, False), ("v_Ed / v_Rd", "", 1, False),
-    ("v_Ed at the face", "MPa", 1, False), ("v_u", "MPa", 1, False),
+    ("angular distortion", "mm/m", 1, False),
 )  # fmt: skip
 
 
@@ -55,7 +55,8 @@ def column_envelope(combined: Results, columns: Table) -> Table:
     """Return the extremes of each column over the ultimate combinations, and over those of serviceability."""
     states = {each.name: each.limit_state for each in combined.combinations}
     known = {column.name: column.values for column in columns.columns}
-    wanted = [row for row in _EXTREMES if row[0] in known]
+    of_punching = [(name, unit, 1, False) for name, unit in extremes_of_punching(combined)]
+    wanted = [row for row in (*_EXTREMES, *of_punching) if row[0] in known]
     groups = {"ultimate": STRENGTH, "serviceability": SERVICEABILITY}
     rows = []
     for column in combined.model.columns:

@@ -8,9 +8,11 @@ from typing import get_args
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
+from groundslab.design import required_bars
+from groundslab.design.basis.combinations import solved_results, ultimate_results
 from groundslab.design.envelope import envelope
-from groundslab.design.tables import reinforcement
-from groundslab.design.tables.quantities import nodal_values, ranged_fields, solved_results
+from groundslab.design.tables.quantities import nodal_values, ranged_fields
+from groundslab.design.tables.reinforcement import CM2
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.errors import GroundslabError
 from groundslab.model.loads.load_cases import LimitState
@@ -71,19 +73,19 @@ def fields_of_envelope(combined: Results) -> dict[str, Array | Integers]:
 def _reinforcement(combined: Results) -> dict[str, Array | Integers]:
     """Return the required areas [cm2/m] and flags at the plate's nodes."""
     assert combined.model.reinforcement is not None
-    found = reinforcement.required_areas(combined.model.reinforcement, reinforcement.ultimate_results(combined))
+    found = required_bars.required_areas(combined.model.reinforcement, ultimate_results(combined))
     if not found:
         return {}
-    areas = {layer: reinforcement.largest_areas(found, layer)[0] for layer in LAYERS}
+    areas = {layer: required_bars.largest_areas(found, layer)[0] for layer in LAYERS}
     fields: dict[str, Array | Integers] = {
-        f"reinforcement {layer.replace('_', ' ')} [cm2/m]": area * reinforcement.CM2 for layer, area in areas.items()
+        f"reinforcement {layer.replace('_', ' ')} [cm2/m]": area * CM2 for layer, area in areas.items()
     }
     fails: Flags = np.any([np.isinf(area) for area in areas.values()], axis=0)
-    for name, values in reinforcement.bar_fields(combined).items():
+    for name, values in required_bars.bar_fields(combined).items():
         if not name.startswith("required"):  # which is there as reinforcement
             fields[f"{BAR_FIELDS[name].quantity} [{BAR_FIELDS[name].unit}]"] = values * BAR_FIELDS[name].scale
     fields["reinforcement fails"] = fails.astype(np.int64)
-    fields["reinforcement needs links"] = reinforcement.needs_links(found).astype(np.int64)
+    fields["reinforcement needs links"] = required_bars.needs_links(found).astype(np.int64)
     return fields
 
 

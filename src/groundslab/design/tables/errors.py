@@ -9,6 +9,7 @@ from math import isfinite
 
 from groundslab.accuracy.values import error_of_largest, estimate_error
 from groundslab.arrays import Flags
+from groundslab.design.codes import CODES
 from groundslab.design.tables.quantities import nodal_values, ranged_fields
 from groundslab.design.tables.table import Cell, Column, Table
 from groundslab.results.fields import LINE_FORCE, POINT_FIELDS, RANGED_FIELDS
@@ -16,14 +17,9 @@ from groundslab.results.results import CombinationResult, Results
 
 _QUANTITIES = tuple(about.head[0] for about in POINT_FIELDS.values() if about.head[1] != "deg")
 _PUNCHING = (
-    "V_Ed",
-    "v_Ed",
-    "V_u",
-    "v_u",
     "pressure inside",
     "edge line force inside",
-    "v_Ed / v_Rd",
-    "v_Ed at the face",
+    *(name for code in CODES.values() if code.punching is not None for name in code.punching.with_errors),
 )
 #: The columns whose values have discretization errors, by table. Loads, lengths and directions have none.
 VALUES: dict[str, tuple[str, ...]] = {

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from groundslab.design.basis.combinations import solved_results
 from groundslab.design.demands.design_moments import fields_of
 from groundslab.design.demands.section_cuts import cut_along, strip
-from groundslab.design.tables.quantities import point_values, solved_results
+from groundslab.design.tables.quantities import point_values
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.errors import InputError
 from groundslab.fem.mesh import Mesh, locate

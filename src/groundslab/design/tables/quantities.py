@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from groundslab.fem.shape_functions import areas
 from groundslab.results.contact_zone import has_line_force
 from groundslab.results.fields import LINE_FORCE, POINT_FIELDS, RANGED_FIELDS, SHOWN_ELEMENT_FIELDS, ResultField
 from groundslab.results.mesh_results import PlateResult
-from groundslab.results.results import CombinationResult, Results
+from groundslab.results.results import CombinationResult
 
 
 def point_values(fields: Mapping[str, Array]) -> list[Array]:
@@ -32,17 +32,6 @@ def nodal_values(results: CombinationResult, name: str) -> Array:
             raise GroundslabError(f"{results.combination} has no {SHOWN_ELEMENT_FIELDS[name].quantity}")
         return mean_at_nodes(results.plate, values) * SHOWN_ELEMENT_FIELDS[name].scale
     return derive_field(fields_of(results.plate), name) * RANGED_FIELDS[name].scale
-
-
-def solved_results(combined: Results) -> list[CombinationResult]:
-    """Return the results there are, in the order of the combinations."""
-    return [combined.results[each.name] for each in combined.combinations if each.name in combined.results]
-
-
-def why_none(combined: Results, states: Sequence[str], called: str) -> str:
-    """Return why no combination of some limit states has results, by what such a combination is called."""
-    there = any(each.limit_state in states for each in combined.combinations)
-    return f"no {called} has a certified result" if there else f"the case has no {called}"
 
 
 def mean_at_nodes(plate: PlateResult, values: Array) -> Array:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from groundslab.design.basis.combinations import solved_results
 from groundslab.design.by_plate import results_by_plate
-from groundslab.design.tables.quantities import nodal_values, ranged_fields, solved_results
+from groundslab.design.tables.quantities import nodal_values, ranged_fields
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.design.tilt import tilt
 from groundslab.discretize.singular_places import notes_on_singular_places

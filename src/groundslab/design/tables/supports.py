@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from groundslab.design.basis.combinations import solved_results
 from groundslab.design.demands.support_forces import stiffness_alone, utilization
-from groundslab.design.tables.quantities import solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.model.supports import AnySupport
 from groundslab.results.results import CombinationResult, JointResult, Results, SupportResult

@@ -56,6 +56,13 @@ def bars_of(steel: Reinforcement, layer: str) -> list[Bars]:
     return [base, *(zone.bars for zone in steel.zones if layer in zone.layers)]
 
 
+def axis_of(steel: Reinforcement, layer: str) -> float:
+    """Return the distance of a layer's bars from their face [m]."""
+    face, axis = layer.split("_")
+    distance: float = getattr(steel, f"{face}_axes")["xy".index(axis)]
+    return distance
+
+
 def laid_bars(steel: Reinforcement, layer: str, places: Array) -> LaidBars:
     """Return the bars of a layer at places (n, 2) [m]; those on the border of a zone have its bars. Some must be laid.
 

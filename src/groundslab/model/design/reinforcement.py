@@ -37,9 +37,18 @@ AnnexName = Literal["recommended", "Germany", "United Kingdom"]
 Exposure = Literal["X0", "XC1", "XC2", "XC3", "XC4", "XD1", "XD2", "XD3", "XS1", "XS2", "XS3"]
 ConcreteChoice = Choice(ConcreteClass, "strength class of the concrete", "give the strength of any other class as f_ck")
 SteelChoice = Choice(SteelClass, "class of the steel", "give the yield strength of any other steel as f_yk")
-#: Keys that only EN 1992-1-1 has, and that only ACI 318 has.
-ONLY_EN = ("concrete", "steel", "annex", "gamma_c", "gamma_s", "accidental", "alpha_cc", "w_max", "exposure")
-ONLY_ACI = ("size_effect",)
+#: Keys that only one code has.
+KEYS_OF_CODES: dict[str, tuple[str, ...]] = {
+    "EN 1992-1-1": (
+        "concrete", "steel", "annex", "gamma_c", "gamma_s", "accidental", "alpha_cc", "w_max", "exposure",
+    ),
+    "ACI 318": ("size_effect",),
+}  # fmt: skip
+
+
+def keys_of_other_codes(code: str) -> list[str]:
+    """Return the keys that a code has no use for."""
+    return [key for other, keys in KEYS_OF_CODES.items() if other != code for key in keys]
 
 
 def _check_all_layers(
@@ -108,8 +117,7 @@ def _check_cover(
 
 
 def _check_code(code: str, given: set[str]) -> Iterator[RelativeIssue]:
-    aci = code == "ACI 318"
-    for key in ONLY_EN if aci else ONLY_ACI:
+    for key in keys_of_other_codes(code):
         if key in given:
             hint = {"concrete": "f_ck is the specified strength f'c", "steel": "f_yk is f_y"}.get(key, "")
             yield RelativeIssue((key,), f"{key} with {code}", f"no {key}", hint)

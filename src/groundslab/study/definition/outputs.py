@@ -297,11 +297,12 @@ def _derive(results: CombinationResult, name: str, fields: dict[str, Array], thi
 def _required_bars(results: CombinationResult, name: str, design: Any, thickness: Array) -> Array:
     """Return required areas of bars (n,) [m2/m] for design moments (n,)."""
     from groundslab.design.bending import Axes, slab
-    from groundslab.design.tables.reinforcement import bending_rule
+    from groundslab.design.codes import code_of
 
     steel = results.model.reinforcement
     assert steel is not None
-    found = slab(design, thickness, Axes(*steel.bottom_axes, *steel.top_axes), bending_rule(steel).required)
+    axes, rule = Axes(*steel.bottom_axes, *steel.top_axes), code_of(steel).bending(steel, "ultimate")
+    found = slab(design, thickness, axes, rule.required)
     layers = {layer: getattr(found, layer) for layer in LAYERS}
     wanted = name.removeprefix("reinforcement").strip().replace(" ", "_")
     area: Array = layers[wanted] if wanted else np.max(list(layers.values()), axis=0)

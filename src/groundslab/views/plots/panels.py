@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.envelope import envelope
+from groundslab.design.required_bars import bar_fields
 from groundslab.design.tables.quantities import nodal_values
-from groundslab.design.tables.reinforcement import bar_fields, ultimate_results
 from groundslab.results.contact_zone import contact_function, has_line_force
 from groundslab.results.fields import BAR_FIELDS, LINE_FORCE, PLATE_FIELDS, extreme, extreme_node, place_of
 from groundslab.views.plots.contours import ColorScale, make_scale

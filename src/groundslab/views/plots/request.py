@@ -8,7 +8,7 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from groundslab.design.tables.reinforcement import bar_fields
+from groundslab.design.required_bars import bar_fields
 from groundslab.errors import InputError, Issue, NotConverged
 from groundslab.model.loads.load_cases import LimitState
 from groundslab.model.model import Model

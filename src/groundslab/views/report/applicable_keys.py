@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from groundslab.model.design.reinforcement import ONLY_ACI, ONLY_EN
+from groundslab.model.design.reinforcement import keys_of_other_codes
 from groundslab.model.loads.load_cases import Combine
 
 if TYPE_CHECKING:
@@ -20,8 +20,7 @@ def keys_without_use(model: Model) -> dict[str, frozenset[str]]:
     if model.combine is not None:
         found["combine"] = frozenset(_of_combine(model.combine))
     if model.reinforcement is not None:
-        aci = model.reinforcement.code == "ACI 318"
-        found["reinforcement"] = frozenset(ONLY_EN if aci else ONLY_ACI)
+        found["reinforcement"] = frozenset(keys_of_other_codes(model.reinforcement.code))
     return found
 
 

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab._version import __version__
+from groundslab.design.required_bars import bar_fields
 from groundslab.design.tables.quantities import nodal_values
-from groundslab.design.tables.reinforcement import bar_fields
 from groundslab.errors import GroundslabError
 from groundslab.model.plan_origin import plan_origin
 from groundslab.results.contact_zone import contact_function, goes_below_zero, has_line_force

@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.checks import DesignCheck, check_design
 from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.materials import Concrete, Steel
+from groundslab.design.required_bars import bar_fields, largest_areas, required_areas
 from groundslab.design.tables.envelopes import fields_of_envelope
-from groundslab.design.tables.reinforcement import bar_fields, largest_areas, required_areas, ultimate_results
 from groundslab.model.model import Model
 from groundslab.results.fields import BAR_FIELDS
 from groundslab.results.results import Results

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from groundslab.design.basis.wide_beam import cuts
 from groundslab.design.checks import DesignCheck, check_design
-from groundslab.design.checks.one_way_shear.wide_beam import cuts
 from groundslab.design.result_tables import tables_of
 from groundslab.errors import InputError
 from groundslab.model.design.reinforcement import Reinforcement

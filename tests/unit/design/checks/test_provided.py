@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from groundslab.design.basis.combinations import why_none
 from groundslab.design.checks import DesignCheck, check_design
 from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.materials import Concrete, Steel
-from groundslab.design.tables.quantities import why_none
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.results.results import Results
@@ -83,6 +83,21 @@ def test_crack_width() -> None:
     assert found["crack width at the bottom x"].demand == pytest.approx(1e3 * width)
     assert found["crack width at the top x"].demand == 0.0
     assert checks(m, w_max=0.99 * width)["crack width at the bottom x"].status == "fails"
+
+
+def test_least_bars_for_cracks() -> None:
+    """0.4 x 1 x 2.8965 x 0.15 / 500 = 3.476 cm2/m where a face is in tension, and only if cracks are limited."""
+    for spacing, status in ((0.32, "no failure found"), (0.33, "fails")):
+        thin = {"diameter": 0.012, "spacing": spacing}
+        row = checks(20e3, bottom_x=thin, w_max=3e-4)["least bars for cracks"]
+        assert (row.status, row.of, row.clause) == (status, "bottom x", "EN 1992-1-1 7.3.2(2)")
+        assert row.demand == pytest.approx(3.4758, rel=1e-4)
+        assert row.resistance == pytest.approx(np.pi * 1.2**2 / 4 / spacing)
+    thin = {"diameter": 0.012, "spacing": 0.33}
+    assert checks(20e3, bottom_x=thin, exposure="XC2")["least bars for cracks"].status == "fails"
+    assert checks(20e3, top_x=thin, w_max=3e-4)["least bars for cracks"].status == "no failure found"
+    assert checks(-20e3, top_x=thin, w_max=3e-4)["least bars for cracks"].of == "top x"
+    assert "least bars for cracks" not in checks(20e3, bottom_x=thin)
 
 
 def stress_by_hand(m: float) -> float:

@@ -13,10 +13,10 @@ from rich.console import Console
 
 from groundslab.design.checks import Design, check_design
 from groundslab.design.en1992.annex import RECOMMENDED
+from groundslab.design.en1992.checks.governing_perimeters import demands
 from groundslab.design.en1992.materials import Concrete
 from groundslab.design.en1992.punching import max_resistance, resistance_without_links
-from groundslab.design.tables.punching.en1992 import demands
-from groundslab.design.tables.reinforcement import governing_needs
+from groundslab.design.required_bars import governing_needs
 from groundslab.errors import GroundslabError, NotConverged, SingularMatrix
 from groundslab.model.model import Model
 from groundslab.results.results import Results

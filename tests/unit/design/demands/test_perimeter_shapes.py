@@ -11,8 +11,8 @@ from groundslab.design.checks import check_design
 from groundslab.design.demands.line_properties import course
 from groundslab.design.demands.perimeters import RectangularColumn
 from groundslab.design.en1992 import punching as en1992
+from groundslab.design.en1992.checks.governing_perimeters import reduced_share
 from groundslab.design.result_tables import tables_of
-from groundslab.design.tables.punching.en1992 import reduced_share
 
 
 def legs(*points: tuple[float, float]) -> np.ndarray:

@@ -11,8 +11,8 @@ import pytest
 
 from groundslab.design.en1992 import bending, cracking, punching, shear
 from groundslab.design.en1992.annex import ANNEXES, RECOMMENDED, Annex, annex_of, table
+from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.materials import Concrete, Steel
-from groundslab.design.tables.reinforcement import materials
 from groundslab.errors import InputError
 from groundslab.model.design.reinforcement import AnnexName, Exposure, Reinforcement
 

@@ -6,8 +6,8 @@ from typing import get_args
 
 import pytest
 
+from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.materials import CONCRETE_CLASSES, STEEL_CLASSES, Concrete
-from groundslab.design.tables.reinforcement import materials
 from groundslab.errors import InputError
 from groundslab.model.design.reinforcement import ConcreteClass, Reinforcement, SteelClass
 

@@ -9,13 +9,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from groundslab.design.demands.principal_shear import principal_shear, ratio_along
 from groundslab.design.en1992.annex import RECOMMENDED
 from groundslab.design.en1992.materials import Concrete, Steel
 from groundslab.design.en1992.shear import (
     LEVER,
     minimum_links,
-    principal_shear,
-    ratio_along,
     required_links,
     resistance_without_links,
 )

@@ -1,1 +1,1 @@
-"""Checks of the ground: its bearing resistance, and what the line force along the edge carries."""
+"""The line force along the edge: what it carries, and its pressure over a strip."""

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from groundslab.design.checks.check import DesignCheck
+from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.combinations import solved_results
 from groundslab.design.checks.ground.edge_strip import line_force_share, strip_width
-from groundslab.design.tables.quantities import solved_results
 from groundslab.results.results import Results
 
 #: Share of the ground's force above which the edge's line force is named.

@@ -10,13 +10,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.design.aci318.bending import LEAST
+from groundslab.design.basis.design_code import ShearRule
 from groundslab.design.by_plate import distances_to_edges, results_by_plate
 from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, region_within_d
 from groundslab.design.demands.perimeters import outline
-from groundslab.design.en1992 import shear
 from groundslab.design.floors.acting_loads import factors_of
-from groundslab.design.tables import reinforcement
+from groundslab.design.required_bars import largest_areas, required_areas
 from groundslab.discretize.singular_places import near_singular
 from groundslab.fem.line_traversal import interpolation, pieces
 from groundslab.fem.mesh import Mesh
@@ -99,7 +98,9 @@ class ShearPlaces:
         return PlacesByReach((beyond,) if at_d is None else (beyond, at_d), nodes.of(nodes.counts & near))
 
 
-def nodes_of(steel: Reinforcement, results: list[CombinationResult], reach: Mapping[str, float]) -> Places:
+def nodes_of(
+    steel: Reinforcement, rule: ShearRule, results: list[CombinationResult], reach: Mapping[str, float]
+) -> Places:
     """Return the plate's nodes; `reach` is how far from columns punching is checked [m], else 2 d."""
     plate = results[0].plate
     thickness = results[0].elements.at_nodes(plate)[0]
@@ -107,10 +108,10 @@ def nodes_of(steel: Reinforcement, results: list[CombinationResult], reach: Mapp
     if steel.laid:
         areas = {layer: laid_bars(steel, layer, plate.nodes).area for layer in LAYERS}
     else:
-        found = reinforcement.required_areas(steel, results)
-        areas = {layer: reinforcement.largest_areas(found, layer)[0] for layer in LAYERS}
-    least = LEAST * thickness if steel.code == "ACI 318" else 0.0  # of a slab that has its least bars
-    ratios = {layer: np.minimum(np.maximum(area, least) / d, shear.MOST_BARS) for layer, area in areas.items()}
+        found = required_areas(steel, results)
+        areas = {layer: largest_areas(found, layer)[0] for layer in LAYERS}
+    least = rule.least_share * thickness
+    ratios = {layer: np.minimum(np.maximum(area, least) / d, rule.most_ratio) for layer, area in areas.items()}
     numbers = np.arange(len(d))
     counts = _counts(results[0], plate.nodes, d, thickness, reach)
     ones = np.ones((len(d), 1))

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from groundslab.design.aci318 import punching as aci318
+from groundslab.design.aci318.case_materials import materials
+from groundslab.design.aci318.checks.two_way_demand import TwoWay, pile_two_way, strength, two_way
 from groundslab.design.aci318.materials import PHI_SHEAR
-from groundslab.design.checks.check import DesignCheck, Status
+from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.demands.perimeter_loads import punching_piles
-from groundslab.design.tables import reinforcement
-from groundslab.design.tables.punching.aci318 import TwoWay, pile_two_way, strength, two_way
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -54,7 +54,7 @@ def _worst(demand: TwoWay, steel: Reinforcement, name: str) -> DesignCheck:
     )
     status: Status = "no failure found"
     if v_u > resistance:
-        concrete, bars = reinforcement.aci318_materials(steel)
+        concrete, bars = materials(steel)
         most = PHI_SHEAR * aci318.most_with_links(concrete)
         thin = demand.d < aci318.LEAST_DEPTH
         status = "fails" if v_u > most or thin else "attention"

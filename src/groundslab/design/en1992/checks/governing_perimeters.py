@@ -16,15 +16,15 @@ from typing import Literal
 import numpy as np
 
 from groundslab.arrays import Array, Memo
+from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.by_plate import plate_under
 from groundslab.design.demands import line_properties, perimeter_loads
 from groundslab.design.demands.line_properties import Course
 from groundslab.design.demands.perimeter_loads import LoadsNear, PerimeterLoads, PunchingForce
 from groundslab.design.demands.perimeters import Perimeter, Surroundings, perimeter_at, surroundings
 from groundslab.design.en1992 import punching as en1992
-from groundslab.design.en1992.perimeters import face_length, openings
-from groundslab.design.tables import reinforcement
-from groundslab.design.tables.punching.en1992_demand import (
+from groundslab.design.en1992.case_materials import materials
+from groundslab.design.en1992.checks.punching_demand import (
     REACH,
     SAME_DISTANCE,
     ControlPerimeter,
@@ -32,6 +32,7 @@ from groundslab.design.tables.punching.en1992_demand import (
     Demands,
     Stress,
 )
+from groundslab.design.en1992.perimeters import face_length, openings
 from groundslab.errors import InputError
 from groundslab.model.design.laid_bars import punching_ratio
 from groundslab.model.design.reinforcement import Reinforcement
@@ -61,7 +62,7 @@ def pile_demands(combined: Results) -> Demands:
 def _demands(combined: Results, forces: tuple[PunchingForce, ...]) -> Demands:
     """Return the demands of forces that punch the plate."""
     model, steel = combined.model, combined.model.reinforcement
-    results = reinforcement.ultimate_results(combined)
+    results = ultimate_results(combined)
     found: dict[tuple[str, str], Demand] = {}
     missing: dict[str, str] = {}
     reach: dict[str, float] = {}
@@ -285,7 +286,7 @@ def _demand(results: CombinationResult, site: _Site, face: ControlPerimeter | st
     """Return the demand of a combination on perimeters at distances [m] and at the face."""
     controls = [control for a in distances if not isinstance(control := site.control(results, a), str)]
     stresses = tuple(_stress(results, site, control) for control in controls)
-    concrete, bars = reinforcement.materials(site.steel, results.limit_state)
+    concrete, bars = materials(site.steel, results.limit_state)
     ratio = min(site.ratio, en1992.most_bars(concrete, bars))
     v_Rd_c = en1992.resistance_without_links(concrete, site.d, ratio)
     force = float(site.punching.pushing(results)[0])

@@ -15,8 +15,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from groundslab.design import punching
+from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.combinations import solved_results, ultimate_results, why_none
 from groundslab.design.by_plate import split_by_plate
-from groundslab.design.checks.check import DesignCheck
 from groundslab.design.demands.design_moments import principal_moments
 from groundslab.design.demands.perimeters import surroundings
 from groundslab.design.en1992 import punching as punching_resistance
@@ -25,8 +26,6 @@ from groundslab.design.en1992.perimeters import face_length, openings
 from groundslab.design.floors import acting_loads, resistance, strips, yield_lines
 from groundslab.design.floors.acting_loads import Borders, Force
 from groundslab.design.floors.yield_lines import Location, YieldSlab
-from groundslab.design.tables import reinforcement
-from groundslab.design.tables.quantities import solved_results, why_none
 from groundslab.discretize.ground import grounds_of
 from groundslab.errors import InputError
 from groundslab.fem.foundation import Column
@@ -93,7 +92,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if floor is None:
         return
     by_tr34 = isinstance(floor, TR34Floor)
-    found = reinforcement.ultimate_results(combined) if by_tr34 else _serviceable(combined)
+    found = ultimate_results(combined) if by_tr34 else _serviceable(combined)
     if not found:
         states = (STRENGTH, "ultimate combination") if by_tr34 else (SERVICEABILITY, "serviceability combination")
         yield DesignCheck("floor", "attention", f"not checked: {why_none(combined, *states)}")

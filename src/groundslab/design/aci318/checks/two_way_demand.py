@@ -7,12 +7,13 @@ from dataclasses import dataclass
 
 from groundslab.arrays import Array, Memo
 from groundslab.design.aci318 import punching as aci318
+from groundslab.design.aci318.case_materials import materials
 from groundslab.design.aci318.materials import PHI_SHEAR
+from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.by_plate import plate_under
 from groundslab.design.demands import line_properties, perimeter_loads
 from groundslab.design.demands.perimeter_loads import PerimeterLoads, PunchingForce
 from groundslab.design.demands.perimeters import Openings, Perimeter, perimeter
-from groundslab.design.tables import reinforcement
 from groundslab.errors import InputError
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import CombinationResult, Results
@@ -76,7 +77,7 @@ def _two_way(
     missing: dict[str, str] = {}
     if steel is None:
         return demands, missing
-    results = reinforcement.ultimate_results(combined)
+    results = ultimate_results(combined)
     for punching in forces:
         pushing = [result for result in results if punching.pushing(result)[0] > 0]
         if not pushing:
@@ -144,6 +145,6 @@ def _demand(
 
 def strength(demand: TwoWay, steel: Reinforcement) -> float:
     """Return phi v_c [Pa] of a critical section without shear reinforcement."""
-    concrete, _ = reinforcement.aci318_materials(steel)
+    concrete, _ = materials(steel)
     v_c = aci318.without_links(concrete, demand.d, demand.b_o, demand.beta, demand.alpha_s)
     return PHI_SHEAR * v_c

@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.design.checks.check import DesignCheck
+from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.demands.perimeters import outline
 from groundslab.design.en1997 import bearing
-from groundslab.design.tables import reinforcement
 from groundslab.model.design.limits import SoilStrength
 from groundslab.results.results import CombinationResult, Results
 
@@ -37,7 +37,7 @@ class _Forces:
 def checks(combined: Results) -> Iterator[DesignCheck]:
     """Yield the checks of bearing resistance and of sliding over all ultimate combinations."""
     strength = combined.model.soil_strength
-    results = reinforcement.ultimate_results(combined)
+    results = ultimate_results(combined)
     if strength is None:
         return
     if not results:

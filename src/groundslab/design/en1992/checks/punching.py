@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-from groundslab.design.checks.check import DesignCheck, Status
+from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.en1992 import punching as en1992
-from groundslab.design.tables import reinforcement
-from groundslab.design.tables.punching.en1992 import demands, pile_demands
-from groundslab.design.tables.punching.en1992_demand import Demand, Demands, Stress
+from groundslab.design.en1992.case_materials import materials
+from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
+from groundslab.design.en1992.checks.punching_demand import Demand, Demands, Stress
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -57,10 +57,10 @@ def _checks(steel: Reinforcement, punched: Demands, names: Names) -> Iterator[De
 
 def _face(steel: Reinforcement, punched: Demands, names: Names) -> DesignCheck | None:
     """Return whether punching exceeds v_Rd,max at any face (EN 1992-1-1 6.4.5(3)), if it is limited."""
-    if en1992.max_resistance(reinforcement.materials(steel)[0]) is None:
+    if en1992.max_resistance(materials(steel)[0]) is None:
         return None
     stresses = [
-        (demand, demand.face, en1992.max_resistance(reinforcement.materials(steel, demand.limit_state)[0]) or 0.0)
+        (demand, demand.face, en1992.max_resistance(materials(steel, demand.limit_state)[0]) or 0.0)
         for demand in punched.found.values()
         if demand.face is not None
     ]
@@ -76,7 +76,7 @@ def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> DesignCh
     name, which = names.within, "the bars provided" if steel.laid else "the largest ratio that counts"
     most: list[Judged] = []
     there: list[Judged] = []
-    annex = reinforcement.materials(steel)[0].annex
+    annex = materials(steel)[0].annex
     for demand in punched.found.values():
         around = [(demand, stress, demand.resistance(stress)) for stress in demand.around]
         there += around
@@ -98,7 +98,7 @@ def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> DesignCh
 def _links(steel: Reinforcement, worst: Judged) -> str:
     """Return the links that a perimeter needs, in words."""
     demand, stress, resistance = worst
-    concrete, bars = reinforcement.materials(steel, demand.limit_state)
+    concrete, bars = materials(steel, demand.limit_state)
     if concrete.annex.links_alone:
         A_sw = en1992.links_alone(stress.v_Ed * stress.u * demand.d, demand.d, bars.f_yd)
         return f"there {A_sw * 1e4:.3g} cm2 of vertical links in the two inner rows together (6.4.5(1) of the annex)"

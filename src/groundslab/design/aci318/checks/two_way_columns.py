@@ -1,0 +1,62 @@
+"""What the tables of columns and piles have of two-way shear by ACI 318-19."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from groundslab.design.aci318.checks.two_way_demand import TwoWay, pile_two_way, strength, two_way
+from groundslab.design.basis.punching_columns import (
+    DEPTH,
+    INSIDE,
+    RELIEF,
+    Heads,
+    PunchingColumns,
+    cells_inside,
+    edge_note,
+    effective_note,
+    missing_notes,
+)
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.results import Results
+
+_HEADS: Heads = (("d", "mm"), ("V_u", "kN"), ("b_o", "m"), ("v_u", "MPa"), *INSIDE, ("phi v_c", "MPa"))
+
+
+def at_columns(combined: Results, steel: Reinforcement) -> PunchingColumns:
+    """Return two-way shear at columns that push down."""
+    return _columns(steel, two_way(combined), "column")
+
+
+def over_piles(combined: Results, steel: Reinforcement) -> PunchingColumns:
+    """Return two-way shear of the plate over piles that push up."""
+    return _columns(steel, pile_two_way(combined), "pile")
+
+
+def _columns(
+    steel: Reinforcement, demands: tuple[Mapping[tuple[str, str], TwoWay], Mapping[str, str]], support: str
+) -> PunchingColumns:
+    """Return the columns of demands, and their notes."""
+    known, missing = demands
+    notes = (
+        f"Two-way shear by ACI 318-19 22.6.5.2 and 8.4.4.2, in ultimate combinations: V_u = {RELIEF[support]}, on the "
+        "critical section at d / 2, v_u with the moments of all forces inside about its center, on principal axes. "
+        "Other supports inside are not counted.",
+        effective_note("J_c"),
+        edge_note(steel, support),
+        DEPTH[support],
+    )
+    return PunchingColumns(
+        _HEADS,
+        lambda combination, name: _cells(known.get((combination, name)), steel),
+        (*notes, *missing_notes(missing, support)),
+    )
+
+
+def _cells(demand: TwoWay | None, steel: Reinforcement) -> list[float | None]:
+    """Return the figures of a demand, in the order of the table; nothing where nothing punches."""
+    if demand is None:
+        return [None] * len(_HEADS)
+    inside = cells_inside(demand.force, demand.pressure, demand.edge, demand.others)
+    return [
+        demand.d * 1e3, demand.V_u / 1e3, demand.b_o, demand.v_u / 1e6, *inside, strength(demand, steel) / 1e6,
+    ]  # fmt: skip

@@ -1,0 +1,43 @@
+"""ACI 318-19 as a design code."""
+
+from __future__ import annotations
+
+from groundslab.design.aci318 import bending
+from groundslab.design.aci318.case_materials import materials
+from groundslab.design.aci318.checks import bars, one_way_shear, two_way, two_way_columns
+from groundslab.design.aci318.checks.remarks import remarks
+from groundslab.design.basis import wide_beam
+from groundslab.design.basis.design_code import Clauses, DesignCode, PunchingRule, ShearRule
+from groundslab.design.bending import BendingRule
+from groundslab.model.design.reinforcement import Reinforcement
+
+#: The largest ratio of bars that counts in one-way shear: ACI 318 has none, and this one is on the safe side.
+MOST_BARS = 0.02
+
+
+def _bending(steel: Reinforcement, _: str) -> BendingRule:
+    """Return how sections of the case find their bars, in every limit state."""
+    return bending.rule(*materials(steel))
+
+
+ACI318 = DesignCode(
+    name="ACI 318-19",
+    clauses=Clauses(bars="22.3, 8.6.1.1", least_bars="8.6.1.1", held_bars="9.7.6.4"),
+    bending=_bending,
+    shear=ShearRule(
+        resistance=one_way_shear.resistance,
+        check=one_way_shear.check,
+        most_ratio=MOST_BARS,
+        least_share=bending.LEAST,
+        cuts=wide_beam.cuts,
+    ),
+    punching=PunchingRule(
+        at_columns=two_way_columns.at_columns,
+        over_piles=two_way_columns.over_piles,
+        checks=two_way.checks,
+        extremes=(("v_u", "MPa"),),
+        with_errors=("V_u", "v_u"),
+    ),
+    bars=bars.checks,
+    remarks=remarks,
+)

@@ -1,0 +1,68 @@
+"""Checks of laid bars that codes share but for their limits: how far apart they lie, and their cover."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from groundslab.design.basis.check import DesignCheck
+from groundslab.model.design.laid_bars import LaidBars, axis_of, bars_of
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.fields import LAYERS
+from groundslab.results.results import CombinationResult
+
+_MM = 1e3
+#: Covers that differ by less [m] are the same.
+ROUNDING = 1e-9
+
+
+def check_spacing(
+    results: CombinationResult, laid: dict[str, LaidBars], limits: tuple[float, float, float], code: str, clause: str
+) -> DesignCheck:
+    """Return whether bars are close enough for a slab.
+
+    The limits are the distance over the thickness, the length [m] that is allowed in any case, and the most [m].
+    """
+    times, least, farthest = limits
+    thickness = results.elements.at_nodes(results.plate)[0]
+    allowed = np.minimum(np.maximum(times * thickness, least), farthest) * _MM
+    layer = max(laid, key=lambda name: float((laid[name].spacing * _MM / allowed).max()))
+    node = int(np.argmax(laid[layer].spacing * _MM / allowed))
+    spacing, most = float(laid[layer].spacing[node]) * _MM, float(allowed[node])
+    holds = spacing <= most
+    return DesignCheck(
+        "distance of bars",
+        "no failure found" if holds else "fails",
+        f"{layer.replace('_', ' ')}: {spacing:.4g} {'<=' if holds else '>'} {most:.4g} mm ({clause})",
+        of=layer.replace("_", " "),
+        demand=spacing,
+        resistance=most,
+        unit="mm",
+        clause=f"{code} {clause}",
+    )
+
+
+def covers(steel: Reinforcement) -> Iterator[tuple[str, float, int]]:
+    """Yield the cover [m] of each set of bars, with its layer and its position among those of the layer."""
+    for layer in LAYERS:
+        for position, bars in enumerate(bars_of(steel, layer)):
+            yield layer, axis_of(steel, layer) - bars.diameter / 2, position
+
+
+def check_cover(steel: Reinforcement, least: dict[str, list[float]], where: str, clause: str) -> DesignCheck:
+    """Return the check of the bars whose cover is nearest to the least one [m], or below it by most."""
+    found = [(cover, least[layer][position], layer.replace("_", " ")) for layer, cover, position in covers(steel)]
+    cover, most, layer = min(found, key=lambda one: one[0] - one[1])
+    holds = cover >= most - ROUNDING
+    return DesignCheck(
+        "cover",
+        "no failure found" if holds else "fails",
+        f"{layer}: {cover * _MM:.4g} {'>=' if holds else '<'} {most * _MM:.4g} mm {where}",
+        of=layer,
+        demand=cover * _MM,
+        resistance=most * _MM,
+        unit="mm",
+        least=True,
+        clause=clause,
+    )

@@ -1,0 +1,120 @@
+"""What a design code consists of: the rules by which a case's slab is designed, each a function or a few of them.
+
+A code is a folder with these rules and one line in `codes.CODES`. Bending is needed; of what else a code has no rule,
+the checks say so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+
+from groundslab.arrays import Array
+from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.punching_columns import Heads, PunchingColumns
+from groundslab.design.basis.shear_demand import ShearDemand
+from groundslab.design.basis.wide_beam import Cut
+from groundslab.design.bending import BendingRule
+from groundslab.model.design.laid_bars import LaidBars
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.results import CombinationResult, Results
+
+
+@dataclass(frozen=True, slots=True)
+class Clauses:
+    """Where a code rules what the checks of every code cite."""
+
+    bars: str  # of bars that bending needs, the least ones among them
+    least_bars: str
+    held_bars: str  # of links that hold bars in compression
+
+
+@dataclass(frozen=True, slots=True)
+class ShearRule:
+    """One-way shear.
+
+    Attributes
+    ----------
+    resistance : callable
+        Of materials, a limit state, depths d (n,) [m] and ratios of bars (n,): what needs no links (n,) [N/m].
+    check : callable
+        Of materials and the demand at the governing place: its check.
+    most_ratio : float
+        The largest ratio of bars that counts.
+    least_share : float
+        Bars that lie in each layer in any case, over the thickness.
+    reach : callable or None
+        Of all combinations: how far from the face of columns punching is checked instead [m]; None for 2 d.
+    struts_fail : callable or None
+        Of materials, a limit state, a force [N/m] and a depth [m]: whether struts fail, which is checked up to what
+        presses there, too.
+    cuts : callable or None
+        Of a combination's results and materials: cuts beside columns over which means are checked, too.
+    """
+
+    resistance: Callable[[Reinforcement, str, Array, Array], Array]
+    check: Callable[[Reinforcement, ShearDemand], DesignCheck]
+    most_ratio: float
+    least_share: float = 0.0
+    reach: Callable[[Results], Mapping[str, float]] | None = None
+    struts_fail: Callable[[Reinforcement, str, float, float], bool] | None = None
+    cuts: Callable[[CombinationResult, Reinforcement], Iterator[Cut]] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class PunchingRule:
+    """Punching, or two-way shear, at columns and of the plate over piles.
+
+    Attributes
+    ----------
+    at_columns, over_piles : callable
+        What tables have of it.
+    checks : callable
+        Of all combinations: the checks.
+    extremes : tuple
+        Those columns of a table whose extremes are wanted.
+    with_errors : tuple of str
+        Those whose values have discretization errors, besides what acts inside a perimeter.
+    """
+
+    at_columns: Callable[[Results, Reinforcement], PunchingColumns]
+    over_piles: Callable[[Results, Reinforcement], PunchingColumns]
+    checks: Callable[[Results], Iterator[DesignCheck]]
+    extremes: Heads
+    with_errors: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class DesignCode:
+    """The rules of a code.
+
+    Attributes
+    ----------
+    name : str
+        What checks and tables call it, with its edition if that matters.
+    clauses : Clauses
+        What they cite.
+    bending : callable
+        Of the case's materials and a limit state: how sections find their bars.
+    shear : ShearRule or None
+        One-way shear.
+    punching : PunchingRule or None
+        Columns and piles that punch the plate.
+    bars : callable or None
+        Of all combinations, materials and laid bars by layer: the checks of these bars besides their area.
+    remarks : callable or None
+        Of all combinations and materials: what puts a verdict by the code in doubt.
+    """
+
+    name: str
+    clauses: Clauses
+    bending: Callable[[Reinforcement, str], BendingRule]
+    shear: ShearRule | None = None
+    punching: PunchingRule | None = None
+    bars: Callable[[Results, Reinforcement, dict[str, LaidBars]], Iterator[DesignCheck]] | None = None
+    remarks: Callable[[Results, Reinforcement], Iterator[DesignCheck]] | None = None
+
+
+def no_rule(code: DesignCode, what: str) -> DesignCheck:
+    """Return the check of what a code has no rule for here: it is open."""
+    return DesignCheck(what, "attention", f"not checked: {code.name} has no rule for it here")

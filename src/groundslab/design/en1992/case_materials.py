@@ -1,0 +1,32 @@
+"""Concrete and steel of a case by EN 1992-1-1, with the factors of a limit state."""
+
+from __future__ import annotations
+
+from groundslab.design.en1992.annex import annex_of
+from groundslab.design.en1992.materials import CONCRETE_CLASSES, STEEL_CLASSES, Concrete, Steel
+from groundslab.model.design.reinforcement import Reinforcement
+
+_MPA = 1e6
+
+
+def materials(steel: Reinforcement, limit_state: str = "ultimate") -> tuple[Concrete, Steel]:
+    """Return concrete and steel in a limit state; InputError where EN 1992-1-1 is not made for them.
+
+    Factors that the case does not give are those of its annex.
+    """
+    annex, (f_ck, f_yk) = annex_of(steel.annex), strengths(steel)
+    gamma_c = annex.gamma_c if steel.gamma_c is None else steel.gamma_c
+    gamma_s = annex.gamma_s if steel.gamma_s is None else steel.gamma_s
+    if limit_state == "accidental":
+        gamma_c, gamma_s = steel.accidental or annex.accidental
+    alpha_cc = annex.alpha_cc if steel.alpha_cc is None else steel.alpha_cc
+    return Concrete(f_ck, gamma_c, alpha_cc, annex), Steel(f_yk, gamma_s)
+
+
+def strengths(steel: Reinforcement) -> tuple[float, float]:
+    """Return the characteristic strengths of concrete and steel [Pa], by class or as given."""
+    f_ck = steel.f_ck if steel.concrete is None else CONCRETE_CLASSES[steel.concrete] * _MPA
+    f_yk = steel.f_yk if steel.steel is None else STEEL_CLASSES[steel.steel] * _MPA
+    assert f_ck is not None
+    assert f_yk is not None
+    return f_ck, f_yk

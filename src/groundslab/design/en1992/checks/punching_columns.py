@@ -1,0 +1,76 @@
+"""What the tables of columns and piles have of punching by EN 1992-1-1."""
+
+from __future__ import annotations
+
+from groundslab.design.basis.combinations import solved_results
+from groundslab.design.basis.punching_columns import (
+    DEPTH,
+    INSIDE,
+    RELIEF,
+    Heads,
+    PunchingColumns,
+    cells_inside,
+    edge_note,
+    effective_note,
+    missing_notes,
+)
+from groundslab.design.en1992.case_materials import materials
+from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
+from groundslab.design.en1992.checks.punching_demand import Demand, Demands
+from groundslab.design.en1992.punching import max_resistance
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.results import Results
+
+_HEADS: Heads = (
+    ("d", "mm"), ("V_Ed", "kN"), ("u", "m"), ("beta", ""), ("v_Ed", "MPa"), *INSIDE,
+    ("a", "m"), ("v_Ed at a", "MPa"), ("v_Rd at a", "MPa"), ("v_Ed / v_Rd", ""),
+    ("u_0", "m"), ("v_Ed at the face", "MPa"), ("v_Rd,max", "MPa"),
+)  # fmt: skip
+
+
+def at_columns(combined: Results, steel: Reinforcement) -> PunchingColumns:
+    """Return what punches at columns that push down."""
+    return _columns(combined, steel, demands(combined), "column")
+
+
+def over_piles(combined: Results, steel: Reinforcement) -> PunchingColumns:
+    """Return what punches the plate over piles that push up."""
+    return _columns(combined, steel, pile_demands(combined), "pile")
+
+
+def _columns(combined: Results, steel: Reinforcement, punched: Demands, support: str) -> PunchingColumns:
+    """Return the columns of demands, and their notes."""
+    states = {result.combination: result.limit_state for result in solved_results(combined)}
+
+    def cells(combination: str, name: str) -> list[float | None]:
+        v_Rd_max = max_resistance(materials(steel, states[combination])[0])
+        return _cells(punched.found.get((combination, name)), v_Rd_max)
+
+    notes = (
+        f"Punching by EN 1992-1-1 6.4.4(2), in ultimate combinations: V_Ed = {RELIEF[support]}, on the perimeter at "
+        "2 d. v_Ed = beta V_Ed / (u d), beta from the moments of all forces inside about the perimeter's center, 6.51. "
+        "Other supports inside are not counted.",
+        "a is the distance from the face, up to 2 d, at which v_Ed / v_Rd is largest, v_Rd = v_Rd,c 2 d / a with the "
+        "bars provided or the largest ratio that counts.",
+        effective_note("W"),
+        edge_note(steel, support),
+        "At the face v_Ed is that of 6.4.5(3) on u_0, with the same beta and the remaining force there. Above "
+        "v_Rd,max no reinforcement helps; some annexes have none.",
+        f"{DEPTH[support]} Where the plate gets thinner within 2 d or slightly beyond, that place needs a separate check.",
+    )
+    return PunchingColumns(_HEADS, cells, (*notes, *missing_notes(punched.missing, support)))
+
+
+def _cells(demand: Demand | None, v_Rd_max: float | None) -> list[float | None]:
+    """Return the figures of a demand, in the order of the table; nothing where nothing punches."""
+    if demand is None:
+        return [None] * len(_HEADS)
+    cells: list[float | None] = [demand.d * 1e3, *[None] * 8]
+    if (far := demand.at_2d) is not None:
+        inside = cells_inside(demand.force, far.pressure, far.edge, far.others)
+        cells[1:] = [far.V_Ed / 1e3, far.u, far.beta, far.v_Ed / 1e6, *inside]
+    worst: list[float | None] = [None] * 4
+    if (stress := demand.governing) is not None:
+        worst = [stress.distance, stress.v_Ed / 1e6, demand.resistance(stress) / 1e6, demand.used(stress)]
+    face: list[float | None] = [None, None] if demand.face is None else [demand.face.u, demand.face.v_Ed / 1e6]
+    return [*cells, *worst, *face, None if v_Rd_max is None else v_Rd_max / 1e6]

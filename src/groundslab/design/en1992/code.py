@@ -1,0 +1,39 @@
+"""EN 1992-1-1 as a design code."""
+
+from __future__ import annotations
+
+from groundslab.design.basis.design_code import Clauses, DesignCode, PunchingRule, ShearRule
+from groundslab.design.bending import BendingRule
+from groundslab.design.en1992 import bending, shear
+from groundslab.design.en1992.case_materials import materials
+from groundslab.design.en1992.checks import bars, one_way_shear, punching, punching_columns
+from groundslab.design.en1992.checks.remarks import remarks
+from groundslab.model.design.reinforcement import Reinforcement
+
+
+def _bending(steel: Reinforcement, limit_state: str) -> BendingRule:
+    """Return how sections of the case find their bars in a limit state."""
+    return bending.rule(*materials(steel, limit_state))
+
+
+EN1992 = DesignCode(
+    name="EN 1992-1-1",
+    clauses=Clauses(bars="6.1, 9.2.1.1(1)", least_bars="9.2.1.1(1)", held_bars="9.2.1.2(3)"),
+    bending=_bending,
+    shear=ShearRule(
+        resistance=one_way_shear.resistance,
+        check=one_way_shear.check,
+        most_ratio=shear.MOST_BARS,
+        reach=one_way_shear.reach,
+        struts_fail=one_way_shear.struts_fail,
+    ),
+    punching=PunchingRule(
+        at_columns=punching_columns.at_columns,
+        over_piles=punching_columns.over_piles,
+        checks=punching.checks,
+        extremes=(("v_Ed", "MPa"), ("v_Ed / v_Rd", ""), ("v_Ed at the face", "MPa")),
+        with_errors=("V_Ed", "v_Ed", "v_Ed / v_Rd", "v_Ed at the face"),
+    ),
+    bars=bars.checks,
+    remarks=remarks,
+)
