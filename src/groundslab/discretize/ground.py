@@ -16,7 +16,6 @@ from dataclasses import replace
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.discretize.borders import shares, zone_rings
 from groundslab.discretize.interpolation import interpolate_linearly
 from groundslab.errors import InputError, Issue
 from groundslab.fem.continuum.media import BondedLayers, Medium, StressedLayers, elastic_length
@@ -26,6 +25,7 @@ from groundslab.fem.mesh import Mesh
 from groundslab.fem.plate import bending_rigidity
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.vlasov import Soil
+from groundslab.geometry.area_shares import shares
 from groundslab.geometry.plan import Ring
 from groundslab.model.combinations import list_combinations
 from groundslab.model.ground import (
@@ -79,7 +79,7 @@ def ground_under(
 ) -> tuple[Soil | Column, tuple[Array, Array]]:
     """Return the ground under a mesh, by element where it varies, and k0 [Pa/m] and k1 [Pa m] of its layers, (L,) each.
 
-    followed_borders are borders of zones that the mesh follows along arcs, see `borders.shares`.
+    followed_borders are borders of zones that the mesh follows along arcs, see `area_shares`.
     The latter are means over the plate's area; of soil, whose constants hang on gamma, there are none. Of a consistent
     stack they are Ec / h and G h of each sublayer, for the mean of its E.
     """
@@ -99,15 +99,6 @@ def ground_under(
         return replace(found, parts=parts, area_fraction=share, table={} if many else None), none
     k0, k1 = _constants(model.ground, tables)
     return found.mix(parts), (share @ k0, share @ k1)
-
-
-def winkler_modulus(ground: Winkler, model: Model) -> float:
-    """Return k [Pa/m], given or by Selvadurai's k = 2 E / (a ln(1 + 2 H / a)) with a the longer side (paper (3.1))."""
-    if ground.k is not None:
-        return ground.k
-    assert ground.selvadurai is not None
-    a = max(model.plate.sides)
-    return 2 * ground.selvadurai.E / (a * math.log(1 + 2 * ground.selvadurai.depth / a))
 
 
 def medium_of(ground: ContinuousGround, layers: tuple[SoilLayer, ...], depth: float = math.inf) -> Medium:
@@ -151,7 +142,7 @@ def carries_shear(ground: Soil | Column) -> bool:
 def _table(ground: AnyGround, model: Model) -> Array:
     """Return the table of a described ground."""
     if isinstance(ground, Winkler):
-        return np.array([[winkler_modulus(ground, model), 0.0]])
+        return np.array([[ground.modulus(max(model.plate.sides)), 0.0]])
     if isinstance(ground, Pasternak):
         return np.array([[ground.k0, ground.k1]])
     if isinstance(ground, ContinuousGround):
@@ -219,7 +210,7 @@ def _columns_under(model: Model, mesh: Mesh, factors: Factors, followed_borders:
         element, part = np.arange(len(centres)), np.ones(len(centres))
         listed = _between_boreholes(model.boreholes, tables, centres)
     else:
-        share = shares(mesh.xy, zone_rings(model), followed_borders, max(model.sides))
+        share = shares(mesh.xy, model.zone_rings, followed_borders, max(model.sides))
         element, zone = np.nonzero(share)
         part, listed = share[element, zone], tables[zone]
     for name, factor in factors.items():

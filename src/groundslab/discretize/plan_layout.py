@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.discretize.borders import add_borders, on_lines, void_rings, zone_rings
+from groundslab.discretize.borders import add_borders, on_lines
 from groundslab.discretize.load_borders import follow_loads
 from groundslab.discretize.symmetry import symmetries
 from groundslab.fem.foundation import Column, decay_length, edge_decay
@@ -188,7 +188,7 @@ def uniform(model: Model, width: float) -> bool:
     """
     if not model.plain or model.mesh.adaptive or model.mesh.refine:
         return False
-    borders = void_rings(model) + zone_rings(model)
+    borders = model.void_rings + model.zone_rings
     if model.mesh.counts is not None or not borders:
         return True
     if width:  # its lines come closer towards the plate's edges
@@ -371,7 +371,7 @@ def plan_of(model: Model, width: float) -> Plan:
     plan = plan_of_plate(model.plate, model.supports, meshed(*_reach(model, width)) if width else None, model.plates)
     if any(symmetries(model)):
         plan = replace(plan, outline=meshed(*model.plate.bounds))
-    plan = add_borders(plan, void_rings(model) + zone_rings(model))
+    plan = add_borders(plan, model.void_rings + model.zone_rings)
     plan = replace(plan, origin=model.origin)
     return follow_loads(plan, model) if model.mesh.adaptive else plan
 

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.discretize.borders import shares, void_rings
 from groundslab.discretize.interpolation import interpolate_smoothly
 from groundslab.discretize.plan_layout import Layout
 from groundslab.errors import InputError, Issue
@@ -17,6 +16,7 @@ from groundslab.fem.foundation import Column
 from groundslab.fem.load_vectors import integrate_over_elements
 from groundslab.fem.problem import MIDSIDES, Depths, largest_share
 from groundslab.fem.vlasov import Soil
+from groundslab.geometry.area_shares import shares
 from groundslab.geometry.plan import Ring
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.model import Model
@@ -43,7 +43,7 @@ def share_voids(model: Model, xy: Array, followed_borders: Sequence[Ring], steps
     """
     own = np.array([np.inf if void.depth is None else void.depth for void in model.contact.voids])
     order = np.argsort(own, kind="stable")  # where voids overlap the deepest counts
-    rings = [void_rings(model)[k] for k in order]
+    rings = [model.void_rings[k] for k in order]
     depth, of = np.unique([0.0, *own], return_inverse=True)
     by_ring = shares(xy, rings, followed_borders, max(model.sides))
     drawn = np.zeros((len(xy), len(own)))

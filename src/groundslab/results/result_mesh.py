@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.discretize.load_borders import borders_of
-from groundslab.discretize.singular_places import near_places, singular_places
 from groundslab.fem import plate
 from groundslab.fem.assembly import find_congruent
 from groundslab.fem.load_vectors import nodal_area
@@ -18,7 +16,9 @@ from groundslab.fem.mesh import SIDES, Mesh, bounding_boxes, locate, mirror, ren
 from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import gauss, jacobian, q9, unique_integers
 from groundslab.geometry.plan import Place
+from groundslab.model.loads.acting import borders_of
 from groundslab.model.model import Model
+from groundslab.model.remarks.singular_places import near_places, singular_places
 from groundslab.results import patch_recovery
 from groundslab.results.edge_forces import EdgeSides, edge_lengths, edge_sides
 from groundslab.results.patch_recovery import Patches

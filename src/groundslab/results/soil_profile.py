@@ -7,13 +7,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.discretize.borders import shares, zone_rings
 from groundslab.discretize.ground import grounds_of
 from groundslab.discretize.plan_layout import find_followed_borders
-from groundslab.discretize.serviceability.lasting_ground import lasts, with_lasting_ground
 from groundslab.discretize.voids import VoidShares, share_voids
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.vlasov import Soil
+from groundslab.geometry.area_shares import shares
 from groundslab.model.ground import ContinuousGround, Continuum, Layered, SoilLayer, Vlasov
 
 if TYPE_CHECKING:
@@ -99,8 +98,8 @@ def profiles_of(results: CombinationResult) -> tuple[Profile, ...]:
     over the plan).
     """
     model, constants = results.model, results.constants
-    if lasts(model, results.limit_state):
-        model = with_lasting_ground(model)
+    if model.lasts(results.limit_state):
+        model = model.with_lasting_ground()
     columns, soils = list_columns(model), [each for each in grounds_of(model) if isinstance(each, Soil)]
     if constants.decay is None or len(soils) < len(columns):
         known = len(columns) == 1
@@ -149,7 +148,7 @@ def crossed_borders(results: CombinationResult) -> tuple[Coverage, ...]:
     size = max(model.sides)
     met = find_followed_borders(model, width if width > 1e-9 * size else 0.0)
     xy = ground.nodes[ground.elements]
-    by_zone = shares(xy, zone_rings(model), met, size)
+    by_zone = shares(xy, model.zone_rings, met, size)
     found = [_coverage("soil_zones", k, part, part, areas(xy)) for k, part in enumerate(by_zone.T[1:])]
     xy = plate.nodes[plate.elements]
     k1 = results.constants.k1

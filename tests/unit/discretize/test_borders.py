@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 
 from groundslab import Model, meshing
-from groundslab.discretize.borders import add_borders, shares
+from groundslab.discretize.borders import add_borders
 from groundslab.discretize.discretize import discretize
 from groundslab.fem.mesh import grid
 from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import areas
+from groundslab.geometry.area_shares import shares
 from groundslab.geometry.plan import Plan, Ring, circle, rectangle
 
 PLATE = rectangle(-3.0, 3.0, -2.0, 2.0)

@@ -14,7 +14,6 @@ from scipy.sparse import csr_array
 from groundslab.analysis.driver import solve
 from groundslab.discretize import ground as rooms
 from groundslab.discretize.discretize import discretize
-from groundslab.discretize.ground import winkler_modulus
 from groundslab.discretize.symmetry import symmetries
 from groundslab.errors import InputError
 from groundslab.fem.foundation import Column, interface_stack, single
@@ -401,7 +400,7 @@ def test_selvadurais_modulus(E: float, k: float) -> None:
         loads=[UniformLoad(q=1.0)],
     )
     assert isinstance(described.ground, Winkler)
-    assert winkler_modulus(described.ground, described) == pytest.approx(k, abs=60.0)
+    assert described.ground.modulus(max(described.plate.sides)) == pytest.approx(k, abs=60.0)
 
 
 def test_ground_becomes_column_or_soil() -> None:

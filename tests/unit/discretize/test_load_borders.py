@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from groundslab.discretize.discretize import discretize
-from groundslab.discretize.load_borders import rings_of
 from groundslab.discretize.plan_layout import plan_of
 from groundslab.fem.mesh import sides_along
 from groundslab.geometry.plan import Plan
+from groundslab.model.loads.acting import rings_of
 from groundslab.model.model import Model
 
 COLUMN = {"kind": "point", "P": 1e5, "x": 1.0, "y": 0.5, "width_x": 0.4, "width_y": 0.4}

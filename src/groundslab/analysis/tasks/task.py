@@ -12,7 +12,6 @@ from groundslab.analysis.cracking_iteration import solve_cracked_meshes
 from groundslab.analysis.load_step import OnStep
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy
 from groundslab.analysis.nested import margin_effect, solve_nested
-from groundslab.discretize.serviceability.lasting_ground import lasts
 from groundslab.errors import GroundslabError, IllConditioned, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
 from groundslab.model.combinations import case_factors
 from groundslab.model.ground import ContinuousGround
@@ -41,7 +40,7 @@ def task_of(model: Model, combination: Combination) -> Task:
     """Return what is solved for a combination."""
     state = combination.limit_state
     factors = tuple(case_factors(model, combination).tolist())
-    return Task(factors, model.cracking is not None and state in model.cracking.limit_states, lasts(model, state))
+    return Task(factors, model.cracking is not None and state in model.cracking.limit_states, model.lasts(state))
 
 
 def solve_task(

@@ -7,7 +7,6 @@ import math
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.discretize.borders import void_rings
 from groundslab.discretize.continuum.limit_depth import find_limit_depth
 from groundslab.discretize.continuum.piles import pile_group
 from groundslab.discretize.ground import medium_of
@@ -112,7 +111,7 @@ def _depths(model: Model, places: Array, finest: bool) -> Array:
     from shapely import contains_xy
 
     depth, lost = np.zeros(len(places)), []
-    for number, (void, ring) in enumerate(zip(model.contact.voids, void_rings(model), strict=True), start=1):
+    for number, (void, ring) in enumerate(zip(model.contact.voids, model.void_rings, strict=True), start=1):
         within = contains_xy(ring.polygon(CHORD * max(model.plate.sides)), places[:, 0], places[:, 1])
         depth[within] = np.maximum(depth[within], math.inf if void.depth is None else void.depth)
         if finest and not within.any():

@@ -17,13 +17,13 @@ from groundslab.design.demands.perimeters import outline
 from groundslab.design.en1992 import shear
 from groundslab.design.floors.acting_loads import factors_of
 from groundslab.design.tables import reinforcement
-from groundslab.discretize.singular_places import near_singular
 from groundslab.fem.line_traversal import interpolation, pieces
 from groundslab.fem.mesh import Mesh
 from groundslab.model.design.floors import TR34Floor
 from groundslab.model.design.laid_bars import laid_bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.loads.acting import PointForce
+from groundslab.model.remarks.singular_places import near_singular
 from groundslab.results.fields import LAYERS
 from groundslab.results.mesh_results import ElementResult, PlateResult
 from groundslab.results.results import CombinationResult
