@@ -13,6 +13,7 @@ from groundslab.analysis.load_step import LoadStep, OnStep
 from groundslab.analysis.mesh_hierarchy import Level, MeshHierarchy
 from groundslab.arrays import Array
 from groundslab.discretize.plan_layout import coarsest, has_coarser
+from groundslab.discretize.symmetry import symmetries
 from groundslab.errors import NoEquilibrium, NotConverged, SingularMatrix
 from groundslab.fem.bearings import largest_of_parts
 from groundslab.fem.problem import W
@@ -125,7 +126,7 @@ def _coarsenings(hierarchy: MeshHierarchy) -> list[int]:
     HALVINGS at a time.
     """
     last, first = hierarchy.finest, max(_first(hierarchy.model), hierarchy.finest)
-    if last > 0 or not has_coarser(hierarchy.model):
+    if last > 0 or not has_coarser(hierarchy.model, symmetries(hierarchy.model)):
         return sorted({*range(last, first + 1, HALVINGS), first}, reverse=True)
     return sorted({last, *range(last + 1, first + 1, HALVINGS), max(first, last + 1)}, reverse=True)
 

@@ -50,7 +50,7 @@ def discretize(
     same. `factors` multiply constants of the ground from place to place. Without `loaded` nothing acts on the problem.
     """
     plan = layout(model, grounds_of(model), coarsening, margin, meshes or Meshes())
-    ground, constants = ground_under(model, plan.mesh, plan.plate_elements, factors or {}, plan.followed_borders)
+    ground, constants = ground_under(model, plan.mesh, plan.plate_elements, factors, plan.mesh_plan.followed_zones)
     element, sections = plate.ELEMENTS[model.plate.element], _with_shear_factors(model)
     surfaces = surfaces_of(ground)
     lines = joint_lines(model, plan, surfaces)
@@ -90,7 +90,7 @@ def discretize(
         links=make_links(model, plan, lines, surfaces, fields, carries_shear(ground)),
         edges=edges,
         corners=corners,
-        symmetry=plan.symmetry,
+        mesh_plan=plan.mesh_plan,
         origin=model.origin,
         elastic=elastic_ground(model, plan, element, coarsening, bearing, cases),
         cracking=cracked_sections(model, plan.section, plan.mesh.nodes[plan.mesh.elements[plan.plate_elements, -1]]),

@@ -20,6 +20,7 @@ from groundslab.fem.concrete.cracked_section import CrackedSections
 from groundslab.fem.continuum.elastic_ground import ElasticGround
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import Mesh
+from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
 
@@ -137,11 +138,16 @@ class Problem:
     links: Links  # across joints between plates
     edges: Integers  # (e, 3): end, end and middle node of each outer side on which infinite ground follows
     corners: Integers  # (c,): nodes at which two such edges meet
-    symmetry: tuple[bool, bool]
+    mesh_plan: MeshPlan
     origin: tuple[float, float] = (0.0, 0.0)  # [m]: where x = y = 0 lies in the plan that was given, for messages
     cracking: CrackedSections | None = None  # how the plate's elements crack, if they do
     elastic: ElasticGround | None = None  # bears the plate, instead of columns, whose constants are zero then
     stiffness: Array | None = None  # (mp, 2) [N m2/m]: of elements that have cracked, along x and y
+
+    @property
+    def symmetry(self) -> tuple[bool, bool]:
+        """Return whether symmetry along x, and along y, is used."""
+        return self.mesh_plan.symmetry
 
     @property
     def load(self) -> Array:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 
@@ -15,11 +15,11 @@ AROUND = np.array([0, 4, 1, 5, 2, 6, 3, 7])
 ROUNDING = 1e-6
 
 
-def shares(xy: Array, rings: Sequence[Ring], followed_borders: Sequence[Ring], extent: float) -> Array:
+def shares(xy: Array, rings: Sequence[Ring], followed: Collection[int], extent: float) -> Array:
     """Return the share (m, 1 + r) of the area of each element (m, 9, 2) in no ring, and in each of r rings.
 
-    Where rings overlap, the last one counts. A ring that the mesh follows along arcs is judged by the centers of the
-    elements, whose sides are parabolas there; all others by area.
+    Where rings overlap, the last one counts. Those that the mesh follows along arcs, by their numbers from 0 in
+    `followed`, are judged by the centers of the elements, whose sides are parabolas there; all others by area.
     """
     import shapely
 
@@ -31,7 +31,7 @@ def shares(xy: Array, rings: Sequence[Ring], followed_borders: Sequence[Ring], e
     tree = shapely.STRtree(cells)
     for number, (ring, polygon) in enumerate(zip(rings, polygons, strict=True), start=1):
         holder[shapely.intersects_xy(polygon, x, y)] = number
-        if ring.straight or ring not in followed_borders:
+        if ring.straight or number - 1 not in followed:
             crossed[tree.query(polygon.boundary, predicate="intersects")] = True
     found[np.arange(len(xy)), holder] = 1.0
     cut = np.flatnonzero(crossed)

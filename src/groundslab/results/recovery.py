@@ -17,9 +17,9 @@ from groundslab.model.model import Model
 from groundslab.results.balance.forces import apply, resistance
 from groundslab.results.contact_fields import contact_fields
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-from groundslab.results.record import Certificate, Constants, Step
+from groundslab.results.record import Certificate, Constants, JointResult, Step, SupportResult
 from groundslab.results.result_mesh import ResultMesh
-from groundslab.results.results import CombinationResult, Comparison, Increment, JointResult, SupportResult
+from groundslab.results.results import CombinationResult, Comparison, Increment
 from groundslab.solvers.cracking import laws
 from groundslab.solvers.solution import Solution
 
@@ -67,7 +67,7 @@ def recover(
         steps=steps,
         solver=solver,
         unknowns=solution.system.pattern.size,
-        symmetry=solution.system.problem.symmetry,
+        mesh_plan=solution.system.problem.mesh_plan,
         combination=combination.name,
         limit_state=combination.limit_state,
         factors=combination.factors if model.cases else (),

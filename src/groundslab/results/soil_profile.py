@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.discretize.ground import grounds_of
-from groundslab.discretize.plan_layout import find_followed_borders
 from groundslab.discretize.voids import VoidShares, share_voids
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.vlasov import Soil
@@ -139,20 +138,15 @@ class Coverage:
 
 def crossed_borders(results: CombinationResult) -> tuple[Coverage, ...]:
     """Return the soil zones and voids of which elements take a part, as their borders are no lines of the mesh."""
-    model, ground, plate = results.solved_model, results.ground, results.plate
+    model, mesh_plan = results.solved_model, results.mesh_plan
     if not model.soil_zones and not model.contact.voids:
         return ()
-    x0, x1, y0, y1 = model.bounds
-    (low_x, low_y), (high_x, high_y) = ground.nodes.min(axis=0), ground.nodes.max(axis=0)
-    width = float(max(x0 - low_x, high_x - x1, y0 - low_y, high_y - y1))
-    size = max(model.sides)
-    met = find_followed_borders(model, width if width > 1e-9 * size else 0.0)
-    xy = ground.nodes[ground.elements]
-    by_zone = shares(xy, model.zone_rings, met, size)
+    xy = results.ground.nodes[results.ground.elements]
+    by_zone = shares(xy, model.zone_rings, mesh_plan.followed_zones, max(model.sides))
     found = [_coverage("soil_zones", k, part, part, areas(xy)) for k, part in enumerate(by_zone.T[1:])]
-    xy = plate.nodes[plate.elements]
+    xy = results.plate.nodes[results.plate.elements]
     k1 = results.constants.k1
-    voids = share_voids(model, xy, met, steps=len(k1) == 1 and k1[0] == 0)
+    voids = share_voids(model, xy, mesh_plan.followed_voids, steps=len(k1) == 1 and k1[0] == 0)
     found += [
         _coverage("contact.voids", k, drawn, meshed, areas(xy))
         for k, (drawn, meshed) in enumerate(zip(voids.drawn.T, _mesh_voids(voids).T, strict=True))

@@ -11,6 +11,7 @@ from groundslab import Model, meshing
 from groundslab.discretize.borders import add_borders
 from groundslab.discretize.discretize import discretize
 from groundslab.fem.mesh import grid
+from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import areas
 from groundslab.geometry.area_shares import shares
@@ -59,6 +60,17 @@ def test_borders_on_the_lines_of_a_grid_change_nothing() -> None:
     without = discretize(model({"size": 0.5}))
     assert with_void.symmetry == without.symmetry == (True, True)
     np.testing.assert_array_equal(with_void.mesh.nodes, without.mesh.nodes)
+
+
+def test_the_plan_of_a_mesh_says_which_borders_it_follows() -> None:
+    """A mesh for a size follows borders as drawn but those that are cut off; a grid of counts follows none."""
+    voids = [{"x": (-1.1, 1.1), "y": (-0.3, 0.3)}]
+    zones = [stiffer({"kind": "rectangle", "x": (x, x + 0.7), "y": (-1.3, 1.3)}) for x in (2.9, -2.9)]
+    followed = discretize(model({"size": 0.5}, soil_zones=zones, contact={"voids": voids})).mesh_plan
+    assert followed == MeshPlan((False, False), followed_zones=(1,), followed_voids=(0,), has_coarser=True)
+    given = discretize(model({"counts": (12, 8)}, soil_zones=zones, contact={"voids": voids})).mesh_plan
+    assert (given.followed_zones, given.followed_voids) == ((), ())
+    assert not discretize(model({"counts": (1, 1)})).mesh_plan.has_coarser
 
 
 def test_symmetric_voids_off_the_lines_keep_the_symmetry() -> None:
@@ -161,7 +173,7 @@ def test_a_ring_followed_along_arcs_is_judged_by_centres() -> None:
     pytest.importorskip("gmsh")
     ring = circle((0.4, 0.1), 0.9)
     found = meshing.unstructured(Plan(PLATE, borders=(ring,)), 0.5)
-    by_centre, by_area = (shares(found.xy, (ring,), followed, 6.0) for followed in ((ring,), ()))
+    by_centre, by_area = (shares(found.xy, (ring,), followed, 6.0) for followed in ((0,), ()))
     assert set(np.unique(by_centre)) == {0.0, 1.0}
     assert areas(found.xy) @ by_centre[:, 1] == pytest.approx(ring.area, rel=1e-4)
     assert 0 < np.abs(by_centre - by_area).max() < 0.05

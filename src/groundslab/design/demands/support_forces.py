@@ -11,7 +11,8 @@ from groundslab.arrays import Array, Flags
 from groundslab.discretize.continuum.piles import pile_in_soil
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.supports import AnySupport, LineSupport, Pile
-from groundslab.results.results import CombinationResult, SupportResult
+from groundslab.results.record import SupportResult
+from groundslab.results.results import CombinationResult
 
 #: A force above this share of a limit has reached it.
 REACHED = 1 - 1e-6

@@ -8,7 +8,8 @@ from groundslab.design.demands.support_forces import stiffness_alone, utilizatio
 from groundslab.design.tables.quantities import solved_results
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.model.supports import AnySupport
-from groundslab.results.results import CombinationResult, JointResult, Results, SupportResult
+from groundslab.results.record import JointResult, SupportResult
+from groundslab.results.results import CombinationResult, Results
 
 
 def support_table(combined: Results) -> Table:

@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from groundslab.model.ground import SoilLayer
     from groundslab.model.model import Model
     from groundslab.model.plate import Plate
-    from groundslab.results.results import CombinationResult, SupportResult
+    from groundslab.results.record import SupportResult
+    from groundslab.results.results import CombinationResult
 
 #: Of loads that are cut off at the plate's edge so many are shown.
 MOST_CUT = 12

@@ -114,7 +114,7 @@ def test_sections() -> None:
     """Sections count from plate to plate, and a zone counts on its own plate alone."""
     found = zoned()
     assert first_sections(found.every_plate) == [0, 3]
-    plan = plan_of(found, 2.0)
+    plan = plan_of(found, (False, False), 2.0)
     assert find_issues(plan) == []
     places = np.array([(0.5, 1), (2, 1), (3.7, 1), (4.5, 1), (5.5, 1), (6.5, 1), (7.2, 1.5), (7.2, 3), (-1, 1)])
     assert sections(plan, places).tolist() == [1, 0, 2, -1, 4, 3, -1, 3, -1]
