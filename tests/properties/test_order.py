@@ -92,7 +92,7 @@ def solved(problem: Problem) -> Array:
     latest = factor_reuse.CachedFactorization(factorization.choose("superlu")[1](s.pattern.indptr, s.pattern.indices))
     start = np.full(len(law), CLOSED)
     f = right_hand_side(s, 1.0)
-    return nodal_table(problem, contact.solve(A, f, latest, law, start, 400, lambda *_: None).u)
+    return nodal_table(problem, contact.solve(contact.ContactProblem(A, f, law), latest, start, 400, lambda *_: None).u)
 
 
 def renumbered(problem: Problem, seed: int) -> tuple[Problem, Array]:

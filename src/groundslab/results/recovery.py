@@ -40,22 +40,29 @@ class MeshedFields:
     cells: PressedCells | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class Recovered:
+    """What was recovered from the solutions of a combination: fields on the full plate and ground, and how good."""
+
+    parts: tuple[PlateResult, ElementResult, GroundResult]  # under the full load
+    increments: tuple[Increment, ...]  # under smaller shares of it
+    comparison: Comparison | None  # with the next coarser mesh
+    certificate: Certificate
+
+
 def recover(
     model: Model,
     combination: Combination,
     solution: Solution,
-    parts: tuple[PlateResult, ElementResult, GroundResult],
-    proof: Certificate,
+    recovered: Recovered,
     steps: tuple[Step, ...],
     solver: str,
-    increments: tuple[Increment, ...] = (),
-    comparison: Comparison | None = None,
 ) -> CombinationResult:
-    """Return the results of a solution, whose fields on the full plate and ground are given.
+    """Return the results of a solution, of which fields and certificate are recovered.
 
     The model is the case as solved; the driver, which knows it, puts the case as written in its place.
     """
-    plate, elements, ground = parts
+    plate, elements, ground = recovered.parts
     return CombinationResult(
         model=model,
         solved_model=model,
@@ -63,7 +70,7 @@ def recover(
         elements=elements,
         ground=ground,
         constants=ground_constants(solution),
-        certificate=proof,
+        certificate=recovered.certificate,
         steps=steps,
         solver=solver,
         unknowns=solution.system.pattern.size,
@@ -73,8 +80,8 @@ def recover(
         factors=combination.factors if model.cases else (),
         supports=support_results(model, solution),
         joints=joint_results(model, solution),
-        increments=increments,
-        comparison=comparison,
+        increments=recovered.increments,
+        comparison=recovered.comparison,
     )
 
 

@@ -12,12 +12,12 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import NotConverged, SingularMatrix
-from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings
+from groundslab.fem.bearings import CLOSED, OPEN, YIELDING
 from groundslab.fem.mesh import MeshLocations, interpolate, interpolate_bilinear, locate_nearest
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W
-from groundslab.fem.sparse import Symmetric
-from groundslab.fem.system import System, on_plate_edge, plate_settlement, surface_settlement
+from groundslab.fem.system import on_plate_edge, plate_settlement, surface_settlement
 from groundslab.solvers import contact
+from groundslab.solvers.contact import ContactProblem
 from groundslab.solvers.direct.protocols import Solver
 from groundslab.solvers.factor_reuse import CachedFactorization
 from groundslab.solvers.solution import Solution
@@ -85,22 +85,21 @@ def from_coarser(start: Solution, problem: Problem, at: NodeLocations) -> tuple[
 
 
 def solve_contact_border(
-    s: System, A: Symmetric, f: Array, law: Bearings, state: Integers, U: Array, solver: Solver
+    problem: Problem, whole: ContactProblem, state: Integers, U: Array, solver: Solver
 ) -> Integers:
     """Return the states (c,) of the bearings after solving the contact on a strip along the contact zone's border.
 
-    U (n, F) approximates the solution.
+    The contact on the whole mesh of the problem is given; U (n, F) approximates its solution.
     """
-    problem = s.problem
     has = problem.unknown >= 0
-    u = np.zeros(A.size)
+    u = np.zeros(whole.A.size)
     u[problem.unknown[has]] = U[has]
     for _ in range(MAX_STRIPS):
         inside = _strip(problem, state, RINGS)
-        free = np.zeros(A.size, dtype=bool)
+        free = np.zeros(whole.A.size, dtype=bool)
         free[problem.unknown[inside][has[inside]]] = True
         try:
-            solved = _solve_strip(A, f, law, state, u, free, solver)
+            solved = _solve_strip(whole, state, u, free, solver)
         except (NotConverged, SingularMatrix):
             break  # the strip alone decides nothing: the full mesh will
         if solved is None:
@@ -112,21 +111,23 @@ def solve_contact_border(
 
 
 def _solve_strip(
-    A: Symmetric, f: Array, law: Bearings, state: Integers, u: Array, free: Flags, solver: Solver
+    whole: ContactProblem, state: Integers, u: Array, free: Flags, solver: Solver
 ) -> tuple[Integers, Array] | None:
     """Return states (c,) and unknowns (size,) with the contact on the free unknowns (size,) solved, all else fixed.
 
     None if there are no bearings on them.
     """
+    A, law = whole.A, whole.bearings
     which = np.flatnonzero(free[law.unknown])
     if not len(which):
         return None
     numbers = np.flatnonzero(free)
-    part, load = A.submatrix(numbers), (f - A @ np.where(free, 0.0, u))[numbers]
+    part = A.submatrix(numbers)
+    load = (whole.f - A @ np.where(free, 0.0, u))[numbers]
     own = law.select(which)
     own = replace(own, unknown=(np.cumsum(free) - 1)[own.unknown])
     factorization = CachedFactorization(solver(part.indptr, part.indices))
-    found = contact.solve(part, load, factorization, own, state[which], MAX_ITERATIONS, lambda *_: None)
+    found = contact.solve(ContactProblem(part, load, own), factorization, state[which], MAX_ITERATIONS, lambda *_: None)
     state, u = state.copy(), u.copy()
     state[which] = found.state
     u[numbers] = found.u

@@ -89,7 +89,9 @@ def test_a_plate_all_in_contact_or_all_lifted_stays_so(closed: bool) -> None:
     f = right_hand_side(s, 1.0)
     law = current_bearings(fine, 1.0, np.zeros(len(state)))
     with patch.object(warm_start, "CachedFactorization", side_effect=AssertionError("a strip was laid")):
-        after = warm_start.solve_contact_border(s, A, f, law, state, U, factorization.SuperLU)
+        after = warm_start.solve_contact_border(
+            fine, contact.ContactProblem(A, f, law), state, U, factorization.SuperLU
+        )
     np.testing.assert_array_equal(after, state)
 
 
@@ -105,7 +107,7 @@ def test_the_strip_finds_the_zone_that_the_whole_mesh_finds() -> None:
     law = current_bearings(fine, 1.0, np.zeros(len(fine.bearing.law)))
     latest = factor_reuse.CachedFactorization(factorization.SuperLU(A.indptr, A.indices))
     start = np.full(len(law), CLOSED)
-    right = contact.solve(A, f, latest, law, start, 100, lambda *_: None)
+    right = contact.solve(contact.ContactProblem(A, f, law), latest, start, 100, lambda *_: None)
     U = np.zeros(fine.unknown.shape)
     U[fine.unknown >= 0] = right.u[fine.unknown[fine.unknown >= 0]]
 
@@ -115,7 +117,7 @@ def test_the_strip_finds_the_zone_that_the_whole_mesh_finds() -> None:
     distance = np.array([np.linalg.norm(opened - place, axis=1).min() for place in places])
     wrong = np.where(distance < 0.31, OPEN, CLOSED)
     assert (wrong != right.state).sum() > 10
-    found = warm_start.solve_contact_border(s, A, f, law, wrong, U, factorization.SuperLU)
+    found = warm_start.solve_contact_border(fine, contact.ContactProblem(A, f, law), wrong, U, factorization.SuperLU)
     np.testing.assert_array_equal(found, right.state)
 
 
@@ -133,7 +135,7 @@ def test_a_wrong_forecast_costs_steps_but_not_the_result(seed: int) -> None:
     from_coarser = warm_start.from_coarser
     with (
         patch.object(warm_start, "from_coarser", nonsense),
-        patch.object(warm_start, "solve_contact_border", lambda *given: given[4]),
+        patch.object(warm_start, "solve_contact_border", lambda *given: given[2]),
     ):
         found = driver.solve(given)
     assert found.certificate.holds

@@ -19,7 +19,7 @@ from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.certificate import certificate, worst
 from groundslab.results.record import Step
-from groundslab.results.recovery import expand, recover, recover_fields
+from groundslab.results.recovery import Recovered, expand, recover, recover_fields
 from groundslab.results.results import CombinationResult, Increment
 from groundslab.solvers.solution import Solution
 
@@ -122,8 +122,8 @@ def _recover(model: Model, combination: Combination, finest: MeshHierarchy, solv
     if solved.coarser is not None:
         prolongation = finest.prolongation(solved.coarser, solution, frame)
         comparison, fields = compare(model, solution, solved.coarser, prolongation, fields)
-    parts = expand(fields, frame)
-    return recover(model, combination, solution, parts, proof, solved.steps, solved.solver, increments, comparison)
+    recovered = Recovered(expand(fields, frame), increments, comparison, proof)
+    return recover(model, combination, solution, recovered, solved.steps, solved.solver)
 
 
 def ends_in_tails(model: Model) -> bool:
