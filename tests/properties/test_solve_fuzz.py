@@ -66,11 +66,11 @@ def room(problem: Problem) -> float:
     in shares of the load, of which the least distance from both limits of every force, as a share of what it can bear,
     is made as large as possible.
     """
-    b, law, nodes = problem.bearing, problem.bearing.law, problem.mesh.nodes
+    b, law, nodes = problem.contact.bearing, problem.contact.bearing.law, problem.mesh.nodes
     size = np.ptp(nodes[problem.plate_nodes], axis=0).max()
     F = problem.load[:, :TOP] * [1.0, 1 / size, 1 / size]
     total = np.abs(F).sum()
-    if not problem.tensionless:
+    if not problem.contact.tensionless:
         return 1.0
     if total == 0:
         return 0.0
@@ -141,7 +141,7 @@ def is_true(refusal: NoEquilibrium, problem: Problem) -> None:
         inside = hull.buffer(-1e-6 * np.sqrt(hull.area))
         assert not inside.contains(Point(place)), said
     elif "more than ground and supports can carry" in said:
-        law, b = problem.bearing.law, problem.bearing
+        law, b = problem.contact.bearing.law, problem.contact.bearing
         assert law.limit_force[~law.bilateral & ((b.support < 0) | (law.sign < 0))].sum() <= F.sum() * (1 + 1e-5)
     else:
         assert "cannot be balanced" in said

@@ -42,11 +42,13 @@ class _ContactIteration:
         self.law = current_bearings(problem, step.factor, step.slip)
         self.expected: Array | None = None  # U (n, F) interpolated from a coarser mesh
         self.near: Array | None = None  # u (size,) of another solution on this mesh
-        state: Integers = np.where(problem.bearing.field > TOP, OPEN, CLOSED)  # joints with play do not bear at first
+        state: Integers = np.where(
+            problem.contact.bearing.field > TOP, OPEN, CLOSED
+        )  # joints with play do not bear at first
         if start is not None and start.system.problem.mesh is problem.mesh:
             alike = start.system is step.system or problem.stiffness is not None
             state, self.near = start.contact.state, start.contact.u if alike else None
-        elif start is not None and len(problem.bearing.law):
+        elif start is not None and len(problem.contact.bearing.law):
             if step.level.locations is None:
                 step.level.locations = warm_start.locate_nodes(start.system.problem, problem)
             state, self.expected = warm_start.from_coarser(start, problem, step.level.locations)
@@ -127,8 +129,10 @@ def _iterate_gamma(iteration: _ContactIteration, soil: Soil, start: Solution | N
         found = iteration.solve(column, gamma)
         U = nodal_table(problem, found.u)
         # a plate that its supports carry clear of the ground leaves nothing to find gamma from
-        pushed = found.force[problem.bearing.support < 0].max(initial=0.0)
-        touches = pushed > NO_CONTACT * np.abs(step.factor * problem.load[:, W]).max() or not problem.tensionless
+        pushed = found.force[problem.contact.bearing.support < 0].max(initial=0.0)
+        touches = (
+            pushed > NO_CONTACT * np.abs(step.factor * problem.load[:, W]).max() or not problem.contact.tensionless
+        )
         after = soil.gamma_of(decay_squared(step.system, U, column)) if touches else gamma
         history.append((gamma, after))
         change = abs(after - gamma) / max(after, GAMMA_SMALL)

@@ -144,7 +144,7 @@ def _first(model: Model) -> int:
 
 def _full_load(model: Model, s: System, level: Level, report: OnStep, finest: bool) -> LoadStep:
     """Return the full load on a mesh, with no plastic slip before."""
-    slip = np.zeros(len(s.problem.bearing.law))
+    slip = np.zeros(len(s.problem.contact.bearing.law))
     return LoadStep(s, level, 1.0, slip, finest, model.analysis.max_iterations, report)
 
 

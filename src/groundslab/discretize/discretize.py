@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from groundslab.arrays import Flags, Integers
+from groundslab.arrays import Array, Flags, Integers
 from groundslab.discretize.constraints import (
     JointLine,
     concatenate,
@@ -25,6 +25,7 @@ from groundslab.discretize.voids import find_depths, initial_gap
 from groundslab.fem import plate
 from groundslab.fem.assembly import number_unknowns
 from groundslab.fem.mesh import sides_on_boundary
+from groundslab.fem.parts.contact import Bearing, ContactConditions, Depths
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Loading, Problem, W
 from groundslab.geometry.plan import SAME_PLACE
 from groundslab.model.ground import ContinuousGround
@@ -80,11 +81,7 @@ def discretize(
         surfaces=surfaces,
         cases=cases,
         loading=sum(cases[1:], cases[0]),
-        initial_gap=gap + np.where(np.isfinite(below.depth), below.depth, 0.0)[below.shallowest],
-        depths=below,
-        bearing=bearing,
-        tensionless=model.contact.tensionless,
-        limit_pressure=np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure,
+        contact=_contact(model, gap, below, bearing),
         plate_edges=plan.plate_edges,
         shear_at_edges=carries_shear(ground),
         links=make_links(model, plan, lines, surfaces, fields, carries_shear(ground)),
@@ -101,6 +98,18 @@ def _with_shear_factors(model: Model) -> list[tuple[float, float, float, float]]
     """Return E [Pa], nu, thickness [m] and shear factor of each section."""
     factors = [each.shear_factor for each in model.every_plate for _ in (each, *each.zones)]
     return [(*own, factor) for own, factor in zip(materials(model), factors, strict=True)]
+
+
+def _contact(model: Model, gap: Array, below: Depths, bearing: Bearing) -> ContactConditions:
+    """Return the conditions of contact; the gap (n,) [m] is that without the depth of voids."""
+    most = model.contact.limit_pressure
+    return ContactConditions(
+        initial_gap=gap + np.where(np.isfinite(below.depth), below.depth, 0.0)[below.shallowest],
+        depths=below,
+        bearing=bearing,
+        tensionless=model.contact.tensionless,
+        limit_pressure=np.inf if most is None else most,
+    )
 
 
 def _cases(

@@ -14,7 +14,8 @@ from groundslab.errors import InputError, Issue
 from groundslab.fem.assembly import scatter
 from groundslab.fem.foundation import Column
 from groundslab.fem.load_vectors import integrate_over_elements
-from groundslab.fem.problem import MIDSIDES, Depths, largest_share
+from groundslab.fem.parts.contact import Depths, largest_share
+from groundslab.fem.problem import MIDSIDES
 from groundslab.fem.vlasov import Soil
 from groundslab.geometry.area_shares import shares
 from groundslab.model.ground import ContinuousGround

@@ -9,24 +9,23 @@ where the plate may lift off, supports, the ends of the play) stands beside the 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem import plate
-from groundslab.fem.bearings import Bearings, Links, Measures
+from groundslab.fem.bearings import Links, Measures
 from groundslab.fem.concrete.cracked_section import CrackedSections
 from groundslab.fem.continuum.elastic_ground import ElasticGround
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import Mesh
+from groundslab.fem.parts.contact import ContactConditions
 from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
 
 W, BETA_X, BETA_Y, TOP = range(4)
-#: Shares of an element's area that differ by less than this are equal.
-TIE = 1e-6
 #: The middles of an element's sides.
 MIDSIDES = slice(4, 8)
 
@@ -58,55 +57,6 @@ class Loading:
 
 
 @dataclass(frozen=True, slots=True)
-class Bearing:
-    """All that bears on single unknowns: first the gap of each plate node; then bottoms of voids; then the supports."""
-
-    law: Bearings  # (c,); levels without settlements of the supports
-    node: Integers  # (c,)
-    field: Integers  # (c,): W, BETA_X, BETA_Y or TOP
-    support: Integers  # (c,): number of the support, -1 for the ground
-    length: Array  # (c,) [m]: the share of a line support, 0 for all else
-    depth: Integers  # (c,): at which of the depths the ground lies; 0 for supports
-
-    def select(self, which: Flags) -> Bearing:
-        """Return some of the bearings by a mask (c,)."""
-        others = (getattr(self, each.name)[which] for each in fields(self) if each.name != "law")
-        return Bearing(self.law.select(which), *others)
-
-
-def largest_share(share: Array) -> Integers:
-    """Return which depth has the largest of the shares (m, d), of equal ones, but for rounding, the deepest."""
-    largest: Integers = np.argmax(share + TIE * np.arange(share.shape[1]), axis=1)
-    return largest
-
-
-@dataclass(frozen=True, slots=True)
-class Depths:
-    """How deep the ground lies under the plate, by the parts of elements that voids take.
-
-    The gap of a node is that of the least depth among its elements. Ground without shear can lie deeper beside it: that
-    part bears by itself. Where it does, an element's mass matrix gives way to one that is diagonal.
-    """
-
-    depth: Array  # (d,) [m], ascending: 0 first, infinite for cavities
-    area_fraction: Array  # (mp, d): of each plate element
-    shallowest: Integers  # (n,): number of the least depth at each node
-    area: Array  # (n, d) [m2]: each node's share of the area in each depth
-    mass_kinds: Array  # (k, 10): factor on the mass matrix, and share of each node's area on the diagonal
-    mass_kind: Integers  # (m,): which of these each element has
-    stepped: bool  # whether the ground is without shear, so that depths may differ within an element
-
-    @property
-    def dominant(self) -> Integers:
-        """Return the number of the depth that takes most of each plate element, (mp,)."""
-        return largest_share(self.area_fraction)
-
-    def at_shallowest(self, values: Array, nodes: Integers) -> Array:
-        """Return the values (n, d) for the least depth at some nodes (k,)."""
-        return values[nodes, self.shallowest[nodes]]
-
-
-@dataclass(frozen=True, slots=True)
 class Problem:
     """One mesh with everything on it, in SI units. n nodes, m elements, F fields, S surfaces of the ground."""
 
@@ -128,11 +78,7 @@ class Problem:
     surfaces: int  # S; their fields may be followed by slips of joints that have play
     cases: tuple[Loading, ...]  # the load cases by themselves
     loading: Loading  # what is to be solved for
-    initial_gap: Array  # (n,) [m]
-    depths: Depths
-    bearing: Bearing
-    tensionless: bool
-    limit_pressure: float  # [Pa]; infinite if there is none
+    contact: ContactConditions  # between plate and ground, and at supports
     plate_edges: Integers  # (b, 3): sides of the plate's edge, openings' too; the plate lies to the left
     shear_at_edges: bool  # whether the ground carries shear, so that a line force acts along them, too
     links: Links  # across joints between plates
@@ -276,7 +222,7 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
     if len(problem.plate_names) > 1:
         every = _block_diagonal([free_motions(plate, mirrored) for plate, _ in single_plates(problem)])
         return _without_steps(problem, every)
-    nodes, b = problem.plate_nodes, problem.bearing
+    nodes, b = problem.plate_nodes, problem.contact.bearing
     fixed = problem.unknown[:, : BETA_Y + 1] < 0
     both = b.law.bilateral
     fixed[b.node[both], b.field[both]] = True
@@ -362,10 +308,10 @@ def joined_plates(problem: Problem) -> Iterator[tuple[Problem, Flags]]:
 def _restrict(problem: Problem, numbers: tuple[int, ...]) -> tuple[Problem, Flags]:
     """Return the problem of some of the plates, and which of all bearings (c,) are on them."""
     if len(numbers) == len(problem.plate_names):
-        return problem, np.ones(len(problem.bearing.law), dtype=bool)
+        return problem, np.ones(len(problem.contact.bearing.law), dtype=bool)
     elements = np.isin(problem.plate_number, numbers)
     nodes = unique_integers(problem.mesh.elements[problem.plate_elements[elements]])[0]
-    held = np.isin(problem.bearing.node, nodes)
+    held = np.isin(problem.contact.bearing.node, nodes)
     load = np.zeros_like(problem.load)
     load[nodes] = problem.load[nodes]
     own = replace(
@@ -374,7 +320,7 @@ def _restrict(problem: Problem, numbers: tuple[int, ...]) -> tuple[Problem, Flag
         plate_nodes=nodes,
         plate_number=np.searchsorted(numbers, problem.plate_number[elements]),
         plate_names=tuple(problem.plate_names[number] for number in numbers),
-        bearing=problem.bearing.select(held),
+        contact=replace(problem.contact, bearing=problem.contact.bearing.select(held)),
         links=problem.links.select(np.asarray(np.isin(problem.links.nodes, nodes).all(axis=1))),
         loading=replace(problem.loading, load=load, size=problem.loading.size[list(numbers)]),
         elastic=None if problem.elastic is None else problem.elastic.under(numbers),

@@ -29,20 +29,22 @@ def current_bearings(problem: Problem, factor: float, slip: Array) -> Bearings:
 
     Along the plate's edge the limit of the ground's pressure does not limit the line force.
     """
-    law, support = problem.bearing.law, problem.bearing.support
-    settled = np.append(problem.loading.settlement, 0.0)[support]  # none for the ground, whose support is -1
-    settled = np.where(problem.bearing.field == W, factor * settled, 0.0)
+    b = problem.contact.bearing
+    law = b.law
+    settled = np.append(problem.loading.settlement, 0.0)[b.support]  # none for the ground, whose support is -1
+    settled = np.where(b.field == W, factor * settled, 0.0)
     limit_force = np.where(on_plate_edge(problem) & (law.limit_force > 0), np.inf, law.limit_force)
     return replace(law, offset=law.offset + settled - law.sign * slip, limit_force=limit_force)
 
 
 def on_plate_edge(problem: Problem) -> Flags:
     """Return which bearings (c,) are ground that carries shear at nodes on the plate's edge."""
+    b = problem.contact.bearing
     if not problem.shear_at_edges:
-        return np.zeros(len(problem.bearing.law), dtype=bool)
+        return np.zeros(len(b.law), dtype=bool)
     on_edge = np.zeros(len(problem.mesh.nodes), dtype=bool)
     on_edge[problem.plate_edges] = True
-    return (problem.bearing.support < 0) & on_edge[problem.bearing.node]
+    return (b.support < 0) & on_edge[b.node]
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,12 +83,12 @@ class Blocks:
 
 def blocks(problem: Problem) -> Blocks:
     """Return the element matrices of a problem, each computed once for all elements of its kind."""
-    xy, sections, masses = problem.mesh.xy, len(problem.bending), problem.depths.mass_kinds
+    xy, sections, masses = problem.mesh.xy, len(problem.bending), problem.contact.depths.mass_kinds
     shapes, shape = find_congruent(xy)
     section = np.full(len(xy), sections)  # none
     section[problem.plate_elements] = problem.rigidity
     kinds, kind = np.unique(
-        (shape * (sections + 1) + section) * len(masses) + problem.depths.mass_kind, return_inverse=True
+        (shape * (sections + 1) + section) * len(masses) + problem.contact.depths.mass_kind, return_inverse=True
     )
     kinds, masses = kinds // len(masses), masses[kinds % len(masses)]
     xy, section = xy[shapes[kinds // (sections + 1)]], kinds % (sections + 1)
@@ -116,12 +118,13 @@ def build_system(problem: Problem, like: System | None = None) -> System:
     if like is None or like.problem.mesh is not mesh:
         return System(problem, assembly.build_pattern(mesh.elements, rank, unknown, linked), blocks(problem))
     known = like.problem
+    depths, known_depths = problem.contact.depths, known.contact.depths
     same_unknowns = np.array_equal(known.unknown, unknown) and np.array_equal(known.links.nodes, linked)
     same_plate = known.element is problem.element and all(
         np.array_equal(a, b)
         for a, b in (
             (known.rigidity, problem.rigidity), (known.bending, problem.bending), (known.shear, problem.shear),
-            (known.depths.mass_kind, problem.depths.mass_kind), (known.depths.mass_kinds, problem.depths.mass_kinds),
+            (known_depths.mass_kind, depths.mass_kind), (known_depths.mass_kinds, depths.mass_kinds),
         )
     )  # fmt: skip
     pattern = like.pattern if same_unknowns else assembly.build_pattern(mesh.elements, rank, unknown, linked)

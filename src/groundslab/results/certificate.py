@@ -40,7 +40,7 @@ ROUNDING = 1e-15 / Certificate.TOLERANCE
 def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     """Return the certificate of a solution under the full load."""
     U, c, problem = solution.U, solution.contact, solution.system.problem
-    under, bearing = problem.plate_nodes, problem.bearing
+    under, bearing = problem.plate_nodes, problem.contact.bearing
     resisting, load = resistance(solution), problem.load
     inner, ground = resisting.all, resisting.ground
     rest = inner - load
@@ -117,9 +117,10 @@ def _residual(solution: Solution, inner: Array, left: Array, rounding: float) ->
     A load that a rigid support takes at once is no measure of what plate, ground and springs resist.
     """
     problem, law = solution.system.problem, solution.law
+    b = problem.contact.bearing
     elastic = np.isfinite(law.stiffness)
     borne = np.zeros_like(inner)
-    np.add.at(borne, (problem.bearing.node[elastic], problem.bearing.field[elastic]), solution.contact.force[elastic])
+    np.add.at(borne, (b.node[elastic], b.field[elastic]), solution.contact.force[elastic])
     force = np.maximum(problem.nodal_sizes(inner), problem.nodal_sizes(borne))
     scale = np.full(len(force), force.max())
     if len(problem.plate_names) > 1:
@@ -208,7 +209,7 @@ def _bearing_errors(solution: Solution, scales: _Scales) -> tuple[float, float, 
     of_cells = _cell_errors(solution, scales)
     if not len(law):
         return of_cells
-    plate = problem.plate_at_nodes[problem.bearing.node]
+    plate = problem.plate_at_nodes[problem.contact.bearing.node]
     scale = np.maximum(_forces_of_kind(problem, c.force, plate), scales.nothing[plate])
     elastic = np.isfinite(law.stiffness)
     way = law.penetration(c.u)
@@ -234,11 +235,11 @@ def _forces_of_kind(problem: Problem, force: Array, plate: Integers) -> Array:
     At a node of the ground it is what the largest pressure would give on its area, at a support the largest force of a
     support.
     """
-    bearing, scale = problem.bearing, np.zeros(len(force))
+    bearing, scale = problem.contact.bearing, np.zeros(len(force))
     ground = bearing.support < 0
     part = plate if len(problem.plate_names) > 1 else None
     scale[~ground] = largest_of_parts(force[~ground], None if part is None else part[~ground])
-    area = problem.depths.area[bearing.node[ground], bearing.depth[ground]]
+    area = problem.contact.depths.area[bearing.node[ground], bearing.depth[ground]]
     pressure = np.divide(force[ground], area, out=np.zeros_like(area), where=area > 0)
     scale[ground] = area * largest_of_parts(pressure, None if part is None else part[ground])
     return scale
@@ -274,7 +275,7 @@ def _cell_errors(solution: Solution, scales: _Scales) -> tuple[float, float, flo
     scale, settlement = np.maximum(area * pressure, scales.nothing[plate]), scales.settlement[plate]
     yielding = (force >= limit) & (limit > 0)
     bears = limit > 0
-    if not problem.tensionless:
+    if not problem.contact.tensionless:
         return float((np.abs(gap) / settlement).max()), 0.0, 0.0
     broken = (np.where(yielding, gap, -gap) / settlement)[bears]
     wrong = np.maximum(-force, np.where(np.isinf(limit), 0.0, force - limit)) / scale

@@ -126,7 +126,7 @@ def expand(fields: MeshedFields, frame: ResultMesh) -> tuple[PlateResult, Elemen
 
 def support_results(model: Model, solution: Solution) -> tuple[SupportResult, ...]:
     """Return what each support carries."""
-    problem, b = solution.system.problem, solution.system.problem.bearing
+    problem, b = solution.system.problem, solution.system.problem.contact.bearing
     if not model.supports:
         return ()
     rest = resistance(solution).all - problem.load

@@ -141,7 +141,7 @@ class ResultMesh:
 
 def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
     """Return the mesh for the results of a model."""
-    elements, depth = problem.mesh.elements[problem.plate_elements], problem.depths.dominant
+    elements, depth = problem.mesh.elements[problem.plate_elements], problem.contact.depths.dominant
     supports = [(edge.start, edge.end) for support in model.supports for edge in support.edges]
     at_supports = sides_along(problem.mesh, elements, supports)
     at_loads = sides_along(

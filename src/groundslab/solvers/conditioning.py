@@ -40,7 +40,7 @@ def require_digits(s: System, column: Column) -> None:
             f"the plate is {ratio:.1e} times as stiff as the ground, beyond what numbers of 16 digits can tell (about "
             f"{TOO_RIGID:.0e}); a plate.E a thousand times smaller is as rigid"
         )
-    if not s.problem.tensionless:
+    if not s.problem.contact.tensionless:
         return
     ground = max(_ground(s, column), np.abs(column.A1).max() * np.abs(s.blocks.slope).max())
     softness = ground * _size(s.problem) ** 2 / s.problem.bending[:, 0, 0].min()

@@ -44,7 +44,7 @@ def require_equilibrium(problem: Problem) -> None:
     The load's work on the rigid motions that the supports leave free must lie inside the cone of what single upward
     forces under the plate do on them (docs/theory.md, equilibrium). A plate glued to the ground is always held.
     """
-    if not problem.tensionless:
+    if not problem.contact.tensionless:
         return
     for plates, _ in joined_plates(problem):
         _require_balance(plates, _prefix(problem, plates))
@@ -93,7 +93,7 @@ def _require_joint_balance(problem: Problem, free: Array, prefix: str) -> None:
 
 def rigid_motions(problem: Problem) -> Array:
     """Return the plate's rigid motions against which only one-sided bearings hold it, as unknowns (size, m)."""
-    if not problem.tensionless:
+    if not problem.contact.tensionless:
         return np.zeros((problem.unknown.max(initial=-1) + 1, 0))
     nodes, unknown, moved = problem.plate_nodes, problem.unknown, move_plates(problem, free_motions(problem))
     # where the plate goes the ground does not go with it
@@ -110,7 +110,7 @@ def require_hold(problem: Problem, contact: Contact, pressing: Array | None = No
     The solution would then be one of many. Bearings that have reached their limit give way and hold nothing. pressing
     (c,) are the forces of an elastic continuum's cells.
     """
-    if not problem.tensionless:
+    if not problem.contact.tensionless:
         return
     elastic = problem.elastic
     for plates, own in joined_plates(problem):
@@ -129,7 +129,7 @@ def _require_plates_held(problem: Problem, state: Integers, force: Array, pressi
     free = free_motions(problem, mirrored=True)
     if free.shape[1] == 0:
         return
-    b = problem.bearing
+    b = problem.contact.bearing
     touching = np.flatnonzero((state == CLOSED) & ~b.law.bilateral & (b.field <= TOP))
     force = np.maximum(force[touching], 0.0)
     rows = motion_rows(problem, b.node[touching], b.field[touching])
@@ -203,7 +203,8 @@ class _OneWay:
 
 def _one_way(problem: Problem) -> _OneWay:
     """Return all that acts on plates one way."""
-    b, law, elastic = problem.bearing, problem.bearing.law, problem.elastic
+    b, elastic = problem.contact.bearing, problem.elastic
+    law = b.law
     own = ~law.bilateral & (b.field <= TOP)
     up = np.where(b.support[own] < 0, 1.0, -law.sign[own])
     row, limit_force, support = motion_rows(problem, b.node[own], b.field[own]), law.limit_force[own], b.support[own]

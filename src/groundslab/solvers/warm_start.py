@@ -56,7 +56,7 @@ def locate_nodes(before: Problem, problem: Problem) -> NodeLocations:
 
 def from_coarser(start: Solution, problem: Problem, at: NodeLocations) -> tuple[Integers, Array]:
     """Return the states (c,) of the bearings and the unknowns (n, F) interpolated from a solution on a coarser mesh."""
-    before, b = start.system.problem, problem.bearing
+    before, b = start.system.problem, problem.contact.bearing
     coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate_nodes
     state = np.full(len(b.law), CLOSED)
     ground = np.flatnonzero(b.field == TOP)  # none, or one at each node of the plate
@@ -69,9 +69,9 @@ def from_coarser(start: Solution, problem: Problem, at: NodeLocations) -> tuple[
             limited = np.isfinite(b.law.limit_force[ground]) & ~on_plate_edge(problem)[ground]
             state[ground[yielding & limited]] = YIELDING
     for support in np.unique(b.support[b.support >= 0]):
-        new, old = (np.flatnonzero((x.support == support) & (x.field == W)) for x in (b, before.bearing))
+        new, old = (np.flatnonzero((x.support == support) & (x.field == W)) for x in (b, before.contact.bearing))
         if len(new) and len(old):
-            offset = nodes[b.node[new], None] - coarse.nodes[before.bearing.node[old]]
+            offset = nodes[b.node[new], None] - coarse.nodes[before.contact.bearing.node[old]]
             state[new] = start.contact.state[old[np.argmin((offset**2).sum(axis=2), axis=1)]]
 
     U = np.zeros((len(nodes), problem.unknown.shape[1]))
@@ -136,7 +136,7 @@ def _solve_strip(
 
 def _strip(problem: Problem, state: Integers, rings: int) -> Flags:
     """Return the nodes (n,) inside some rings of elements around those in which the ground changes its state."""
-    b, elements = problem.bearing, problem.mesh.elements
+    b, elements = problem.contact.bearing, problem.mesh.elements
     ground = np.flatnonzero(b.field == TOP)
     at_node = np.full(len(problem.mesh.nodes), -1, dtype=np.int8)
     at_node[b.node[ground]] = state[ground]

@@ -81,7 +81,7 @@ def test_symmetric_voids_off_the_lines_keep_the_symmetry() -> None:
     assert found.mesh.nodes.min() == 0.0
     assert sides_at(found, 0, 1.1)
     assert sides_at(found, 1, 0.3)
-    assert found.depths.area.sum(axis=0) == pytest.approx([6.0 - 0.33, 0.33])
+    assert found.contact.depths.area.sum(axis=0) == pytest.approx([6.0 - 0.33, 0.33])
 
 
 @pytest.mark.parametrize("mesh", ["gmsh", "netgen"])
@@ -95,7 +95,7 @@ def test_arcs_and_oblique_borders_are_followed(mesh: str, monkeypatch: pytest.Mo
     oblique = {"kind": "polygon", "points": [(1.0, -3.0), (2.0, 9.0), (9.0, 9.0), (9.0, -3.0)]}
     void = {"shape": {"kind": "circle", "centre": (-1.5, 0.0), "radius": 0.7}}
     found = discretize(model({"size": 0.5}, soil_zones=[stiffer(oblique)], contact={"voids": [void]}))
-    assert found.depths.area.sum(axis=0) == pytest.approx([24 - np.pi * 0.49, np.pi * 0.49], rel=1e-4)
+    assert found.contact.depths.area.sum(axis=0) == pytest.approx([24 - np.pi * 0.49, np.pi * 0.49], rel=1e-4)
     k = found.ground.A0[:, 0, 0]  # type: ignore[union-attr]
     assert set(np.round(np.unique(k), -2)) == {2e7, 8e7}
     # right of the line from (1, -3) to (2, 9), of which y = 0 is at x = 1.25
@@ -110,7 +110,7 @@ def test_without_a_mesh_maker_borders_that_no_grid_follows_are_left_to_areas(mon
     found = discretize(model({"size": 0.5}, ground={"kind": "winkler", "k": 2e7}, contact={"voids": [void]}))
     add_borders.cache_clear()
     assert len(found.mesh.elements) == 96
-    assert found.depths.area.sum(axis=0) == pytest.approx([24 - np.pi * 0.49, np.pi * 0.49], rel=5e-3)
+    assert found.contact.depths.area.sum(axis=0) == pytest.approx([24 - np.pi * 0.49, np.pi * 0.49], rel=5e-3)
 
 
 @pytest.mark.parametrize(
@@ -194,4 +194,4 @@ def test_a_void_that_touches_the_edge_is_taken_by_area() -> None:
         loads=[{"kind": "uniform", "q": 50e3}],
         mesh={"size": 3.74025991002138},
     )
-    assert discretize(model).depths.area.min() >= 0
+    assert discretize(model).contact.depths.area.min() >= 0

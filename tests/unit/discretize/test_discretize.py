@@ -303,7 +303,7 @@ def test_glued_plates_have_no_gaps() -> None:
     under = np.zeros(len(problem.mesh.nodes), dtype=bool)
     under[problem.plate_nodes] = True
     np.testing.assert_array_equal(problem.unknown[:, TOP] < 0, under)
-    assert not (problem.bearing.field == TOP).any()
+    assert not (problem.contact.bearing.field == TOP).any()
 
 
 STACK = Layered(coupling="interface", layers=[InterfaceLayer(k0=30e6, k1=20e6), InterfaceLayer(k0=60e6, k1=10e6)])
@@ -367,7 +367,7 @@ def test_initial_gap_is_the_uniform_one_and_the_deepest_void(order: int) -> None
     """
     voids = [Void(depth=0.02, x=(-1, 2), y=(-1, 1)), Void(depth=0.05, x=(1, 3), y=(0, 2))][::order]
     problem = discretize(model(gap=0.01, voids=voids, beyond=Beyond(kind="margin", width=1.0), counts=(6, 4)))
-    for (x, y), gap in zip(problem.mesh.nodes, problem.initial_gap, strict=True):
+    for (x, y), gap in zip(problem.mesh.nodes, problem.contact.initial_gap, strict=True):
         wanted = 0.0
         if abs(x) <= 3 and abs(y) <= 2:
             around = [(x + i * 1e-6, y + j * 1e-6) for i in (-1, 1) for j in (-1, 1)]
@@ -530,7 +530,7 @@ def test_nodes_on_the_edge_of_a_void_bear(symmetry: str) -> None:
             problem = discretize(model(voids=[void], counts=(n, 4), symmetry=symmetry))
             x, y = np.abs(problem.mesh.nodes).T
             inside = (x < edge - 1e-6) & (y < 1 - 1e-6)
-            np.testing.assert_array_equal(problem.initial_gap > 0, inside)
+            np.testing.assert_array_equal(problem.contact.initial_gap > 0, inside)
 
 
 def test_measured_gaps_lie_on_top_of_the_uniform_one() -> None:
@@ -539,7 +539,7 @@ def test_measured_gaps_lie_on_top_of_the_uniform_one() -> None:
     problem = discretize(model(gap=2e-3, gaps=known, counts=(6, 4)))
     along = np.flatnonzero(np.abs(problem.mesh.nodes[:, 1]) < 1e-12)
     x = problem.mesh.nodes[along, 0]
-    np.testing.assert_allclose(problem.initial_gap[along], 2e-3 + 3e-3 + 1e-3 * x, atol=1e-12)
+    np.testing.assert_allclose(problem.contact.initial_gap[along], 2e-3 + 3e-3 + 1e-3 * x, atol=1e-12)
 
 
 def test_gaps_measured_on_a_plane_are_that_plane() -> None:

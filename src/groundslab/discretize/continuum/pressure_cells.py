@@ -16,8 +16,9 @@ from groundslab.errors import InputError, Issue
 from groundslab.fem.continuum.cells import Cells, Grid, cover, make_grid
 from groundslab.fem.continuum.elastic_ground import Columns, ElasticGround, Relief, make_operator
 from groundslab.fem.continuum.media import Medium
+from groundslab.fem.parts.contact import Bearing
 from groundslab.fem.plate import PlateElement
-from groundslab.fem.problem import Bearing, Loading, W
+from groundslab.fem.problem import Loading, W
 from groundslab.fem.shape_functions import areas
 from groundslab.model.ground import ConstrainedModulus, ContinuousGround
 from groundslab.model.model import Model

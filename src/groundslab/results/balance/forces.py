@@ -180,7 +180,7 @@ def resistance(solution: Solution) -> Resistance:
 def bearing_forces(solution: Solution) -> Array:
     """Return the forces (n, F) with which bearings push."""
     problem, borne = solution.system.problem, np.zeros_like(solution.U)
-    bearing = problem.bearing
+    bearing = problem.contact.bearing
     np.add.at(borne, (bearing.node, bearing.field), bearing.law.sign * solution.contact.force)
     return borne
 
