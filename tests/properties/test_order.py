@@ -112,8 +112,12 @@ def renumbered(problem: Problem, seed: int) -> tuple[Problem, Array]:
     changed = replace(
         problem,
         mesh=type(mesh)(mesh.nodes[back], new[mesh.elements[turn]]),
-        plate_elements=where[problem.plate_elements],
-        plate_nodes=np.sort(new[problem.plate_nodes]),
+        plate=replace(
+            problem.plate,
+            elements=where[problem.plate.elements],
+            nodes=np.sort(new[problem.plate.nodes]),
+            edges=new[problem.plate.edges],
+        ),
         rank=rank,
         unknown=unknown,
         cases=(loading,),
@@ -126,7 +130,6 @@ def renumbered(problem: Problem, seed: int) -> tuple[Problem, Array]:
             ),
             bearing=replace(b, law=law, node=new[b.node]),
         ),
-        plate_edges=new[problem.plate_edges],
         edges=new[problem.edges],
         corners=new[problem.corners],
     )

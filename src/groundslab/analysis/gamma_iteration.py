@@ -46,7 +46,7 @@ class _ContactIteration:
             problem.contact.bearing.field > TOP, OPEN, CLOSED
         )  # joints with play do not bear at first
         if start is not None and start.system.problem.mesh is problem.mesh:
-            alike = start.system is step.system or problem.stiffness is not None
+            alike = start.system is step.system or problem.plate.stiffness is not None
             state, self.near = start.contact.state, start.contact.u if alike else None
         elif start is not None and len(problem.contact.bearing.law):
             if step.level.locations is None:

@@ -87,9 +87,9 @@ def margin_effect(
     solutions found, one for each load increment, from which they start and whose gamma they have.
     """
     narrow, wide = (_solve_from(hierarchy, combination, factors, found) for hierarchy in margins)
-    before, after = (each.U[each.system.problem.plate_nodes, W] for each in (narrow, wide))
+    before, after = (each.U[each.system.problem.plate.nodes, W] for each in (narrow, wide))
     problem = narrow.system.problem
-    largest = largest_of_parts(np.maximum(np.abs(before), np.abs(after)), problem.plate_at_nodes[problem.plate_nodes])
+    largest = largest_of_parts(np.maximum(np.abs(before), np.abs(after)), problem.plate_at_nodes[problem.plate.nodes])
     return float(np.divide(np.abs(after - before), largest, out=np.zeros_like(largest), where=largest > 0).max())
 
 

@@ -156,7 +156,7 @@ def _table(step: LoadStep, contact: Contact, pressed: Pressed) -> Array:
     problem, elastic = step.system.problem, step.system.problem.elastic
     assert elastic is not None
     U = nodal_table(problem, contact.u)
-    under = problem.plate_nodes
+    under = problem.plate.nodes
     U[under, TOP] = (elastic.cells.around @ pressed.gap - problem.contact.initial_gap)[under]
     beyond = np.setdiff1d(np.arange(len(U)), under)
     if len(beyond):

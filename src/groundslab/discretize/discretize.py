@@ -26,6 +26,7 @@ from groundslab.fem import plate
 from groundslab.fem.assembly import number_unknowns
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.parts.contact import Bearing, ContactConditions, Depths
+from groundslab.fem.parts.plates import Plates
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Loading, Problem, W
 from groundslab.geometry.plan import SAME_PLACE
 from groundslab.model.ground import ContinuousGround
@@ -52,7 +53,7 @@ def discretize(
     """
     plan = layout(model, grounds_of(model), coarsening, margin, meshes or Meshes())
     ground, constants = ground_under(model, plan.mesh, plan.plate_elements, factors, plan.mesh_plan.followed_zones)
-    element, sections = plate.ELEMENTS[model.plate.element], _with_shear_factors(model)
+    element = plate.ELEMENTS[model.plate.element]
     surfaces = surfaces_of(ground)
     lines = joint_lines(model, plan, surfaces)
     present = _with_slips(_present(model, plan, element, surfaces), lines)
@@ -64,16 +65,7 @@ def discretize(
     edges, corners = _infinite_edges(model, plan)
     return Problem(
         mesh=plan.mesh,
-        plate_elements=plan.plate_elements,
-        plate_nodes=plan.plate_nodes,
-        element=element,
-        bending=np.array([plate.bending_rigidity(*each[:3]) for each in sections]),
-        shear=np.array([plate.shear_rigidity(*each) for each in sections]),
-        rigidity=plan.section,
-        section=plan.section,
-        plate_number=plan.plate,
-        plate_names=tuple(each.name or f"plate {n}" for n, each in enumerate(model.every_plate, start=1)),
-        thickness=np.array([t for _, _, t, _ in sections])[plan.section],
+        plate=_plates(model, plan, element),
         ground=ground,
         constants=constants,
         rank=plan.rank,
@@ -82,7 +74,6 @@ def discretize(
         cases=cases,
         loading=sum(cases[1:], cases[0]),
         contact=_contact(model, gap, below, bearing),
-        plate_edges=plan.plate_edges,
         shear_at_edges=carries_shear(ground),
         links=make_links(model, plan, lines, surfaces, fields, carries_shear(ground)),
         edges=edges,
@@ -90,7 +81,26 @@ def discretize(
         mesh_plan=plan.mesh_plan,
         origin=model.origin,
         elastic=elastic_ground(model, plan, element, coarsening, bearing, cases),
-        cracking=cracked_sections(model, plan.section, plan.mesh.nodes[plan.mesh.elements[plan.plate_elements, -1]]),
+    )
+
+
+def _plates(model: Model, plan: Layout, element: plate.PlateElement) -> Plates:
+    """Return the plates with their sections."""
+    sections = _with_shear_factors(model)
+    centers = plan.mesh.nodes[plan.mesh.elements[plan.plate_elements, -1]]
+    return Plates(
+        elements=plan.plate_elements,
+        nodes=plan.plate_nodes,
+        element=element,
+        bending=np.array([plate.bending_rigidity(E, nu, t) for E, nu, t, _ in sections]),
+        shear=np.array([plate.shear_rigidity(*section) for section in sections]),
+        rigidity=plan.section,
+        section=plan.section,
+        number=plan.plate,
+        names=tuple(sheet.name or f"plate {n}" for n, sheet in enumerate(model.every_plate, start=1)),
+        thickness=np.array([t for _, _, t, _ in sections])[plan.section],
+        edges=plan.plate_edges,
+        cracking=cracked_sections(model, plan.section, centers),
     )
 
 
@@ -125,7 +135,7 @@ def _cases(
         known, problem = like
         if (
             problem.mesh is plan.mesh
-            and problem.element is element
+            and problem.plate.element is element
             and problem.load.shape[1] == fields
             and all(getattr(known, name) == getattr(model, name) for name in ACTING)
         ):

@@ -14,14 +14,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.fem import plate
 from groundslab.fem.bearings import Links, Measures
-from groundslab.fem.concrete.cracked_section import CrackedSections
 from groundslab.fem.continuum.elastic_ground import ElasticGround
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import Mesh
 from groundslab.fem.parts.contact import ContactConditions
 from groundslab.fem.parts.mesh_plan import MeshPlan
+from groundslab.fem.parts.plates import Plates
 from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
 
@@ -61,16 +60,7 @@ class Problem:
     """One mesh with everything on it, in SI units. n nodes, m elements, F fields, S surfaces of the ground."""
 
     mesh: Mesh
-    plate_elements: Integers  # (mp,)
-    plate_nodes: Integers  # (np,), ascending
-    element: plate.PlateElement
-    bending: Array  # (k, 3, 3) [N m]: rigidities of the plate's sections, or of its elements where these have cracked
-    shear: Array  # (k,) [N/m]
-    rigidity: Integers  # (mp,): which of these each plate element has
-    section: Integers  # (mp,): number of each plate element's section: 0 outside all zones, else the zone's, from 1
-    plate_number: Integers  # (mp,): which of several plates it belongs to
-    plate_names: tuple[str, ...]
-    thickness: Array  # (mp,) [m]: of each plate element
+    plate: Plates
     ground: Soil | Column
     constants: tuple[Array, Array]  # (L,) each: k0 [Pa/m] and k1 [Pa m], means under the plate; of soil, nothing
     rank: Integers  # (n,): order of elimination of the nodes
@@ -79,16 +69,13 @@ class Problem:
     cases: tuple[Loading, ...]  # the load cases by themselves
     loading: Loading  # what is to be solved for
     contact: ContactConditions  # between plate and ground, and at supports
-    plate_edges: Integers  # (b, 3): sides of the plate's edge, openings' too; the plate lies to the left
     shear_at_edges: bool  # whether the ground carries shear, so that a line force acts along them, too
     links: Links  # across joints between plates
     edges: Integers  # (e, 3): end, end and middle node of each outer side on which infinite ground follows
     corners: Integers  # (c,): nodes at which two such edges meet
     mesh_plan: MeshPlan
     origin: tuple[float, float] = (0.0, 0.0)  # [m]: where x = y = 0 lies in the plan that was given, for messages
-    cracking: CrackedSections | None = None  # how the plate's elements crack, if they do
     elastic: ElasticGround | None = None  # bears the plate, instead of columns, whose constants are zero then
-    stiffness: Array | None = None  # (mp, 2) [N m2/m]: of elements that have cracked, along x and y
 
     @property
     def symmetry(self) -> tuple[bool, bool]:
@@ -106,24 +93,24 @@ class Problem:
         load = self.loading.load[:, :TOP].copy()
         # on an elastic continuum what presses beside the plate is in TOP alone
         if self.elastic is None:
-            load[self.plate_nodes, W] -= self.loading.load[self.plate_nodes, TOP]
+            load[self.plate.nodes, W] -= self.loading.load[self.plate.nodes, TOP]
         return load
 
     def nodes_of(self, plate: int) -> Integers:
         """Return the nodes of one of the plates, ascending."""
-        return unique_integers(self.mesh.elements[self.plate_elements[self.plate_number == plate]])[0]
+        return unique_integers(self.mesh.elements[self.plate.elements[self.plate.number == plate]])[0]
 
     @property
     def plate_at_nodes(self) -> Integers:
         """Return the number of the plate that each node belongs to, -1 beside all plates, (n,)."""
         number = np.full(len(self.mesh.nodes), -1)
-        number[self.mesh.elements[self.plate_elements]] = self.plate_number[:, None]
+        number[self.mesh.elements[self.plate.elements]] = self.plate.number[:, None]
         return number
 
     @property
     def length(self) -> float:
         """Return the longer side of the largest plate's meshed part [m], times which a rotation is a displacement."""
-        numbers = range(len(self.plate_names))
+        numbers = range(len(self.plate.names))
         return max(float(np.ptp(self.mesh.nodes[self.nodes_of(number)], axis=0).max()) for number in numbers)
 
     @property
@@ -132,7 +119,7 @@ class Problem:
         has, size = self.unknown >= 0, self.unknown.max(initial=-1) + 1
         lever, plate = np.ones(size), np.full(size, -1)
         lever[self.unknown[:, BETA_X : BETA_Y + 1][has[:, BETA_X : BETA_Y + 1]]] = self.length
-        if len(self.plate_names) == 1:
+        if len(self.plate.names) == 1:
             return Measures(lever)
         plate[self.unknown[has]] = np.broadcast_to(self.plate_at_nodes[:, None], self.unknown.shape)[has]
         return Measures(lever, plate)
@@ -155,12 +142,12 @@ def plate_unknowns(problem: Problem, U: Array) -> Array:
 
     Strains are the same; stiffness times what a nearly rigid plate moves as a whole would be rounding alone.
     """
-    motions, elements = planes(problem), problem.mesh.elements[problem.plate_elements]
-    if len(problem.plate_names) == 1:
+    motions, elements = planes(problem), problem.mesh.elements[problem.plate.elements]
+    if len(problem.plate.names) == 1:
         return _less_plane(motions, U, elements)
     u = np.empty((len(elements), 27))
-    for number in range(len(problem.plate_names)):
-        own = problem.plate_number == number
+    for number in range(len(problem.plate.names)):
+        own = problem.plate.number == number
         u[own] = _less_plane(motions, U, elements[own])
     return u
 
@@ -190,11 +177,11 @@ def move_plates(problem: Problem, motions: Array) -> Array:
     A single plate's are continued beyond it.
     """
     alone = planes(problem)
-    if len(problem.plate_names) == 1:
+    if len(problem.plate.names) == 1:
         found: Array = alone @ motions
         return found
     moved = np.zeros((len(alone), TOP, motions.shape[1]))
-    for number in range(len(problem.plate_names)):
+    for number in range(len(problem.plate.names)):
         own = problem.nodes_of(number)
         moved[own] = alone[own] @ motions[3 * number : 3 * number + 3]
     return moved
@@ -205,7 +192,7 @@ def motion_rows(problem: Problem, nodes: Integers, field: Integers) -> Array:
     rows = np.column_stack([np.ones(len(nodes)), problem.mesh.nodes[nodes]])
     for turned in (BETA_X, BETA_Y):
         rows[field == turned] = np.arange(3) == turned
-    count = len(problem.plate_names)
+    count = len(problem.plate.names)
     if count == 1:
         return rows
     found = np.zeros((len(nodes), 3 * count))
@@ -219,10 +206,10 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
 
     Of a plate of which a part is meshed those that its mirrors allow, or, mirrored, those of the full plate.
     """
-    if len(problem.plate_names) > 1:
+    if len(problem.plate.names) > 1:
         every = _block_diagonal([free_motions(plate, mirrored) for plate, _ in single_plates(problem)])
         return _without_steps(problem, every)
-    nodes, b = problem.plate_nodes, problem.contact.bearing
+    nodes, b = problem.plate.nodes, problem.contact.bearing
     fixed = problem.unknown[:, : BETA_Y + 1] < 0
     both = b.law.bilateral
     fixed[b.node[both], b.field[both]] = True
@@ -235,8 +222,8 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
     length = float(np.ptp(problem.mesh.nodes[nodes], axis=0).max())
     scale, one, zero = np.array([1.0, 1 / length, 1 / length]), np.ones_like(x), np.zeros_like(x)
     own_w = np.ones(len(nodes), dtype=bool)
-    if not problem.element.center_w:
-        own_w[np.isin(nodes, problem.mesh.elements[problem.plate_elements, 8])] = False
+    if not problem.plate.element.center_w:
+        own_w[np.isin(nodes, problem.mesh.elements[problem.plate.elements, 8])] = False
     constraints = np.vstack(
         [
             np.column_stack([one, x, y])[fixed[:, W] & own_w],
@@ -259,8 +246,8 @@ def _without_steps(problem: Problem, motions: Array) -> Array:
     first, second = links.nodes[links.holds].T
     if not len(first):
         return motions
-    size = np.ptp(problem.mesh.nodes[problem.plate_nodes], axis=0).max()
-    scale = np.tile([1.0, 1 / size, 1 / size], len(problem.plate_names))
+    size = np.ptp(problem.mesh.nodes[problem.plate.nodes], axis=0).max()
+    scale = np.tile([1.0, 1 / size, 1 / size], len(problem.plate.names))
     # about the plates' middle, in which settlements and slopes are alike
     unit = np.linalg.qr(scale[:, None] ** -1 * motions)[0]
     settling = np.full(len(first), W)
@@ -289,12 +276,12 @@ def mirror_motion(axis: int) -> Array:
 
 def single_plates(problem: Problem) -> Iterator[tuple[Problem, Flags]]:
     """Yield each plate by itself, with the loads and bearings on it, and which of all bearings (c,) these are."""
-    return (_restrict(problem, (number,)) for number in range(len(problem.plate_names)))
+    return (_restrict(problem, (number,)) for number in range(len(problem.plate.names)))
 
 
 def joined_plates(problem: Problem) -> Iterator[tuple[Problem, Flags]]:
     """Yield the plates that joints hold to each other together, each other one by itself, as `single_plates`."""
-    count, links = len(problem.plate_names), problem.links
+    count, links = len(problem.plate.names), problem.links
     if not links.holds.any():
         return single_plates(problem)
     from scipy.sparse import coo_array
@@ -307,19 +294,22 @@ def joined_plates(problem: Problem) -> Iterator[tuple[Problem, Flags]]:
 
 def _restrict(problem: Problem, numbers: tuple[int, ...]) -> tuple[Problem, Flags]:
     """Return the problem of some of the plates, and which of all bearings (c,) are on them."""
-    if len(numbers) == len(problem.plate_names):
+    if len(numbers) == len(problem.plate.names):
         return problem, np.ones(len(problem.contact.bearing.law), dtype=bool)
-    elements = np.isin(problem.plate_number, numbers)
-    nodes = unique_integers(problem.mesh.elements[problem.plate_elements[elements]])[0]
+    elements = np.isin(problem.plate.number, numbers)
+    nodes = unique_integers(problem.mesh.elements[problem.plate.elements[elements]])[0]
     held = np.isin(problem.contact.bearing.node, nodes)
     load = np.zeros_like(problem.load)
     load[nodes] = problem.load[nodes]
     own = replace(
         problem,
-        plate_elements=problem.plate_elements[elements],
-        plate_nodes=nodes,
-        plate_number=np.searchsorted(numbers, problem.plate_number[elements]),
-        plate_names=tuple(problem.plate_names[number] for number in numbers),
+        plate=replace(
+            problem.plate,
+            elements=problem.plate.elements[elements],
+            nodes=nodes,
+            number=np.searchsorted(numbers, problem.plate.number[elements]),
+            names=tuple(problem.plate.names[number] for number in numbers),
+        ),
         contact=replace(problem.contact, bearing=problem.contact.bearing.select(held)),
         links=problem.links.select(np.asarray(np.isin(problem.links.nodes, nodes).all(axis=1))),
         loading=replace(problem.loading, load=load, size=problem.loading.size[list(numbers)]),

@@ -40,7 +40,7 @@ ROUNDING = 1e-15 / Certificate.TOLERANCE
 def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     """Return the certificate of a solution under the full load."""
     U, c, problem = solution.U, solution.contact, solution.system.problem
-    under, bearing = problem.plate_nodes, problem.contact.bearing
+    under, bearing = problem.plate.nodes, problem.contact.bearing
     resisting, load = resistance(solution), problem.load
     inner, ground = resisting.all, resisting.ground
     rest = inner - load
@@ -86,7 +86,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
         worst_product=product,
         gamma_change=solution.gamma_change,
         margin_effect=margin_effect,
-        section_law=None if problem.stiffness is None else error_of_law(problem, U),
+        section_law=None if problem.plate.stiffness is None else error_of_law(problem, U),
         ground_load=float(beside * share),
         joint_mismatch=_mismatch(problem, U, scales) if len(problem.links.joint) else None,
     )
@@ -123,7 +123,7 @@ def _residual(solution: Solution, inner: Array, left: Array, rounding: float) ->
     np.add.at(borne, (b.node[elastic], b.field[elastic]), solution.contact.force[elastic])
     force = np.maximum(problem.nodal_sizes(inner), problem.nodal_sizes(borne))
     scale = np.full(len(force), force.max())
-    if len(problem.plate_names) > 1:
+    if len(problem.plate.names) > 1:
         plate = problem.plate_at_nodes
         scale = np.where(plate < 0, scale, largest_of_parts(force, plate))
     scale = np.maximum(scale, rounding)
@@ -155,7 +155,7 @@ class _Balance:
 
 def _balance(plate: Problem, contact: Array, support: Array, springs: Array, rounding: float) -> _Balance:
     """Return the balance of a single plate: what ground (n,) and supports (n, 3) push on it, and forces of springs."""
-    under, load = plate.plate_nodes, plate.plate_load
+    under, load = plate.plate.nodes, plate.plate_load
     nodes, load, contact, support = (each[under] for each in (plate.mesh.nodes, load, contact, support))
     # moments about the plate's middle, as far from it they would be differences of large numbers
     nodes = nodes - (nodes.min(axis=0) + nodes.max(axis=0)) / 2
@@ -237,7 +237,7 @@ def _forces_of_kind(problem: Problem, force: Array, plate: Integers) -> Array:
     """
     bearing, scale = problem.contact.bearing, np.zeros(len(force))
     ground = bearing.support < 0
-    part = plate if len(problem.plate_names) > 1 else None
+    part = plate if len(problem.plate.names) > 1 else None
     scale[~ground] = largest_of_parts(force[~ground], None if part is None else part[~ground])
     area = problem.contact.depths.area[bearing.node[ground], bearing.depth[ground]]
     pressure = np.divide(force[ground], area, out=np.zeros_like(area), where=area > 0)
@@ -271,7 +271,7 @@ def _cell_errors(solution: Solution, scales: _Scales) -> tuple[float, float, flo
     if elastic.piles is not None:
         gap += solution.contact.force[elastic.piles.bearing] @ elastic.piles.on_cells
     plate = elastic.cells.plate
-    pressure = largest_of_parts(force / area, plate if len(problem.plate_names) > 1 else None)
+    pressure = largest_of_parts(force / area, plate if len(problem.plate.names) > 1 else None)
     scale, settlement = np.maximum(area * pressure, scales.nothing[plate]), scales.settlement[plate]
     yielding = (force >= limit) & (limit > 0)
     bears = limit > 0
@@ -286,8 +286,8 @@ def _cell_errors(solution: Solution, scales: _Scales) -> tuple[float, float, flo
 def _own_w(problem: Problem) -> Array:
     """Return 0.0 at centers whose w hangs on other nodes, else 1.0, (n,): no support can push there."""
     own = np.ones(len(problem.mesh.nodes))
-    if not problem.element.center_w:
-        own[problem.mesh.elements[problem.plate_elements, 8]] = 0.0
+    if not problem.plate.element.center_w:
+        own[problem.mesh.elements[problem.plate.elements, 8]] = 0.0
     return own
 
 
@@ -305,7 +305,7 @@ def _sum_lost_forces(s: System, U: Array, column: Column, rest: Array) -> float:
     base = np.einsum("...ij,j...a,...a->...", column.A0, w[:, problem.mesh.elements], volume).sum()
     of_ground = slice(TOP, TOP + problem.surfaces)
     fixed = (problem.unknown[:, of_ground] < 0) & (rest[:, of_ground] != 0)
-    fixed[problem.plate_nodes] = False
+    fixed[problem.plate.nodes] = False
     edge = -rest[:, of_ground][fixed].sum()
     lost = tail_forces(problem, w, column).sum() if len(problem.edges) else 0.0
     return float(base + edge + lost)

@@ -28,7 +28,7 @@ def contact_fields(solution: Solution, frame: ResultMesh) -> tuple[dict[str, Arr
         return _on_cells(solution, frame)
     problem, elements = solution.system.problem, frame.mesh.elements
     pressure, touching, gap, sunk, line_force = _at_depths(solution, frame)
-    of = problem.mesh.elements[problem.plate_elements]
+    of = problem.mesh.elements[problem.plate.elements]
     share = frame.mean * areas(frame.mesh.xy)[:, None]
 
     def by_element(values: Array) -> Array:
@@ -84,7 +84,7 @@ def _at_depths(solution: Solution, frame: ResultMesh) -> tuple[Array, Array, Arr
     it. A cavity has no bottom: its gap is that above the level of the ground around it, if there is any.
     """
     s, U = solution.system, solution.U
-    problem, under = s.problem, s.problem.plate_nodes
+    problem, under = s.problem, s.problem.plate.nodes
     below, b = problem.contact.depths, problem.contact.bearing
     pressure, touching, gap, sunk = np.zeros((4, *below.area.shape))
     if not problem.contact.tensionless:
@@ -98,7 +98,7 @@ def _at_depths(solution: Solution, frame: ResultMesh) -> tuple[Array, Array, Arr
     touching[at] = solution.contact.closed[ground] & (b.law.limit_force[ground] > 0)
     for k in range(1, len(below.depth)):
         # the bottom of a void that takes a part of an element bears at its sides only
-        part = problem.mesh.elements[problem.plate_elements]
+        part = problem.mesh.elements[problem.plate.elements]
         part = part[below.shallowest[part[:, 8]] < k]
         touching[part[:, 8], k] = touching[part[:, MIDSIDES], k].mean(axis=1)
     sunk[at] = solution.slip[ground]

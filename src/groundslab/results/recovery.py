@@ -181,10 +181,10 @@ def joint_results(model: Model, solution: Solution) -> tuple[JointResult, ...]:
 def _element_fields(problem: Problem, gauss: Array) -> dict[str, Array]:
     """Return the fields at the centers of the plate's elements (mp,) but the pressure, the section's number a float."""
     forces = dict(zip(FORCES, gauss.mean(axis=1).T, strict=True))
-    fields = {**forces, "thickness": problem.thickness, "section": problem.section.astype(np.float64)}
-    if problem.cracking is not None:
+    fields = {**forces, "thickness": problem.plate.thickness, "section": problem.plate.section.astype(np.float64)}
+    if problem.plate.cracking is not None:
         uncracked = laws(problem).B_I
-        B = uncracked if problem.stiffness is None else problem.stiffness
+        B = uncracked if problem.plate.stiffness is None else problem.plate.stiffness
         fields["stiffness_ratio"] = (B / uncracked).min(axis=1)
     return fields
 
@@ -201,7 +201,7 @@ def gauss_forces(problem: Problem, U: Array, frame: ResultMesh) -> Array:
 
 def free_moments(problem: Problem) -> Array:
     """Return what the curvature that elements would take freely takes off the moments, (mp, 3) [N m/m]."""
-    D = problem.bending[problem.rigidity][:, :, :2]
+    D = problem.plate.bending[problem.plate.rigidity][:, :, :2]
     moments: Array = np.einsum("eij,ej->ei", D, problem.loading.free_curvature)
     return moments
 

@@ -55,9 +55,9 @@ def _press_centers(coarse: Problem, cells: Cells, size: int) -> csr_array:
     from scipy.sparse import csr_array
 
     mesh = coarse.mesh
-    element, place = locate_nearest(mesh, cells.center, coarse.plate_elements)
+    element, place = locate_nearest(mesh, cells.center, coarse.plate.elements)
     own, which = np.unique(element, return_inverse=True)
-    w = coarse.element.w_functions(mesh.nodes[mesh.elements[own]])[which]
+    w = coarse.plate.element.w_functions(mesh.nodes[mesh.elements[own]])[which]
     share = np.einsum("ca,cab->cb", q9(place)[0], w)
     unknown = coarse.unknown[mesh.elements[element], W]
     cell = np.broadcast_to(np.arange(len(cells.area))[:, None], unknown.shape)

@@ -52,7 +52,7 @@ def require_equilibrium(problem: Problem) -> None:
 
 def _prefix(problem: Problem, plates: Problem) -> str:
     """Return which of several plates a sentence is about."""
-    return f"{' and '.join(plates.plate_names)}: " if len(problem.plate_names) > 1 else ""
+    return f"{' and '.join(plates.plate.names)}: " if len(problem.plate.names) > 1 else ""
 
 
 def _require_balance(problem: Problem, prefix: str) -> None:
@@ -60,7 +60,7 @@ def _require_balance(problem: Problem, prefix: str) -> None:
     free = free_motions(problem)
     if free.shape[1] == 0:
         return
-    if len(problem.plate_names) > 1:
+    if len(problem.plate.names) > 1:
         _require_joint_balance(problem, free, prefix)
         return
     corners = _extreme_points(problem)
@@ -80,7 +80,7 @@ def _require_balance(problem: Problem, prefix: str) -> None:
 def _require_joint_balance(problem: Problem, free: Array, prefix: str) -> None:
     """Raise NoEquilibrium unless pressure and supports can balance the load on the free motions of joined plates."""
     corners = _extreme_points(problem)
-    scale = np.tile(_scale(corners), len(problem.plate_names))
+    scale = np.tile(_scale(corners), len(problem.plate.names))
     motions = np.linalg.qr(scale[:, None] ** -1 * free)[0]
     work = (np.concatenate([_resultant(plate) for plate, _ in single_plates(problem)]) * scale) @ motions
     if _share_balanced(problem, motions, scale, work, LIMIT_MARGIN)[0] < 1:
@@ -95,7 +95,7 @@ def rigid_motions(problem: Problem) -> Array:
     """Return the plate's rigid motions against which only one-sided bearings hold it, as unknowns (size, m)."""
     if not problem.contact.tensionless:
         return np.zeros((problem.unknown.max(initial=-1) + 1, 0))
-    nodes, unknown, moved = problem.plate_nodes, problem.unknown, move_plates(problem, free_motions(problem))
+    nodes, unknown, moved = problem.plate.nodes, problem.unknown, move_plates(problem, free_motions(problem))
     # where the plate goes the ground does not go with it
     moved = np.concatenate([moved, -moved[:, [W]]], axis=1)[nodes]
     motions = np.zeros((unknown.max(initial=-1) + 1, moved.shape[2]))
@@ -116,7 +116,7 @@ def require_hold(problem: Problem, contact: Contact, pressing: Array | None = No
     for plates, own in joined_plates(problem):
         pressed = None
         if elastic is not None and pressing is not None:
-            numbers = [problem.plate_names.index(name) for name in plates.plate_names]
+            numbers = [problem.plate.names.index(name) for name in plates.plate.names]
             pressed = pressing[np.isin(elastic.cells.plate, numbers)]
         _require_plates_held(plates, contact.state[own], contact.force[own], pressed, _prefix(problem, plates))
 
@@ -144,14 +144,14 @@ def _require_plates_held(problem: Problem, state: Integers, force: Array, pressi
     centre = corners.mean(axis=0)
     # motions about the plate's middle, as large at its ends as it is when it settles
     about = np.array([[1.0, -centre[0] * scale[1], -centre[1] * scale[2]], [0, scale[1], 0], [0, 0, scale[2]]])
-    about = np.kron(np.eye(len(problem.plate_names)), about)
+    about = np.kron(np.eye(len(problem.plate.names)), about)
     motions = np.linalg.qr(np.linalg.solve(about, free))[0]
     size = max(force.sum(), problem.loading.size.sum(), np.finfo(float).tiny)
     resisted = rows @ about @ motions
     shares, directions = np.linalg.eigh(resisted.T @ (force[:, None] / size * resisted))
     loose = about @ motions @ directions[:, shares < NEUTRAL]
     if loose.shape[1]:
-        single = len(problem.plate_names) == 1
+        single = len(problem.plate.names) == 1
         how = _movement(loose, 1 / scale[1], problem.origin)
         moves = f"the plate {how}" if single else "the joined plates can move"
         raise NeutralEquilibrium(
@@ -219,7 +219,7 @@ def _rows_of_cells(problem: Problem) -> Array:
     """Return what rigid motions settle at the cells of an elastic continuum, (c, 3 plates)."""
     assert problem.elastic is not None
     cells = problem.elastic.cells
-    rows = np.zeros((len(cells.area), len(problem.plate_names), 3))
+    rows = np.zeros((len(cells.area), len(problem.plate.names), 3))
     rows[np.arange(len(rows)), cells.plate] = np.column_stack([np.ones(len(rows)), cells.center])
     return rows.reshape(len(rows), -1)
 
@@ -270,7 +270,7 @@ def _extreme_points(problem: Problem) -> Array:
     from shapely import get_coordinates, linestrings
 
     # a line through all nodes has their hull, and is one object instead of one a node
-    corners: Array = get_coordinates(linestrings(problem.mesh.nodes[problem.plate_nodes]).convex_hull)[:-1]
+    corners: Array = get_coordinates(linestrings(problem.mesh.nodes[problem.plate.nodes]).convex_hull)[:-1]
     return corners
 
 

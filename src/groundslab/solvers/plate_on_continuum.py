@@ -69,9 +69,8 @@ def make_plate_on_continuum(s: System, A: Symmetric, factorization: CachedFactor
     )
     law = problem.contact.bearing.law
     pushed = coo_array((law.sign, (law.unknown, np.arange(len(law)))), shape=(A.size, len(law)))
-    D = float(
-        np.average(problem.bending[problem.rigidity, 0, 0], weights=areas(problem.mesh.xy[problem.plate_elements]))
-    )
+    sheet = problem.plate
+    D = float(np.average(sheet.bending[sheet.rigidity, 0, 0], weights=areas(problem.mesh.xy[sheet.elements])))
     none = np.zeros(A.size)
     return PlateOnContinuum(
         A, ground, ConstrainedSystem(A, fixed, none, none), factorization, csr_array(hstack([pressed, pushed])), R,
@@ -97,7 +96,7 @@ def bound_forces(
     C, Ct, G = p.C, p.C.T.tocsr(), (p.C.T @ p.R).T
     planes_of_gaps = np.linalg.qr(G.T)[0]
     part = None
-    if len(problem.plate_names) > 1:
+    if len(problem.plate.names) > 1:
         part = np.concatenate([ground.cells.plate, problem.plate_at_nodes[problem.contact.bearing.node]])
 
     def gaps(x: Array) -> tuple[Array, Array]:

@@ -42,22 +42,22 @@ class NodeLocations:
 
 def locate_nodes(before: Problem, problem: Problem) -> NodeLocations:
     """Return where a problem's nodes lie in the mesh of a coarser one."""
-    coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate_nodes
+    coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate.nodes
     element, place = locate_nearest(coarse, nodes)
     own, there = element[under], place[under]
     # nodes on the plate's edge may have been found in an element beside it
     on_plate = np.zeros(len(coarse.elements), dtype=bool)
-    on_plate[before.plate_elements] = True
+    on_plate[before.plate.elements] = True
     astray = np.flatnonzero(~on_plate[own])
     if len(astray):
-        own[astray], there[astray] = locate_nearest(coarse, nodes[under[astray]], before.plate_elements)
+        own[astray], there[astray] = locate_nearest(coarse, nodes[under[astray]], before.plate.elements)
     return NodeLocations((element, place), (own, there))
 
 
 def from_coarser(start: Solution, problem: Problem, at: NodeLocations) -> tuple[Integers, Array]:
     """Return the states (c,) of the bearings and the unknowns (n, F) interpolated from a solution on a coarser mesh."""
     before, b = start.system.problem, problem.contact.bearing
-    coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate_nodes
+    coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate.nodes
     state = np.full(len(b.law), CLOSED)
     ground = np.flatnonzero(b.field == TOP)  # none, or one at each node of the plate
     state[((b.support < 0) & (b.field != TOP)) | (b.field > TOP)] = OPEN  # bottoms of voids, and play

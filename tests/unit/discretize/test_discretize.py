@@ -290,7 +290,7 @@ def test_unknowns_are_numbered_once_each() -> None:
     numbers = np.sort(problem.unknown[problem.unknown >= 0])
     np.testing.assert_array_equal(numbers, np.arange(len(numbers)))
     under = np.zeros(len(problem.mesh.nodes), dtype=bool)
-    under[problem.plate_nodes] = True
+    under[problem.plate.nodes] = True
     inside = (np.abs(problem.mesh.nodes) <= [3.0, 2.0]).all(axis=1)
     np.testing.assert_array_equal(under, inside)
     assert (problem.unknown[~under, :TOP] < 0).all()
@@ -301,7 +301,7 @@ def test_glued_plates_have_no_gaps() -> None:
     """With a ground that can pull the gap is no unknown under the plate, while the ground beyond keeps its own."""
     problem = discretize(model(tensionless=False, beyond=Beyond(kind="margin", width=1.5)))
     under = np.zeros(len(problem.mesh.nodes), dtype=bool)
-    under[problem.plate_nodes] = True
+    under[problem.plate.nodes] = True
     np.testing.assert_array_equal(problem.unknown[:, TOP] < 0, under)
     assert not (problem.contact.bearing.field == TOP).any()
 
@@ -382,10 +382,10 @@ def test_initial_gap_is_the_uniform_one_and_the_deepest_void(order: int) -> None
 def test_nodal_areas_are_those_of_the_plate() -> None:
     """The nodes' shares add up to the plate's area, corners getting a 36th of an element, centres 16/36."""
     problem = discretize(model(beyond=Beyond(kind="margin", width=1.0)))
-    area = nodal_area(problem.mesh, problem.plate_elements)
+    area = nodal_area(problem.mesh, problem.plate.elements)
     assert area.sum() == pytest.approx(LX * LY)
     one = LX * LY / 15
-    elements = problem.mesh.elements[problem.plate_elements]
+    elements = problem.mesh.elements[problem.plate.elements]
     np.testing.assert_allclose(area[elements[:, 8]], one * 16 / 36)
     corner = (problem.mesh.nodes == [3.0, 2.0]).all(axis=1)
     np.testing.assert_allclose(area[corner], one / 36)

@@ -58,7 +58,7 @@ def test_fields_that_the_coarser_mesh_holds_are_met() -> None:
 
     w, beta, surface = fields(coarse.mesh.nodes)
     under = np.zeros(len(coarse.mesh.nodes), dtype=bool)
-    under[coarse.plate_nodes] = True
+    under[coarse.plate.nodes] = True
     nodal = {W: np.where(under, w, 0), BETA_X: np.where(under, beta, 0), BETA_Y: np.where(under, -beta, 0)}
     nodal[TOP] = surface - np.where(under, w, 0.0)
     start = solution_with(given, nodal, np.full(len(coarse.contact.bearing.law), OPEN), 1)
@@ -67,7 +67,7 @@ def test_fields_that_the_coarser_mesh_holds_are_met() -> None:
     _, U = warm_start.from_coarser(start, fine, warm_start.locate_nodes(coarse, fine))
     w, beta, surface = fields(fine.mesh.nodes)
     under = np.zeros(len(w), dtype=bool)
-    under[fine.plate_nodes] = True
+    under[fine.plate.nodes] = True
     wanted = np.column_stack([w, beta, -beta, surface - np.where(under, w, 0.0)])
     has = fine.unknown >= 0
     np.testing.assert_allclose(U[has], wanted[has], atol=1e-14)

@@ -133,5 +133,5 @@ def test_free_motions_of_joined_plates() -> None:
     motions = free[1e8]
     for y in (1.0, 3.0):
         np.testing.assert_allclose((motions[:3] - motions[3:6]).T @ [1.0, 4.0, y], 0.0, atol=1e-9)
-    groups = [part.plate_names for part, _ in joined_plates(discretize(model([HINGED])))]
+    groups = [part.plate.names for part, _ in joined_plates(discretize(model([HINGED])))]
     assert groups == [("A", "B"), ("C",)]
