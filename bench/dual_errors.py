@@ -64,9 +64,9 @@ def figures(solution: Solution) -> dict[str, Array]:
     found["settlement of a corner"][np.abs(problem.mesh.nodes - CORNER).sum(axis=1).argmin(), W] = 1.0
     points, weights = gauss(3)
     xy = problem.mesh.xy
-    matrices = plate.section_matrices(
-        problem.element, points, xy, problem.bending[problem.section], problem.shear[problem.section]
-    )
+    sheet = problem.plate
+    D, S = sheet.bending[sheet.section], sheet.shear[sheet.section]
+    matrices = plate.section_matrices(sheet.element, points, xy, D, S)
     moment = np.einsum("ep,epu->eu", jacobian(q9(points)[1], xy)[2] * weights, matrices[:, :, 0])
     for name, (x0, x1, y0, y1) in AREAS.items():
         x, y = xy[:, 8].T

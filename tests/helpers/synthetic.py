@@ -9,6 +9,7 @@ import numpy as np
 
 from groundslab.discretize.nodal_loads import materials
 from groundslab.errors import GroundslabError, NoEquilibrium, NotCertified
+from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.geometry.plan import sections
 from groundslab.model.combinations import as_solved
 from groundslab.model.ground import Pasternak, Winkler
@@ -106,7 +107,7 @@ def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: A
         ),
         "solver": "superlu",
         "unknowns": 1234,
-        "symmetry": (True, False),
+        "mesh_plan": MeshPlan((True, False), (), (), has_coarser=True),
         "combination": "all loads",
         "limit_state": "characteristic",
         "factors": (),

@@ -88,11 +88,11 @@ def solved(problem: Problem) -> Array:
     assert isinstance(problem.ground, Column)
     s = build_system(problem)
     A = stiffness(s, problem.ground)
-    law = current_bearings(problem, 1.0, np.zeros(len(problem.bearing.law)))
+    law = current_bearings(problem, 1.0, np.zeros(len(problem.contact.bearing.law)))
     latest = factor_reuse.CachedFactorization(factorization.choose("superlu")[1](s.pattern.indptr, s.pattern.indices))
     start = np.full(len(law), CLOSED)
     f = right_hand_side(s, 1.0)
-    return nodal_table(problem, contact.solve(A, f, latest, law, start, 400, lambda *_: None).u)
+    return nodal_table(problem, contact.solve(contact.ContactProblem(A, f, law), latest, start, 400, lambda *_: None).u)
 
 
 def renumbered(problem: Problem, seed: int) -> tuple[Problem, Array]:
@@ -106,24 +106,30 @@ def renumbered(problem: Problem, seed: int) -> tuple[Problem, Array]:
     rank = random.permutation(n)
     unknown = number_unknowns(rank, problem.unknown[back] >= 0)
     where = np.argsort(turn)  # new number of each element
-    b, below = problem.bearing, problem.depths
+    b, below = problem.contact.bearing, problem.contact.depths
     law = replace(b.law, unknown=unknown[new[b.node], b.field])
     loading = replace(problem.loading, load=problem.loading.load[back])
     changed = replace(
         problem,
         mesh=type(mesh)(mesh.nodes[back], new[mesh.elements[turn]]),
-        plate_elements=where[problem.plate_elements],
-        plate_nodes=np.sort(new[problem.plate_nodes]),
+        plate=replace(
+            problem.plate,
+            elements=where[problem.plate.elements],
+            nodes=np.sort(new[problem.plate.nodes]),
+            edges=new[problem.plate.edges],
+        ),
         rank=rank,
         unknown=unknown,
         cases=(loading,),
         loading=loading,
-        initial_gap=problem.initial_gap[back],
-        depths=replace(
-            below, shallowest=below.shallowest[back], area=below.area[back], mass_kind=below.mass_kind[turn]
+        contact=replace(
+            problem.contact,
+            initial_gap=problem.contact.initial_gap[back],
+            depths=replace(
+                below, shallowest=below.shallowest[back], area=below.area[back], mass_kind=below.mass_kind[turn]
+            ),
+            bearing=replace(b, law=law, node=new[b.node]),
         ),
-        bearing=replace(b, law=law, node=new[b.node]),
-        plate_edges=new[problem.plate_edges],
         edges=new[problem.edges],
         corners=new[problem.corners],
     )

@@ -96,7 +96,7 @@ def room_for_balance(problem: Problem) -> float:
 
     A linear programme over single forces at the nodes, with no regard to how the program decides.
     """
-    b, law = problem.bearing, problem.bearing.law
+    b, law = problem.contact.bearing, problem.contact.bearing.law
     use = np.flatnonzero(~law.bilateral & (law.limit_force > 0))
     up = np.where(b.support[use] < 0, 1.0, -law.sign[use])
     nodes = problem.mesh.nodes

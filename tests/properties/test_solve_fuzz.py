@@ -67,11 +67,11 @@ def room(problem: Problem) -> float:
     in shares of the load, of which the least distance from both limits of every force, as a share of what it can bear,
     is made as large as possible.
     """
-    b, law, nodes = problem.bearing, problem.bearing.law, problem.mesh.nodes
-    size = np.ptp(nodes[problem.plate_nodes], axis=0).max()
+    b, law, nodes = problem.contact.bearing, problem.contact.bearing.law, problem.mesh.nodes
+    size = np.ptp(nodes[problem.plate.nodes], axis=0).max()
     F = problem.load[:, :TOP] * [1.0, 1 / size, 1 / size]
     total = np.abs(F).sum()
-    if not problem.tensionless:
+    if not problem.contact.tensionless:
         return 1.0
     if total == 0:
         return 0.0
@@ -82,9 +82,9 @@ def room(problem: Problem) -> float:
         return np.array([force * 1.0, force * x + (field == BETA_X), force * y + (field == BETA_X + 1)])
 
     place, kind = np.nonzero(problem.unknown[:, :TOP] < 0)
-    free = np.isin(place, problem.plate_nodes)
-    if not problem.element.center_w:
-        free &= ~(np.isin(place, problem.mesh.elements[problem.plate_elements, 8]) & (kind == W))
+    free = np.isin(place, problem.plate.nodes)
+    if not problem.plate.element.center_w:
+        free &= ~(np.isin(place, problem.mesh.elements[problem.plate.elements, 8]) & (kind == W))
     two_sided = np.hstack([rows(place[free], kind[free]), rows(b.node[law.bilateral], b.field[law.bilateral])])
     use = ~law.bilateral & (law.limit_force > 0)
     up = np.where(b.support[use] < 0, 1.0, -law.sign[use])  # the ground pushes up whatever the sign of its gap
@@ -137,12 +137,12 @@ def is_true(refusal: NoEquilibrium, problem: Problem) -> None:
     elif "topple the plate" in said:
         from shapely import MultiPoint, Point
 
-        hull = MultiPoint(problem.mesh.nodes[problem.plate_nodes]).convex_hull
+        hull = MultiPoint(problem.mesh.nodes[problem.plate.nodes]).convex_hull
         place = [0.0 if mirrored else M / F.sum() for M, mirrored in zip(moments, problem.symmetry, strict=True)]
         inside = hull.buffer(-1e-6 * np.sqrt(hull.area))
         assert not inside.contains(Point(place)), said
     elif "more than ground and supports can carry" in said:
-        law, b = problem.bearing.law, problem.bearing
+        law, b = problem.contact.bearing.law, problem.contact.bearing
         assert law.limit_force[~law.bilateral & ((b.support < 0) | (law.sign < 0))].sum() <= F.sum() * (1 + 1e-5)
     else:
         assert "cannot be balanced" in said

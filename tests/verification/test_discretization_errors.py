@@ -73,7 +73,7 @@ def true_energy_error(coarse: Solution, fine: Solution, forces: Array) -> float:
     """Return the energy norm of the plate's error, from forces (m, 4, 5) at the Gauss points of a much finer mesh."""
     p, f = coarse.system.problem, fine.system.problem
     points, weights = gauss(2)
-    xy = f.mesh.nodes[f.mesh.elements[f.plate_elements]]
+    xy = f.mesh.nodes[f.mesh.elements[f.plate.elements]]
     N, dN = q9(points)
     at = (N @ xy).reshape(-1, 2)
     dA = (jacobian(dN, xy)[2] * weights).ravel()

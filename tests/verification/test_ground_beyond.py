@@ -56,9 +56,9 @@ def test_corner_load_on_shallow_stiff_soil(fine: float, width: float | None, siz
 def test_the_plates_elements_are_fine_at_its_edges_only() -> None:
     """Beside the edges elements are shorter than the ground's decay, in the middle as large as allowed."""
     problem = discretize(slab(size=1.25))
-    sides = np.ptp(problem.mesh.xy[problem.plate_elements], axis=1)
+    sides = np.ptp(problem.mesh.xy[problem.plate.elements], axis=1)
     decay = decay_length(problem.ground.column(1.0))
-    at_corner = np.abs(problem.mesh.xy[problem.plate_elements]).max(axis=1).min(axis=1) == 5.0
+    at_corner = np.abs(problem.mesh.xy[problem.plate.elements]).max(axis=1).min(axis=1) == 5.0
     assert sides[at_corner].max() <= 0.7 * decay
     assert sides.max() > 1.0
 

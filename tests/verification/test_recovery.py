@@ -255,7 +255,7 @@ def test_values_at_centres_belong_to_one_element_each(name: str) -> None:
         mesh=Mesh(counts=(3, 3), symmetry="off"),
     )
     problem = discretize(model, 0, 1.0)
-    middle = problem.plate_elements[np.argmin(np.abs(problem.mesh.nodes[problem.mesh.elements[:, 8]]).sum(axis=1))]
+    middle = problem.plate.elements[np.argmin(np.abs(problem.mesh.nodes[problem.mesh.elements[:, 8]]).sum(axis=1))]
     U = np.zeros(problem.unknown.shape)
     U[problem.mesh.elements[middle, 8], BETA_X] = 1e-3
     own = make_result_mesh(model, problem)

@@ -49,7 +49,7 @@ def energy_errors(solution: Solution, frame: ResultMesh, recovered: Array) -> Ar
     recovered (mp, 9, 5) are moments and shear forces at the nodes of the plate's elements.
     """
     errors = _ground_errors(solution)
-    errors[solution.system.problem.plate_elements] += _plate_errors(solution, frame, recovered)
+    errors[solution.system.problem.plate.elements] += _plate_errors(solution, frame, recovered)
     # squares but for rounding
     return np.maximum(errors, 0.0)
 
@@ -64,7 +64,7 @@ def error_density(solution: Solution, frame: ResultMesh, squared: Array, total: 
     A = areas(frame.mesh.xy)
     if not total > 0:
         return np.zeros(len(A))
-    density: Array = np.sqrt(squared[solution.system.problem.plate_elements] / total * (A.sum() / A))
+    density: Array = np.sqrt(squared[solution.system.problem.plate.elements] / total * (A.sum() / A))
     return density
 
 
@@ -75,22 +75,22 @@ def _plate_errors(solution: Solution, frame: ResultMesh, recovered: Array) -> Ar
     u = plate_unknowns(problem, solution.U)
     free = free_moments(problem)
     _, first, kind = np.unique(frame.kind, return_index=True, return_inverse=True)
-    xy = problem.mesh.nodes[problem.mesh.elements[problem.plate_elements]]
+    xy = problem.mesh.nodes[problem.mesh.elements[problem.plate.elements]]
     found = np.empty(len(u))
-    compliance = np.linalg.inv(problem.bending)
+    compliance = np.linalg.inv(problem.plate.bending)
     for start in range(0, len(u), _CHUNK):
         part = slice(start, start + _CHUNK)
         kinds, own = np.unique(kind[part], return_inverse=True)
         some = first[kinds]
-        rigidity = problem.rigidity[some]
-        D, S = problem.bending[rigidity], problem.shear[rigidity]
-        matrices = plate.section_matrices(problem.element, points, xy[some], D, S).reshape(len(some), -1, 27)
+        rigidity = problem.plate.rigidity[some]
+        D, S = problem.plate.bending[rigidity], problem.plate.shear[rigidity]
+        matrices = plate.section_matrices(problem.plate.element, points, xy[some], D, S).reshape(len(some), -1, 27)
         error = N @ recovered[part] - apply(matrices, own, u[part]).reshape(-1, len(points), 5)
         error[..., :3] -= free[part, None]
-        C, dA = compliance[problem.rigidity[part]], jacobian(dN, xy[part])[2] * weights
+        C, dA = compliance[problem.plate.rigidity[part]], jacobian(dN, xy[part])[2] * weights
         moments, shear = error[..., :3], error[..., 3:]
         of_moments = np.einsum("epi,eij,epj->ep", moments, C, moments, optimize=True)
-        of_shear = (shear**2).sum(axis=2) / problem.shear[problem.rigidity[part], None]
+        of_shear = (shear**2).sum(axis=2) / problem.plate.shear[problem.plate.rigidity[part], None]
         found[part] = (dA * (of_moments + of_shear)).sum(axis=1)
     return found
 
@@ -135,7 +135,7 @@ def _ground_errors(solution: Solution) -> Array:
 def _parts(problem: Problem) -> tuple[Integers, int]:
     """Return the elements of the ground with nodes of their own under the plate and beyond, and how many nodes."""
     under = np.zeros(len(problem.mesh.elements), dtype=np.int64)
-    under[problem.plate_elements] = 1
+    under[problem.plate.elements] = 1
     n = len(problem.mesh.nodes)
     keys, own = np.unique(problem.mesh.elements + n * under[:, None], return_inverse=True)
     return own.reshape(-1, 9), len(keys)

@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Memo
-from groundslab.discretize.load_borders import borders_of
-from groundslab.discretize.singular_places import corners_of, near_places, near_singular
 from groundslab.geometry.plan import Segment
 from groundslab.model.ground import ContinuousGround
-from groundslab.model.loads.acting import PointForce
+from groundslab.model.loads.acting import PointForce, borders_of
+from groundslab.model.remarks.singular_places import corners_of, near_places, near_singular
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model

@@ -46,7 +46,7 @@ def _solve_cracked(level: Level, start: Solution, report: OnStep, finest: bool) 
     """
     uncracked, limit = start.system, level.model.analysis.max_iterations
     law = laws(uncracked.problem)
-    slip = np.zeros(len(uncracked.problem.bearing.law))
+    slip = np.zeros(len(uncracked.problem.contact.bearing.law))
     M = decisive_moments(mean_moments(uncracked.problem, start.U))
     B = effective_stiffness(M, *law.curve).min(axis=2)
     extrapolation, solution = Extrapolation(), start

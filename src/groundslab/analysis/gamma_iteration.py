@@ -13,12 +13,12 @@ from groundslab.errors import NotConverged
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Contact, plastic_slip
 from groundslab.fem.foundation import Column
 from groundslab.fem.problem import TOP, W
-from groundslab.fem.sparse import Symmetric
 from groundslab.fem.system import current_bearings, nodal_table, right_hand_side
 from groundslab.fem.vlasov import GAMMA_START, Soil
 from groundslab.results.balance.forces import decay_squared
 from groundslab.results.record import Step
 from groundslab.solvers import contact, warm_start
+from groundslab.solvers.contact import ContactProblem
 from groundslab.solvers.equilibrium import require_hold
 from groundslab.solvers.solution import Solution
 
@@ -42,11 +42,13 @@ class _ContactIteration:
         self.law = current_bearings(problem, step.factor, step.slip)
         self.expected: Array | None = None  # U (n, F) interpolated from a coarser mesh
         self.near: Array | None = None  # u (size,) of another solution on this mesh
-        state: Integers = np.where(problem.bearing.field > TOP, OPEN, CLOSED)  # joints with play do not bear at first
+        state: Integers = np.where(
+            problem.contact.bearing.field > TOP, OPEN, CLOSED
+        )  # joints with play do not bear at first
         if start is not None and start.system.problem.mesh is problem.mesh:
-            alike = start.system is step.system or problem.stiffness is not None
+            alike = start.system is step.system or problem.plate.stiffness is not None
             state, self.near = start.contact.state, start.contact.u if alike else None
-        elif start is not None and len(problem.bearing.law):
+        elif start is not None and len(problem.contact.bearing.law):
             if step.level.locations is None:
                 step.level.locations = warm_start.locate_nodes(start.system.problem, problem)
             state, self.expected = warm_start.from_coarser(start, problem, step.level.locations)
@@ -60,24 +62,13 @@ class _ContactIteration:
         def report(iteration: int, in_contact: int, changed: int) -> None:
             step.report(Step(step.system.pattern.size, 1, gamma, iteration, in_contact, changed, step.finest))
 
-        A, f, law = level.stiffness(column, gamma), right_hand_side(step.system, step.factor), self.law
+        problem = self._problem(column, gamma)
         if self.expected is not None and self.near is None:
             self.state = warm_start.solve_contact_border(
-                step.system, A, f, law, self.state, self.expected, level.solver
+                step.system.problem, problem, self.state, self.expected, level.solver
             )
         try:
-            found = contact.solve(
-                A,
-                f,
-                level.factorization,
-                law,
-                self.state,
-                step.max_iterations,
-                report,
-                self.near,
-                level.motions,
-                step.system.problem.measures,
-            )
+            found = contact.solve(problem, level.factorization, self.state, step.max_iterations, report, self.near)
         except NotConverged as error:
             last = error.last
             if step.finest and "force" in last:
@@ -87,18 +78,24 @@ class _ContactIteration:
             raise
         self.near, self.state = found.u, found.state
         # where digits are few, what is found leads nowhere without refinement
-        return found if A.exact_products is None else self._refine(found, A)
+        return found if problem.A.exact_products is None else self._refine(found, problem)
 
-    def _refine(self, found: Contact, A: Symmetric) -> Contact:
+    def _problem(self, column: Column, gamma: float | None) -> ContactProblem:
+        """Return what is solved for a column of ground, which belongs to a gamma if it depends on one."""
+        system, level = self.step.system, self.step.level
+        A = level.stiffness(column, gamma)
+        f = right_hand_side(system, self.step.factor)
+        return ContactProblem(A, f, self.law, level.motions, system.problem.measures)
+
+    def _refine(self, found: Contact, problem: ContactProblem) -> Contact:
         """Return a solution just found without the rounding of its factorization."""
-        f = right_hand_side(self.step.system, self.step.factor)
-        return contact.refine(A, f, self.step.level.factorization, self.law, found, self.step.system.problem.measures)
+        return contact.refine(problem, self.step.level.factorization, found)
 
     def solution(self, found: Contact, column: Column, gamma: float | None) -> Solution:
         """Return the solution of the load step; on the finest mesh raises NeutralEquilibrium if nothing holds it."""
         step, problem = self.step, self.step.system.problem
         if step.finest:
-            found = self._refine(found, step.level.stiffness(column, gamma))
+            found = self._refine(found, self._problem(column, gamma))
             require_hold(problem, found)
         slip = step.slip + plastic_slip(self.law, found)
         return Solution(step.system, nodal_table(problem, found.u), found, column, gamma, self.law, slip)
@@ -132,8 +129,10 @@ def _iterate_gamma(iteration: _ContactIteration, soil: Soil, start: Solution | N
         found = iteration.solve(column, gamma)
         U = nodal_table(problem, found.u)
         # a plate that its supports carry clear of the ground leaves nothing to find gamma from
-        pushed = found.force[problem.bearing.support < 0].max(initial=0.0)
-        touches = pushed > NO_CONTACT * np.abs(step.factor * problem.load[:, W]).max() or not problem.tensionless
+        pushed = found.force[problem.contact.bearing.support < 0].max(initial=0.0)
+        touches = (
+            pushed > NO_CONTACT * np.abs(step.factor * problem.load[:, W]).max() or not problem.contact.tensionless
+        )
         after = soil.gamma_of(decay_squared(step.system, U, column)) if touches else gamma
         history.append((gamma, after))
         change = abs(after - gamma) / max(after, GAMMA_SMALL)

@@ -77,7 +77,9 @@ class Level:
         if (
             self.cached is None
             or any(getattr(model, name) != getattr(self.cached[0], name) for name in RESULT_MESH_SECTIONS)
-            or not np.array_equal(problem.depths.dominant, self.cached[1].depth[self.cached[1].mesh.elements[:, 0]])
+            or not np.array_equal(
+                problem.contact.depths.dominant, self.cached[1].depth[self.cached[1].mesh.elements[:, 0]]
+            )
         ):
             self.cached = model, make_result_mesh(model, problem)
         return self.cached[1]
@@ -179,7 +181,7 @@ class MeshHierarchy:
         """Return the solutions of a similar model, if they are on the same mesh with the same bearings."""
         assert self.reference is not None
         found = self.reference.solutions[combination, self.finest, self.margin]
-        bearings = len(s.problem.bearing.law)
+        bearings = len(s.problem.contact.bearing.law)
         alike = all(
             each.system.problem.mesh is s.problem.mesh and len(each.contact.state) == bearings for each in found
         )

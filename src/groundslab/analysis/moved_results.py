@@ -13,7 +13,8 @@ from groundslab.geometry.plan import Place
 from groundslab.model.combinations import as_solved
 from groundslab.model.model import Model
 from groundslab.results.mesh_results import GroundResult, PlateResult
-from groundslab.results.results import CombinationResult, Comparison, Increment, JointResult, Results, SupportResult
+from groundslab.results.record import JointResult, SupportResult
+from groundslab.results.results import CombinationResult, Comparison, Increment, Results
 
 WithNodes = TypeVar("WithNodes", PlateResult, SupportResult, JointResult)
 State = TypeVar("State", CombinationResult, Comparison, Increment)

@@ -13,6 +13,7 @@ from groundslab.analysis.load_step import LoadStep, OnStep
 from groundslab.analysis.mesh_hierarchy import Level, MeshHierarchy
 from groundslab.arrays import Array
 from groundslab.discretize.plan_layout import coarsest, has_coarser
+from groundslab.discretize.symmetry import symmetries
 from groundslab.errors import NoEquilibrium, NotConverged, SingularMatrix
 from groundslab.fem.bearings import largest_of_parts
 from groundslab.fem.problem import W
@@ -43,7 +44,7 @@ def solve_nested(
         start = hierarchy.matching(combination, s)
         if start:
             with suppress(NotConverged, SingularMatrix):
-                return _solve_increments(model, s, level, start, report, True), None
+                return _solve_increments(_full_load(model, s, level, report, True), model, start), None
     for coarsening in _coarsenings(hierarchy):
         level = hierarchy.level(coarsening)
         if coarsening == hierarchy.finest:
@@ -55,7 +56,8 @@ def solve_nested(
             with suppress(NoEquilibrium, NotConverged, SingularMatrix):
                 on_step = report if model.analysis.nested else _ignore
                 s = _load_system(level, factors)
-                found = _solve_increments(model, s, level, start, on_step, False, before=before)
+                step = _full_load(model, s, level, on_step, False)
+                found = _solve_increments(replace(step, coarser=before), model, start)
         before = None if level.system.problem.elastic is None else level
     hierarchy.store(combination, found)
     return found, coarser
@@ -65,10 +67,11 @@ def _solve_finest(
     model: Model, s: System, level: Level, coarser: list[Solution], report: OnStep, before: Level | None
 ) -> list[Solution]:
     """Return the solution of each load increment on the finest mesh, without the coarser ones where they mislead."""
+    full = replace(_full_load(model, s, level, report, True), coarser=before)
     if coarser and model.analysis.nested:
         with suppress(NotConverged):
-            return _solve_increments(model, s, level, coarser, report, True, before=before)
-    return _solve_increments(model, s, level, [], report, True, before=before)
+            return _solve_increments(full, model, coarser)
+    return _solve_increments(full, model, [])
 
 
 def _ignore(_: Step) -> None:
@@ -84,20 +87,21 @@ def margin_effect(
     solutions found, one for each load increment, from which they start and whose gamma they have.
     """
     narrow, wide = (_solve_from(hierarchy, combination, factors, found) for hierarchy in margins)
-    before, after = (each.U[each.system.problem.plate_nodes, W] for each in (narrow, wide))
+    before, after = (each.U[each.system.problem.plate.nodes, W] for each in (narrow, wide))
     problem = narrow.system.problem
-    largest = largest_of_parts(np.maximum(np.abs(before), np.abs(after)), problem.plate_at_nodes[problem.plate_nodes])
+    largest = largest_of_parts(np.maximum(np.abs(before), np.abs(after)), problem.plate_at_nodes[problem.plate.nodes])
     return float(np.divide(np.abs(after - before), largest, out=np.zeros_like(largest), where=largest > 0).max())
 
 
 def _solve_from(hierarchy: MeshHierarchy, combination: str, factors: Array, found: Sequence[Solution]) -> Solution:
     """Return the solution under the full load with the gammas found, started from what is known, if that converges."""
+    model = hierarchy.model
     level = hierarchy.level(hierarchy.finest)
     s = _load_system(level, factors)
     known = hierarchy.matching(combination, s) if hierarchy.has_reference(combination) else []
     gammas = [each.gamma for each in found]
     with suppress(NotConverged, SingularMatrix):
-        solutions = _solve_increments(hierarchy.model, s, level, known or found, _ignore, True, gammas)
+        solutions = _solve_increments(_full_load(model, s, level, _ignore, True), model, known or found, gammas)
         hierarchy.store(combination, solutions)
         return solutions[-1]
     return solve_nested(hierarchy, combination, factors, _ignore)[0][-1]
@@ -125,7 +129,7 @@ def _coarsenings(hierarchy: MeshHierarchy) -> list[int]:
     HALVINGS at a time.
     """
     last, first = hierarchy.finest, max(_first(hierarchy.model), hierarchy.finest)
-    if last > 0 or not has_coarser(hierarchy.model):
+    if last > 0 or not has_coarser(hierarchy.model, symmetries(hierarchy.model)):
         return sorted({*range(last, first + 1, HALVINGS), first}, reverse=True)
     return sorted({last, *range(last + 1, first + 1, HALVINGS), max(first, last + 1)}, reverse=True)
 
@@ -138,31 +142,32 @@ def _first(model: Model) -> int:
     return coarsest(model) if one_sided or iterated else 0
 
 
-def _solve_increments(
-    model: Model,
-    s: System,
-    level: Level,
-    coarser: Sequence[Solution],
-    report: OnStep,
-    finest: bool,
-    gammas: Sequence[float | None] = (),
-    before: Level | None = None,
-) -> list[Solution]:
-    """Return a solution for each load increment, each started from the same increment on the coarser mesh.
+def _full_load(model: Model, s: System, level: Level, report: OnStep, finest: bool) -> LoadStep:
+    """Return the full load on a mesh, with no plastic slip before."""
+    slip = np.zeros(len(s.problem.contact.bearing.law))
+    return LoadStep(s, level, 1.0, slip, finest, model.analysis.max_iterations, report)
 
-    gammas are those of the increments, where they are not to be found; before is the level of a coarser mesh.
+
+def _solve_increments(
+    full: LoadStep, model: Model, coarser: Sequence[Solution], gammas: Sequence[float | None] = ()
+) -> list[Solution]:
+    """Return a solution for each increment of the full load, each started from the same one on the coarser mesh.
+
+    gammas are those of the increments, where they are not to be found.
     """
     found: list[Solution] = []
     for number in range(1, model.analysis.increments + 1):
         start = coarser[number - 1] if coarser else (found[-1] if found else None)
 
         def report_increment(step: Step, number: int = number) -> None:
-            report(replace(step, increment=number))
+            full.report(replace(step, increment=number))
 
-        factor = number / model.analysis.increments
-        slip = found[-1].slip if found else np.zeros(len(s.problem.bearing.law))
-        gamma = gammas[number - 1] if gammas else None
-        most = model.analysis.max_iterations
-        step = LoadStep(s, level, factor, slip, finest, most, report_increment, gamma, before)
-        found.append(solve_load_step(step, start))
+        share = replace(
+            full,
+            factor=number / model.analysis.increments,
+            slip=found[-1].slip if found else full.slip,
+            report=report_increment,
+            gamma=gammas[number - 1] if gammas else None,
+        )
+        found.append(solve_load_step(share, start))
     return found

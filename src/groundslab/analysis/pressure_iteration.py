@@ -41,7 +41,7 @@ def solve_pressures(step: LoadStep, start: Solution | None) -> Solution:
     s, problem = step.system, step.system.problem
     law, f = current_bearings(problem, step.factor, step.slip), right_hand_side(s, step.factor)
     operator = _operator(step.level, s)
-    if step.finest and problem.tensionless:
+    if step.finest and problem.contact.tensionless:
         _require_resolution(operator)
 
     def report(iteration: int, bearing: int, changed: int) -> None:
@@ -134,7 +134,7 @@ def _states(law: Bearings, force: Array) -> Integers:
 def _start(problem: Problem, start: Solution | None) -> Array:
     """Return the forces (c + b,) from which the iteration starts."""
     assert problem.elastic is not None
-    cells, supports = problem.elastic.cells, len(problem.bearing.law)
+    cells, supports = problem.elastic.cells, len(problem.contact.bearing.law)
     if start is None or start.pressed is None:
         return np.concatenate([cells.area, np.zeros(supports)])
     known = start.system.problem
@@ -142,8 +142,8 @@ def _start(problem: Problem, start: Solution | None) -> Array:
     if known.mesh is problem.mesh and len(known.elastic.gap) == len(cells.area):
         return np.concatenate([start.pressed.force, start.contact.force])
     on_supports = np.zeros(supports)
-    for number in np.unique(problem.bearing.support):
-        own, before = problem.bearing.support == number, known.bearing.support == number
+    for number in np.unique(problem.contact.bearing.support):
+        own, before = problem.contact.bearing.support == number, known.contact.bearing.support == number
         # a line hands its force to more nodes
         on_supports[own] = start.contact.force[before].sum() / own.sum()
     # below zero over open gaps, so that pressures on the finer cells end where the contact does
@@ -156,8 +156,8 @@ def _table(step: LoadStep, contact: Contact, pressed: Pressed) -> Array:
     problem, elastic = step.system.problem, step.system.problem.elastic
     assert elastic is not None
     U = nodal_table(problem, contact.u)
-    under = problem.plate_nodes
-    U[under, TOP] = (elastic.cells.around @ pressed.gap - problem.initial_gap)[under]
+    under = problem.plate.nodes
+    U[under, TOP] = (elastic.cells.around @ pressed.gap - problem.contact.initial_gap)[under]
     beyond = np.setdiff1d(np.arange(len(U)), under)
     if len(beyond):
         places = problem.mesh.nodes[beyond]

@@ -1,40 +1,24 @@
-"""Borders of soil zones and voids: which of them the mesh follows, and what share of each element lies inside."""
+"""Borders of soil zones and voids: which of them a mesh can follow."""
 
 from __future__ import annotations
 
 import functools
 import re
 from bisect import bisect
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags
+from groundslab.arrays import Array
 from groundslab.geometry.plan import FLAT, SAME_PLACE, Plan, Ring
 from groundslab.geometry.validity import TOO_CLOSE, find_issues
-from groundslab.model.model import Model
 
 if TYPE_CHECKING:
     from shapely import MultiPolygon, Polygon
 
 #: So many borders are followed at most: a line of a grid for each side of more would be no mesh for a plate.
 MOST_BORDERS = 200
-#: Eight nodes around an element, in their order.
-AROUND = np.array([0, 4, 1, 5, 2, 6, 3, 7])
-#: A share of an element that differs from none or all by less than this does so by rounding.
-ROUNDING = 1e-6
-
-
-def zone_rings(model: Model) -> tuple[Ring, ...]:
-    """Return the borders of the soil zones, in their order."""
-    return tuple(zone.shape.ring() for zone in model.soil_zones)
-
-
-def void_rings(model: Model) -> tuple[Ring, ...]:
-    """Return the borders of the voids, in their order."""
-    return tuple(void.ring() for void in model.contact.voids)
 
 
 @functools.lru_cache(maxsize=64)
@@ -43,8 +27,8 @@ def add_borders(plan: Plan, rings: tuple[Ring, ...]) -> Plan:
 
     Borders are cut off where nothing is meshed. Those along x and y are moved onto lines of the plan, or of earlier
     borders, that are too close to leave a strip to mesh. A border is left out if it is finer than what can be meshed,
-    grazes another curve, or is oblique or curved where nothing but grids can be made: see `shares`; so are those after
-    the first two hundred.
+    grazes another curve, or is oblique or curved where nothing but grids can be made, see `area_shares`; so are those
+    after the first two hundred.
     """
     from groundslab import meshing
 
@@ -122,50 +106,6 @@ def _coarse_enough(ring: Ring, plan: Plan) -> bool:
         return False
     polygon = ring.polygon(FLAT * plan.extent)
     return bool(polygon.is_valid and not polygon.buffer(-least / 2).is_empty)
-
-
-def shares(xy: Array, rings: Sequence[Ring], followed_borders: Sequence[Ring], extent: float) -> Array:
-    """Return the share (m, 1 + r) of the area of each element (m, 9, 2) in no ring, and in each of r rings.
-
-    Where rings overlap, the last one counts. A ring that the mesh follows along arcs is judged by the centers of the
-    elements, whose sides are parabolas there; all others by area.
-    """
-    import shapely
-
-    found = np.zeros((len(xy), 1 + len(rings)))
-    polygons = [ring.polygon(FLAT * extent) for ring in rings]
-    x, y = xy[:, 8].T
-    holder, crossed = np.zeros(len(xy), dtype=np.int64), np.zeros(len(xy), dtype=bool)
-    cells = shapely.polygons(xy[:, AROUND]) if rings else np.zeros(0, dtype=object)
-    tree = shapely.STRtree(cells)
-    for number, (ring, polygon) in enumerate(zip(rings, polygons, strict=True), start=1):
-        holder[shapely.intersects_xy(polygon, x, y)] = number
-        if ring.straight or ring not in followed_borders:
-            crossed[tree.query(polygon.boundary, predicate="intersects")] = True
-    found[np.arange(len(xy)), holder] = 1.0
-    cut = np.flatnonzero(crossed)
-    if len(cut):
-        found[cut] = _by_area(cells[cut], polygons)
-    return found
-
-
-def _by_area(cells: Array, polygons: Sequence[object]) -> Array:
-    """Return the share (c, 1 + r) of the area of cells (c,) in no polygon and in each of r, the last one counting."""
-    import shapely
-
-    whole = shapely.area(cells)
-    left, result = cells, np.zeros((len(cells), 1 + len(polygons)))
-    for number in range(len(polygons), 0, -1):
-        polygon = polygons[number - 1]
-        shapely.prepare(polygon)
-        meets: Flags = shapely.intersects(left, polygon)
-        result[meets, number] = shapely.area(shapely.intersection(left[meets], polygon)) / whole[meets]
-        left = left.copy()
-        left[meets] = shapely.difference(left[meets], polygon)
-    result[:, 0] = shapely.area(left) / whole
-    result[result < ROUNDING] = 0.0
-    exact: Array = result / result.sum(axis=1, keepdims=True)
-    return exact
 
 
 def on_lines(ring: Ring, lines: tuple[Array, Array], domain: tuple[tuple[float, float], tuple[float, float]]) -> bool:

@@ -17,7 +17,8 @@ from groundslab.fem import bearings
 from groundslab.fem.bearings import Bearings, Links, make_bearings
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import sides_along, sides_on_boundary
-from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Bearing, Depths, W
+from groundslab.fem.parts.contact import Bearing, Depths
+from groundslab.fem.problem import BETA_X, BETA_Y, TOP, W
 from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import SAME_PLACE, format_place

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from groundslab.arrays import Flags, Integers
+from groundslab.arrays import Array, Flags, Integers
 from groundslab.discretize.constraints import (
     JointLine,
     concatenate,
@@ -25,6 +25,8 @@ from groundslab.discretize.voids import find_depths, initial_gap
 from groundslab.fem import plate
 from groundslab.fem.assembly import number_unknowns
 from groundslab.fem.mesh import sides_on_boundary
+from groundslab.fem.parts.contact import Bearing, ContactConditions, Depths
+from groundslab.fem.parts.plates import Plates
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Loading, Problem, W
 from groundslab.geometry.plan import SAME_PLACE
 from groundslab.model.ground import ContinuousGround
@@ -50,8 +52,8 @@ def discretize(
     same. `factors` multiply constants of the ground from place to place. Without `loaded` nothing acts on the problem.
     """
     plan = layout(model, grounds_of(model), coarsening, margin, meshes or Meshes())
-    ground, constants = ground_under(model, plan.mesh, plan.plate_elements, factors or {}, plan.followed_borders)
-    element, sections = plate.ELEMENTS[model.plate.element], _with_shear_factors(model)
+    ground, constants = ground_under(model, plan.mesh, plan.plate_elements, factors, plan.mesh_plan.followed_zones)
+    element = plate.ELEMENTS[model.plate.element]
     surfaces = surfaces_of(ground)
     lines = joint_lines(model, plan, surfaces)
     present = _with_slips(_present(model, plan, element, surfaces), lines)
@@ -63,16 +65,7 @@ def discretize(
     edges, corners = _infinite_edges(model, plan)
     return Problem(
         mesh=plan.mesh,
-        plate_elements=plan.plate_elements,
-        plate_nodes=plan.plate_nodes,
-        element=element,
-        bending=np.array([plate.bending_rigidity(*each[:3]) for each in sections]),
-        shear=np.array([plate.shear_rigidity(*each) for each in sections]),
-        rigidity=plan.section,
-        section=plan.section,
-        plate_number=plan.plate,
-        plate_names=tuple(each.name or f"plate {n}" for n, each in enumerate(model.every_plate, start=1)),
-        thickness=np.array([t for _, _, t, _ in sections])[plan.section],
+        plate=_plates(model, plan, element),
         ground=ground,
         constants=constants,
         rank=plan.rank,
@@ -80,20 +73,34 @@ def discretize(
         surfaces=surfaces,
         cases=cases,
         loading=sum(cases[1:], cases[0]),
-        initial_gap=gap + np.where(np.isfinite(below.depth), below.depth, 0.0)[below.shallowest],
-        depths=below,
-        bearing=bearing,
-        tensionless=model.contact.tensionless,
-        limit_pressure=np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure,
-        plate_edges=plan.plate_edges,
+        contact=_contact(model, gap, below, bearing),
         shear_at_edges=carries_shear(ground),
         links=make_links(model, plan, lines, surfaces, fields, carries_shear(ground)),
         edges=edges,
         corners=corners,
-        symmetry=plan.symmetry,
+        mesh_plan=plan.mesh_plan,
         origin=model.origin,
         elastic=elastic_ground(model, plan, element, coarsening, bearing, cases),
-        cracking=cracked_sections(model, plan.section, plan.mesh.nodes[plan.mesh.elements[plan.plate_elements, -1]]),
+    )
+
+
+def _plates(model: Model, plan: Layout, element: plate.PlateElement) -> Plates:
+    """Return the plates with their sections."""
+    sections = _with_shear_factors(model)
+    centers = plan.mesh.nodes[plan.mesh.elements[plan.plate_elements, -1]]
+    return Plates(
+        elements=plan.plate_elements,
+        nodes=plan.plate_nodes,
+        element=element,
+        bending=np.array([plate.bending_rigidity(E, nu, t) for E, nu, t, _ in sections]),
+        shear=np.array([plate.shear_rigidity(*section) for section in sections]),
+        rigidity=plan.section,
+        section=plan.section,
+        number=plan.plate,
+        names=tuple(sheet.name or f"plate {n}" for n, sheet in enumerate(model.every_plate, start=1)),
+        thickness=np.array([t for _, _, t, _ in sections])[plan.section],
+        edges=plan.plate_edges,
+        cracking=cracked_sections(model, plan.section, centers),
     )
 
 
@@ -101,6 +108,18 @@ def _with_shear_factors(model: Model) -> list[tuple[float, float, float, float]]
     """Return E [Pa], nu, thickness [m] and shear factor of each section."""
     factors = [each.shear_factor for each in model.every_plate for _ in (each, *each.zones)]
     return [(*own, factor) for own, factor in zip(materials(model), factors, strict=True)]
+
+
+def _contact(model: Model, gap: Array, below: Depths, bearing: Bearing) -> ContactConditions:
+    """Return the conditions of contact; the gap (n,) [m] is that without the depth of voids."""
+    most = model.contact.limit_pressure
+    return ContactConditions(
+        initial_gap=gap + np.where(np.isfinite(below.depth), below.depth, 0.0)[below.shallowest],
+        depths=below,
+        bearing=bearing,
+        tensionless=model.contact.tensionless,
+        limit_pressure=np.inf if most is None else most,
+    )
 
 
 def _cases(
@@ -116,7 +135,7 @@ def _cases(
         known, problem = like
         if (
             problem.mesh is plan.mesh
-            and problem.element is element
+            and problem.plate.element is element
             and problem.load.shape[1] == fields
             and all(getattr(known, name) == getattr(model, name) for name in ACTING)
         ):

@@ -10,13 +10,12 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.discretize.borders import shares, zone_rings
 from groundslab.discretize.interpolation import interpolate_linearly
 from groundslab.errors import InputError, Issue
 from groundslab.fem.continuum.media import BondedLayers, Medium, StressedLayers, elastic_length
@@ -26,7 +25,7 @@ from groundslab.fem.mesh import Mesh
 from groundslab.fem.plate import bending_rigidity
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.vlasov import Soil
-from groundslab.geometry.plan import Ring
+from groundslab.geometry.area_shares import shares
 from groundslab.model.combinations import list_combinations
 from groundslab.model.ground import (
     AnyGround,
@@ -75,11 +74,11 @@ def varies(model: Model) -> bool:
 
 
 def ground_under(
-    model: Model, mesh: Mesh, plate_elements: Integers, factors: Factors, followed_borders: Sequence[Ring] = ()
+    model: Model, mesh: Mesh, plate_elements: Integers, factors: Factors | None, followed_zones: Collection[int] = ()
 ) -> tuple[Soil | Column, tuple[Array, Array]]:
     """Return the ground under a mesh, by element where it varies, and k0 [Pa/m] and k1 [Pa m] of its layers, (L,) each.
 
-    followed_borders are borders of zones that the mesh follows along arcs, see `borders.shares`.
+    followed_zones are numbers, from 0, of those whose borders the mesh follows along arcs, see `area_shares`.
     The latter are means over the plate's area; of soil, whose constants hang on gamma, there are none. Of a consistent
     stack they are Ec / h and G h of each sublayer, for the mean of its E.
     """
@@ -89,7 +88,7 @@ def ground_under(
     if not varies(model) and not factors:
         tables, parts = _table(model.ground, model)[None], None
     else:
-        tables, parts = _columns_under(model, mesh, factors, followed_borders)
+        tables, parts = _columns_under(model, mesh, factors or {}, followed_zones)
     if parts is None or len(tables) == 1:
         only = _make_ground(model.ground, tables[0])
         return only, none if isinstance(only, Soil) else _constants(model.ground, tables[0])
@@ -99,15 +98,6 @@ def ground_under(
         return replace(found, parts=parts, area_fraction=share, table={} if many else None), none
     k0, k1 = _constants(model.ground, tables)
     return found.mix(parts), (share @ k0, share @ k1)
-
-
-def winkler_modulus(ground: Winkler, model: Model) -> float:
-    """Return k [Pa/m], given or by Selvadurai's k = 2 E / (a ln(1 + 2 H / a)) with a the longer side (paper (3.1))."""
-    if ground.k is not None:
-        return ground.k
-    assert ground.selvadurai is not None
-    a = max(model.plate.sides)
-    return 2 * ground.selvadurai.E / (a * math.log(1 + 2 * ground.selvadurai.depth / a))
 
 
 def medium_of(ground: ContinuousGround, layers: tuple[SoilLayer, ...], depth: float = math.inf) -> Medium:
@@ -151,7 +141,7 @@ def carries_shear(ground: Soil | Column) -> bool:
 def _table(ground: AnyGround, model: Model) -> Array:
     """Return the table of a described ground."""
     if isinstance(ground, Winkler):
-        return np.array([[winkler_modulus(ground, model), 0.0]])
+        return np.array([[ground.modulus(max(model.plate.sides)), 0.0]])
     if isinstance(ground, Pasternak):
         return np.array([[ground.k0, ground.k1]])
     if isinstance(ground, ContinuousGround):
@@ -210,7 +200,7 @@ def _constants(ground: AnyGround, table: Array) -> tuple[Array, Array]:
     return np.stack(k0, axis=-1), np.stack(k1, axis=-1)
 
 
-def _columns_under(model: Model, mesh: Mesh, factors: Factors, followed_borders: Sequence[Ring]) -> tuple[Array, Parts]:
+def _columns_under(model: Model, mesh: Mesh, factors: Factors, followed_zones: Collection[int]) -> tuple[Array, Parts]:
     """Return the tables (c, L, ...) that differ under a mesh, and which part of each element's area has which."""
     tables = np.stack(_tables(model))
     centres = mesh.nodes[mesh.elements[:, 8]]
@@ -219,7 +209,7 @@ def _columns_under(model: Model, mesh: Mesh, factors: Factors, followed_borders:
         element, part = np.arange(len(centres)), np.ones(len(centres))
         listed = _between_boreholes(model.boreholes, tables, centres)
     else:
-        share = shares(mesh.xy, zone_rings(model), followed_borders, max(model.sides))
+        share = shares(mesh.xy, model.zone_rings, followed_zones, max(model.sides))
         element, zone = np.nonzero(share)
         part, listed = share[element, zone], tables[zone]
     for name, factor in factors.items():

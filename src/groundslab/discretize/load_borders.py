@@ -4,22 +4,14 @@ from __future__ import annotations
 
 import functools
 import re
-from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, assert_never
+from typing import TYPE_CHECKING
 
 from groundslab.discretize.borders import MOST_BORDERS, add_borders
 from groundslab.geometry.places import same_place_in
-from groundslab.geometry.plan import FLAT, Place, Plan, Ring, Segment
+from groundslab.geometry.plan import FLAT, Place, Plan, Ring
 from groundslab.geometry.validity import find_issues
-from groundslab.model.loads.acting import (
-    Acting,
-    AreaPressure,
-    LineForce,
-    PlateAction,
-    PointForce,
-    SupportSettlement,
-)
+from groundslab.model.loads.acting import LineForce, rings_of
 from groundslab.model.model import Model
 
 if TYPE_CHECKING:
@@ -31,24 +23,6 @@ CLEAR = 0.25
 
 #: A straight line from one place to another.
 Line = tuple[Place, Place]
-
-
-def borders_of(shape: Acting) -> Iterator[Segment]:
-    """Yield the lines along which a shape begins, ends or stands."""
-    if isinstance(shape, LineForce):
-        yield from shape.edges
-    yield from (edge for ring in rings_of(shape) for edge in ring.segments())
-
-
-def rings_of(shape: Acting) -> tuple[Ring, ...]:
-    """Return the curves around what a shape acts on, none of one all over the plate, on a line or at a point."""
-    if isinstance(shape, AreaPressure):
-        return shape.rings
-    if isinstance(shape, PointForce):
-        return () if shape.ring is None else (shape.ring,)
-    if not isinstance(shape, LineForce | PlateAction | SupportSettlement):
-        assert_never(shape)
-    return ()
 
 
 def follow_loads(plan: Plan, model: Model) -> Plan:

@@ -9,16 +9,15 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.discretize.ground import grounds_of
-from groundslab.discretize.load_borders import rings_of
-from groundslab.discretize.singular_places import forces_without_footprint
 from groundslab.fem.foundation import Column
 from groundslab.fem.plate import bending_rigidity
 from groundslab.geometry.plan import Ring, circle
 from groundslab.meshing.sizing import LocalExtents, along
 from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
-from groundslab.model.loads.acting import AreaPressure, PointForce
+from groundslab.model.loads.acting import AreaPressure, PointForce, rings_of
 from groundslab.model.model import Model
 from groundslab.model.plates.further import AnyPlate
+from groundslab.model.remarks.singular_places import forces_without_footprint
 
 #: Places in a part that is refined are so many to a side of an element there.
 PLACES_PER_SIDE = 2

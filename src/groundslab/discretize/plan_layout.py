@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.discretize.borders import add_borders, on_lines, void_rings, zone_rings
+from groundslab.discretize.borders import add_borders, on_lines
 from groundslab.discretize.load_borders import follow_loads
 from groundslab.discretize.symmetry import symmetries
 from groundslab.fem.foundation import Column, decay_length, edge_decay
@@ -25,6 +25,7 @@ from groundslab.fem.mesh import (
     separate,
     sides_on_boundary,
 )
+from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import Place, Plan, Ring, Segment, rectangle
@@ -83,11 +84,15 @@ class Layout:
     section: Integers  # (mp,): which section each plate element has
     plate: Integers  # (mp,): which plate it belongs to
     source: Integers  # (n,): which node each one is, of those along joints that every plate has for itself
-    symmetry: tuple[bool, bool]
+    mesh_plan: MeshPlan
     outer: Integers  # (s, 3: end, end, middle): sides on the outer edge of the meshed ground
     outer_axis: Integers  # (s,): the axis across each of them
-    followed_borders: tuple[Ring, ...] = ()  # borders of soil zones and voids that a mesh which is no grid follows
     origin: Place = (0.0, 0.0)  # where x = y = 0 lies in the plan that was given, for messages
+
+    @property
+    def symmetry(self) -> tuple[bool, bool]:
+        """Return whether symmetry along x, and along y, is used."""
+        return self.mesh_plan.symmetry
 
     @property
     def plate_edges(self) -> Integers:
@@ -122,7 +127,7 @@ def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: 
     """
     symmetry, width = symmetries(model), _width_beyond(model, grounds)
     wider = (margin - 1) * max(width, _longest_decay(model, grounds)) if width and margin > 1 else 0.0
-    divided = coarsening == 0 and not uniform(model, width)
+    divided = coarsening == 0 and not uniform(model, symmetry, width)
     source, make, arcs = _mesh_of(model, grounds, symmetry, width, coarsening + divided, meshes.local)
     found = meshes.of(source, make)
     if divided:
@@ -138,11 +143,11 @@ def layout(model: Model, grounds: list[Soil | Column], coarsening: int, margin: 
     mesh, section, rank = found
     plate_elements = np.flatnonzero(section >= 0)
     outer, axis = _outer_sides(model, symmetry, mesh)
-    borders = find_followed_borders(model, width)
     section = section[plate_elements]
     plate = np.searchsorted(first_sections(model.every_plate), section, side="right") - 1
     first_at = first_at_place(mesh) if model.joints else np.arange(len(mesh.nodes))
-    return Layout(mesh, rank, plate_elements, section, plate, first_at, symmetry, outer, axis, borders, model.origin)
+    mesh_plan = _mesh_plan(model, symmetry, width)
+    return Layout(mesh, rank, plate_elements, section, plate, first_at, mesh_plan, outer, axis, model.origin)
 
 
 def _separate(model: Model, joined: Meshed) -> tuple[Mesh, Integers]:
@@ -169,40 +174,45 @@ def _mesh_of(
 ) -> tuple[Hashable, Callable[[], tuple[Mesh, Integers]], list[Segment]]:
     """Return what a mesh is made from, with ground beyond of a width [m], what makes it, and arcs that it follows."""
     edge_size = _edge_size(model, grounds, coarsening)
-    if uniform(model, width):
+    if uniform(model, symmetry, width):
         counts = _counts(model, symmetry, coarsening)
         widths = _widths(model, width)
         source = model.plate.sides, symmetry, counts, model.mesh.counts, tuple(widths.values()), edge_size
         return source, lambda: _make_grid(model, symmetry, counts, widths, edge_size), []
-    plan, size = plan_of(model, width), _size(model) * 2**coarsening
+    plan, size = plan_of(model, symmetry, width), _size(model) * 2**coarsening
     arcs = [edge for ring in plan.rings().values() for edge in ring.segments() if not edge.straight]
     if local is not None:
         local = local[0], local[1] * 2**coarsening
     return (plan, size, edge_size), lambda: _make_plan_mesh(plan, size, edge_size, local), arcs
 
 
-def uniform(model: Model, width: float) -> bool:
+def uniform(model: Model, symmetry: tuple[bool, bool], width: float) -> bool:
     """Return whether a plate's mesh is a grid of equal rectangles: one with given counts, or on which all borders lie.
 
     width [m] is that of the ground beyond.
     """
     if not model.plain or model.mesh.adaptive or model.mesh.refine:
         return False
-    borders = void_rings(model) + zone_rings(model)
+    borders = model.void_rings + model.zone_rings
     if model.mesh.counts is not None or not borders:
         return True
     if width:  # its lines come closer towards the plate's edges
         return False
-    (x, y), symmetry = model.plate.sides, symmetries(model)
+    x, y = model.plate.sides
     nx, ny = (count * (1 + half) for count, half in zip(_counts(model, symmetry, 0), symmetry, strict=True))
     lines = np.linspace(-x / 2, x / 2, nx + 1), np.linspace(-y / 2, y / 2, ny + 1)
     x0, x1, y0, y1 = _reach(model, width)
     return all(on_lines(ring, lines, ((x0, x1), (y0, y1))) for ring in borders)
 
 
-def find_followed_borders(model: Model, width: float) -> tuple[Ring, ...]:
-    """Return the borders that a mesh which is no uniform grid follows; width [m] is that of the ground beyond."""
-    return () if uniform(model, width) else plan_of(model, width).borders
+def _mesh_plan(model: Model, symmetry: tuple[bool, bool], width: float) -> MeshPlan:
+    """Return what is decided on the mesh of a model; width [m] is that of the ground beyond."""
+    followed = () if uniform(model, symmetry, width) else plan_of(model, symmetry, width).borders
+
+    def numbers_of(rings: tuple[Ring, ...]) -> tuple[int, ...]:
+        return tuple(number for number, ring in enumerate(rings) if ring in followed)
+
+    return MeshPlan(symmetry, numbers_of(model.zone_rings), numbers_of(model.void_rings), has_coarser(model, symmetry))
 
 
 def _widths(model: Model, width: float) -> dict[Side, float]:
@@ -233,9 +243,8 @@ def coarsest(model: Model) -> int:
     return times
 
 
-def has_coarser(model: Model) -> bool:
+def has_coarser(model: Model, symmetry: tuple[bool, bool]) -> bool:
     """Return whether the next coarser mesh has clearly fewer elements."""
-    symmetry = symmetries(model)
     return 2 * math.prod(_counts(model, symmetry, 1)) <= math.prod(_counts(model, symmetry, 0))
 
 
@@ -357,21 +366,21 @@ def _make_plan_mesh(plan: Plan, size: float, edge_size: float, local: Sources | 
     return Mesh(found.nodes, found.elements), found.section
 
 
-def plan_of(model: Model, width: float) -> Plan:
+def plan_of(model: Model, symmetry: tuple[bool, bool], width: float) -> Plan:
     """Return the plan of what is meshed, with the borders of voids and soil zones that a mesh can follow.
 
     Zone i of the plate is section i; ground beyond fills the rectangle that is `width` [m] wider. Of a symmetric plate
     only the part beyond the lines of symmetry is meshed.
     """
-    low = [0.0 if mirrored else -np.inf for mirrored in symmetries(model)]
+    low = [0.0 if mirrored else -np.inf for mirrored in symmetry]
 
     def meshed(x0: float, x1: float, y0: float, y1: float) -> Ring:
         return rectangle(max(x0, low[0]), x1, max(y0, low[1]), y1)
 
     plan = plan_of_plate(model.plate, model.supports, meshed(*_reach(model, width)) if width else None, model.plates)
-    if any(symmetries(model)):
+    if any(symmetry):
         plan = replace(plan, outline=meshed(*model.plate.bounds))
-    plan = add_borders(plan, void_rings(model) + zone_rings(model))
+    plan = add_borders(plan, model.void_rings + model.zone_rings)
     plan = replace(plan, origin=model.origin)
     return follow_loads(plan, model) if model.mesh.adaptive else plan
 

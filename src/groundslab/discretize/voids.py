@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.discretize.borders import shares, void_rings
 from groundslab.discretize.interpolation import interpolate_smoothly
 from groundslab.discretize.plan_layout import Layout
 from groundslab.errors import InputError, Issue
 from groundslab.fem.assembly import scatter
 from groundslab.fem.foundation import Column
 from groundslab.fem.load_vectors import integrate_over_elements
-from groundslab.fem.problem import MIDSIDES, Depths, largest_share
+from groundslab.fem.parts.contact import Depths, largest_share
+from groundslab.fem.problem import MIDSIDES
 from groundslab.fem.vlasov import Soil
-from groundslab.geometry.plan import Ring
+from groundslab.geometry.area_shares import shares
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.model import Model
 
@@ -35,7 +35,7 @@ class VoidShares:
     share: Array  # (mp, d): share of each element that counts as lying at each depth
 
 
-def share_voids(model: Model, xy: Array, followed_borders: Sequence[Ring], steps: bool) -> VoidShares:
+def share_voids(model: Model, xy: Array, followed_voids: Collection[int], steps: bool) -> VoidShares:
     """Return what voids take of the elements (mp, 9, 2) of a plate, their share or, unless ground steps, all or none.
 
     Ground without shear may step along the border of a void, so that an element can lie in a void in part. The surface
@@ -43,9 +43,10 @@ def share_voids(model: Model, xy: Array, followed_borders: Sequence[Ring], steps
     """
     own = np.array([np.inf if void.depth is None else void.depth for void in model.contact.voids])
     order = np.argsort(own, kind="stable")  # where voids overlap the deepest counts
-    rings = [void_rings(model)[k] for k in order]
+    rings = [model.void_rings[k] for k in order]
     depth, of = np.unique([0.0, *own], return_inverse=True)
-    by_ring = shares(xy, rings, followed_borders, max(model.sides))
+    followed = [position for position, k in enumerate(order) if k in followed_voids]
+    by_ring = shares(xy, rings, followed, max(model.sides))
     drawn = np.zeros((len(xy), len(own)))
     drawn[:, order] = by_ring[:, 1:]
     parts = np.column_stack([by_ring[:, 0], drawn])
@@ -66,7 +67,7 @@ def find_depths(model: Model, plan: Layout, ground: Soil | Column, finest: bool)
     if isinstance(model.ground, ContinuousGround):
         return _at_nodes(plan, np.zeros(1), np.ones((len(plan.plate_elements), 1)), False)
     steps = isinstance(ground, Column) and ground.surfaces == 1 and not ground.A1.any()
-    found = share_voids(model, plan.mesh.xy[plan.plate_elements], plan.followed_borders, steps)
+    found = share_voids(model, plan.mesh.xy[plan.plate_elements], plan.mesh_plan.followed_voids, steps)
     there = found.drawn > 0
     lost = there.any(axis=0) & ~(there & (found.share[:, found.of] > 0)).any(axis=0)
     if finest and lost.any():

@@ -9,23 +9,22 @@ where the plate may lift off, supports, the ends of the play) stands beside the 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.fem import plate
-from groundslab.fem.bearings import Bearings, Links, Measures
-from groundslab.fem.concrete.cracked_section import CrackedSections
+from groundslab.fem.bearings import Links, Measures
 from groundslab.fem.continuum.elastic_ground import ElasticGround
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import Mesh
+from groundslab.fem.parts.contact import ContactConditions
+from groundslab.fem.parts.mesh_plan import MeshPlan
+from groundslab.fem.parts.plates import Plates
 from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
 
 W, BETA_X, BETA_Y, TOP = range(4)
-#: Shares of an element's area that differ by less than this are equal.
-TIE = 1e-6
 #: The middles of an element's sides.
 MIDSIDES = slice(4, 8)
 
@@ -57,69 +56,11 @@ class Loading:
 
 
 @dataclass(frozen=True, slots=True)
-class Bearing:
-    """All that bears on single unknowns: first the gap of each plate node; then bottoms of voids; then the supports."""
-
-    law: Bearings  # (c,); levels without settlements of the supports
-    node: Integers  # (c,)
-    field: Integers  # (c,): W, BETA_X, BETA_Y or TOP
-    support: Integers  # (c,): number of the support, -1 for the ground
-    length: Array  # (c,) [m]: the share of a line support, 0 for all else
-    depth: Integers  # (c,): at which of the depths the ground lies; 0 for supports
-
-    def select(self, which: Flags) -> Bearing:
-        """Return some of the bearings by a mask (c,)."""
-        others = (getattr(self, each.name)[which] for each in fields(self) if each.name != "law")
-        return Bearing(self.law.select(which), *others)
-
-
-def largest_share(share: Array) -> Integers:
-    """Return which depth has the largest of the shares (m, d), of equal ones, but for rounding, the deepest."""
-    largest: Integers = np.argmax(share + TIE * np.arange(share.shape[1]), axis=1)
-    return largest
-
-
-@dataclass(frozen=True, slots=True)
-class Depths:
-    """How deep the ground lies under the plate, by the parts of elements that voids take.
-
-    The gap of a node is that of the least depth among its elements. Ground without shear can lie deeper beside it: that
-    part bears by itself. Where it does, an element's mass matrix gives way to one that is diagonal.
-    """
-
-    depth: Array  # (d,) [m], ascending: 0 first, infinite for cavities
-    area_fraction: Array  # (mp, d): of each plate element
-    shallowest: Integers  # (n,): number of the least depth at each node
-    area: Array  # (n, d) [m2]: each node's share of the area in each depth
-    mass_kinds: Array  # (k, 10): factor on the mass matrix, and share of each node's area on the diagonal
-    mass_kind: Integers  # (m,): which of these each element has
-    stepped: bool  # whether the ground is without shear, so that depths may differ within an element
-
-    @property
-    def dominant(self) -> Integers:
-        """Return the number of the depth that takes most of each plate element, (mp,)."""
-        return largest_share(self.area_fraction)
-
-    def at_shallowest(self, values: Array, nodes: Integers) -> Array:
-        """Return the values (n, d) for the least depth at some nodes (k,)."""
-        return values[nodes, self.shallowest[nodes]]
-
-
-@dataclass(frozen=True, slots=True)
 class Problem:
     """One mesh with everything on it, in SI units. n nodes, m elements, F fields, S surfaces of the ground."""
 
     mesh: Mesh
-    plate_elements: Integers  # (mp,)
-    plate_nodes: Integers  # (np,), ascending
-    element: plate.PlateElement
-    bending: Array  # (k, 3, 3) [N m]: rigidities of the plate's sections, or of its elements where these have cracked
-    shear: Array  # (k,) [N/m]
-    rigidity: Integers  # (mp,): which of these each plate element has
-    section: Integers  # (mp,): number of each plate element's section: 0 outside all zones, else the zone's, from 1
-    plate_number: Integers  # (mp,): which of several plates it belongs to
-    plate_names: tuple[str, ...]
-    thickness: Array  # (mp,) [m]: of each plate element
+    plate: Plates
     ground: Soil | Column
     constants: tuple[Array, Array]  # (L,) each: k0 [Pa/m] and k1 [Pa m], means under the plate; of soil, nothing
     rank: Integers  # (n,): order of elimination of the nodes
@@ -127,21 +68,19 @@ class Problem:
     surfaces: int  # S; their fields may be followed by slips of joints that have play
     cases: tuple[Loading, ...]  # the load cases by themselves
     loading: Loading  # what is to be solved for
-    initial_gap: Array  # (n,) [m]
-    depths: Depths
-    bearing: Bearing
-    tensionless: bool
-    limit_pressure: float  # [Pa]; infinite if there is none
-    plate_edges: Integers  # (b, 3): sides of the plate's edge, openings' too; the plate lies to the left
+    contact: ContactConditions  # between plate and ground, and at supports
     shear_at_edges: bool  # whether the ground carries shear, so that a line force acts along them, too
     links: Links  # across joints between plates
     edges: Integers  # (e, 3): end, end and middle node of each outer side on which infinite ground follows
     corners: Integers  # (c,): nodes at which two such edges meet
-    symmetry: tuple[bool, bool]
+    mesh_plan: MeshPlan
     origin: tuple[float, float] = (0.0, 0.0)  # [m]: where x = y = 0 lies in the plan that was given, for messages
-    cracking: CrackedSections | None = None  # how the plate's elements crack, if they do
     elastic: ElasticGround | None = None  # bears the plate, instead of columns, whose constants are zero then
-    stiffness: Array | None = None  # (mp, 2) [N m2/m]: of elements that have cracked, along x and y
+
+    @property
+    def symmetry(self) -> tuple[bool, bool]:
+        """Return whether symmetry along x, and along y, is used."""
+        return self.mesh_plan.symmetry
 
     @property
     def load(self) -> Array:
@@ -154,24 +93,24 @@ class Problem:
         load = self.loading.load[:, :TOP].copy()
         # on an elastic continuum what presses beside the plate is in TOP alone
         if self.elastic is None:
-            load[self.plate_nodes, W] -= self.loading.load[self.plate_nodes, TOP]
+            load[self.plate.nodes, W] -= self.loading.load[self.plate.nodes, TOP]
         return load
 
     def nodes_of(self, plate: int) -> Integers:
         """Return the nodes of one of the plates, ascending."""
-        return unique_integers(self.mesh.elements[self.plate_elements[self.plate_number == plate]])[0]
+        return unique_integers(self.mesh.elements[self.plate.elements[self.plate.number == plate]])[0]
 
     @property
     def plate_at_nodes(self) -> Integers:
         """Return the number of the plate that each node belongs to, -1 beside all plates, (n,)."""
         number = np.full(len(self.mesh.nodes), -1)
-        number[self.mesh.elements[self.plate_elements]] = self.plate_number[:, None]
+        number[self.mesh.elements[self.plate.elements]] = self.plate.number[:, None]
         return number
 
     @property
     def length(self) -> float:
         """Return the longer side of the largest plate's meshed part [m], times which a rotation is a displacement."""
-        numbers = range(len(self.plate_names))
+        numbers = range(len(self.plate.names))
         return max(float(np.ptp(self.mesh.nodes[self.nodes_of(number)], axis=0).max()) for number in numbers)
 
     @property
@@ -180,7 +119,7 @@ class Problem:
         has, size = self.unknown >= 0, self.unknown.max(initial=-1) + 1
         lever, plate = np.ones(size), np.full(size, -1)
         lever[self.unknown[:, BETA_X : BETA_Y + 1][has[:, BETA_X : BETA_Y + 1]]] = self.length
-        if len(self.plate_names) == 1:
+        if len(self.plate.names) == 1:
             return Measures(lever)
         plate[self.unknown[has]] = np.broadcast_to(self.plate_at_nodes[:, None], self.unknown.shape)[has]
         return Measures(lever, plate)
@@ -203,12 +142,12 @@ def plate_unknowns(problem: Problem, U: Array) -> Array:
 
     Strains are the same; stiffness times what a nearly rigid plate moves as a whole would be rounding alone.
     """
-    motions, elements = planes(problem), problem.mesh.elements[problem.plate_elements]
-    if len(problem.plate_names) == 1:
+    motions, elements = planes(problem), problem.mesh.elements[problem.plate.elements]
+    if len(problem.plate.names) == 1:
         return _less_plane(motions, U, elements)
     u = np.empty((len(elements), 27))
-    for number in range(len(problem.plate_names)):
-        own = problem.plate_number == number
+    for number in range(len(problem.plate.names)):
+        own = problem.plate.number == number
         u[own] = _less_plane(motions, U, elements[own])
     return u
 
@@ -238,11 +177,11 @@ def move_plates(problem: Problem, motions: Array) -> Array:
     A single plate's are continued beyond it.
     """
     alone = planes(problem)
-    if len(problem.plate_names) == 1:
+    if len(problem.plate.names) == 1:
         found: Array = alone @ motions
         return found
     moved = np.zeros((len(alone), TOP, motions.shape[1]))
-    for number in range(len(problem.plate_names)):
+    for number in range(len(problem.plate.names)):
         own = problem.nodes_of(number)
         moved[own] = alone[own] @ motions[3 * number : 3 * number + 3]
     return moved
@@ -253,7 +192,7 @@ def motion_rows(problem: Problem, nodes: Integers, field: Integers) -> Array:
     rows = np.column_stack([np.ones(len(nodes)), problem.mesh.nodes[nodes]])
     for turned in (BETA_X, BETA_Y):
         rows[field == turned] = np.arange(3) == turned
-    count = len(problem.plate_names)
+    count = len(problem.plate.names)
     if count == 1:
         return rows
     found = np.zeros((len(nodes), 3 * count))
@@ -267,10 +206,10 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
 
     Of a plate of which a part is meshed those that its mirrors allow, or, mirrored, those of the full plate.
     """
-    if len(problem.plate_names) > 1:
+    if len(problem.plate.names) > 1:
         every = _block_diagonal([free_motions(plate, mirrored) for plate, _ in single_plates(problem)])
         return _without_steps(problem, every)
-    nodes, b = problem.plate_nodes, problem.bearing
+    nodes, b = problem.plate.nodes, problem.contact.bearing
     fixed = problem.unknown[:, : BETA_Y + 1] < 0
     both = b.law.bilateral
     fixed[b.node[both], b.field[both]] = True
@@ -283,8 +222,8 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
     length = float(np.ptp(problem.mesh.nodes[nodes], axis=0).max())
     scale, one, zero = np.array([1.0, 1 / length, 1 / length]), np.ones_like(x), np.zeros_like(x)
     own_w = np.ones(len(nodes), dtype=bool)
-    if not problem.element.center_w:
-        own_w[np.isin(nodes, problem.mesh.elements[problem.plate_elements, 8])] = False
+    if not problem.plate.element.center_w:
+        own_w[np.isin(nodes, problem.mesh.elements[problem.plate.elements, 8])] = False
     constraints = np.vstack(
         [
             np.column_stack([one, x, y])[fixed[:, W] & own_w],
@@ -307,8 +246,8 @@ def _without_steps(problem: Problem, motions: Array) -> Array:
     first, second = links.nodes[links.holds].T
     if not len(first):
         return motions
-    size = np.ptp(problem.mesh.nodes[problem.plate_nodes], axis=0).max()
-    scale = np.tile([1.0, 1 / size, 1 / size], len(problem.plate_names))
+    size = np.ptp(problem.mesh.nodes[problem.plate.nodes], axis=0).max()
+    scale = np.tile([1.0, 1 / size, 1 / size], len(problem.plate.names))
     # about the plates' middle, in which settlements and slopes are alike
     unit = np.linalg.qr(scale[:, None] ** -1 * motions)[0]
     settling = np.full(len(first), W)
@@ -337,12 +276,12 @@ def mirror_motion(axis: int) -> Array:
 
 def single_plates(problem: Problem) -> Iterator[tuple[Problem, Flags]]:
     """Yield each plate by itself, with the loads and bearings on it, and which of all bearings (c,) these are."""
-    return (_restrict(problem, (number,)) for number in range(len(problem.plate_names)))
+    return (_restrict(problem, (number,)) for number in range(len(problem.plate.names)))
 
 
 def joined_plates(problem: Problem) -> Iterator[tuple[Problem, Flags]]:
     """Yield the plates that joints hold to each other together, each other one by itself, as `single_plates`."""
-    count, links = len(problem.plate_names), problem.links
+    count, links = len(problem.plate.names), problem.links
     if not links.holds.any():
         return single_plates(problem)
     from scipy.sparse import coo_array
@@ -355,20 +294,23 @@ def joined_plates(problem: Problem) -> Iterator[tuple[Problem, Flags]]:
 
 def _restrict(problem: Problem, numbers: tuple[int, ...]) -> tuple[Problem, Flags]:
     """Return the problem of some of the plates, and which of all bearings (c,) are on them."""
-    if len(numbers) == len(problem.plate_names):
-        return problem, np.ones(len(problem.bearing.law), dtype=bool)
-    elements = np.isin(problem.plate_number, numbers)
-    nodes = unique_integers(problem.mesh.elements[problem.plate_elements[elements]])[0]
-    held = np.isin(problem.bearing.node, nodes)
+    if len(numbers) == len(problem.plate.names):
+        return problem, np.ones(len(problem.contact.bearing.law), dtype=bool)
+    elements = np.isin(problem.plate.number, numbers)
+    nodes = unique_integers(problem.mesh.elements[problem.plate.elements[elements]])[0]
+    held = np.isin(problem.contact.bearing.node, nodes)
     load = np.zeros_like(problem.load)
     load[nodes] = problem.load[nodes]
     own = replace(
         problem,
-        plate_elements=problem.plate_elements[elements],
-        plate_nodes=nodes,
-        plate_number=np.searchsorted(numbers, problem.plate_number[elements]),
-        plate_names=tuple(problem.plate_names[number] for number in numbers),
-        bearing=problem.bearing.select(held),
+        plate=replace(
+            problem.plate,
+            elements=problem.plate.elements[elements],
+            nodes=nodes,
+            number=np.searchsorted(numbers, problem.plate.number[elements]),
+            names=tuple(problem.plate.names[number] for number in numbers),
+        ),
+        contact=replace(problem.contact, bearing=problem.contact.bearing.select(held)),
         links=problem.links.select(np.asarray(np.isin(problem.links.nodes, nodes).all(axis=1))),
         loading=replace(problem.loading, load=load, size=problem.loading.size[list(numbers)]),
         elastic=None if problem.elastic is None else problem.elastic.under(numbers),

@@ -29,20 +29,22 @@ def current_bearings(problem: Problem, factor: float, slip: Array) -> Bearings:
 
     Along the plate's edge the limit of the ground's pressure does not limit the line force.
     """
-    law, support = problem.bearing.law, problem.bearing.support
-    settled = np.append(problem.loading.settlement, 0.0)[support]  # none for the ground, whose support is -1
-    settled = np.where(problem.bearing.field == W, factor * settled, 0.0)
+    b = problem.contact.bearing
+    law = b.law
+    settled = np.append(problem.loading.settlement, 0.0)[b.support]  # none for the ground, whose support is -1
+    settled = np.where(b.field == W, factor * settled, 0.0)
     limit_force = np.where(on_plate_edge(problem) & (law.limit_force > 0), np.inf, law.limit_force)
     return replace(law, offset=law.offset + settled - law.sign * slip, limit_force=limit_force)
 
 
 def on_plate_edge(problem: Problem) -> Flags:
     """Return which bearings (c,) are ground that carries shear at nodes on the plate's edge."""
+    b = problem.contact.bearing
     if not problem.shear_at_edges:
-        return np.zeros(len(problem.bearing.law), dtype=bool)
+        return np.zeros(len(b.law), dtype=bool)
     on_edge = np.zeros(len(problem.mesh.nodes), dtype=bool)
-    on_edge[problem.plate_edges] = True
-    return (problem.bearing.support < 0) & on_edge[problem.bearing.node]
+    on_edge[problem.plate.edges] = True
+    return (b.support < 0) & on_edge[b.node]
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,20 +83,23 @@ class Blocks:
 
 def blocks(problem: Problem) -> Blocks:
     """Return the element matrices of a problem, each computed once for all elements of its kind."""
-    xy, sections, masses = problem.mesh.xy, len(problem.bending), problem.depths.mass_kinds
+    xy = problem.mesh.xy
+    sheet = problem.plate
+    depths = problem.contact.depths
+    sections = len(sheet.bending)
+    masses = depths.mass_kinds
     shapes, shape = find_congruent(xy)
     section = np.full(len(xy), sections)  # none
-    section[problem.plate_elements] = problem.rigidity
-    kinds, kind = np.unique(
-        (shape * (sections + 1) + section) * len(masses) + problem.depths.mass_kind, return_inverse=True
-    )
+    section[sheet.elements] = sheet.rigidity
+    all_kinds = (shape * (sections + 1) + section) * len(masses) + depths.mass_kind
+    kinds, kind = np.unique(all_kinds, return_inverse=True)
     kinds, masses = kinds // len(masses), masses[kinds % len(masses)]
     xy, section = xy[shapes[kinds // (sections + 1)]], kinds % (sections + 1)
     under = np.flatnonzero(section < sections)
     K, T = np.zeros((len(kinds), 27, 27)), np.tile(np.eye(9), (len(kinds), 1, 1))
     section = section[under]
-    T[under] = problem.element.w_functions(xy[under])
-    K[under] = plate.stiffness(problem.element, xy[under], problem.bending[section], problem.shear[section], T[under])
+    T[under] = sheet.element.w_functions(xy[under])
+    K[under] = plate.stiffness(sheet.element, xy[under], sheet.bending[section], sheet.shear[section], T[under])
     mass, slope = mass_and_slope(xy)
     on_diagonal = masses[:, 1:] * mass.sum(axis=2)
     return Blocks(kind, K, masses[:, :1, None] * mass + on_diagonal[:, :, None] * np.eye(9), slope, T)
@@ -116,14 +121,19 @@ def build_system(problem: Problem, like: System | None = None) -> System:
     if like is None or like.problem.mesh is not mesh:
         return System(problem, assembly.build_pattern(mesh.elements, rank, unknown, linked), blocks(problem))
     known = like.problem
+    depths, known_depths = problem.contact.depths, known.contact.depths
+    sheet, known_sheet = problem.plate, known.plate
     same_unknowns = np.array_equal(known.unknown, unknown) and np.array_equal(known.links.nodes, linked)
-    same_plate = known.element is problem.element and all(
+    same_plate = known_sheet.element is sheet.element and all(
         np.array_equal(a, b)
         for a, b in (
-            (known.rigidity, problem.rigidity), (known.bending, problem.bending), (known.shear, problem.shear),
-            (known.depths.mass_kind, problem.depths.mass_kind), (known.depths.mass_kinds, problem.depths.mass_kinds),
+            (known_sheet.rigidity, sheet.rigidity),
+            (known_sheet.bending, sheet.bending),
+            (known_sheet.shear, sheet.shear),
+            (known_depths.mass_kind, depths.mass_kind),
+            (known_depths.mass_kinds, depths.mass_kinds),
         )
-    )  # fmt: skip
+    )
     pattern = like.pattern if same_unknowns else assembly.build_pattern(mesh.elements, rank, unknown, linked)
     return System(problem, pattern, like.blocks if same_plate else blocks(problem))
 
@@ -188,7 +198,7 @@ def _varying(s: System) -> _Varying:
     F = p.unknown.shape[1]
     none = np.zeros(0, dtype=np.int64), np.zeros((0, F, F))
     plate_alone = assembly.assemble(p, b.kind, lambda kinds: b.of(kinds).between_unknowns(F), *none)
-    sides = (False, True) if not s.problem.element.center_w else (False,)
+    sides = (False, True) if not s.problem.plate.element.center_w else (False,)
     blocks = {(rows, columns): b.ground(rows, columns) for rows in sides for columns in sides}
     mass, slope = (
         {which: assembly.sums_over_elements(p, b.kind, both[k]) for which, both in blocks.items()} for k in (0, 1)
@@ -208,7 +218,7 @@ def _coupled(column: Column) -> Iterator[tuple[int, int, int, int]]:
 
 def _of_plate(problem: Problem, i: int, j: int) -> tuple[bool, bool]:
     """Return whether the fields i and j are w of a plate whose center hangs on its other nodes."""
-    hangs = not problem.element.center_w
+    hangs = not problem.plate.element.center_w
     return hangs and i == W, hangs and j == W
 
 
@@ -316,7 +326,7 @@ def nodal_table(problem: Problem, u: Array) -> Array:
 def surface_settlement(s: System, U: Array) -> Array:
     """Return the settlement of every surface of the ground at every node, (S, n) [m], from the table U (n, F)."""
     top = U[:, TOP].copy()
-    under = s.problem.plate_nodes
+    under = s.problem.plate.nodes
     top[under] += plate_settlement(s, U)[under]
     return np.vstack([top, U[:, TOP + 1 : TOP + s.problem.surfaces].T])
 
@@ -325,8 +335,8 @@ def plate_settlement(s: System, U: Array) -> Array:
     """Return the plate's settlement at every node (n,) [m], dependent centers included."""
     problem = s.problem
     w: Array = U[:, W].copy()
-    if not problem.element.center_w:
-        elements = problem.mesh.elements[problem.plate_elements]
-        at_centre = s.blocks.T[:, 8][s.blocks.kind[problem.plate_elements]]
+    if not problem.plate.element.center_w:
+        elements = problem.mesh.elements[problem.plate.elements]
+        at_centre = s.blocks.T[:, 8][s.blocks.kind[problem.plate.elements]]
         w[elements[:, 8]] = np.einsum("ea,ea->e", at_centre, w[elements])
     return w

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, ClassVar, Literal
 
@@ -57,6 +58,14 @@ class Winkler(Section):
     kind: Annotated[Literal["winkler"], Table("independent springs")] = "winkler"
     k: Annotated[float | None, Quantity("pressure per length", "k", "modulus of subgrade reaction", POSITIVE)] = None
     selvadurai: Annotated[Selvadurai | None, Table("soil that gives k, instead of k")] = None
+
+    def modulus(self, a: float) -> float:
+        """Return k [Pa/m] under a plate whose longer side is a [m], given or by Selvadurai's formula."""
+        if self.k is not None:
+            return self.k
+        assert self.selvadurai is not None
+        # (3.1)
+        return 2 * self.selvadurai.E / (a * math.log(1 + 2 * self.selvadurai.depth / a))
 
 
 class Pasternak(Section):

@@ -11,6 +11,7 @@ from typing import Annotated, Any, ClassVar, Self
 import numpy as np  # noqa: F401  before pydantic, whose typing_extensions makes NumPy's types slow to build on 3.11
 from pydantic import Field, PrivateAttr
 
+from groundslab.geometry.plan import Ring
 from groundslab.model import consistency, varying_ground
 from groundslab.model.columns import Column
 from groundslab.model.design.floors import Floor, check_floor
@@ -30,7 +31,7 @@ from groundslab.model.plate import Plate
 from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, check_plates, list_plates
 from groundslab.model.plates.joints import Joint, check_joints
 from groundslab.model.serviceability.cracking import Cracking, check_cracking
-from groundslab.model.serviceability.long_term import LongTerm
+from groundslab.model.serviceability.long_term import LongTerm, scale_stiffnesses
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.supports import Support, check_piles
 from groundslab.schema import reference
@@ -178,6 +179,28 @@ class Model(Section):
     def acting(self) -> tuple[tuple[AnyLoad, Acting], ...]:
         """Return the acting shapes, each with its load."""
         return tuple((load, shape) for load in self.loads for shape in self.shapes(load))
+
+    def lasts(self, limit_state: str) -> bool:
+        """Return whether the ground is that under lasting loads in a limit state."""
+        return self.long_term is not None and limit_state in self.long_term.limit_states
+
+    def with_lasting_ground(self) -> Self:
+        """Return the model with its ground as it is under loads that last: all stiffnesses times one factor."""
+        assert self.long_term is not None
+        factor = self.long_term.stiffness
+        described = {"soil_zones": self.soil_zones, "boreholes": self.boreholes}
+        soft = {name: tuple(scale_stiffnesses(part, factor) for part in parts) for name, parts in described.items()}
+        return self.model_copy(update={"ground": scale_stiffnesses(self.ground, factor), **soft})
+
+    @property
+    def zone_rings(self) -> tuple[Ring, ...]:
+        """Return the borders of the soil zones, in their order."""
+        return tuple(zone.shape.ring() for zone in self.soil_zones)
+
+    @property
+    def void_rings(self) -> tuple[Ring, ...]:
+        """Return the borders of the voids, in their order."""
+        return tuple(void.ring() for void in self.contact.voids)
 
     @property
     def bounds(self) -> tuple[float, float, float, float]:

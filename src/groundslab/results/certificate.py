@@ -40,7 +40,7 @@ ROUNDING = 1e-15 / Certificate.TOLERANCE
 def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     """Return the certificate of a solution under the full load."""
     U, c, problem = solution.U, solution.contact, solution.system.problem
-    under, bearing = problem.plate_nodes, problem.bearing
+    under, bearing = problem.plate.nodes, problem.contact.bearing
     resisting, load = resistance(solution), problem.load
     inner, ground = resisting.all, resisting.ground
     rest = inner - load
@@ -86,7 +86,7 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
         worst_product=product,
         gamma_change=solution.gamma_change,
         margin_effect=margin_effect,
-        section_law=None if problem.stiffness is None else error_of_law(problem, U),
+        section_law=None if problem.plate.stiffness is None else error_of_law(problem, U),
         ground_load=float(beside * share),
         joint_mismatch=_mismatch(problem, U, scales) if len(problem.links.joint) else None,
     )
@@ -117,12 +117,13 @@ def _residual(solution: Solution, inner: Array, left: Array, rounding: float) ->
     A load that a rigid support takes at once is no measure of what plate, ground and springs resist.
     """
     problem, law = solution.system.problem, solution.law
+    b = problem.contact.bearing
     elastic = np.isfinite(law.stiffness)
     borne = np.zeros_like(inner)
-    np.add.at(borne, (problem.bearing.node[elastic], problem.bearing.field[elastic]), solution.contact.force[elastic])
+    np.add.at(borne, (b.node[elastic], b.field[elastic]), solution.contact.force[elastic])
     force = np.maximum(problem.nodal_sizes(inner), problem.nodal_sizes(borne))
     scale = np.full(len(force), force.max())
-    if len(problem.plate_names) > 1:
+    if len(problem.plate.names) > 1:
         plate = problem.plate_at_nodes
         scale = np.where(plate < 0, scale, largest_of_parts(force, plate))
     scale = np.maximum(scale, rounding)
@@ -154,7 +155,7 @@ class _Balance:
 
 def _balance(plate: Problem, contact: Array, support: Array, springs: Array, rounding: float) -> _Balance:
     """Return the balance of a single plate: what ground (n,) and supports (n, 3) push on it, and forces of springs."""
-    under, load = plate.plate_nodes, plate.plate_load
+    under, load = plate.plate.nodes, plate.plate_load
     nodes, load, contact, support = (each[under] for each in (plate.mesh.nodes, load, contact, support))
     # moments about the plate's middle, as far from it they would be differences of large numbers
     nodes = nodes - (nodes.min(axis=0) + nodes.max(axis=0)) / 2
@@ -208,7 +209,7 @@ def _bearing_errors(solution: Solution, scales: _Scales) -> tuple[float, float, 
     of_cells = _cell_errors(solution, scales)
     if not len(law):
         return of_cells
-    plate = problem.plate_at_nodes[problem.bearing.node]
+    plate = problem.plate_at_nodes[problem.contact.bearing.node]
     scale = np.maximum(_forces_of_kind(problem, c.force, plate), scales.nothing[plate])
     elastic = np.isfinite(law.stiffness)
     way = law.penetration(c.u)
@@ -234,11 +235,11 @@ def _forces_of_kind(problem: Problem, force: Array, plate: Integers) -> Array:
     At a node of the ground it is what the largest pressure would give on its area, at a support the largest force of a
     support.
     """
-    bearing, scale = problem.bearing, np.zeros(len(force))
+    bearing, scale = problem.contact.bearing, np.zeros(len(force))
     ground = bearing.support < 0
-    part = plate if len(problem.plate_names) > 1 else None
+    part = plate if len(problem.plate.names) > 1 else None
     scale[~ground] = largest_of_parts(force[~ground], None if part is None else part[~ground])
-    area = problem.depths.area[bearing.node[ground], bearing.depth[ground]]
+    area = problem.contact.depths.area[bearing.node[ground], bearing.depth[ground]]
     pressure = np.divide(force[ground], area, out=np.zeros_like(area), where=area > 0)
     scale[ground] = area * largest_of_parts(pressure, None if part is None else part[ground])
     return scale
@@ -270,11 +271,11 @@ def _cell_errors(solution: Solution, scales: _Scales) -> tuple[float, float, flo
     if elastic.piles is not None:
         gap += solution.contact.force[elastic.piles.bearing] @ elastic.piles.on_cells
     plate = elastic.cells.plate
-    pressure = largest_of_parts(force / area, plate if len(problem.plate_names) > 1 else None)
+    pressure = largest_of_parts(force / area, plate if len(problem.plate.names) > 1 else None)
     scale, settlement = np.maximum(area * pressure, scales.nothing[plate]), scales.settlement[plate]
     yielding = (force >= limit) & (limit > 0)
     bears = limit > 0
-    if not problem.tensionless:
+    if not problem.contact.tensionless:
         return float((np.abs(gap) / settlement).max()), 0.0, 0.0
     broken = (np.where(yielding, gap, -gap) / settlement)[bears]
     wrong = np.maximum(-force, np.where(np.isinf(limit), 0.0, force - limit)) / scale
@@ -285,8 +286,8 @@ def _cell_errors(solution: Solution, scales: _Scales) -> tuple[float, float, flo
 def _own_w(problem: Problem) -> Array:
     """Return 0.0 at centers whose w hangs on other nodes, else 1.0, (n,): no support can push there."""
     own = np.ones(len(problem.mesh.nodes))
-    if not problem.element.center_w:
-        own[problem.mesh.elements[problem.plate_elements, 8]] = 0.0
+    if not problem.plate.element.center_w:
+        own[problem.mesh.elements[problem.plate.elements, 8]] = 0.0
     return own
 
 
@@ -304,7 +305,7 @@ def _sum_lost_forces(s: System, U: Array, column: Column, rest: Array) -> float:
     base = np.einsum("...ij,j...a,...a->...", column.A0, w[:, problem.mesh.elements], volume).sum()
     of_ground = slice(TOP, TOP + problem.surfaces)
     fixed = (problem.unknown[:, of_ground] < 0) & (rest[:, of_ground] != 0)
-    fixed[problem.plate_nodes] = False
+    fixed[problem.plate.nodes] = False
     edge = -rest[:, of_ground][fixed].sum()
     lost = tail_forces(problem, w, column).sum() if len(problem.edges) else 0.0
     return float(base + edge + lost)

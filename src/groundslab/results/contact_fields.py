@@ -28,11 +28,11 @@ def contact_fields(solution: Solution, frame: ResultMesh) -> tuple[dict[str, Arr
         return _on_cells(solution, frame)
     problem, elements = solution.system.problem, frame.mesh.elements
     pressure, touching, gap, sunk, line_force = _at_depths(solution, frame)
-    of = problem.mesh.elements[problem.plate_elements]
+    of = problem.mesh.elements[problem.plate.elements]
     share = frame.mean * areas(frame.mesh.xy)[:, None]
 
     def by_element(values: Array) -> Array:
-        found: Array = np.einsum("ed,ead->ea", problem.depths.area_fraction, values[of])
+        found: Array = np.einsum("ed,ead->ea", problem.contact.depths.area_fraction, values[of])
         return found
 
     bears = scatter(elements, by_element(touching) * share, len(frame.node))
@@ -40,7 +40,7 @@ def contact_fields(solution: Solution, frame: ResultMesh) -> tuple[dict[str, Arr
     in_contact = bears > 0
     at_elements = by_element(pressure)
     at_nodes = pressure[here]
-    if len(problem.depths.depth) > 1:
+    if len(problem.contact.depths.depth) > 1:
         at_nodes = scatter(elements, at_elements * share, len(frame.node)) / frame.area
     return {
         "gap": np.where(in_contact, 0.0, gap[here]),
@@ -62,7 +62,7 @@ def _on_cells(solution: Solution, frame: ResultMesh) -> tuple[dict[str, Array], 
     assert pressed is not None
     cells, here = elastic.cells, frame.node
     p = pressed.force / cells.area
-    tensionless = solution.system.problem.tensionless
+    tensionless = solution.system.problem.contact.tensionless
     touching = cells.around @ ((pressed.force > 0) | (not tensionless)).astype(np.float64)
     at_nodes = (cells.around @ p)[here]
     carried = float(at_nodes @ frame.area)
@@ -84,10 +84,10 @@ def _at_depths(solution: Solution, frame: ResultMesh) -> tuple[Array, Array, Arr
     it. A cavity has no bottom: its gap is that above the level of the ground around it, if there is any.
     """
     s, U = solution.system, solution.U
-    problem, under = s.problem, s.problem.plate_nodes
-    below, b = problem.depths, problem.bearing
+    problem, under = s.problem, s.problem.plate.nodes
+    below, b = problem.contact.depths, problem.contact.bearing
     pressure, touching, gap, sunk = np.zeros((4, *below.area.shape))
-    if not problem.tensionless:
+    if not problem.contact.tensionless:
         resisting = ground_forces(s, U, solution.column)[under, 1] - problem.load[under, TOP]
         pressure[under, 0] = resisting / below.area[under, 0]
         touching[under, 0] = 1.0
@@ -98,15 +98,15 @@ def _at_depths(solution: Solution, frame: ResultMesh) -> tuple[Array, Array, Arr
     touching[at] = solution.contact.closed[ground] & (b.law.limit_force[ground] > 0)
     for k in range(1, len(below.depth)):
         # the bottom of a void that takes a part of an element bears at its sides only
-        part = problem.mesh.elements[problem.plate_elements]
+        part = problem.mesh.elements[problem.plate.elements]
         part = part[below.shallowest[part[:, 8]] < k]
         touching[part[:, 8], k] = touching[part[:, MIDSIDES], k].mean(axis=1)
     sunk[at] = solution.slip[ground]
 
     depth = np.where(np.isfinite(below.depth), below.depth, 0.0)
     first = below.shallowest[under]
-    own = problem.initial_gap - depth[below.shallowest]
-    opened = U[under, TOP] + problem.initial_gap[under] + sunk[under, first]
+    own = problem.contact.initial_gap - depth[below.shallowest]
+    opened = U[under, TOP] + problem.contact.initial_gap[under] + sunk[under, first]
     # ground without shear that bears nothing does not settle
     alone = own - plate_settlement(s, U) if below.stepped else np.zeros(len(own))
     if not below.stepped:
@@ -129,14 +129,14 @@ def _line_force(solution: Solution, frame: ResultMesh, pressure: Array) -> Array
     at_points = ground_shear(s, solution.U, solution.column)
     shear = frame.at_nodes(at_points, ("shear_x", "shear_y"), ())  # smooth, and linear in U
     share = pressure_forces(s, solution.U, solution.column, frame.edges, shear)
-    at = edge, problem.depths.shallowest[edge]
-    area = problem.depths.area[at]
+    at = edge, problem.contact.depths.shallowest[edge]
+    area = problem.contact.depths.area[at]
     pressure[at], line_force[edge] = split_contact_force(
         pressure[at] * area,
         share[edge],
         area,
         frame.nodal_edge_length[edge],
-        problem.limit_pressure,
-        problem.tensionless,
+        problem.contact.limit_pressure,
+        problem.contact.tensionless,
     )
     return line_force

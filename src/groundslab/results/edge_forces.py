@@ -32,9 +32,9 @@ class EdgeSides:
 
 def edge_sides(problem: Problem) -> EdgeSides:
     """Return the sides along the plate's edge; a line of symmetry is none."""
-    elements = problem.mesh.elements[problem.plate_elements]
+    elements = problem.mesh.elements[problem.plate.elements]
     is_middle = np.zeros(len(problem.mesh.nodes), dtype=bool)
-    is_middle[problem.plate_edges[:, 2]] = True
+    is_middle[problem.plate.edges[:, 2]] = True
     element, side = np.nonzero(is_middle[elements[:, SIDES[:, 2]]])
     local = SIDES[side]
     places, weights = gauss_line(3)
@@ -55,7 +55,7 @@ def edge_lengths(sides: EdgeSides, elements: Integers, n: int) -> Array:
 def ground_shear(s: System, U: Array, column: Column) -> Array:
     """Return the shear force A1 grad w [N/m] of the ground's top surface at the plate's Gauss points, (mp, 4, 2)."""
     problem = s.problem
-    under = problem.plate_elements
+    under = problem.plate.elements
     elements = problem.mesh.elements[under]
     w = surface_settlement(s, U)
     A1 = column.at(under).A1[..., 0, :]
@@ -73,7 +73,7 @@ def pressure_forces(s: System, U: Array, column: Column, sides: EdgeSides, shear
     elements less its shear force across the edge. shear (mp, 9, 2) [N/m] is that at the nodes of these elements.
     """
     problem, b = s.problem, s.blocks
-    under = problem.plate_elements
+    under = problem.plate.elements
     elements, n = problem.mesh.elements[under], len(problem.mesh.nodes)
     w, column = surface_settlement(s, U), column.at(under)
     forces = np.zeros((len(under), 9))

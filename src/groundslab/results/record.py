@@ -1,8 +1,76 @@
-"""What an analysis records beside the fields: the ground's constants, the convergence history, the certificate."""
+"""What an analysis records besides the fields: what supports and joints carry, constants, steps, the certificate."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from groundslab.arrays import Array
+
+
+@dataclass(frozen=True, slots=True)
+class SupportResult:
+    """A support: what it carries at each of its k nodes, one for a point.
+
+    Attributes
+    ----------
+    name : str
+        Name of the support, or its number.
+    nodes : (k, 2) array of float
+        Coordinates of its nodes [m].
+    length : (k,) array of float
+        The share of the line that belongs to each node [m]; 0 for a point.
+    settlement : (k,) array of float
+        Settlement of the plate there [m].
+    force : (k,) array of float
+        Force on the plate [N], upwards positive.
+    moment_x, moment_y : (k,) array of float
+        Moments on the plate [N m], positive if they press the side of larger x (or y) down.
+    """
+
+    name: str
+    nodes: Array
+    length: Array
+    settlement: Array
+    force: Array
+    moment_x: Array
+    moment_y: Array
+
+    @property
+    def total(self) -> float:
+        """The sum of the forces [N], upwards positive."""
+        return float(self.force.sum())
+
+
+@dataclass(frozen=True, slots=True)
+class JointResult:
+    """A joint of two plates: what it carries at each of the k places along its line.
+
+    Attributes
+    ----------
+    name : str
+        Name of the joint, or those of its plates.
+    nodes : (k, 2) array of float
+        Coordinates of the places [m].
+    length : (k,) array of float
+        The share of the line that belongs to each of them [m].
+    step : (k,) array of float
+        Settlement of the first plate less that of the second one [m].
+    force : (k,) array of float
+        Force from the first plate to the second one [N], positive if it presses the second one down.
+    """
+
+    name: str
+    nodes: Array
+    length: Array
+    step: Array
+    force: Array
+
+    @property
+    def total(self) -> float:
+        """The sum of the forces [N], positive if they press the second plate down."""
+        return float(self.force.sum())
 
 
 @dataclass(frozen=True, slots=True)

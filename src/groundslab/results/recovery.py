@@ -17,9 +17,9 @@ from groundslab.model.model import Model
 from groundslab.results.balance.forces import apply, resistance
 from groundslab.results.contact_fields import contact_fields
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-from groundslab.results.record import Certificate, Constants, Step
+from groundslab.results.record import Certificate, Constants, JointResult, Step, SupportResult
 from groundslab.results.result_mesh import ResultMesh
-from groundslab.results.results import CombinationResult, Comparison, Increment, JointResult, SupportResult
+from groundslab.results.results import CombinationResult, Comparison, Increment
 from groundslab.solvers.cracking import laws
 from groundslab.solvers.solution import Solution
 
@@ -40,22 +40,29 @@ class MeshedFields:
     cells: PressedCells | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class Recovered:
+    """What was recovered from the solutions of a combination: fields on the full plate and ground, and how good."""
+
+    parts: tuple[PlateResult, ElementResult, GroundResult]  # under the full load
+    increments: tuple[Increment, ...]  # under smaller shares of it
+    comparison: Comparison | None  # with the next coarser mesh
+    certificate: Certificate
+
+
 def recover(
     model: Model,
     combination: Combination,
     solution: Solution,
-    parts: tuple[PlateResult, ElementResult, GroundResult],
-    proof: Certificate,
+    recovered: Recovered,
     steps: tuple[Step, ...],
     solver: str,
-    increments: tuple[Increment, ...] = (),
-    comparison: Comparison | None = None,
 ) -> CombinationResult:
-    """Return the results of a solution, whose fields on the full plate and ground are given.
+    """Return the results of a solution, of which fields and certificate are recovered.
 
     The model is the case as solved; the driver, which knows it, puts the case as written in its place.
     """
-    plate, elements, ground = parts
+    plate, elements, ground = recovered.parts
     return CombinationResult(
         model=model,
         solved_model=model,
@@ -63,18 +70,18 @@ def recover(
         elements=elements,
         ground=ground,
         constants=ground_constants(solution),
-        certificate=proof,
+        certificate=recovered.certificate,
         steps=steps,
         solver=solver,
         unknowns=solution.system.pattern.size,
-        symmetry=solution.system.problem.symmetry,
+        mesh_plan=solution.system.problem.mesh_plan,
         combination=combination.name,
         limit_state=combination.limit_state,
         factors=combination.factors if model.cases else (),
         supports=support_results(model, solution),
         joints=joint_results(model, solution),
-        increments=increments,
-        comparison=comparison,
+        increments=recovered.increments,
+        comparison=recovered.comparison,
     )
 
 
@@ -119,7 +126,7 @@ def expand(fields: MeshedFields, frame: ResultMesh) -> tuple[PlateResult, Elemen
 
 def support_results(model: Model, solution: Solution) -> tuple[SupportResult, ...]:
     """Return what each support carries."""
-    problem, b = solution.system.problem, solution.system.problem.bearing
+    problem, b = solution.system.problem, solution.system.problem.contact.bearing
     if not model.supports:
         return ()
     rest = resistance(solution).all - problem.load
@@ -174,10 +181,10 @@ def joint_results(model: Model, solution: Solution) -> tuple[JointResult, ...]:
 def _element_fields(problem: Problem, gauss: Array) -> dict[str, Array]:
     """Return the fields at the centers of the plate's elements (mp,) but the pressure, the section's number a float."""
     forces = dict(zip(FORCES, gauss.mean(axis=1).T, strict=True))
-    fields = {**forces, "thickness": problem.thickness, "section": problem.section.astype(np.float64)}
-    if problem.cracking is not None:
+    fields = {**forces, "thickness": problem.plate.thickness, "section": problem.plate.section.astype(np.float64)}
+    if problem.plate.cracking is not None:
         uncracked = laws(problem).B_I
-        B = uncracked if problem.stiffness is None else problem.stiffness
+        B = uncracked if problem.plate.stiffness is None else problem.plate.stiffness
         fields["stiffness_ratio"] = (B / uncracked).min(axis=1)
     return fields
 
@@ -194,7 +201,7 @@ def gauss_forces(problem: Problem, U: Array, frame: ResultMesh) -> Array:
 
 def free_moments(problem: Problem) -> Array:
     """Return what the curvature that elements would take freely takes off the moments, (mp, 3) [N m/m]."""
-    D = problem.bending[problem.rigidity][:, :, :2]
+    D = problem.plate.bending[problem.plate.rigidity][:, :, :2]
     moments: Array = np.einsum("eij,ej->ei", D, problem.loading.free_curvature)
     return moments
 

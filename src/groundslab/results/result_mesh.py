@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.discretize.load_borders import borders_of
-from groundslab.discretize.singular_places import near_places, singular_places
 from groundslab.fem import plate
 from groundslab.fem.assembly import find_congruent
 from groundslab.fem.load_vectors import nodal_area
@@ -18,7 +16,9 @@ from groundslab.fem.mesh import SIDES, Mesh, bounding_boxes, locate, mirror, ren
 from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import gauss, jacobian, q9, unique_integers
 from groundslab.geometry.plan import Place
+from groundslab.model.loads.acting import borders_of
 from groundslab.model.model import Model
+from groundslab.model.remarks.singular_places import near_places, singular_places
 from groundslab.results import patch_recovery
 from groundslab.results.edge_forces import EdgeSides, edge_lengths, edge_sides
 from groundslab.results.patch_recovery import Patches
@@ -133,7 +133,7 @@ class ResultMesh:
 
     def of(self, problem: Problem) -> ResultMesh:
         """Return the mesh for a problem on the same mesh, whose elements may have cracked."""
-        if problem.stiffness is None:
+        if problem.plate.stiffness is None:
             return self
         matrices, kind = section_matrices(problem)
         return replace(self, matrices=matrices, kind=kind)
@@ -141,7 +141,7 @@ class ResultMesh:
 
 def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
     """Return the mesh for the results of a model."""
-    elements, depth = problem.mesh.elements[problem.plate_elements], problem.depths.dominant
+    elements, depth = problem.mesh.elements[problem.plate.elements], problem.contact.depths.dominant
     supports = [(edge.start, edge.end) for support in model.supports for edge in support.edges]
     at_supports = sides_along(problem.mesh, elements, supports)
     at_loads = sides_along(
@@ -177,7 +177,9 @@ def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
         patches=patch_recovery.make_patches(parts.nodes, parts.elements, points),
         plate=full,
         ground=mirror_to_full(problem.mesh, problem.symmetry),
-        means=make_disc_means(model, full.mesh, problem.section[full.element], problem.thickness[full.element]),
+        means=make_disc_means(
+            model, full.mesh, problem.plate.section[full.element], problem.plate.thickness[full.element]
+        ),
     )
 
 
@@ -291,10 +293,10 @@ def split_by_section(problem: Problem, creases: Integers, depth: Integers | None
     Nodes along creases (k, 3) stand once for each side, so that nothing is averaged across them; so do those between
     elements over ground at different depths (mp,).
     """
-    elements, n = problem.mesh.elements[problem.plate_elements], len(problem.mesh.nodes)
-    key = elements + n * problem.section[:, None]
+    elements, n = problem.mesh.elements[problem.plate.elements], len(problem.mesh.nodes)
+    key = elements + n * problem.plate.section[:, None]
     if len(creases):
-        key = key + n * (problem.section.max() + 1) * split_at(elements, creases, n)
+        key = key + n * (problem.plate.section.max() + 1) * split_at(elements, creases, n)
     if depth is not None and depth.any():
         key = key + n * (key.max() // n + 1) * depth[:, None]
     keys, own = unique_integers(key)
@@ -303,11 +305,11 @@ def split_by_section(problem: Problem, creases: Integers, depth: Integers | None
 
 def section_matrices(problem: Problem) -> tuple[Array, Integers]:
     """Return the matrices (kinds, 20, 27) to section forces at 2 x 2 Gauss points, and each plate element's kind."""
-    xy, rigidities = problem.mesh.nodes[problem.mesh.elements[problem.plate_elements]], len(problem.bending)
+    xy, rigidities = problem.mesh.nodes[problem.mesh.elements[problem.plate.elements]], len(problem.plate.bending)
     shapes, shape = find_congruent(xy)
-    pairs, kind = np.unique(shape * rigidities + problem.rigidity, return_inverse=True)
-    D, S = problem.bending[pairs % rigidities], problem.shear[pairs % rigidities]
-    matrices = plate.section_matrices(problem.element, gauss(2)[0], xy[shapes[pairs // rigidities]], D, S)
+    pairs, kind = np.unique(shape * rigidities + problem.plate.rigidity, return_inverse=True)
+    D, S = problem.plate.bending[pairs % rigidities], problem.plate.shear[pairs % rigidities]
+    matrices = plate.section_matrices(problem.plate.element, gauss(2)[0], xy[shapes[pairs // rigidities]], D, S)
     return matrices.reshape(len(pairs), 20, 27), kind
 
 

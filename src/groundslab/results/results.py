@@ -8,16 +8,16 @@ from html import escape
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from groundslab.errors import GroundslabError, InputError, Issue, NoEquilibrium, NotCertified
+from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-from groundslab.results.record import Certificate, Constants, Step
+from groundslab.results.record import Certificate, Constants, JointResult, Step, SupportResult
 from groundslab.schema.wording import listed, quote
 from groundslab.units import format_number
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from groundslab.arrays import Array
     from groundslab.model.loads.load_cases import Combination
     from groundslab.model.model import Model
 
@@ -25,70 +25,6 @@ Part = TypeVar("Part")
 
 #: A printed summary lists at most so many combinations.
 MOST_LISTED = 12
-
-
-@dataclass(frozen=True, slots=True)
-class SupportResult:
-    """A support: what it carries at each of its k nodes, one for a point.
-
-    Attributes
-    ----------
-    name : str
-        Name of the support, or its number.
-    nodes : (k, 2) array of float
-        Coordinates of its nodes [m].
-    length : (k,) array of float
-        The share of the line that belongs to each node [m]; 0 for a point.
-    settlement : (k,) array of float
-        Settlement of the plate there [m].
-    force : (k,) array of float
-        Force on the plate [N], upwards positive.
-    moment_x, moment_y : (k,) array of float
-        Moments on the plate [N m], positive if they press the side of larger x (or y) down.
-    """
-
-    name: str
-    nodes: Array
-    length: Array
-    settlement: Array
-    force: Array
-    moment_x: Array
-    moment_y: Array
-
-    @property
-    def total(self) -> float:
-        """The sum of the forces [N], upwards positive."""
-        return float(self.force.sum())
-
-
-@dataclass(frozen=True, slots=True)
-class JointResult:
-    """A joint of two plates: what it carries at each of the k places along its line.
-
-    Attributes
-    ----------
-    name : str
-        Name of the joint, or those of its plates.
-    nodes : (k, 2) array of float
-        Coordinates of the places [m].
-    length : (k,) array of float
-        The share of the line that belongs to each of them [m].
-    step : (k,) array of float
-        Settlement of the first plate less that of the second one [m].
-    force : (k,) array of float
-        Force from the first plate to the second one [N], positive if it presses the second one down.
-    """
-
-    name: str
-    nodes: Array
-    length: Array
-    step: Array
-    force: Array
-
-    @property
-    def total(self) -> float:
-        """The sum of the forces [N], positive if they press the second plate down."""
-        return float(self.force.sum())
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,8 +123,8 @@ class CombinationResult:
         Name of the solver of linear systems.
     unknowns : int
         Number of unknowns that were solved for.
-    symmetry : tuple of bool
-        Whether symmetry along x, and along y, was used.
+    mesh_plan : MeshPlan
+        What the mesher decided: symmetry, borders that the mesh follows, whether there is a coarser mesh.
     combination, limit_state : str
         Name and limit state of the combination.
     factors : tuple of (str, float)
@@ -213,7 +149,7 @@ class CombinationResult:
     steps: tuple[Step, ...]
     solver: str
     unknowns: int
-    symmetry: tuple[bool, bool]
+    mesh_plan: MeshPlan
     combination: str
     limit_state: str
     factors: tuple[tuple[str, float], ...]
@@ -221,6 +157,11 @@ class CombinationResult:
     joints: tuple[JointResult, ...] = ()
     increments: tuple[Increment, ...] = ()
     comparison: Comparison | None = None
+
+    @property
+    def symmetry(self) -> tuple[bool, bool]:
+        """Whether symmetry along x, and along y, was used."""
+        return self.mesh_plan.symmetry
 
     @property
     def coarser(self) -> CombinationResult | None:
@@ -321,11 +262,9 @@ class Results(Mapping[str, CombinationResult]):
         """The case as solved, as `CombinationResult` documents it."""
         from groundslab.model.combinations import as_solved
 
-        there = (
-            *self.results.values(),
-            *(each.results for each in self.refused.values() if isinstance(each, NotCertified)),
-        )
-        return there[0].solved_model if there else as_solved(self.model)
+        uncertified = [error.results for error in self.refused.values() if isinstance(error, NotCertified)]
+        known = [*self.results.values(), *uncertified]
+        return known[0].solved_model if known else as_solved(self.model)
 
     @property
     def only(self) -> CombinationResult:

@@ -7,13 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.discretize.borders import shares, zone_rings
 from groundslab.discretize.ground import grounds_of
-from groundslab.discretize.plan_layout import find_followed_borders
-from groundslab.discretize.serviceability.lasting_ground import lasts, with_lasting_ground
 from groundslab.discretize.voids import VoidShares, share_voids
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.vlasov import Soil
+from groundslab.geometry.area_shares import shares
 from groundslab.model.ground import ContinuousGround, Continuum, Layered, SoilLayer, Vlasov
 
 if TYPE_CHECKING:
@@ -99,8 +97,8 @@ def profiles_of(results: CombinationResult) -> tuple[Profile, ...]:
     over the plan).
     """
     model, constants = results.model, results.constants
-    if lasts(model, results.limit_state):
-        model = with_lasting_ground(model)
+    if model.lasts(results.limit_state):
+        model = model.with_lasting_ground()
     columns, soils = list_columns(model), [each for each in grounds_of(model) if isinstance(each, Soil)]
     if constants.decay is None or len(soils) < len(columns):
         known = len(columns) == 1
@@ -140,20 +138,15 @@ class Coverage:
 
 def crossed_borders(results: CombinationResult) -> tuple[Coverage, ...]:
     """Return the soil zones and voids of which elements take a part, as their borders are no lines of the mesh."""
-    model, ground, plate = results.solved_model, results.ground, results.plate
+    model, mesh_plan = results.solved_model, results.mesh_plan
     if not model.soil_zones and not model.contact.voids:
         return ()
-    x0, x1, y0, y1 = model.bounds
-    (low_x, low_y), (high_x, high_y) = ground.nodes.min(axis=0), ground.nodes.max(axis=0)
-    width = float(max(x0 - low_x, high_x - x1, y0 - low_y, high_y - y1))
-    size = max(model.sides)
-    met = find_followed_borders(model, width if width > 1e-9 * size else 0.0)
-    xy = ground.nodes[ground.elements]
-    by_zone = shares(xy, zone_rings(model), met, size)
+    xy = results.ground.nodes[results.ground.elements]
+    by_zone = shares(xy, model.zone_rings, mesh_plan.followed_zones, max(model.sides))
     found = [_coverage("soil_zones", k, part, part, areas(xy)) for k, part in enumerate(by_zone.T[1:])]
-    xy = plate.nodes[plate.elements]
+    xy = results.plate.nodes[results.plate.elements]
     k1 = results.constants.k1
-    voids = share_voids(model, xy, met, steps=len(k1) == 1 and k1[0] == 0)
+    voids = share_voids(model, xy, mesh_plan.followed_voids, steps=len(k1) == 1 and k1[0] == 0)
     found += [
         _coverage("contact.voids", k, drawn, meshed, areas(xy))
         for k, (drawn, meshed) in enumerate(zip(voids.drawn.T, _mesh_voids(voids).T, strict=True))

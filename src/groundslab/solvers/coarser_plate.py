@@ -42,7 +42,9 @@ def make_coarser_plate(plate: PlateOnContinuum, coarse: Problem, problem: Proble
     assert problem.elastic is not None
     pressed = _press_centers(coarse, problem.elastic.cells, plate.A.size)
     same = _find_supports(coarse, problem)
-    pushed = plate.C[:, plate.C.shape[1] - len(coarse.bearing.law) :][:, np.maximum(same, 0)] if len(same) else None
+    pushed = (
+        plate.C[:, plate.C.shape[1] - len(coarse.contact.bearing.law) :][:, np.maximum(same, 0)] if len(same) else None
+    )
     if pushed is None:
         return CoarserPlate(plate, pressed)
     return CoarserPlate(plate, csr_array(hstack([pressed, pushed.multiply((same >= 0)[None, :])])))
@@ -53,9 +55,9 @@ def _press_centers(coarse: Problem, cells: Cells, size: int) -> csr_array:
     from scipy.sparse import csr_array
 
     mesh = coarse.mesh
-    element, place = locate_nearest(mesh, cells.center, coarse.plate_elements)
+    element, place = locate_nearest(mesh, cells.center, coarse.plate.elements)
     own, which = np.unique(element, return_inverse=True)
-    w = coarse.element.w_functions(mesh.nodes[mesh.elements[own]])[which]
+    w = coarse.plate.element.w_functions(mesh.nodes[mesh.elements[own]])[which]
     share = np.einsum("ca,cab->cb", q9(place)[0], w)
     unknown = coarse.unknown[mesh.elements[element], W]
     cell = np.broadcast_to(np.arange(len(cells.area))[:, None], unknown.shape)
@@ -65,10 +67,11 @@ def _press_centers(coarse: Problem, cells: Cells, size: int) -> csr_array:
 
 def _find_supports(coarse: Problem, problem: Problem) -> Integers:
     """Return for each force of a support (b,) which one of the coarser mesh is nearest to it, -1 if there is none."""
-    found = np.full(len(problem.bearing.law), -1)
-    for i, (number, field) in enumerate(zip(problem.bearing.support, problem.bearing.field, strict=True)):
-        alike = np.flatnonzero((coarse.bearing.support == number) & (coarse.bearing.field == field))
+    b, known = problem.contact.bearing, coarse.contact.bearing
+    found = np.full(len(b.law), -1)
+    for i, (number, field) in enumerate(zip(b.support, b.field, strict=True)):
+        alike = np.flatnonzero((known.support == number) & (known.field == field))
         if len(alike):
-            offset = coarse.mesh.nodes[coarse.bearing.node[alike]] - problem.mesh.nodes[problem.bearing.node[i]]
+            offset = coarse.mesh.nodes[known.node[alike]] - problem.mesh.nodes[b.node[i]]
             found[i] = alike[np.argmin(np.hypot(*offset.T))]
     return found

@@ -40,10 +40,10 @@ def require_digits(s: System, column: Column) -> None:
             f"the plate is {ratio:.1e} times as stiff as the ground, beyond what numbers of 16 digits can tell (about "
             f"{TOO_RIGID:.0e}); a plate.E a thousand times smaller is as rigid"
         )
-    if not s.problem.tensionless:
+    if not s.problem.contact.tensionless:
         return
     ground = max(_ground(s, column), np.abs(column.A1).max() * np.abs(s.blocks.slope).max())
-    softness = ground * _size(s.problem) ** 2 / s.problem.bending[:, 0, 0].min()
+    softness = ground * _size(s.problem) ** 2 / s.problem.plate.bending[:, 0, 0].min()
     if softness > TOO_THIN:
         raise IllConditioned(
             f"the plate's thinnest part is {softness:.1e} times softer than the ground, beyond what numbers of 16 "
@@ -59,4 +59,4 @@ def _ground(s: System, column: Column) -> float:
 
 def _size(problem: Problem) -> float:
     """Return the length of the meshed part of the longest plate [m]."""
-    return max(float(np.ptp(problem.mesh.nodes[own.plate_nodes], axis=0).max()) for own, _ in single_plates(problem))
+    return max(float(np.ptp(problem.mesh.nodes[own.plate.nodes], axis=0).max()) for own, _ in single_plates(problem))

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -40,30 +41,41 @@ MAX_REFINEMENTS = 4
 REFINEMENT_TOLERANCE = 1e-11
 
 
+@dataclass(frozen=True, slots=True)
+class ContactProblem:
+    """Minimize 1/2 u.A u - f.u with bearings on some unknowns."""
+
+    A: Symmetric
+    f: Array  # (size,)
+    bearings: Bearings  # (c,)
+    motions: Array | None = None  # (size, m): of the plate as a rigid body, against which only the bearings hold it
+    measures: Measures | None = None  # what small displacements and forces are measured by; None if all are alike
+
+    @property
+    def measured_by(self) -> Measures:
+        """Return what small displacements and forces are measured by."""
+        return self.measures or Measures(np.ones(self.A.size))
+
+
 def solve(
-    A: Symmetric,
-    f: Array,
+    problem: ContactProblem,
     factorization: CachedFactorization,
-    bearings: Bearings,
     start: Integers,
     limit: int,
     report: Callable[[int, int, int], None],
     near: Array | None = None,
-    motions: Array | None = None,
-    measures: Measures | None = None,
 ) -> Contact:
     """Return the solution of A u - f = forces of the bearings, to the digits of one substitution (see `refine`).
 
-    start (c,) holds the initial states; near (size,) approximates the solution; motions (size, m) are those of the
-    plate as a rigid body, against which only the bearings hold it; measures are what small displacements and forces
-    are told by; report takes iteration, touching bearings and changes. Without bearings this is one linear solution.
-    Raises NotConverged after `limit` iterations, SingularMatrix if A itself, held by all bearings, is not positive
-    definite.
+    start (c,) holds the initial states; near (size,) approximates the solution; report takes iteration, touching
+    bearings and changes. Without bearings this is one linear solution. Raises NotConverged after `limit` iterations,
+    SingularMatrix if A itself, held by all bearings, is not positive definite.
 
     Where the bearings that touch in the end do not hold the plate, it returns one of many solutions, to some digits:
     that of the interior point method (see equilibrium.require_hold).
     """
-    b, floating, measures = bearings, _FloatingCheck(bearings, motions), measures or Measures(np.ones(A.size))
+    b, measures = problem.bearings, problem.measured_by
+    floating = _FloatingCheck(b, problem.motions)
     history: list[dict[str, int]] = []
 
     def record(states: Integers, changed: int) -> None:
@@ -72,11 +84,12 @@ def solve(
         report(len(history), touching, changed)
 
     state, last = b.admissible(start), near
-    progress, inside = _Progress(len(b)), None
+    progress = _Progress(len(b))
+    inside: Contact | None = None
     while len(history) < limit:
-        found = None if floating.in_states(state) else _solve_states(A, f, b, state, factorization, near)
+        found = None if floating.in_states(state) else _solve_states(problem, state, factorization, near)
         if found is not None:
-            after = _next_states(A, b, found, measures)
+            after = _next_states(problem, found, measures)
             wrong = after != state
             record(state, int(wrong.sum()))
             if not wrong.any():
@@ -87,17 +100,18 @@ def solve(
             if inside is not None or not progress.stalled:
                 continue
         elif inside is not None:
-            if _is_balanced(A, f, b, inside, measures):
+            if _is_balanced(problem, inside, measures):
                 return inside
             break
-        inside = interior_point.solve(A, f, factorization, b, record)
+        inside = interior_point.solve(problem.A, problem.f, factorization, b, record)
         state, last, near, progress = inside.state, inside.u, None, _Progress(len(b))
     forces = {} if inside is None else {"force": inside.force}
     raise NotConverged("the contact zone", history, {"u": last, "closed": state != OPEN} | forces)
 
 
-def _is_balanced(A: Symmetric, f: Array, b: Bearings, found: Contact, measures: Measures) -> bool:
+def _is_balanced(problem: ContactProblem, found: Contact, measures: Measures) -> bool:
     """Return whether the interior point method has converged: no residual at unknowns that are free to move."""
+    A, f, b = problem.A, problem.f, problem.bearings
     residual = f - A @ found.u + scatter(b.unknown, b.sign * found.force, A.size)
     residual[b.unknown[b.bilateral]] = 0.0
     lever = measures.lever
@@ -106,13 +120,14 @@ def _is_balanced(A: Symmetric, f: Array, b: Bearings, found: Contact, measures: 
 
 
 def _solve_states(
-    A: Symmetric, f: Array, b: Bearings, state: Integers, factorization: CachedFactorization, near: Array | None
+    problem: ContactProblem, state: Integers, factorization: CachedFactorization, near: Array | None
 ) -> Contact | None:
     """Return the solution for given states (c,), none if these do not hold the plate.
 
     near (size,) approximates the solution: the latest factor may then serve, if it preconditions the system well.
     """
-    system, load = _constrain(A, f, b, state)
+    A, f, b = problem.A, problem.f, problem.bearings
+    system, load = _constrain(problem, state)
 
     def contact(u: Array, residual: Array) -> Contact:
         return Contact(u, state, _bearing_forces(b, state, u, load - f - residual))
@@ -136,19 +151,15 @@ def _solve_states(
     return contact(u, residual)
 
 
-def refine(
-    A: Symmetric,
-    f: Array,
-    factorization: CachedFactorization,
-    b: Bearings,
-    found: Contact,
-    measures: Measures | None = None,
-) -> Contact:
+def refine(problem: ContactProblem, factorization: CachedFactorization, found: Contact) -> Contact:
     """Return a solution that `solve` has just found without the rounding of the factorization."""
-    system, load = _constrain(A, f, b, found.state)
+    A, f, b = problem.A, problem.f, problem.bearings
+    system, load = _constrain(problem, found.state)
     if not factorization.holds(system) and not factorization.preconditions(system):
         return found  # one of many solutions, whose states no factor belongs to
-    u, before, measures = found.u.copy(), np.inf, measures or Measures(np.ones(A.size))
+    u = found.u.copy()
+    before = np.inf
+    measures = problem.measured_by
     for _ in range(MAX_REFINEMENTS):
         residual = load - A @ u
         free = np.where(system.fixed, 0.0, np.abs(residual - system.diagonal_shift * u)) / measures.lever
@@ -173,15 +184,17 @@ def _bearing_forces(b: Bearings, state: Integers, u: Array, reaction: Array) -> 
     return force
 
 
-def _next_states(A: Symmetric, b: Bearings, found: Contact, measures: Measures) -> Integers:
+def _next_states(problem: ContactProblem, found: Contact, measures: Measures) -> Integers:
     """Return the state (c,) in which each bearing should be, judged by the solution for the present states."""
-    lever, plate = measures.lever[b.unknown], None if measures.plate is None else measures.plate[b.unknown]
-    state, force, limit_force = found.state, found.force / lever, b.limit_force / lever
-    penetration, tolerance = (
-        b.penetration(found.u) * lever,
-        STATE_TOLERANCE * measures.displacements(found.u)[b.unknown],
+    b, state = problem.bearings, found.state
+    lever = measures.lever[b.unknown]
+    plate = None if measures.plate is None else measures.plate[b.unknown]
+    force, limit_force = found.force / lever, b.limit_force / lever
+    penetration = b.penetration(found.u) * lever
+    tolerance = STATE_TOLERANCE * measures.displacements(found.u)[b.unknown]
+    small = np.minimum(
+        tolerance * problem.A.diagonal[b.unknown] / lever**2, STATE_TOLERANCE * largest_of_parts(force, plate)
     )
-    small = np.minimum(tolerance * A.diagonal[b.unknown] / lever**2, STATE_TOLERANCE * largest_of_parts(force, plate))
     at_yield = np.zeros(len(b))  # penetration
     elastic = np.isfinite(b.stiffness)
     at_yield[elastic] = b.limit_force[elastic] / b.stiffness[elastic] * lever[elastic]
@@ -227,8 +240,9 @@ class _Progress:
         return nearer
 
 
-def _constrain(A: Symmetric, f: Array, b: Bearings, state: Integers) -> tuple[ConstrainedSystem, Array]:
+def _constrain(problem: ContactProblem, state: Integers) -> tuple[ConstrainedSystem, Array]:
     """Return the linear system for given states of the bearings, and its load (size,)."""
+    A, f, b = problem.A, problem.f, problem.bearings
     rigid = (state == CLOSED) & np.isinf(b.stiffness)
     elastic = (state == CLOSED) & np.isfinite(b.stiffness)
     yielding = state == YIELDING

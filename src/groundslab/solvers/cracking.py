@@ -26,8 +26,8 @@ from groundslab.fem.system import System, blocks
 
 def laws(problem: Problem) -> CrackedSections:
     """Return the law of each plate element."""
-    assert problem.cracking is not None
-    return problem.cracking
+    assert problem.plate.cracking is not None
+    return problem.plate.cracking
 
 
 def with_stiffness(s: System, B: Array) -> System:
@@ -36,8 +36,8 @@ def with_stiffness(s: System, B: Array) -> System:
     Curvatures that elements would take freely, by temperature or shrinkage, then load the plate by their new rigidity.
     """
     problem, law = s.problem, laws(s.problem)
-    elements = problem.mesh.elements[problem.plate_elements]
-    D, before = orthotropic_rigidity(B, law.B_I, law.nu), problem.bending[problem.rigidity]
+    elements = problem.mesh.elements[problem.plate.elements]
+    D, before = orthotropic_rigidity(B, law.B_I, law.nu), problem.plate.bending[problem.plate.rigidity]
     # by signs of rotations, sagging is a negative curvature
     free = problem.loading.free_curvature - law.shrinkage_I
     load = problem.load.copy()
@@ -48,10 +48,7 @@ def with_stiffness(s: System, B: Array) -> System:
             load[:, field] += scatter(elements, couple, len(load))
     own = replace(
         problem,
-        bending=D,
-        shear=law.shear,
-        rigidity=np.arange(len(elements)),
-        stiffness=B,
+        plate=replace(problem.plate, bending=D, shear=law.shear, rigidity=np.arange(len(elements)), stiffness=B),
         loading=replace(problem.loading, load=load, free_curvature=free),
     )
     return System(own, s.pattern, blocks(own))
@@ -59,17 +56,17 @@ def with_stiffness(s: System, B: Array) -> System:
 
 def mean_moments(problem: Problem, U: Array) -> Array:
     """Return the mean moments m_x, m_y, m_xy of each plate element (mp, 3) [N m/m] from U (n, F)."""
-    shapes, kind = find_congruent(problem.mesh.nodes[problem.mesh.elements[problem.plate_elements]])
-    xy = problem.mesh.nodes[problem.mesh.elements[problem.plate_elements[shapes]]]
+    shapes, kind = find_congruent(problem.mesh.nodes[problem.mesh.elements[problem.plate.elements]])
+    xy = problem.mesh.nodes[problem.mesh.elements[problem.plate.elements[shapes]]]
     mean = plate.bending_strain(gauss(2)[0], xy).mean(axis=1)
     elastic = np.einsum("eiu,eu->ei", mean[kind], plate_unknowns(problem, U))
     elastic[:, :2] -= problem.loading.free_curvature
-    moments: Array = -np.einsum("eij,ej->ei", problem.bending[problem.rigidity], elastic)
+    moments: Array = -np.einsum("eij,ej->ei", problem.plate.bending[problem.plate.rigidity], elastic)
     return moments
 
 
 def error_of_law(problem: Problem, U: Array) -> float:
     """Return by how much the moments of a cracked plate are off its sections' law, over the largest moment."""
-    assert problem.stiffness is not None
-    found, M = secant_stiffness(laws(problem), problem.stiffness, mean_moments(problem, U))
-    return law_error(found, M, problem.stiffness)
+    assert problem.plate.stiffness is not None
+    found, M = secant_stiffness(laws(problem), problem.plate.stiffness, mean_moments(problem, U))
+    return law_error(found, M, problem.plate.stiffness)

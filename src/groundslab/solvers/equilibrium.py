@@ -44,7 +44,7 @@ def require_equilibrium(problem: Problem) -> None:
     The load's work on the rigid motions that the supports leave free must lie inside the cone of what single upward
     forces under the plate do on them (docs/theory.md, equilibrium). A plate glued to the ground is always held.
     """
-    if not problem.tensionless:
+    if not problem.contact.tensionless:
         return
     for plates, _ in joined_plates(problem):
         _require_balance(plates, _prefix(problem, plates))
@@ -52,7 +52,7 @@ def require_equilibrium(problem: Problem) -> None:
 
 def _prefix(problem: Problem, plates: Problem) -> str:
     """Return which of several plates a sentence is about."""
-    return f"{' and '.join(plates.plate_names)}: " if len(problem.plate_names) > 1 else ""
+    return f"{' and '.join(plates.plate.names)}: " if len(problem.plate.names) > 1 else ""
 
 
 def _require_balance(problem: Problem, prefix: str) -> None:
@@ -60,7 +60,7 @@ def _require_balance(problem: Problem, prefix: str) -> None:
     free = free_motions(problem)
     if free.shape[1] == 0:
         return
-    if len(problem.plate_names) > 1:
+    if len(problem.plate.names) > 1:
         _require_joint_balance(problem, free, prefix)
         return
     corners = _extreme_points(problem)
@@ -80,7 +80,7 @@ def _require_balance(problem: Problem, prefix: str) -> None:
 def _require_joint_balance(problem: Problem, free: Array, prefix: str) -> None:
     """Raise NoEquilibrium unless pressure and supports can balance the load on the free motions of joined plates."""
     corners = _extreme_points(problem)
-    scale = np.tile(_scale(corners), len(problem.plate_names))
+    scale = np.tile(_scale(corners), len(problem.plate.names))
     motions = np.linalg.qr(scale[:, None] ** -1 * free)[0]
     work = (np.concatenate([_resultant(plate) for plate, _ in single_plates(problem)]) * scale) @ motions
     if _share_balanced(problem, motions, scale, work, LIMIT_MARGIN)[0] < 1:
@@ -93,9 +93,9 @@ def _require_joint_balance(problem: Problem, free: Array, prefix: str) -> None:
 
 def rigid_motions(problem: Problem) -> Array:
     """Return the plate's rigid motions against which only one-sided bearings hold it, as unknowns (size, m)."""
-    if not problem.tensionless:
+    if not problem.contact.tensionless:
         return np.zeros((problem.unknown.max(initial=-1) + 1, 0))
-    nodes, unknown, moved = problem.plate_nodes, problem.unknown, move_plates(problem, free_motions(problem))
+    nodes, unknown, moved = problem.plate.nodes, problem.unknown, move_plates(problem, free_motions(problem))
     # where the plate goes the ground does not go with it
     moved = np.concatenate([moved, -moved[:, [W]]], axis=1)[nodes]
     motions = np.zeros((unknown.max(initial=-1) + 1, moved.shape[2]))
@@ -110,13 +110,13 @@ def require_hold(problem: Problem, contact: Contact, pressing: Array | None = No
     The solution would then be one of many. Bearings that have reached their limit give way and hold nothing. pressing
     (c,) are the forces of an elastic continuum's cells.
     """
-    if not problem.tensionless:
+    if not problem.contact.tensionless:
         return
     elastic = problem.elastic
     for plates, own in joined_plates(problem):
         pressed = None
         if elastic is not None and pressing is not None:
-            numbers = [problem.plate_names.index(name) for name in plates.plate_names]
+            numbers = [problem.plate.names.index(name) for name in plates.plate.names]
             pressed = pressing[np.isin(elastic.cells.plate, numbers)]
         _require_plates_held(plates, contact.state[own], contact.force[own], pressed, _prefix(problem, plates))
 
@@ -129,7 +129,7 @@ def _require_plates_held(problem: Problem, state: Integers, force: Array, pressi
     free = free_motions(problem, mirrored=True)
     if free.shape[1] == 0:
         return
-    b = problem.bearing
+    b = problem.contact.bearing
     touching = np.flatnonzero((state == CLOSED) & ~b.law.bilateral & (b.field <= TOP))
     force = np.maximum(force[touching], 0.0)
     rows = motion_rows(problem, b.node[touching], b.field[touching])
@@ -144,14 +144,14 @@ def _require_plates_held(problem: Problem, state: Integers, force: Array, pressi
     centre = corners.mean(axis=0)
     # motions about the plate's middle, as large at its ends as it is when it settles
     about = np.array([[1.0, -centre[0] * scale[1], -centre[1] * scale[2]], [0, scale[1], 0], [0, 0, scale[2]]])
-    about = np.kron(np.eye(len(problem.plate_names)), about)
+    about = np.kron(np.eye(len(problem.plate.names)), about)
     motions = np.linalg.qr(np.linalg.solve(about, free))[0]
     size = max(force.sum(), problem.loading.size.sum(), np.finfo(float).tiny)
     resisted = rows @ about @ motions
     shares, directions = np.linalg.eigh(resisted.T @ (force[:, None] / size * resisted))
     loose = about @ motions @ directions[:, shares < NEUTRAL]
     if loose.shape[1]:
-        single = len(problem.plate_names) == 1
+        single = len(problem.plate.names) == 1
         how = _movement(loose, 1 / scale[1], problem.origin)
         moves = f"the plate {how}" if single else "the joined plates can move"
         raise NeutralEquilibrium(
@@ -203,7 +203,8 @@ class _OneWay:
 
 def _one_way(problem: Problem) -> _OneWay:
     """Return all that acts on plates one way."""
-    b, law, elastic = problem.bearing, problem.bearing.law, problem.elastic
+    b, elastic = problem.contact.bearing, problem.elastic
+    law = b.law
     own = ~law.bilateral & (b.field <= TOP)
     up = np.where(b.support[own] < 0, 1.0, -law.sign[own])
     row, limit_force, support = motion_rows(problem, b.node[own], b.field[own]), law.limit_force[own], b.support[own]
@@ -218,7 +219,7 @@ def _rows_of_cells(problem: Problem) -> Array:
     """Return what rigid motions settle at the cells of an elastic continuum, (c, 3 plates)."""
     assert problem.elastic is not None
     cells = problem.elastic.cells
-    rows = np.zeros((len(cells.area), len(problem.plate_names), 3))
+    rows = np.zeros((len(cells.area), len(problem.plate.names), 3))
     rows[np.arange(len(rows)), cells.plate] = np.column_stack([np.ones(len(rows)), cells.center])
     return rows.reshape(len(rows), -1)
 
@@ -269,7 +270,7 @@ def _extreme_points(problem: Problem) -> Array:
     from shapely import get_coordinates, linestrings
 
     # a line through all nodes has their hull, and is one object instead of one a node
-    corners: Array = get_coordinates(linestrings(problem.mesh.nodes[problem.plate_nodes]).convex_hull)[:-1]
+    corners: Array = get_coordinates(linestrings(problem.mesh.nodes[problem.plate.nodes]).convex_hull)[:-1]
     return corners
 
 

@@ -67,11 +67,10 @@ def make_plate_on_continuum(s: System, A: Symmetric, factorization: CachedFactor
     pressed = coo_array(
         (-spread.data[there], (unknown[there], spread.coords[1][there])), shape=(A.size, spread.shape[1])
     )
-    law = problem.bearing.law
+    law = problem.contact.bearing.law
     pushed = coo_array((law.sign, (law.unknown, np.arange(len(law)))), shape=(A.size, len(law)))
-    D = float(
-        np.average(problem.bending[problem.rigidity, 0, 0], weights=areas(problem.mesh.xy[problem.plate_elements]))
-    )
+    sheet = problem.plate
+    D = float(np.average(sheet.bending[sheet.rigidity, 0, 0], weights=areas(problem.mesh.xy[sheet.elements])))
     none = np.zeros(A.size)
     return PlateOnContinuum(
         A, ground, ConstrainedSystem(A, fixed, none, none), factorization, csr_array(hstack([pressed, pushed])), R,
@@ -97,8 +96,8 @@ def bound_forces(
     C, Ct, G = p.C, p.C.T.tocsr(), (p.C.T @ p.R).T
     planes_of_gaps = np.linalg.qr(G.T)[0]
     part = None
-    if len(problem.plate_names) > 1:
-        part = np.concatenate([ground.cells.plate, problem.plate_at_nodes[problem.bearing.node]])
+    if len(problem.plate.names) > 1:
+        part = np.concatenate([ground.cells.plate, problem.plate_at_nodes[problem.contact.bearing.node]])
 
     def gaps(x: Array) -> tuple[Array, Array]:
         settled, bent = settle(x), Ct @ p.solve(f + C @ x)
@@ -154,7 +153,7 @@ def _settling(ground: ElasticGround, law: Bearings) -> Callable[[Array], Array]:
 def _bounds(ground: ElasticGround, problem: Problem, law: Bearings) -> tuple[Array, Array]:
     """Return between which bounds the forces of cells and supports lie, (c + b,) each [N]."""
     c, piles = len(ground.gap), ground.piles
-    glued = np.full(c, not problem.tensionless)
+    glued = np.full(c, not problem.contact.tensionless)
     lower = np.where(np.concatenate([glued, law.bilateral]), -np.inf, 0.0)
     upper = np.concatenate([ground.limit_force, np.where(law.bilateral, np.inf, law.limit_force)])
     if piles is not None:
@@ -173,9 +172,10 @@ def _rigid_motions(problem: Problem, size: int) -> Array:
 
     What a joint with play slips is an unknown without stiffness, and follows the plates.
     """
-    links, none = problem.links, np.zeros(len(problem.bearing.law), dtype=bool)
+    links, none = problem.links, np.zeros(len(problem.contact.bearing.law), dtype=bool)
     slips = np.asarray(links.fields[:, TOP + 1 :].any(axis=1))
-    alone = replace(problem, bearing=problem.bearing.select(none), links=links.select(~slips), elastic=None)
+    contact = replace(problem.contact, bearing=problem.contact.bearing.select(none))
+    alone = replace(problem, contact=contact, links=links.select(~slips), elastic=None)
     moved, unknown = move_plates(problem, free_motions(alone)), problem.unknown[:, :TOP]
     R = np.zeros((size, moved.shape[2]))
     R[unknown[unknown >= 0]] = moved[unknown >= 0]

@@ -40,7 +40,7 @@ class Solution:
     def nodes_in(self, *states: int) -> Array:
         """Return -1.0 at the nodes where the ground is in one of some states (see contact), else 1.0, (n,)."""
         problem = self.system.problem
-        ground = problem.bearing.field == TOP
+        ground = problem.contact.bearing.field == TOP
         field = np.ones(len(problem.mesh.nodes))
-        field[problem.bearing.node[ground & np.isin(self.contact.state, states)]] = -1.0
+        field[problem.contact.bearing.node[ground & np.isin(self.contact.state, states)]] = -1.0
         return field

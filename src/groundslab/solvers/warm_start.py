@@ -12,12 +12,12 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import NotConverged, SingularMatrix
-from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings
+from groundslab.fem.bearings import CLOSED, OPEN, YIELDING
 from groundslab.fem.mesh import MeshLocations, interpolate, interpolate_bilinear, locate_nearest
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W
-from groundslab.fem.sparse import Symmetric
-from groundslab.fem.system import System, on_plate_edge, plate_settlement, surface_settlement
+from groundslab.fem.system import on_plate_edge, plate_settlement, surface_settlement
 from groundslab.solvers import contact
+from groundslab.solvers.contact import ContactProblem
 from groundslab.solvers.direct.protocols import Solver
 from groundslab.solvers.factor_reuse import CachedFactorization
 from groundslab.solvers.solution import Solution
@@ -42,22 +42,22 @@ class NodeLocations:
 
 def locate_nodes(before: Problem, problem: Problem) -> NodeLocations:
     """Return where a problem's nodes lie in the mesh of a coarser one."""
-    coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate_nodes
+    coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate.nodes
     element, place = locate_nearest(coarse, nodes)
     own, there = element[under], place[under]
     # nodes on the plate's edge may have been found in an element beside it
     on_plate = np.zeros(len(coarse.elements), dtype=bool)
-    on_plate[before.plate_elements] = True
+    on_plate[before.plate.elements] = True
     astray = np.flatnonzero(~on_plate[own])
     if len(astray):
-        own[astray], there[astray] = locate_nearest(coarse, nodes[under[astray]], before.plate_elements)
+        own[astray], there[astray] = locate_nearest(coarse, nodes[under[astray]], before.plate.elements)
     return NodeLocations((element, place), (own, there))
 
 
 def from_coarser(start: Solution, problem: Problem, at: NodeLocations) -> tuple[Integers, Array]:
     """Return the states (c,) of the bearings and the unknowns (n, F) interpolated from a solution on a coarser mesh."""
-    before, b = start.system.problem, problem.bearing
-    coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate_nodes
+    before, b = start.system.problem, problem.contact.bearing
+    coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate.nodes
     state = np.full(len(b.law), CLOSED)
     ground = np.flatnonzero(b.field == TOP)  # none, or one at each node of the plate
     state[((b.support < 0) & (b.field != TOP)) | (b.field > TOP)] = OPEN  # bottoms of voids, and play
@@ -69,9 +69,9 @@ def from_coarser(start: Solution, problem: Problem, at: NodeLocations) -> tuple[
             limited = np.isfinite(b.law.limit_force[ground]) & ~on_plate_edge(problem)[ground]
             state[ground[yielding & limited]] = YIELDING
     for support in np.unique(b.support[b.support >= 0]):
-        new, old = (np.flatnonzero((x.support == support) & (x.field == W)) for x in (b, before.bearing))
+        new, old = (np.flatnonzero((x.support == support) & (x.field == W)) for x in (b, before.contact.bearing))
         if len(new) and len(old):
-            offset = nodes[b.node[new], None] - coarse.nodes[before.bearing.node[old]]
+            offset = nodes[b.node[new], None] - coarse.nodes[before.contact.bearing.node[old]]
             state[new] = start.contact.state[old[np.argmin((offset**2).sum(axis=2), axis=1)]]
 
     U = np.zeros((len(nodes), problem.unknown.shape[1]))
@@ -85,22 +85,21 @@ def from_coarser(start: Solution, problem: Problem, at: NodeLocations) -> tuple[
 
 
 def solve_contact_border(
-    s: System, A: Symmetric, f: Array, law: Bearings, state: Integers, U: Array, solver: Solver
+    problem: Problem, whole: ContactProblem, state: Integers, U: Array, solver: Solver
 ) -> Integers:
     """Return the states (c,) of the bearings after solving the contact on a strip along the contact zone's border.
 
-    U (n, F) approximates the solution.
+    The contact on the whole mesh of the problem is given; U (n, F) approximates its solution.
     """
-    problem = s.problem
     has = problem.unknown >= 0
-    u = np.zeros(A.size)
+    u = np.zeros(whole.A.size)
     u[problem.unknown[has]] = U[has]
     for _ in range(MAX_STRIPS):
         inside = _strip(problem, state, RINGS)
-        free = np.zeros(A.size, dtype=bool)
+        free = np.zeros(whole.A.size, dtype=bool)
         free[problem.unknown[inside][has[inside]]] = True
         try:
-            solved = _solve_strip(A, f, law, state, u, free, solver)
+            solved = _solve_strip(whole, state, u, free, solver)
         except (NotConverged, SingularMatrix):
             break  # the strip alone decides nothing: the full mesh will
         if solved is None:
@@ -112,21 +111,23 @@ def solve_contact_border(
 
 
 def _solve_strip(
-    A: Symmetric, f: Array, law: Bearings, state: Integers, u: Array, free: Flags, solver: Solver
+    whole: ContactProblem, state: Integers, u: Array, free: Flags, solver: Solver
 ) -> tuple[Integers, Array] | None:
     """Return states (c,) and unknowns (size,) with the contact on the free unknowns (size,) solved, all else fixed.
 
     None if there are no bearings on them.
     """
+    A, law = whole.A, whole.bearings
     which = np.flatnonzero(free[law.unknown])
     if not len(which):
         return None
     numbers = np.flatnonzero(free)
-    part, load = A.submatrix(numbers), (f - A @ np.where(free, 0.0, u))[numbers]
+    part = A.submatrix(numbers)
+    load = (whole.f - A @ np.where(free, 0.0, u))[numbers]
     own = law.select(which)
     own = replace(own, unknown=(np.cumsum(free) - 1)[own.unknown])
     factorization = CachedFactorization(solver(part.indptr, part.indices))
-    found = contact.solve(part, load, factorization, own, state[which], MAX_ITERATIONS, lambda *_: None)
+    found = contact.solve(ContactProblem(part, load, own), factorization, state[which], MAX_ITERATIONS, lambda *_: None)
     state, u = state.copy(), u.copy()
     state[which] = found.state
     u[numbers] = found.u
@@ -135,7 +136,7 @@ def _solve_strip(
 
 def _strip(problem: Problem, state: Integers, rings: int) -> Flags:
     """Return the nodes (n,) inside some rings of elements around those in which the ground changes its state."""
-    b, elements = problem.bearing, problem.mesh.elements
+    b, elements = problem.contact.bearing, problem.mesh.elements
     ground = np.flatnonzero(b.field == TOP)
     at_node = np.full(len(problem.mesh.nodes), -1, dtype=np.int8)
     at_node[b.node[ground]] = state[ground]

@@ -13,8 +13,8 @@ from groundslab.accuracy.singularities import find_limits
 from groundslab.analysis import adaptivity
 from groundslab.analysis.driver import Variants
 from groundslab.discretize.local_sizes import local_sizes
-from groundslab.discretize.singular_places import near_singular
 from groundslab.fem.shape_functions import areas
+from groundslab.model.remarks.singular_places import near_singular
 from groundslab.results.results import CombinationResult
 from groundslab.views.summary.discretization import coarse_words
 

@@ -8,11 +8,13 @@ import numpy as np
 import pytest
 
 from groundslab import Model, meshing
-from groundslab.discretize.borders import add_borders, shares
+from groundslab.discretize.borders import add_borders
 from groundslab.discretize.discretize import discretize
 from groundslab.fem.mesh import grid
+from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import areas
+from groundslab.geometry.area_shares import shares
 from groundslab.geometry.plan import Plan, Ring, circle, rectangle
 
 PLATE = rectangle(-3.0, 3.0, -2.0, 2.0)
@@ -60,6 +62,17 @@ def test_borders_on_the_lines_of_a_grid_change_nothing() -> None:
     np.testing.assert_array_equal(with_void.mesh.nodes, without.mesh.nodes)
 
 
+def test_the_plan_of_a_mesh_says_which_borders_it_follows() -> None:
+    """A mesh for a size follows borders as drawn but those that are cut off; a grid of counts follows none."""
+    voids = [{"x": (-1.1, 1.1), "y": (-0.3, 0.3)}]
+    zones = [stiffer({"kind": "rectangle", "x": (x, x + 0.7), "y": (-1.3, 1.3)}) for x in (2.9, -2.9)]
+    followed = discretize(model({"size": 0.5}, soil_zones=zones, contact={"voids": voids})).mesh_plan
+    assert followed == MeshPlan((False, False), followed_zones=(1,), followed_voids=(0,), has_coarser=True)
+    given = discretize(model({"counts": (12, 8)}, soil_zones=zones, contact={"voids": voids})).mesh_plan
+    assert (given.followed_zones, given.followed_voids) == ((), ())
+    assert not discretize(model({"counts": (1, 1)})).mesh_plan.has_coarser
+
+
 def test_symmetric_voids_off_the_lines_keep_the_symmetry() -> None:
     """A quarter is meshed with lines at the edges of the void, and the whole has a void of the area drawn."""
     void = {"x": (-1.1, 1.1), "y": (-0.3, 0.3)}
@@ -68,7 +81,7 @@ def test_symmetric_voids_off_the_lines_keep_the_symmetry() -> None:
     assert found.mesh.nodes.min() == 0.0
     assert sides_at(found, 0, 1.1)
     assert sides_at(found, 1, 0.3)
-    assert found.depths.area.sum(axis=0) == pytest.approx([6.0 - 0.33, 0.33])
+    assert found.contact.depths.area.sum(axis=0) == pytest.approx([6.0 - 0.33, 0.33])
 
 
 @pytest.mark.parametrize("mesh", ["gmsh", "netgen"])
@@ -82,7 +95,7 @@ def test_arcs_and_oblique_borders_are_followed(mesh: str, monkeypatch: pytest.Mo
     oblique = {"kind": "polygon", "points": [(1.0, -3.0), (2.0, 9.0), (9.0, 9.0), (9.0, -3.0)]}
     void = {"shape": {"kind": "circle", "centre": (-1.5, 0.0), "radius": 0.7}}
     found = discretize(model({"size": 0.5}, soil_zones=[stiffer(oblique)], contact={"voids": [void]}))
-    assert found.depths.area.sum(axis=0) == pytest.approx([24 - np.pi * 0.49, np.pi * 0.49], rel=1e-4)
+    assert found.contact.depths.area.sum(axis=0) == pytest.approx([24 - np.pi * 0.49, np.pi * 0.49], rel=1e-4)
     k = found.ground.A0[:, 0, 0]  # type: ignore[union-attr]
     assert set(np.round(np.unique(k), -2)) == {2e7, 8e7}
     # right of the line from (1, -3) to (2, 9), of which y = 0 is at x = 1.25
@@ -97,7 +110,7 @@ def test_without_a_mesh_maker_borders_that_no_grid_follows_are_left_to_areas(mon
     found = discretize(model({"size": 0.5}, ground={"kind": "winkler", "k": 2e7}, contact={"voids": [void]}))
     add_borders.cache_clear()
     assert len(found.mesh.elements) == 96
-    assert found.depths.area.sum(axis=0) == pytest.approx([24 - np.pi * 0.49, np.pi * 0.49], rel=5e-3)
+    assert found.contact.depths.area.sum(axis=0) == pytest.approx([24 - np.pi * 0.49, np.pi * 0.49], rel=5e-3)
 
 
 @pytest.mark.parametrize(
@@ -160,7 +173,7 @@ def test_a_ring_followed_along_arcs_is_judged_by_centres() -> None:
     pytest.importorskip("gmsh")
     ring = circle((0.4, 0.1), 0.9)
     found = meshing.unstructured(Plan(PLATE, borders=(ring,)), 0.5)
-    by_centre, by_area = (shares(found.xy, (ring,), followed, 6.0) for followed in ((ring,), ()))
+    by_centre, by_area = (shares(found.xy, (ring,), followed, 6.0) for followed in ((0,), ()))
     assert set(np.unique(by_centre)) == {0.0, 1.0}
     assert areas(found.xy) @ by_centre[:, 1] == pytest.approx(ring.area, rel=1e-4)
     assert 0 < np.abs(by_centre - by_area).max() < 0.05
@@ -181,4 +194,4 @@ def test_a_void_that_touches_the_edge_is_taken_by_area() -> None:
         loads=[{"kind": "uniform", "q": 50e3}],
         mesh={"size": 3.74025991002138},
     )
-    assert discretize(model).depths.area.min() >= 0
+    assert discretize(model).contact.depths.area.min() >= 0

@@ -14,7 +14,6 @@ from scipy.sparse import csr_array
 from groundslab.analysis.driver import solve
 from groundslab.discretize import ground as rooms
 from groundslab.discretize.discretize import discretize
-from groundslab.discretize.ground import winkler_modulus
 from groundslab.discretize.symmetry import symmetries
 from groundslab.errors import InputError
 from groundslab.fem.foundation import Column, interface_stack, single
@@ -291,7 +290,7 @@ def test_unknowns_are_numbered_once_each() -> None:
     numbers = np.sort(problem.unknown[problem.unknown >= 0])
     np.testing.assert_array_equal(numbers, np.arange(len(numbers)))
     under = np.zeros(len(problem.mesh.nodes), dtype=bool)
-    under[problem.plate_nodes] = True
+    under[problem.plate.nodes] = True
     inside = (np.abs(problem.mesh.nodes) <= [3.0, 2.0]).all(axis=1)
     np.testing.assert_array_equal(under, inside)
     assert (problem.unknown[~under, :TOP] < 0).all()
@@ -302,9 +301,9 @@ def test_glued_plates_have_no_gaps() -> None:
     """With a ground that can pull the gap is no unknown under the plate, while the ground beyond keeps its own."""
     problem = discretize(model(tensionless=False, beyond=Beyond(kind="margin", width=1.5)))
     under = np.zeros(len(problem.mesh.nodes), dtype=bool)
-    under[problem.plate_nodes] = True
+    under[problem.plate.nodes] = True
     np.testing.assert_array_equal(problem.unknown[:, TOP] < 0, under)
-    assert not (problem.bearing.field == TOP).any()
+    assert not (problem.contact.bearing.field == TOP).any()
 
 
 STACK = Layered(coupling="interface", layers=[InterfaceLayer(k0=30e6, k1=20e6), InterfaceLayer(k0=60e6, k1=10e6)])
@@ -368,7 +367,7 @@ def test_initial_gap_is_the_uniform_one_and_the_deepest_void(order: int) -> None
     """
     voids = [Void(depth=0.02, x=(-1, 2), y=(-1, 1)), Void(depth=0.05, x=(1, 3), y=(0, 2))][::order]
     problem = discretize(model(gap=0.01, voids=voids, beyond=Beyond(kind="margin", width=1.0), counts=(6, 4)))
-    for (x, y), gap in zip(problem.mesh.nodes, problem.initial_gap, strict=True):
+    for (x, y), gap in zip(problem.mesh.nodes, problem.contact.initial_gap, strict=True):
         wanted = 0.0
         if abs(x) <= 3 and abs(y) <= 2:
             around = [(x + i * 1e-6, y + j * 1e-6) for i in (-1, 1) for j in (-1, 1)]
@@ -383,10 +382,10 @@ def test_initial_gap_is_the_uniform_one_and_the_deepest_void(order: int) -> None
 def test_nodal_areas_are_those_of_the_plate() -> None:
     """The nodes' shares add up to the plate's area, corners getting a 36th of an element, centres 16/36."""
     problem = discretize(model(beyond=Beyond(kind="margin", width=1.0)))
-    area = nodal_area(problem.mesh, problem.plate_elements)
+    area = nodal_area(problem.mesh, problem.plate.elements)
     assert area.sum() == pytest.approx(LX * LY)
     one = LX * LY / 15
-    elements = problem.mesh.elements[problem.plate_elements]
+    elements = problem.mesh.elements[problem.plate.elements]
     np.testing.assert_allclose(area[elements[:, 8]], one * 16 / 36)
     corner = (problem.mesh.nodes == [3.0, 2.0]).all(axis=1)
     np.testing.assert_allclose(area[corner], one / 36)
@@ -401,7 +400,7 @@ def test_selvadurais_modulus(E: float, k: float) -> None:
         loads=[UniformLoad(q=1.0)],
     )
     assert isinstance(described.ground, Winkler)
-    assert winkler_modulus(described.ground, described) == pytest.approx(k, abs=60.0)
+    assert described.ground.modulus(max(described.plate.sides)) == pytest.approx(k, abs=60.0)
 
 
 def test_ground_becomes_column_or_soil() -> None:
@@ -531,7 +530,7 @@ def test_nodes_on_the_edge_of_a_void_bear(symmetry: str) -> None:
             problem = discretize(model(voids=[void], counts=(n, 4), symmetry=symmetry))
             x, y = np.abs(problem.mesh.nodes).T
             inside = (x < edge - 1e-6) & (y < 1 - 1e-6)
-            np.testing.assert_array_equal(problem.initial_gap > 0, inside)
+            np.testing.assert_array_equal(problem.contact.initial_gap > 0, inside)
 
 
 def test_measured_gaps_lie_on_top_of_the_uniform_one() -> None:
@@ -540,7 +539,7 @@ def test_measured_gaps_lie_on_top_of_the_uniform_one() -> None:
     problem = discretize(model(gap=2e-3, gaps=known, counts=(6, 4)))
     along = np.flatnonzero(np.abs(problem.mesh.nodes[:, 1]) < 1e-12)
     x = problem.mesh.nodes[along, 0]
-    np.testing.assert_allclose(problem.initial_gap[along], 2e-3 + 3e-3 + 1e-3 * x, atol=1e-12)
+    np.testing.assert_allclose(problem.contact.initial_gap[along], 2e-3 + 3e-3 + 1e-3 * x, atol=1e-12)
 
 
 def test_gaps_measured_on_a_plane_are_that_plane() -> None:

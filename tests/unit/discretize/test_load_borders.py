@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 from groundslab.discretize.discretize import discretize
-from groundslab.discretize.load_borders import rings_of
 from groundslab.discretize.plan_layout import plan_of
+from groundslab.discretize.symmetry import symmetries
 from groundslab.fem.mesh import sides_along
 from groundslab.geometry.plan import Plan
+from groundslab.model.loads.acting import rings_of
 from groundslab.model.model import Model
 
 COLUMN = {"kind": "point", "P": 1e5, "x": 1.0, "y": 0.5, "width_x": 0.4, "width_y": 0.4}
@@ -27,7 +28,8 @@ def slab(*loads: dict[str, Any], openings: Any = (), **mesh: Any) -> Model:
 
 def plan(*loads: dict[str, Any], **parts: Any) -> Plan:
     """Return the plan of a slab's mesh."""
-    return plan_of(slab(*loads, **parts), 0.0)
+    model = slab(*loads, **parts)
+    return plan_of(model, symmetries(model), 0.0)
 
 
 def test_footprints_areas_and_lines_are_followed() -> None:

@@ -286,7 +286,7 @@ def test_ground_under_follows_the_mesh() -> None:
             ground=Layered(coupling="consistent", layers=[SOFT]), boreholes=holes, mesh=Mesh(counts=counts)
         )
         problem = discretize(described)
-        found = ground_under(described, problem.mesh, problem.plate_elements, {})[0]
+        found = ground_under(described, problem.mesh, problem.plate.elements, {})[0]
         assert isinstance(found, Column)
         rows = found.A0[:, 0, 0].reshape(counts[1], counts[0])
         steps.append(np.abs(np.diff(rows, axis=1)).max())

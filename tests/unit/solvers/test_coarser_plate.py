@@ -58,7 +58,7 @@ def _make(model: Model, coarsening: int) -> tuple[Problem, PlateOnContinuum, Arr
 
 def _pose(problem: Problem, plate: PlateOnContinuum, f: Array, coarser: CoarserPlate | None = None) -> BoundedForces:
     """Return the problem of the forces on a plate."""
-    b = len(problem.bearing.law)
+    b = len(problem.contact.bearing.law)
     law = current_bearings(problem, 1.0, np.zeros(b))
     none = np.zeros(len(plate.ground.gap))
     return bound_forces(plate, problem, law, f, none, None if coarser is None else coarser.bend)
@@ -71,7 +71,7 @@ def test_it_bends_nearly_alike(slab: str) -> None:
     (problem, plate, f), (coarse, on_coarse, _) = _make(model, 0), _make(model, 1)
     p, cells = _pose(problem, plate, f), plate.ground.cells
     x, y = cells.center.T
-    b = len(problem.bearing.law)
+    b = len(problem.contact.bearing.law)
     forces = np.concatenate([cells.area * np.cos(1.5 * x) * np.sin(1.0 * y + 0.3), np.full(b, 0.05)])
     forces -= p.G.T @ np.linalg.solve(p.G @ p.G.T, p.G @ forces)
     bent = plate.C.T @ plate.solve(plate.C @ forces)
@@ -88,7 +88,7 @@ def test_it_leads_to_the_same_pressures(slab: str) -> None:
     """The same settlements within the tolerance, for fewer products."""
     model = _model(slab)
     (problem, plate, f), (coarse, on_coarse, _) = _make(model, 0), _make(model, 1)
-    start = np.concatenate([plate.ground.cells.area, np.zeros(len(problem.bearing.law))])
+    start = np.concatenate([plate.ground.cells.area, np.zeros(len(problem.contact.bearing.law))])
     coarser = make_coarser_plate(on_coarse, coarse, problem)
     found = [solve(_pose(problem, plate, f, each), start, 1e-7, 500, lambda *_: None) for each in (None, coarser)]
     c = len(plate.ground.gap)

@@ -69,10 +69,8 @@ def solve(
     steps: list[tuple[int, int, int]] = []
     symbolic = factorization.choose(name)[1](p.indptr, p.indices)
     result = contact.solve(
-        entries(p, A),
-        f,
+        contact.ContactProblem(entries(p, A), f, closed_gaps(gaps)),
         CachedFactorization(symbolic),
-        closed_gaps(gaps),
         start,
         limit,
         lambda *step: steps.append(step),
@@ -242,7 +240,11 @@ def test_a_plate_that_floats_on_the_way_comes_to_rest(k: float, F: list[float], 
     p, A, f, gaps = plate_on_springs(k, F)
     symbolic = Dense(p)
     result = contact.solve(
-        entries(p, A), f, CachedFactorization(symbolic), closed_gaps(gaps), np.ones(9, dtype=bool), 100, lambda *_: None
+        contact.ContactProblem(entries(p, A), f, closed_gaps(gaps)),
+        CachedFactorization(symbolic),
+        np.ones(9, dtype=bool),
+        100,
+        lambda *_: None,
     )
     assert symbolic.refused > 0 or few
     tiny = 1e-8 if result.closed.sum() > 2 else 1e-2
@@ -263,10 +265,8 @@ def test_a_matrix_that_is_not_positive_is_an_error() -> None:
     symbolic = Dense(p)
     with pytest.raises(SingularMatrix):
         contact.solve(
-            entries(p, A),
-            np.ones(18),
+            contact.ContactProblem(entries(p, A), np.ones(18), closed_gaps(np.arange(1, 18, 2))),
             CachedFactorization(symbolic),
-            closed_gaps(np.arange(1, 18, 2)),
             np.ones(9, bool),
             50,
             lambda *_: None,
@@ -315,7 +315,9 @@ def test_bearings_of_every_kind_follow_their_law(seed: int, condition: float, co
     symbolic = factorization.choose("superlu")[1](p.indptr, p.indices)
     start = rng.integers(0, 3, count)
     start[(start == YIELDING) & np.isinf(b.limit_force)] = OPEN
-    result = contact.solve(entries(p, A), f, CachedFactorization(symbolic), b, start, 200, lambda *_: None)
+    result = contact.solve(
+        contact.ContactProblem(entries(p, A), f, b), CachedFactorization(symbolic), start, 200, lambda *_: None
+    )
     force, driven, tiny = np.zeros(9), b.penetration(result.u), 1e-8 * max(1.0, np.abs(result.u).max() * condition)
     force[b.unknown] = b.sign * result.force
     np.testing.assert_allclose(A @ result.u - f, force, atol=tiny)
@@ -343,7 +345,11 @@ def test_two_bearings_may_share_an_unknown() -> None:
     )  # fmt: skip
     symbolic = factorization.choose("superlu")[1](p.indptr, p.indices)
     result = contact.solve(
-        entries(p, 0.5 * np.eye(9)), f, CachedFactorization(symbolic), b, np.zeros(2, dtype=int), 50, lambda *_: None
+        contact.ContactProblem(entries(p, 0.5 * np.eye(9)), f, b),
+        CachedFactorization(symbolic),
+        np.zeros(2, dtype=int),
+        50,
+        lambda *_: None,
     )
     assert result.u[4] == pytest.approx(3.0)
     np.testing.assert_allclose(result.force, [6.0, 10.0 - 6.0 - 0.5 * 3.0])

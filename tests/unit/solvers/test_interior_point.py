@@ -34,7 +34,9 @@ def test_it_finds_what_the_active_set_iteration_finds() -> None:
         A, f = positive(rng, 9, condition), 3 * rng.standard_normal(9)
         b, p = any_bearings(rng, 9, count), one_element()
         latest = CachedFactorization(factorization.SuperLU(p.indptr, p.indices))
-        exact = contact.solve(entries(p, A), f, latest, b, np.full(count, CLOSED), 300, lambda *_: None)
+        exact = contact.solve(
+            contact.ContactProblem(entries(p, A), f, b), latest, np.full(count, CLOSED), 300, lambda *_: None
+        )
         found, steps = solved(A, f, b)
         if steps > 50:
             continue

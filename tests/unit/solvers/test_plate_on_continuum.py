@@ -35,7 +35,7 @@ def make(**changes: Any) -> tuple[PlateOnContinuum, BoundedForces, np.ndarray]:
     A = stiffness(s, single(0.0, 0.0))
     solver = factorization.choose("superlu")[1]
     plate = make_plate_on_continuum(s, A, CachedFactorization(solver(s.pattern.indptr, s.pattern.indices)))
-    law, f = current_bearings(problem, 1.0, np.zeros(len(problem.bearing.law))), right_hand_side(s, 1.0)
+    law, f = current_bearings(problem, 1.0, np.zeros(len(problem.contact.bearing.law))), right_hand_side(s, 1.0)
     return plate, bound_forces(plate, problem, law, f, np.zeros(len(plate.ground.gap))), f
 
 

@@ -41,7 +41,7 @@ def solution_with(coarse: Model, fields: dict[int, Array], states: np.ndarray, c
     U = np.zeros(problem.unknown.shape)
     for field, values in fields.items():
         U[:, field] = values
-    law = current_bearings(problem, 1.0, np.zeros(len(problem.bearing.law)))
+    law = current_bearings(problem, 1.0, np.zeros(len(problem.contact.bearing.law)))
     found = Contact(np.zeros(s.pattern.size), states, np.zeros(len(states)))
     assert isinstance(problem.ground, Column)
     return Solution(s, U, found, problem.ground, None, 0.0, 0.0, 0, law, np.zeros(len(states)))
@@ -58,16 +58,16 @@ def test_fields_that_the_coarser_mesh_holds_are_met() -> None:
 
     w, beta, surface = fields(coarse.mesh.nodes)
     under = np.zeros(len(coarse.mesh.nodes), dtype=bool)
-    under[coarse.plate_nodes] = True
+    under[coarse.plate.nodes] = True
     nodal = {W: np.where(under, w, 0), BETA_X: np.where(under, beta, 0), BETA_Y: np.where(under, -beta, 0)}
     nodal[TOP] = surface - np.where(under, w, 0.0)
-    start = solution_with(given, nodal, np.full(len(coarse.bearing.law), OPEN), 1)
+    start = solution_with(given, nodal, np.full(len(coarse.contact.bearing.law), OPEN), 1)
     np.testing.assert_allclose(surface_settlement(start.system, start.U)[0], surface, atol=1e-15)
 
     _, U = warm_start.from_coarser(start, fine, warm_start.locate_nodes(coarse, fine))
     w, beta, surface = fields(fine.mesh.nodes)
     under = np.zeros(len(w), dtype=bool)
-    under[fine.plate_nodes] = True
+    under[fine.plate.nodes] = True
     wanted = np.column_stack([w, beta, -beta, surface - np.where(under, w, 0.0)])
     has = fine.unknown >= 0
     np.testing.assert_allclose(U[has], wanted[has], atol=1e-14)
@@ -79,7 +79,7 @@ def test_a_plate_all_in_contact_or_all_lifted_stays_so(closed: bool) -> None:
     """With one state everywhere there is no border: no strip is laid, and all states are forecast alike."""
     given = model()
     coarse, fine = discretize(given, 1), discretize(given, 0)
-    states = np.full(len(coarse.bearing.law), CLOSED if closed else OPEN)
+    states = np.full(len(coarse.contact.bearing.law), CLOSED if closed else OPEN)
     start = solution_with(given, {}, states, 1)
     state, U = warm_start.from_coarser(start, fine, warm_start.locate_nodes(coarse, fine))
     assert (state == states[0]).all()
@@ -89,7 +89,9 @@ def test_a_plate_all_in_contact_or_all_lifted_stays_so(closed: bool) -> None:
     f = right_hand_side(s, 1.0)
     law = current_bearings(fine, 1.0, np.zeros(len(state)))
     with patch.object(warm_start, "CachedFactorization", side_effect=AssertionError("a strip was laid")):
-        after = warm_start.solve_contact_border(s, A, f, law, state, U, factorization.SuperLU)
+        after = warm_start.solve_contact_border(
+            fine, contact.ContactProblem(A, f, law), state, U, factorization.SuperLU
+        )
     np.testing.assert_array_equal(after, state)
 
 
@@ -102,20 +104,20 @@ def test_the_strip_finds_the_zone_that_the_whole_mesh_finds() -> None:
     assert isinstance(fine.ground, Column)
     A = stiffness(s, fine.ground)
     f = right_hand_side(s, 1.0)
-    law = current_bearings(fine, 1.0, np.zeros(len(fine.bearing.law)))
+    law = current_bearings(fine, 1.0, np.zeros(len(fine.contact.bearing.law)))
     latest = factor_reuse.CachedFactorization(factorization.SuperLU(A.indptr, A.indices))
     start = np.full(len(law), CLOSED)
-    right = contact.solve(A, f, latest, law, start, 100, lambda *_: None)
+    right = contact.solve(contact.ContactProblem(A, f, law), latest, start, 100, lambda *_: None)
     U = np.zeros(fine.unknown.shape)
     U[fine.unknown >= 0] = right.u[fine.unknown[fine.unknown >= 0]]
 
     # open all nodes within about an element of an open one
-    places = fine.mesh.nodes[fine.bearing.node]
+    places = fine.mesh.nodes[fine.contact.bearing.node]
     opened = places[right.state == OPEN]
     distance = np.array([np.linalg.norm(opened - place, axis=1).min() for place in places])
     wrong = np.where(distance < 0.31, OPEN, CLOSED)
     assert (wrong != right.state).sum() > 10
-    found = warm_start.solve_contact_border(s, A, f, law, wrong, U, factorization.SuperLU)
+    found = warm_start.solve_contact_border(fine, contact.ContactProblem(A, f, law), wrong, U, factorization.SuperLU)
     np.testing.assert_array_equal(found, right.state)
 
 
@@ -133,7 +135,7 @@ def test_a_wrong_forecast_costs_steps_but_not_the_result(seed: int) -> None:
     from_coarser = warm_start.from_coarser
     with (
         patch.object(warm_start, "from_coarser", nonsense),
-        patch.object(warm_start, "solve_contact_border", lambda *given: given[4]),
+        patch.object(warm_start, "solve_contact_border", lambda *given: given[2]),
     ):
         found = driver.solve(given)
     assert found.certificate.holds

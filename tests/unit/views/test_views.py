@@ -19,7 +19,8 @@ from rich.console import Console
 
 from groundslab.errors import GroundslabError, InputError
 from groundslab.results.fields import PLATE_FIELDS, POINT_FIELDS
-from groundslab.results.results import SupportResult, results_of
+from groundslab.results.record import SupportResult
+from groundslab.results.results import results_of
 from groundslab.units import UNITS, format_number
 from groundslab.views.files import npz, vtk
 from groundslab.views.summary import combinations, progress, sections, terminal
@@ -167,7 +168,7 @@ class TestJson:
         numpy = replace(
             plain,
             unknowns=np.int64(plain.unknowns),
-            symmetry=tuple(np.bool_(used) for used in plain.symmetry),
+            mesh_plan=replace(plain.mesh_plan, symmetry=tuple(np.bool_(used) for used in plain.symmetry)),
             constants=replace(plain.constants, k0=(np.float64(synthetic.K0),)),
             certificate=replace(plain.certificate, residual=np.float64(plain.certificate.residual)),
         )

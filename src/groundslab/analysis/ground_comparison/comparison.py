@@ -19,7 +19,6 @@ from groundslab.analysis.ground_comparison.figures import (
 )
 from groundslab.analysis.ground_comparison.fit import FITTED, fit
 from groundslab.analysis.ground_comparison.soil_column import FROM_SOIL, SoilColumn, find_soil, on_continuum, on_ground
-from groundslab.discretize.serviceability.lasting_ground import lasts
 from groundslab.errors import InputError, Issue
 from groundslab.model.combinations import list_combinations, place_patterns
 from groundslab.model.ground import Ground, Pasternak, Winkler
@@ -283,7 +282,7 @@ def _constants(results: CombinationResult) -> dict[str, float]:
 
 def _softening(model: Model, limit_state: str) -> float:
     """Return the factor on the ground's stiffness under loads that last, 1 in other limit states."""
-    return model.long_term.stiffness if model.long_term is not None and lasts(model, limit_state) else 1.0
+    return model.long_term.stiffness if model.long_term is not None and model.lasts(limit_state) else 1.0
 
 
 def _notes(model: Model, limit_state: str) -> tuple[str, ...]:

@@ -12,7 +12,6 @@ from groundslab.analysis.tasks.parallel import run_parallel
 from groundslab.analysis.tasks.task import Outcome, Task, ends_in_tails, solve_task
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes, coarsest
-from groundslab.discretize.serviceability.lasting_ground import with_lasting_ground
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.record import Step
@@ -96,7 +95,7 @@ def _grounds(tasks: Mapping[Task, Combination], setting: Setting, solver: Solver
         ]
 
     return {
-        lasting: hierarchies(with_lasting_ground(model), None) if lasting else hierarchies(model, setting.reference)
+        lasting: hierarchies(model.with_lasting_ground(), None) if lasting else hierarchies(model, setting.reference)
         for lasting in {task.lasting for task in tasks}
     }
 

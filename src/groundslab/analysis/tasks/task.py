@@ -12,7 +12,6 @@ from groundslab.analysis.cracking_iteration import solve_cracked_meshes
 from groundslab.analysis.load_step import OnStep
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy
 from groundslab.analysis.nested import margin_effect, solve_nested
-from groundslab.discretize.serviceability.lasting_ground import lasts
 from groundslab.errors import GroundslabError, IllConditioned, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
 from groundslab.model.combinations import case_factors
 from groundslab.model.ground import ContinuousGround
@@ -20,7 +19,7 @@ from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.certificate import certificate, worst
 from groundslab.results.record import Step
-from groundslab.results.recovery import expand, recover, recover_fields
+from groundslab.results.recovery import Recovered, expand, recover, recover_fields
 from groundslab.results.results import CombinationResult, Increment
 from groundslab.solvers.solution import Solution
 
@@ -41,7 +40,7 @@ def task_of(model: Model, combination: Combination) -> Task:
     """Return what is solved for a combination."""
     state = combination.limit_state
     factors = tuple(case_factors(model, combination).tolist())
-    return Task(factors, model.cracking is not None and state in model.cracking.limit_states, lasts(model, state))
+    return Task(factors, model.cracking is not None and state in model.cracking.limit_states, model.lasts(state))
 
 
 def solve_task(
@@ -123,8 +122,8 @@ def _recover(model: Model, combination: Combination, finest: MeshHierarchy, solv
     if solved.coarser is not None:
         prolongation = finest.prolongation(solved.coarser, solution, frame)
         comparison, fields = compare(model, solution, solved.coarser, prolongation, fields)
-    parts = expand(fields, frame)
-    return recover(model, combination, solution, parts, proof, solved.steps, solved.solver, increments, comparison)
+    recovered = Recovered(expand(fields, frame), increments, comparison, proof)
+    return recover(model, combination, solution, recovered, solved.steps, solved.solver)
 
 
 def ends_in_tails(model: Model) -> bool:

@@ -33,8 +33,9 @@ _RELIEVES = (
     "The line force of the ground along the plate's edge inside is subtracted like the pressure inside, as the case "
     "sets line_force_relieves."
 )
-_OVER_EDGE = "The line force of the ground along the plate's edge inside adds to the punching force, as the pressure "
-"does."
+_OVER_EDGE = (
+    "The line force of the ground along the plate's edge inside adds to the punching force, as the pressure does."
+)
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,7 +17,8 @@ from groundslab.model.loads.clipping import Clipped, find_clipped_loads
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.model.plates.joints import ElasticJoint
 from groundslab.model.supports import AnySupport, LineSupport, Pile
-from groundslab.results.results import CombinationResult, JointResult, Results
+from groundslab.results.record import JointResult
+from groundslab.results.results import CombinationResult, Results
 
 PILE, SUPPORT = "pile force / resistance", "support force / limit"
 ONE_SIDED, PLAY, GROUND, CUT_OFF = "one-sided support", "play of a joint", "limit pressure", "loads cut off"

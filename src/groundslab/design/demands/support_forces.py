@@ -9,10 +9,10 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags
 from groundslab.discretize.continuum.piles import pile_in_soil
-from groundslab.discretize.serviceability.lasting_ground import lasts, with_lasting_ground
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.supports import AnySupport, LineSupport, Pile
-from groundslab.results.results import CombinationResult, SupportResult
+from groundslab.results.record import SupportResult
+from groundslab.results.results import CombinationResult
 
 #: A force above this share of a limit has reached it.
 REACHED = 1 - 1e-6
@@ -82,7 +82,7 @@ def stiffness_alone(results: CombinationResult, described: AnySupport, support: 
     """
     if isinstance(described, Pile):
         model = results.model
-        ground = (with_lasting_ground(model) if lasts(model, results.limit_state) else model).ground
+        ground = (model.with_lasting_ground() if model.lasts(results.limit_state) else model).ground
         assert isinstance(ground, ContinuousGround)
         return pile_in_soil(described, ground).head_stiffness
     if described.stiffness is None or not isinstance(described, LineSupport):

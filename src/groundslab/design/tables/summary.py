@@ -9,9 +9,9 @@ from groundslab.design.by_plate import results_by_plate
 from groundslab.design.tables.quantities import nodal_values, ranged_fields
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.design.tilt import tilt
-from groundslab.discretize.singular_places import notes_on_singular_places
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.remarks.resultants import case_forces
+from groundslab.model.remarks.singular_places import notes_on_singular_places
 from groundslab.results.contact_zone import EDGE_NOTE, has_line_force
 from groundslab.results.fields import extreme
 from groundslab.results.results import CombinationResult, Results, refusal_words

@@ -8,7 +8,8 @@ from groundslab.design.basis.combinations import solved_results
 from groundslab.design.demands.support_forces import stiffness_alone, utilization
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.model.supports import AnySupport
-from groundslab.results.results import CombinationResult, JointResult, Results, SupportResult
+from groundslab.results.record import JointResult, SupportResult
+from groundslab.results.results import CombinationResult, Results
 
 
 def support_table(combined: Results) -> Table:

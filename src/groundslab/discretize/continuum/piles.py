@@ -10,7 +10,7 @@ from groundslab.discretize.ground import layer_of
 from groundslab.fem.continuum.cells import Cells
 from groundslab.fem.continuum.pile_group import PileGroup, make_pile_group
 from groundslab.fem.continuum.piles import Pile
-from groundslab.fem.problem import Bearing
+from groundslab.fem.parts.contact import Bearing
 from groundslab.model import supports
 from groundslab.model.ground import ContinuousGround, Continuum
 from groundslab.model.model import Model

@@ -7,7 +7,6 @@ import math
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.discretize.borders import void_rings
 from groundslab.discretize.continuum.limit_depth import find_limit_depth
 from groundslab.discretize.continuum.piles import pile_group
 from groundslab.discretize.ground import medium_of
@@ -17,8 +16,9 @@ from groundslab.errors import InputError, Issue
 from groundslab.fem.continuum.cells import Cells, Grid, cover, make_grid
 from groundslab.fem.continuum.elastic_ground import Columns, ElasticGround, Relief, make_operator
 from groundslab.fem.continuum.media import Medium
+from groundslab.fem.parts.contact import Bearing
 from groundslab.fem.plate import PlateElement
-from groundslab.fem.problem import Bearing, Loading, W
+from groundslab.fem.problem import Loading, W
 from groundslab.fem.shape_functions import areas
 from groundslab.model.ground import ConstrainedModulus, ContinuousGround
 from groundslab.model.model import Model
@@ -112,7 +112,7 @@ def _depths(model: Model, places: Array, finest: bool) -> Array:
     from shapely import contains_xy
 
     depth, lost = np.zeros(len(places)), []
-    for number, (void, ring) in enumerate(zip(model.contact.voids, void_rings(model), strict=True), start=1):
+    for number, (void, ring) in enumerate(zip(model.contact.voids, model.void_rings, strict=True), start=1):
         within = contains_xy(ring.polygon(CHORD * max(model.plate.sides)), places[:, 0], places[:, 1])
         depth[within] = np.maximum(depth[within], math.inf if void.depth is None else void.depth)
         if finest and not within.any():

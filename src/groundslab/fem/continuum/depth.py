@@ -175,28 +175,25 @@ def _sum_smooth(kernels: DepthKernels, cells: LoadedCells, places: Array) -> Arr
         near = (np.abs(apart) < NEAR * np.array(cells.size)).all(axis=2)
         for chosen, each_way in ((near, points), (~near, 2)):
             place, cell = np.nonzero(chosen)
-            shares[start : start + step] += _shares(
-                kernels, apart[place, cell], cells.size, cells.force[cell], place, len(apart), each_way
-            )
+            pressed = LoadedCells(apart[place, cell], cells.size, cells.force[cell])
+            shares[start : start + step] += _shares(kernels, pressed, place, len(apart), each_way)
     found: Array = shares @ kernels.coefficients.T
     return found
 
 
-def _shares(
-    kernels: DepthKernels, apart: Array, size: tuple[float, float], force: Array, place: Integers, places: int,
-    points: int,
-) -> Array:  # fmt: skip
-    """Return what forces (k,) on cells, apart (k, 2) [m] from some places, give to each coefficient, (places, n)."""
+def _shares(kernels: DepthKernels, cells: LoadedCells, place: Integers, places: int, points: int) -> Array:
+    """Return what k cells, whose centers are seen from some places, give to each coefficient, (places, n)."""
     n = kernels.coefficients.shape[1]
     found = np.zeros(places * n)
+    x, y = cells.center.T
     s, weight = np.polynomial.legendre.leggauss(points)
     for a, wa in zip(s, weight / 2, strict=True):
         for b, wb in zip(s, weight / 2, strict=True):
-            r = np.hypot(apart[:, 0] + a * size[0] / 2, apart[:, 1] + b * size[1] / 2)
+            r = np.hypot(x + a * cells.size[0] / 2, y + b * cells.size[1] / 2)
             at = (np.log(np.maximum(r, kernels.smallest)) - kernels.first) * STEPS
             whole = at.astype(np.int64)
             for i, basis in enumerate(_cubic(at - whole)):
-                found += np.bincount(place * n + whole - 1 + i, wa * wb * basis * force, len(found))
+                found += np.bincount(place * n + whole - 1 + i, wa * wb * basis * cells.force, len(found))
     return found.reshape(places, n)
 
 

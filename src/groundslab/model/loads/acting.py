@@ -6,8 +6,9 @@ Nodal forces, symmetry, meshes, singular places and drawings read these shapes a
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, assert_never
 
 import numpy as np
 
@@ -170,3 +171,21 @@ class SupportSettlement:
 
 
 Acting = PointForce | LineForce | AreaPressure | PlateAction | SupportSettlement
+
+
+def borders_of(shape: Acting) -> Iterator[Segment]:
+    """Yield the lines along which a shape begins, ends or stands."""
+    if isinstance(shape, LineForce):
+        yield from shape.edges
+    yield from (edge for ring in rings_of(shape) for edge in ring.segments())
+
+
+def rings_of(shape: Acting) -> tuple[Ring, ...]:
+    """Return the curves around what a shape acts on, none of one all over the plate, on a line or at a point."""
+    if isinstance(shape, AreaPressure):
+        return shape.rings
+    if isinstance(shape, PointForce):
+        return () if shape.ring is None else (shape.ring,)
+    if not isinstance(shape, LineForce | PlateAction | SupportSettlement):
+        assert_never(shape)
+    return ()

@@ -1,1 +1,1 @@
-"""Remarks on a case that is right: where its load cases act, their forces, and what may not be meant."""
+"""What is said of a case that is right: its load cases, their forces, singular places, what may not be meant."""

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, TypeVar
 
 from groundslab.model.loads.load_cases import LimitState
-from groundslab.schema.base import Section
-from groundslab.schema.fields import Choice, ListOf, Number
+from groundslab.schema.base import Section, get_field_type
+from groundslab.schema.fields import Choice, ListOf, Number, Quantity
 from groundslab.schema.ranges import Range
 
 RATIO = Range(at_least=0.01, at_most=1)
+#: Dimensions of what resists a settlement.
+STIFFNESSES = ("pressure", "pressure per length", "pressure times length")
+
+AnySection = TypeVar("AnySection", bound=Section)
 
 
 class LongTerm(Section):
@@ -22,3 +26,17 @@ class LongTerm(Section):
     limit_states: Annotated[
         tuple[LimitState, ...], ListOf(Choice(LimitState, "", ""), "", "limit states with long-term loads", unique=True)
     ] = ("quasi-permanent",)
+
+
+def scale_stiffnesses(section: AnySection, factor: float) -> AnySection:
+    """Return a section with all stiffnesses in it multiplied by a factor."""
+    changes: dict[str, object] = {}
+    for name, field in type(section).model_fields.items():
+        value, kind = getattr(section, name), get_field_type(field)
+        if isinstance(kind, Quantity) and kind.dimension in STIFFNESSES and value is not None:
+            changes[name] = value * factor
+        elif isinstance(value, Section):
+            changes[name] = scale_stiffnesses(value, factor)
+        elif isinstance(value, tuple) and value and isinstance(value[0], Section):
+            changes[name] = tuple(scale_stiffnesses(each, factor) for each in value)
+    return section.model_copy(update=changes)

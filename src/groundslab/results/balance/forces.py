@@ -76,8 +76,8 @@ def apply(matrices: Array, kind: Integers, v: Array) -> Array:
 def plate_forces(s: System, U: Array) -> Array:
     """Return the forces (n, 3) that the plate's deformation puts on w, beta_x, beta_y of each node."""
     problem, b = s.problem, s.blocks
-    elements = problem.mesh.elements[problem.plate_elements]
-    f = apply(b.plate, b.kind[problem.plate_elements], plate_unknowns(problem, U))
+    elements = problem.mesh.elements[problem.plate.elements]
+    f = apply(b.plate, b.kind[problem.plate.elements], plate_unknowns(problem, U))
     n = len(problem.mesh.nodes)
     return np.column_stack([scatter(elements, f[:, 9 * i : 9 * i + 9], n) for i in range(3)])
 
@@ -100,7 +100,7 @@ def ground_forces(s: System, U: Array, column: Column) -> Array:
         forces[:, 1 + i] = scatter(elements, by_element, n)
         if i == 0:
             on_w = np.einsum("ea,eab->eb", by_element, b.T[b.kind])
-            under = problem.plate_nodes
+            under = problem.plate.nodes
             forces[under, 0] = scatter(elements, on_w, n)[under]
     if len(problem.edges):
         forces[:, 1:] += tail_forces(problem, w, column)
@@ -117,7 +117,7 @@ def exact_rigid_products(s: System, column: Column) -> tuple[Array, Array]:
     Of a plate that supports hold, or of which a part is meshed, the motions that are left, (size, m).
     """
     problem, size = s.problem, s.pattern.size
-    nodes, free = problem.plate_nodes, free_motions(problem)
+    nodes, free = problem.plate.nodes, free_motions(problem)
     motions, forces = np.zeros((size, free.shape[1])), np.zeros((size, free.shape[1]))
     has = problem.unknown >= 0
     for number, motion in enumerate(np.moveaxis(move_plates(problem, free), 2, 0)):
@@ -180,7 +180,7 @@ def resistance(solution: Solution) -> Resistance:
 def bearing_forces(solution: Solution) -> Array:
     """Return the forces (n, F) with which bearings push."""
     problem, borne = solution.system.problem, np.zeros_like(solution.U)
-    bearing = problem.bearing
+    bearing = problem.contact.bearing
     np.add.at(borne, (bearing.node, bearing.field), bearing.law.sign * solution.contact.force)
     return borne
 

@@ -15,9 +15,10 @@ import numpy as np
 from groundslab._version import __version__
 from groundslab.errors import InputError, Issue
 from groundslab.fem.continuum.pressed_cells import PressedCells
+from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-from groundslab.results.record import Certificate, Constants, Step
-from groundslab.results.results import CombinationResult, Comparison, Increment, JointResult, SupportResult
+from groundslab.results.record import Certificate, Constants, JointResult, Step, SupportResult
+from groundslab.results.results import CombinationResult, Comparison, Increment
 from groundslab.views.files.validation import require_sound
 
 if TYPE_CHECKING:
@@ -57,7 +58,7 @@ class _About:
     steps: tuple[Step, ...]
     solver: str
     unknowns: int
-    symmetry: tuple[bool, bool]
+    mesh_plan: MeshPlan
     combination: str
     limit_state: str
     factors: tuple[tuple[str, float], ...]

@@ -11,7 +11,8 @@ import numpy as np
 if TYPE_CHECKING:
     from groundslab.fem.continuum.pressed_cells import PressedCells
     from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-    from groundslab.results.results import CombinationResult, Comparison, Increment, JointResult, SupportResult
+    from groundslab.results.record import JointResult, SupportResult
+    from groundslab.results.results import CombinationResult, Comparison, Increment
 
     State: TypeAlias = CombinationResult | Comparison | Increment
 
@@ -34,6 +35,10 @@ def _faults(results: CombinationResult) -> Iterator[str]:
     described = {name for name in type(results.model).model_fields if name not in PLACED}
     if any(getattr(results.model, name) != getattr(results.solved_model, name) for name in described):
         yield "a case as solved that is another one"
+    regions = {"zones": len(results.model.soil_zones), "voids": len(results.model.contact.voids)}
+    for name, count in regions.items():
+        if not set(getattr(results.mesh_plan, f"followed_{name}")) <= set(range(count)):
+            yield f"mesh_plan.followed_{name} of other {name} than there are"
     yield from _of_constants(results)
     # the settlement of a continuum's surface is all that is kept of it on the mesh
     layers = len(results.constants.k0) or 1

@@ -48,11 +48,9 @@ def discretization_section(results: CombinationResult) -> SummarySection:
 
 def unknown_words(results: CombinationResult) -> str:
     """Return in words that the discretization error is not known, and why, or "" where it is."""
-    from groundslab.discretize.plan_layout import has_coarser
-
     if results.coarser is not None:
         return ""
-    if not has_coarser(results.solved_model):
+    if not results.mesh_plan.has_coarser:
         reason = "the mesh has too few elements to compare with elements twice as large"
     elif results.ground.cells is None:
         reason = "there is no solution on elements twice as large"

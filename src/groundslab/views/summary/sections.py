@@ -10,6 +10,7 @@ import numpy as np
 
 from groundslab.accuracy.mesh_statistics import POOR, mesh_statistics
 from groundslab.arrays import Memo
+from groundslab.model.remarks.singular_places import near_singular, notes_on_singular_places
 from groundslab.results.contact_zone import CELLS_NOTE, EDGE_NOTE, goes_below_zero, has_line_force, require_finite
 from groundslab.results.fields import PLATE_FIELDS, extreme, place_of
 from groundslab.units import UNITS
@@ -22,7 +23,8 @@ if TYPE_CHECKING:
     from groundslab.model.ground import SoilLayer
     from groundslab.model.model import Model
     from groundslab.model.plate import Plate
-    from groundslab.results.results import CombinationResult, SupportResult
+    from groundslab.results.record import SupportResult
+    from groundslab.results.results import CombinationResult
 
 #: Of loads that are cut off at the plate's edge so many are shown.
 MOST_CUT = 12
@@ -318,8 +320,6 @@ def _section_forces(results: CombinationResult) -> SummarySection:
     for name, words in (("moment_xy", "twisting moment"), ("shear_x", "shear force"), ("shear_y", "shear force")):
         sizes = np.abs(getattr(plate, name))
         rows.append(_extreme(name, f"largest_{name}", f"largest {words}", plate.nodes, sizes, 1, "|{}|"))
-    from groundslab.discretize.singular_places import near_singular, notes_on_singular_places
-
     if notes := notes_on_singular_places(results.solved_model, " (*)"):
         thickness = results.elements.at_nodes(plate)[0]
         nodes = near_singular(results.solved_model, plate.nodes, thickness).nonzero()[0]

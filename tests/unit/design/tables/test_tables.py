@@ -19,7 +19,8 @@ from groundslab.errors import InputError, NoEquilibrium
 from groundslab.model.combinations import list_combinations
 from groundslab.model.model import Model
 from groundslab.results.fields import POINT_FIELDS, RANGED_FIELDS
-from groundslab.results.results import Results, SupportResult, results_of
+from groundslab.results.record import SupportResult
+from groundslab.results.results import Results, results_of
 from groundslab.views.files.vtk import plate_mesh
 from helpers.plates import parted, plate_of, straight
 from helpers.synthetic import LENGTH_X, LENGTH_Y, results

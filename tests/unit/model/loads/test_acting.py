@@ -11,15 +11,14 @@ from matplotlib import pyplot
 
 import groundslab
 from groundslab.design.demands.column_loads import sum_of_others
-from groundslab.discretize.load_borders import borders_of
 from groundslab.discretize.local_sizes import local_sizes
-from groundslab.discretize.singular_places import singular_places
 from groundslab.discretize.symmetry import symmetries
 from groundslab.geometry.plan import segment
-from groundslab.model.loads.acting import LineForce
+from groundslab.model.loads.acting import LineForce, borders_of
 from groundslab.model.loads.clipping import find_clipped_loads
 from groundslab.model.loads.load_types import AnyLoad, Spread, is_zero
 from groundslab.model.model import Model
+from groundslab.model.remarks.singular_places import singular_places
 from groundslab.views.plots import symbols
 from groundslab.views.report.case_plan import draw_case_plan
 from groundslab.views.report.load_plan import load_text

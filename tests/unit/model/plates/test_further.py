@@ -114,16 +114,16 @@ def test_sections() -> None:
     """Sections count from plate to plate, and a zone counts on its own plate alone."""
     found = zoned()
     assert first_sections(found.every_plate) == [0, 3]
-    plan = plan_of(found, 2.0)
+    plan = plan_of(found, (False, False), 2.0)
     assert find_issues(plan) == []
     places = np.array([(0.5, 1), (2, 1), (3.7, 1), (4.5, 1), (5.5, 1), (6.5, 1), (7.2, 1.5), (7.2, 3), (-1, 1)])
     assert sections(plan, places).tolist() == [1, 0, 2, -1, 4, 3, -1, 3, -1]
     problem = discretize(found)
-    assert set(zip(problem.section.tolist(), problem.plate_number.tolist(), strict=True)) == {
+    assert set(zip(problem.plate.section.tolist(), problem.plate.number.tolist(), strict=True)) == {
         (0, 0), (1, 0), (2, 0), (3, 1), (4, 1),
     }  # fmt: skip
-    assert problem.plate_names == ("plate 1", "B")
-    D = {n: float(problem.bending[n, 0, 0]) for n in range(5)}
+    assert problem.plate.names == ("plate 1", "B")
+    D = {n: float(problem.plate.bending[n, 0, 0]) for n in range(5)}
     assert D[1] / D[0] == pytest.approx((4 / 3) ** 3)
     assert D[4] / D[3] == pytest.approx(2 / 3)
 

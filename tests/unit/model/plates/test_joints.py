@@ -86,7 +86,7 @@ def test_accepted_and_written() -> None:
     (joint,) = found.joints
     assert (joint.title, play_of(joint), stiffness_of(joint)) == ("dowels", 1e-3, 1e8)
     problem = discretize(found)
-    assert problem.bearing.length[problem.bearing.support == 0].sum() == pytest.approx(4.0)
+    assert problem.contact.bearing.length[problem.contact.bearing.support == 0].sum() == pytest.approx(4.0)
 
 
 def test_both_sides_of_a_hinge_share_the_settlement() -> None:
@@ -119,9 +119,9 @@ def test_links_on_the_mesh(shear: bool, gap: float) -> None:
     )
     slips = (problem.unknown[:, 5:] >= 0).sum()
     assert slips == (own.sum() if gap else 0)
-    at_slips = problem.bearing.field > TOP
+    at_slips = problem.contact.bearing.field > TOP
     assert at_slips.sum() == 2 * slips
-    assert set(np.abs(problem.bearing.law.offset[at_slips])) == ({gap} if gap else set())
+    assert set(np.abs(problem.contact.bearing.law.offset[at_slips])) == ({gap} if gap else set())
     plates = [set(problem.nodes_of(n).tolist()) for n in range(3)]
     assert not any(a & b for n, a in enumerate(plates) for b in plates[n + 1 :])
 
@@ -133,5 +133,5 @@ def test_free_motions_of_joined_plates() -> None:
     motions = free[1e8]
     for y in (1.0, 3.0):
         np.testing.assert_allclose((motions[:3] - motions[3:6]).T @ [1.0, 4.0, y], 0.0, atol=1e-9)
-    groups = [part.plate_names for part, _ in joined_plates(discretize(model([HINGED])))]
+    groups = [part.plate.names for part, _ in joined_plates(discretize(model([HINGED])))]
     assert groups == [("A", "B"), ("C",)]

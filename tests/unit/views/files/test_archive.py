@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import tracemalloc
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,8 +14,10 @@ import pytest
 import groundslab
 from groundslab.case import casefile
 from groundslab.errors import InputError
+from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.results.results import Results
 from groundslab.views.files import archive, folder_summary, npz, results_folder
+from helpers import synthetic
 from helpers.small_case import TEXT
 
 
@@ -38,6 +41,19 @@ def test_an_archive_is_read_back(combined: Results, tmp_path: Path) -> None:
     with zipfile.ZipFile(io.BytesIO(content)) as packed:
         assert packed.read("report.html") == b"<p>report</p>"
         assert packed.testzip() is None
+
+
+def test_the_plan_of_the_mesh_is_read_back(tmp_path: Path) -> None:
+    """What the mesher decided comes back as it was; numbers of zones that the case does not have are refused."""
+    plan = MeshPlan((False, True), followed_zones=(), followed_voids=(0,), has_coarser=False)
+    case = synthetic.model()
+    voids = case.contact.replace(voids=[{"x": (-1.0, 1.0), "y": (-0.5, 0.5)}])
+    found = synthetic.results(model=case.replace(contact=voids), mesh_plan=plan)
+    npz.write(found, tmp_path / "results.npz")
+    assert npz.load(tmp_path / "results.npz").mesh_plan == plan
+    npz.write(replace(found, mesh_plan=replace(plan, followed_zones=(0,))), tmp_path / "results.npz")
+    with pytest.raises(InputError, match="followed_zones"):
+        npz.load(tmp_path / "results.npz")
 
 
 def write_zip(path: Path, *files: tuple[str, bytes]) -> Path:

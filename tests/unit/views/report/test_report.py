@@ -23,8 +23,8 @@ from groundslab.errors import GroundslabError, InputError, NoEquilibrium
 from groundslab.model.combinations import as_solved, list_combinations
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.results.record import Constants
-from groundslab.results.results import Results, SupportResult, results_of
+from groundslab.results.record import Constants, SupportResult
+from groundslab.results.results import Results, results_of
 from groundslab.storage import checksums
 from groundslab.units import format_number
 from groundslab.views import report

@@ -16,13 +16,13 @@ from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, regio
 from groundslab.design.demands.perimeters import outline
 from groundslab.design.floors.acting_loads import factors_of
 from groundslab.design.required_bars import largest_areas, required_areas
-from groundslab.discretize.singular_places import near_singular
 from groundslab.fem.line_traversal import interpolation, pieces
 from groundslab.fem.mesh import Mesh
 from groundslab.model.design.floors import TR34Floor
 from groundslab.model.design.laid_bars import laid_bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.loads.acting import PointForce
+from groundslab.model.remarks.singular_places import near_singular
 from groundslab.results.fields import LAYERS
 from groundslab.results.mesh_results import ElementResult, PlateResult
 from groundslab.results.results import CombinationResult

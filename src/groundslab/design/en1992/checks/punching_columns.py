@@ -56,7 +56,8 @@ def _columns(combined: Results, steel: Reinforcement, punched: Demands, support:
         edge_note(steel, support),
         "At the face v_Ed is that of 6.4.5(3) on u_0, with the same beta and the remaining force there. Above "
         "v_Rd,max no reinforcement helps; some annexes have none.",
-        f"{DEPTH[support]} Where the plate gets thinner within 2 d or slightly beyond, that place needs a separate check.",
+        f"{DEPTH[support]} Where the plate gets thinner within 2 d or slightly beyond, that place needs a separate "
+        "check.",
     )
     return PunchingColumns(_HEADS, cells, (*notes, *missing_notes(punched.missing, support)))
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.discretize.ground import layer_of, sublayers, winkler_modulus
+from groundslab.discretize.ground import layer_of, sublayers
 from groundslab.fem.foundation import Layer
 from groundslab.model.ground import (
     ContinuousGround,
@@ -91,7 +91,8 @@ def _plotted_layers(
     if isinstance(ground, Winkler):
         soil = ground.selvadurai
         E = None if soil is None else (np.array([0.0, 1.0]), np.array([soil.E, soil.E]))
-        return (PlottedLayer(None if soil is None else soil.depth, E, None, (winkler_modulus(ground, model),), ()),)
+        k = ground.modulus(max(model.plate.sides))
+        return (PlottedLayer(None if soil is None else soil.depth, E, None, (k,), ()),)
     if isinstance(ground, Pasternak):
         return (PlottedLayer(None, None, None, (ground.k0,), (ground.k1,)),)
     assert isinstance(ground, Vlasov | Layered | ContinuousGround)

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab.arrays import Array, Flags
 from groundslab.geometry.plan import Place, Ring
 from groundslab.model.loads.acting import LineForce, PointForce
-from groundslab.model.model import Model
-from groundslab.model.plate import Plate
+
+if TYPE_CHECKING:
+    from groundslab.model.model import Model
+    from groundslab.model.plate import Plate
 
 #: Within so many thicknesses of them section forces are reported as means over a width.
 REACH = 1.0
