@@ -185,6 +185,8 @@ def test_a_slab_is_drawn_by_typed_lengths_and_places(server: Server, bench: Benc
 
 def test_plates_are_drawn_and_joined(server: Server, bench: Bench, case: Path) -> None:
     """A further plate beside the slab is drawn and joined to it; a circle is drawn where the mesh is finer."""
+    # without it nothing would press the further plate down
+    case.write_text(case.read_text() + '\n[[loads]]\nkind = "uniform"\nq = "5 kPa"\n')
     bench.open(server.start(case))
     view = bench.page.locator("svg.drawing").get_attribute("data-view")
     bench.page.mouse.move(*bench.pixel(0.0, 0.0))

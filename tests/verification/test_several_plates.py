@@ -165,6 +165,21 @@ def test_a_plate_without_load_is_neutral() -> None:
         solved(west, east, loads=[WEIGHT | {"plate": "west"}, force(6.5, -50e3, 1.0)], supports=[pull])
 
 
+def test_a_hinged_flap_without_load_is_neutral() -> None:
+    """The far end of a loaded slab lifts and takes the hinge of a weightless flap along: nothing decides its slope."""
+    slab, flap = plate((-3, 3), (-2, 2), name="slab"), plate((3, 5), (-2, 2), name="flap")
+    joined: dict[str, Any] = {
+        "ground": GROUNDS["winkler"],
+        "beyond": {"kind": "none"},
+        "joints": [{"kind": "hinge", "between": ["slab", "flap"]}],
+    }
+    # the loads are on the boundary of those that can be balanced, so that rounding decides when it is found
+    with pytest.raises((NeutralEquilibrium, NoEquilibrium), match="slab and flap: .* joined plates can"):
+        solved(slab, flap, loads=[force(-2.0, y=1.0)], **joined)
+    held = solved(slab, flap, loads=[force(-2.0, y=1.0), {"kind": "uniform", "q": 5e3}], **joined)
+    assert held.certificate.holds
+
+
 def test_temperature_curls_the_plate_that_it_names() -> None:
     """On springs that may lift, a plate whose top is colder curls up at its ends; the other one stays as it is."""
     loads = [WEIGHT, {"kind": "temperature", "difference": 15.0, "plate": "east"}]

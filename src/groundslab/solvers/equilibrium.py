@@ -151,9 +151,10 @@ def _require_plates_held(problem: Problem, state: Integers, force: Array, pressi
     shares, directions = np.linalg.eigh(resisted.T @ (force[:, None] / size * resisted))
     loose = about @ motions @ directions[:, shares < NEUTRAL]
     if loose.shape[1]:
-        single = len(problem.plate.names) == 1
-        how = _movement(loose, 1 / scale[1], problem.origin)
-        moves = f"the plate {how}" if single else "the joined plates can move"
+        if len(problem.plate.names) == 1:
+            moves = f"the plate {_movement(loose, 1 / scale[1], problem.origin)}"
+        else:
+            moves = "the joined plates can move"
         raise NeutralEquilibrium(
             f"{prefix}the equilibrium is neutral: {moves} without any resistance, so that the settlement is one of "
             "many; support it there, add the load that decides where it comes to rest, or glue it to the ground with "

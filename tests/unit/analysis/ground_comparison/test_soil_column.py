@@ -99,6 +99,6 @@ def test_loads_beside_the_plate_are_left_out_on_springs() -> None:
     """They have no effect there; a note says so."""
     beside = {"kind": "patch", "q": 5e4, "x": (7, 10), "y": (-4, 4), "on": "ground"}
     given = model(loads=[{"kind": "uniform", "q": 1e4}, beside], beyond={"kind": "infinite"})
-    assert any("beside" in note for note in find_soil(given).notes)
+    assert any("Loads off the plate" in note for note in find_soil(given).notes)
     assert len(on_ground(given, Winkler(k=2e7)).loads) == 1
     assert len(on_ground(given, Vlasov(layers=[SOFT])).loads) == 2
