@@ -21,6 +21,7 @@ from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult
 from groundslab.verification import runner
 from groundslab.verification.runner import Case, Outcome
+from groundslab.views.plots import plot
 
 ROOT = Path(__file__).resolve().parent.parent
 GROUPS = {
@@ -164,7 +165,7 @@ def _page(
     if shown is not None:
         name, results = shown
         picture = f"{case.name}.png"
-        results.plot("settlement", "moment_x", to=folder / picture)
+        plot(results, "settlement", "moment_x", to=folder / picture)
         yield f"\n![Settlement and moment m_x of the model {name}]({picture})\n"
         picture = f"{case.name}-convergence.png"
         if convergence_plots.draw(case, outcomes, models[name], name, results, folder / picture):

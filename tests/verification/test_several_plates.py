@@ -174,7 +174,7 @@ def test_a_hinged_flap_without_load_is_neutral() -> None:
         "joints": [{"kind": "hinge", "between": ["slab", "flap"]}],
     }
     # the loads are on the boundary of those that can be balanced, so that rounding decides when it is found
-    with pytest.raises((NeutralEquilibrium, NoEquilibrium), match="slab and flap: .* joined plates can"):
+    with pytest.raises((NeutralEquilibrium, NoEquilibrium), match=r"slab and flap: .* joined plates can"):
         solved(slab, flap, loads=[force(-2.0, y=1.0)], **joined)
     held = solved(slab, flap, loads=[force(-2.0, y=1.0), {"kind": "uniform", "q": 5e3}], **joined)
     assert held.certificate.holds
