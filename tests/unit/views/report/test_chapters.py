@@ -232,7 +232,7 @@ class TestPdf:
         """A name that contradicts --pdf is refused."""
         folder = results_folder.save_results(synthetic.results(), tmp_path / "slab")
         assert cli.main(["report", str(folder), "--pdf", "--out", str(tmp_path / "slab.html")]) == 2
-        assert "ends with .pdf" in capsys.readouterr().err
+        assert "ends in .pdf" in capsys.readouterr().err
 
     def test_without_a_browser(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         """Where none can be started, the hint says what to install and what goes without."""
