@@ -78,13 +78,13 @@ def true_energy_error(coarse: Solution, fine: Solution, forces: Array) -> float:
     at = (N @ xy).reshape(-1, 2)
     dA = (jacobian(dN, xy)[2] * weights).ravel()
     element, place = locate(p.mesh, at)
-    D, S = p.bending[0], p.shear[0]
+    D, S = p.plate.bending[0], p.plate.shear[0]
     u = plate_unknowns(p, coarse.U)
     error = np.empty((len(at), 5))
     for number in np.unique(element):
         own = np.flatnonzero(element == number)
         nodes = p.mesh.xy[[number]]
-        matrices = plate.section_matrices(p.element, place[own], nodes, D[None], np.array([S]))[0]
+        matrices = plate.section_matrices(p.plate.element, place[own], nodes, D[None], np.array([S]))[0]
         error[own] = forces.reshape(-1, 5)[own] - matrices @ u[number]
     squares = np.einsum("pi,ij,pj->p", error[:, :3], np.linalg.inv(D), error[:, :3])
     return float(np.sqrt((dA * (squares + (error[:, 3:] ** 2).sum(axis=1) / S)).sum()))

@@ -94,7 +94,7 @@ def test_a_margin_that_matters_fails_the_certificate() -> None:
     assert right.certificate.margin_effect is not None
     assert right.certificate.margin_effect < 1e-4
     assert largest(solve(pasternak(None))) == pytest.approx(largest(right), rel=0.01)
-    with pytest.raises(NotCertified, match=r"make beyond\.width larger or mesh\.size smaller") as error:
+    with pytest.raises(NotCertified, match=r"increase beyond\.width or reduce mesh\.size") as error:
         solve(pasternak(0.5))
     results = error.value.results
     assert abs(largest(results) / largest(right) - 1) > 0.05
