@@ -94,6 +94,11 @@ def _line_segments(
     return make_segments(points, bulges)
 
 
+def _at_ends(start: float, end: float | None) -> tuple[float, float]:
+    """Return a value at the start and at the end of a line, the same one by default."""
+    return start, start if end is None else end
+
+
 class LineLoad(_Load):
     """A force per length along a line of straight pieces and arcs, or along the edge of a shape."""
 
@@ -111,14 +116,13 @@ class LineLoad(_Load):
     @property
     def magnitudes(self) -> tuple[Magnitude, ...]:
         """How large it is at its start and at its end."""
-        q_end = self.q if self.q_end is None else self.q_end
-        return (("q", self.q, "force per length"), ("q_end", q_end, "force per length"))
+        start, end = _at_ends(self.q, self.q_end)
+        return (("q", start, "force per length"), ("q_end", end, "force per length"))
 
     @property
     def acts(self) -> tuple[LineForce]:
         """The force along the line."""
-        edges = _line_segments(self.points, self.bulges, self.shape)
-        return (LineForce(edges, q=(self.q, self.q if self.q_end is None else self.q_end)),)
+        return (LineForce(_line_segments(self.points, self.bulges, self.shape), q=_at_ends(self.q, self.q_end)),)
 
 
 class LineMoment(_Load):
@@ -148,11 +152,10 @@ class LineMoment(_Load):
     @property
     def magnitudes(self) -> tuple[Magnitude, ...]:
         """How large it is at its start and at its end."""
-        m_end = self.m if self.m_end is None else self.m_end
-        return (("m", self.m, "moment per length"), ("m_end", m_end, "moment per length"))
+        start, end = _at_ends(self.m, self.m_end)
+        return (("m", start, "moment per length"), ("m_end", end, "moment per length"))
 
     @property
     def acts(self) -> tuple[LineForce]:
         """The couple along the line."""
-        edges = _line_segments(self.points, self.bulges, self.shape)
-        return (LineForce(edges, m=(self.m, self.m if self.m_end is None else self.m_end)),)
+        return (LineForce(_line_segments(self.points, self.bulges, self.shape), m=_at_ends(self.m, self.m_end)),)
