@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab import Model, NoEquilibrium, solve
+from groundslab import Model, NoEquilibrium, check_design, solve
 from groundslab.design import punching
 from groundslab.design.demands import line_properties
 from groundslab.design.result_tables import tables_of
@@ -157,12 +157,23 @@ def test_order_and_cases_change_nothing(ground: str) -> None:
 def test_order_of_columns_changes_nothing(ground: str) -> None:
     """Columns and their loads in another order carry and punch the same."""
     columns = [{"name": n, "x": x, "y": y, "width_x": 0.4, "width_y": 0.4} for n, x, y in (("a", 1, 1), ("b", 5, 3))]
-    loads = [{"kind": "point", "P": P, "column": n} for n, P in (("a", 3e5), ("b", 1e5))]
+    loads = [{"kind": "point", "P": P, "column": n, "case": "G"} for n, P in (("a", 3e5), ("b", 1e5))]
+    checked: dict[str, Any] = {
+        "cases": [{"name": "G"}],
+        "combinations": [{"name": "U", "limit_state": "ultimate", "factors": {"G": 1.35}}],
+        "reinforcement": {"concrete": "C30/37", "steel": "B500B", "bottom": (0.05, 0.06), "top": (0.05, 0.06)},
+    }
     one, other = (
-        solve(slab(ground, columns=some, loads=acting)).only
+        solve(slab(ground, columns=some, loads=acting, **checked))
         for some, acting in ((columns, loads), (columns[::-1], loads[::-1]))
     )
-    assert_same(one, other)
+    assert_same(one.only, other.only)
+    used, used_too = (
+        {(check.name, check.of): check.utilisation for check in check_design(results).checks if check.utilisation}
+        for results in (one, other)
+    )
+    assert any("punching" in name for name, _ in used)
+    assert used == pytest.approx(used_too, rel=1e-5)
 
 
 def test_columns_punch_alike_in_a_national_grid() -> None:
