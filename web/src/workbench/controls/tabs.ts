@@ -36,8 +36,6 @@ export function tabs(all: readonly Tab[], label: string, onChange: (name: string
     tab.panel.setAttribute("aria-labelledby", button.id);
     return button;
   });
-  const buttonOf = (name: string) => buttons[all.findIndex((tab) => tab.name === name)];
-  const reveal = () => buttonOf(current)?.scrollIntoView?.({ block: "nearest", inline: "nearest" });
   const show = (name: string) => {
     current = name;
     all.forEach((tab, n) => {
@@ -45,32 +43,30 @@ export function tabs(all: readonly Tab[], label: string, onChange: (name: string
       tab.panel.hidden = !on;
       buttons[n]?.setAttribute("aria-selected", String(on));
       buttons[n]?.setAttribute("tabindex", on ? "0" : "-1");
+      if (on) buttons[n]?.scrollIntoView?.({ block: "nearest", inline: "nearest" });
     });
-    reveal();
     onChange(name);
   };
   const bar = h("div", { class: "tabs", role: "tablist", "aria-label": label }, ...buttons);
   bar.addEventListener("keydown", (event) => {
     const step = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
     if (step === 0) return;
+    event.preventDefault(); // else the browser scrolls the bar, too, after the tab has been shown
     const offered = all.filter((_, n) => !buttons[n]?.hidden);
     const next = (offered.findIndex((tab) => tab.name === current) + step + offered.length) % offered.length;
     show(offered[next]?.name ?? current);
-    buttonOf(current)?.focus();
+    buttons[all.findIndex((tab) => tab.name === current)]?.focus();
   });
   const mark = (name: string, text: string, bad = false) => {
-    const badge = buttonOf(name)?.querySelector(".badge");
+    const badge = buttons[all.findIndex((tab) => tab.name === name)]?.querySelector(".badge");
     if (!badge) return;
     badge.textContent = text;
     badge.classList.toggle("bad", bad);
-    reveal();
   };
   const offer = (name: string, offered: boolean) => {
-    const button = buttonOf(name);
-    if (!button || button.hidden === !offered) return;
-    button.hidden = !offered;
+    const button = buttons[all.findIndex((tab) => tab.name === name)];
+    if (button) button.hidden = !offered;
     if (!offered && current === name) show(all[0]?.name ?? "");
-    else reveal();
   };
   show(current);
   return { bar, current: () => current, show, mark, offer };
