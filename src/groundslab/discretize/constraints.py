@@ -277,7 +277,7 @@ def node_at(plan: Layout, x: float, y: float) -> int:
 
 def nodes_along(plan: Layout, support: LineSupport) -> tuple[Integers, Array]:
     """Return the nodes along a line support, and the length that belongs to each [m]."""
-    sides = sides_along(plan.mesh, plan.mesh.elements[plan.plate_elements], list(itertools.pairwise(support.points)))
+    sides = sides_along(plan.mesh, plan.mesh.elements[plan.plate_elements], support.edges)
     length = np.linalg.norm(plan.mesh.nodes[sides[:, 1]] - plan.mesh.nodes[sides[:, 0]], axis=1)
     lengths = np.zeros(len(plan.mesh.nodes))
     np.add.at(lengths, sides, length[:, None] * SIMPSON)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -12,7 +12,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers, Memo
 from groundslab.errors import InputError, Issue
 from groundslab.fem.shape_functions import COLUMN, ROW, parallelograms, q9, unique_integers
-from groundslab.geometry.plan import SAME_PLACE, format_place
+from groundslab.geometry.plan import SAME_PLACE, Segment, format_place
 
 if TYPE_CHECKING:
     from shapely import STRtree
@@ -277,21 +277,21 @@ def sides_on_boundary(elements: Integers) -> Integers:
     return boundary
 
 
-def sides_along(mesh: Mesh, elements: Integers, lines: Sequence[tuple[Place, Place]]) -> Integers:
-    """Return the sides (s, 3: end, end, middle) of some elements (m, 9) that lie on straight lines, each once."""
+def sides_along(mesh: Mesh, elements: Integers, edges: Iterable[Segment]) -> Integers:
+    """Return the sides (s, 3: end, end, middle) of some elements (m, 9) that lie on edges, each once."""
     sides = elements[:, SIDES].reshape(-1, 3)
     one_of = np.full(len(mesh.nodes), -1)
     one_of[sides[::-1, 2]] = np.arange(len(sides))[::-1]
     sides = sides[one_of[one_of >= 0]]
-    place = mesh.nodes[sides]
     near = 10 * SAME_PLACE * float(np.ptp(mesh.nodes, axis=0).max())
+    middle = mesh.nodes[sides[:, 2]]
     on_any = np.zeros(len(sides), dtype=bool)
-    for start, end in lines:
-        a, b = np.array(start), np.array(end)
-        length = float(np.linalg.norm(b - a))
-        along = (b - a) / length
-        part, off = (place - a) @ along, np.abs((place - a) @ np.array([-along[1], along[0]]))
-        on_any |= ((off <= near) & (part >= -near) & (part <= length + near)).all(axis=1)
+    for edge in edges:
+        x0, x1, y0, y1 = edge.bounds
+        low = np.array((x0, y0))
+        high = np.array((x1, y1))
+        some = np.flatnonzero(((middle >= low - near) & (middle <= high + near)).all(axis=1) & ~on_any)
+        on_any[some] = (edge.distance(mesh.nodes[sides[some]].reshape(-1, 2)).reshape(-1, 3) <= near).all(axis=1)
     found: Integers = sides[on_any]
     return found
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -15,8 +15,8 @@ from groundslab.fem.load_vectors import nodal_area
 from groundslab.fem.mesh import SIDES, Mesh, bounding_boxes, locate, mirror, renumber_by_rows, sides_along
 from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import gauss, jacobian, q9, unique_integers
-from groundslab.geometry.plan import Place
-from groundslab.model.loads.acting import borders_of
+from groundslab.geometry.plan import Place, Segment
+from groundslab.model.loads.acting import LineForce, borders_of
 from groundslab.model.model import Model
 from groundslab.model.remarks.singular_places import near_places, singular_places
 from groundslab.results import patch_recovery
@@ -99,8 +99,8 @@ class DiscMeans:
 class ResultMesh:
     """A mesh of the plate for results, with what recovers section forces and mirrors the meshed part.
 
-    A node on the border of two sections or of a void, or along a line support, stands once for each side, so that
-    nothing is averaged across. Section forces are smooth in parts, which end at edges of loads, too.
+    A node on the border of two sections or of a void, or along a line load or support, stands once for each side, so
+    that nothing is averaged across. Section forces are smooth in parts, which end at edges of loads, too.
     """
 
     mesh: Mesh  # the meshed part of the plate by its sections
@@ -142,15 +142,10 @@ class ResultMesh:
 def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
     """Return the mesh for the results of a model."""
     elements, depth = problem.mesh.elements[problem.plate.elements], problem.contact.depths.dominant
-    supports = [(edge.start, edge.end) for support in model.supports for edge in support.edges]
-    at_supports = sides_along(problem.mesh, elements, supports)
-    at_loads = sides_along(
-        problem.mesh,
-        elements,
-        [(edge.start, edge.end) for _, shape in model.acting for edge in borders_of(shape) if edge.straight],
-    )
-    mesh, node = split_by_section(problem, at_supports, depth)
-    smooth, _ = split_by_section(problem, np.concatenate([at_supports, at_loads]))
+    jumps = sides_along(problem.mesh, elements, _lines_of_jumps(model))
+    kinks = sides_along(problem.mesh, elements, (edge for _, shape in model.acting for edge in borders_of(shape)))
+    mesh, node = split_by_section(problem, jumps, depth)
+    smooth, _ = split_by_section(problem, np.concatenate([jumps, kinks]))
     matrices, kind = section_matrices(problem)
     edges = edge_sides(problem)
     parts, points, images = smooth, q9(gauss(2)[0])[0] @ mesh.xy, list[tuple[int, Flags]]()
@@ -263,6 +258,15 @@ def _disc_points(centres: Array, radius: Array, singular: Sequence[Place]) -> tu
         squared = part[:, 0] + part[:, 1] / 2
     rows, offsets, weights = (np.concatenate(each) for each in zip(*found, strict=True))
     return rows, offsets, weights
+
+
+def _lines_of_jumps(model: Model) -> Iterator[Segment]:
+    """Yield the lines across which section forces jump: those that carry forces or couples, and line supports."""
+    for _, shape in model.acting:
+        if isinstance(shape, LineForce):
+            yield from shape.edges
+    for support in model.supports:
+        yield from support.edges
 
 
 def mirror_to_full(mesh: Mesh, symmetry: tuple[bool, bool]) -> MirroredMesh:

@@ -9,6 +9,7 @@ import pytest
 
 from groundslab.arrays import Flags
 from groundslab.fem.mesh import Mesh, grid, sides_along
+from groundslab.geometry.plan import Segment
 from groundslab.model.model import Model
 from groundslab.results.result_mesh import DiscMeans, _disc_points, make_disc_means, split_at
 
@@ -20,7 +21,7 @@ def groups_at(
     place: tuple[float, float], lines: list[tuple[tuple[float, float], tuple[float, float]]]
 ) -> set[frozenset[int]]:
     """Return the sets of elements that belong together at a node, with creases along lines."""
-    creases = sides_along(MESH, MESH.elements, lines)
+    creases = sides_along(MESH, MESH.elements, [Segment(*line) for line in lines])
     number = split_at(MESH.elements, creases, len(MESH.nodes))
     node = int(np.flatnonzero((MESH.nodes == place).all(axis=1))[0])
     at = [(element, number[element, local]) for element, local in zip(*np.nonzero(MESH.elements == node), strict=True)]
@@ -46,7 +47,7 @@ def test_sides_of_walls(place: tuple[float, float], lines: list, groups: list[se
 
 def test_without_creases_all_belong_together() -> None:
     """The number is 0 everywhere off the creases."""
-    creases = sides_along(MESH, MESH.elements, [((2.0, 0.0), (2.0, 1.0))])
+    creases = sides_along(MESH, MESH.elements, [Segment((2.0, 0.0), (2.0, 1.0))])
     number = split_at(MESH.elements, creases, len(MESH.nodes))
     on = np.isin(MESH.elements, creases)
     assert not number[~on].any()
