@@ -1,37 +1,38 @@
 """The largest discretization error of the values that are judged: extremes of the fields, and what supports carry.
 
-Where moments and shear forces have no limit as the mesh is refined, their means are judged (`singular_places`); where
-other values have none, they are not (`singularities`).
+Errors are judged against what governs: the largest displacement, principal moment, shear force, pressure and support
+force of the slab over all combinations. Of what is nothing beside these nothing is asked. Where moments and shear
+forces have no limit as the mesh is refined, their means are judged (`singular_places`); where other values have none,
+they are not (`singularities`).
 """
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from groundslab.accuracy.singularities import find_limits
 from groundslab.accuracy.values import add_errors, estimate_error
-from groundslab.arrays import Array, Memo
+from groundslab.arrays import Array, Flags, Memo
 from groundslab.results.fields import PLATE_FIELDS, extreme_node, place_of
+from groundslab.results.record import LargestValues
 
 if TYPE_CHECKING:
-    from groundslab.results.results import CombinationResult
+    from groundslab.results.mesh_results import PlateResult
+    from groundslab.results.results import CombinationResult, Comparison
 
-#: Fields of which the largest and the smallest value are judged, or the largest size.
-BOTH_SIGNS = ("settlement", "pressure", "moment_x", "moment_y")
-SIZES = ("gap", "moment_xy", "shear_x", "shear_y")
-#: Of these, fields that are not judged everywhere, see `singularities.Limits`.
-LIMITED = {"shear_x": "shear_forces", "shear_y": "shear_forces", "pressure": "pressures"}
-#: Values below this share of the largest of their unit are rounding.
-NOTHING = 1e-9
+#: Fields whose largest and smallest values are judged, or their largest size, and against what.
+BOTH_SIGNS = {"settlement": "displacement", "pressure": "pressure", "moment_x": "moment", "moment_y": "moment"}
+SIZES = {"gap": "displacement", "moment_xy": "moment", "shear_x": "shear", "shear_y": "shear"}
+AGAINST = BOTH_SIGNS | SIZES
 
 
 @dataclass(frozen=True, slots=True)
 class JudgedValue:
-    """An error as a share of the largest value of its quantity, the value [SI], its name and place [m].
+    """An error as a share of what governs, the value [SI], its name and place [m].
 
     Around are the places (p, 2) of all nodal values that may exceed it by at least half as much, none of other values.
     """
@@ -44,62 +45,84 @@ class JudgedValue:
 
 
 def judge(results: CombinationResult) -> list[JudgedValue]:
-    """Return the judged values with their errors, the largest first; none without a coarser mesh to compare.
-
-    Of what nearly vanishes no share is told: each is one of the largest value of the same quantity.
-    """
-    if results.coarser is None:
+    """Return the judged values with their errors, the largest first; none without a coarser mesh to compare."""
+    if results.comparison is None:
         return []
-    return _JUDGED.get(results.plate.settlement, results.comparison, lambda: _judge(results))
+    return _JUDGED.get(results.comparison, results.largest, lambda: _judge(results))
 
 
 def _judge(results: CombinationResult) -> list[JudgedValue]:
     """Return the judged values with their errors, the largest first."""
-    of_quantity, of_unit = defaultdict[str, float](float), defaultdict[str, float](float)
-    found = [*judged_values(results)]
-    for unit, each in found:
-        of_quantity[each.label] = max(of_quantity[each.label], abs(each.value))
-        of_unit[unit] = max(of_unit[unit], abs(each.value))
-    judged = [
-        replace(each, share=each.share / of_quantity[each.label])
-        for unit, each in found
-        if of_quantity[each.label] > NOTHING * of_unit[unit]
-    ]
-    return sorted(judged, key=lambda each: -each.share)
+    largest = results.largest or find_largest([results])
+    values = ((getattr(largest, against), value) for against, value in judged_values(results))
+    judged = (replace(value, share=value.share / size) for size, value in values if size > 0)
+    return sorted(judged, key=lambda value: -value.share)
+
+
+def find_largest(combinations: Collection[CombinationResult]) -> LargestValues | None:
+    """Return the largest values over some combinations, None of none."""
+    sizes = [_sizes(results) for results in combinations]
+    if not sizes:
+        return None
+    return LargestValues(
+        **{item.name: max(getattr(size, item.name) for size in sizes) for item in fields(LargestValues)}
+    )
+
+
+def _sizes(results: CombinationResult) -> LargestValues:
+    """Return the largest values of one combination."""
+    plate = results.plate
+    limits = find_limits(results.solved_model, plate)
+    mean = (plate.moment_x + plate.moment_y) / 2
+    deviator = np.hypot((plate.moment_x - plate.moment_y) / 2, plate.moment_xy)
+    shear = np.hypot(plate.shear_x, plate.shear_y)
+    return LargestValues(
+        displacement=float(max(np.abs(plate.settlement).max(), plate.gap.max())),
+        moment=float((np.abs(mean) + deviator).max()),
+        shear=float(shear[limits.shear_forces].max(initial=0.0)),
+        pressure=float(np.abs(plate.pressure[limits.pressures]).max(initial=0.0)),
+        contact=plate.contact_share,
+        support=max((abs(support.total) for support in results.supports), default=0.0),
+    )
 
 
 def judged_values(results: CombinationResult) -> Iterator[tuple[str, JudgedValue]]:
-    """Yield the unit and each judged value of results with a coarser mesh, with its error [SI] as the share.
+    """Yield each judged value of results with a coarser mesh, with its error [SI] as the share, and against what.
 
     The places of extremes are those where they may lie if nodal values have their errors, see `error_of_largest`.
     """
-    from groundslab.accuracy.singularities import find_limits
-
     plate, coarser, comparison = results.plate, results.coarser, results.comparison
     assert coarser is not None
     assert comparison is not None
-    nodes = plate.nodes
-    limits = find_limits(results.solved_model, nodes, plate.in_contact)
-    for name in (*BOTH_SIGNS, *SIZES):
-        about, field = PLATE_FIELDS[name], getattr(plate, name)
-        judged = getattr(limits, LIMITED[name]) if name in LIMITED else np.ones(len(nodes), dtype=bool)
-        if not judged.any():
-            continue
-        own, other, at = field[judged], getattr(coarser.plate, name)[judged], nodes[judged]
+    limits = find_limits(results.solved_model, plate)
+    judged_at = {"pressure": limits.pressures, "shear_x": limits.shear_forces, "shear_y": limits.shear_forces}
+    for name, against in AGAINST.items():
+        nodes = judged_at.get(name, np.ones(len(plate.nodes), dtype=bool))
         for sign in (1, -1) if name in BOTH_SIGNS else (1,):
-            values, before = (np.abs(own), np.abs(other)) if name in SIZES else (sign * own, sign * other)
-            most = add_errors(values, before, comparison)
-            node, value = extreme_node(at, most, 1), float(values.max())
-            error = float(most[node]) - value
-            around = at[most >= value + error / 2]
-            yield about.dimension, JudgedValue(error, sign * value, about.label, place_of(at, node), around)
+            if nodes.any():
+                yield against, _extreme(name, sign, nodes, plate, coarser.plate, comparison)
     share = plate.contact_share
     error = estimate_error(share, coarser.plate.contact_share, comparison)
-    yield "share", JudgedValue(error, share, "area in contact", None)
-    for support, before_it in zip(results.supports, coarser.supports, strict=True):
-        error = estimate_error(support.total, before_it.total, comparison)
+    yield "contact", JudgedValue(error, share, "area in contact", None)
+    for support, before in zip(results.supports, coarser.supports, strict=True):
+        error = estimate_error(support.total, before.total, comparison)
         middle = place_of(support.nodes.mean(axis=0)[None], 0) if len(support.nodes) else None
-        yield "force", JudgedValue(error, support.total, "force of supports", middle)
+        yield "support", JudgedValue(error, support.total, "force of supports", middle)
+
+
+def _extreme(
+    name: str, sign: int, judged: Flags, plate: PlateResult, coarser: PlateResult, comparison: Comparison
+) -> JudgedValue:
+    """Return the largest (sign 1) or smallest value of a field at judged nodes (n,), or the largest of its sizes."""
+    nodes = plate.nodes[judged]
+    values, before = (getattr(mesh, name)[judged] for mesh in (plate, coarser))
+    values, before = (np.abs(values), np.abs(before)) if name in SIZES else (sign * values, sign * before)
+    most = add_errors(values, before, comparison)
+    node = extreme_node(nodes, most, 1)
+    value = float(values.max())
+    error = float(most[node]) - value
+    around = nodes[most >= value + error / 2]
+    return JudgedValue(error, sign * value, PLATE_FIELDS[name].label, place_of(nodes, node), around)
 
 
 #: Judged values of results, which are asked for more than once.

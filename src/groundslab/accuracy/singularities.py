@@ -16,6 +16,7 @@ from groundslab.model.remarks.singular_places import corners_of, near_places, ne
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
+    from groundslab.results.mesh_results import PlateResult
 
 #: Values are judged so many thicknesses away from there.
 AWAY = 1.0
@@ -35,23 +36,30 @@ class Limits:
 _WITHOUT_CONTACT: Memo[Limits] = Memo()
 
 
-def find_limits(model: Model, nodes: Array, in_contact: Flags) -> Limits:
-    """Return at which nodes (n, 2) shear forces and pressures are judged.
+def find_limits(model: Model, plate: PlateResult) -> Limits:
+    """Return at which nodes of the plate (n,) shear forces and pressures are judged.
 
     Shear forces around footprints and where they are singular, at the plate's corners too if ground with shear goes on
-    beyond them, have no meaning in design, where punching is checked instead. Pressures on ground without shear follow
-    the settlement; with shear they have no limit where section forces have none, and jump where loads, lines, zones and
-    voids begin, and around where the plate has lifted off. There they are zero, but may not be so on a coarser mesh.
+    beyond them, have no meaning in design, where punching is checked instead. Nor have those within a thickness of the
+    plate's edges, a quarter of the width of a narrow plate, where they are what the twisting moment has become.
+    Pressures on ground without shear follow the settlement; with shear they have no limit where section forces have
+    none, and jump where loads, lines, zones and voids begin, and around where the plate has lifted off. There they are
+    zero, but may not be so on a coarser mesh. So they do along edges at which the ground would pull: a strip lifts off
+    there, narrower than any element.
     On an elastic continuum they have no limit along the edges of the plate.
     """
-    limits = _WITHOUT_CONTACT.get(nodes, model, lambda: _without_contact(model, nodes))
-    if not model.ground_carries_shear or in_contact.all():
+    limits = _WITHOUT_CONTACT.get(plate.nodes, model, lambda: _without_contact(model, plate.nodes))
+    if not model.ground_carries_shear or not model.contact.tensionless:
+        return limits
+    pulled = plate.in_contact & (plate.edge_length > 0) & (plate.line_force <= 0)
+    lifted = ~plate.in_contact | (pulled & (not isinstance(model.ground, ContinuousGround)))
+    if not lifted.any():
         return limits
     from scipy.spatial import KDTree
 
-    reach = AWAY * max(plate.thickness for plate in model.every_plate)
-    distance, _ = KDTree(nodes[~in_contact]).query(nodes, distance_upper_bound=1.001 * reach)
-    return Limits(limits.shear_forces, limits.pressures & ((distance > reach) | ~in_contact))
+    reach = AWAY * max(sheet.thickness for sheet in model.every_plate)
+    distance, _ = KDTree(plate.nodes[lifted]).query(plate.nodes, distance_upper_bound=1.001 * reach)
+    return Limits(limits.shear_forces, limits.pressures & ((distance > reach) | ~plate.in_contact))
 
 
 def _without_contact(model: Model, nodes: Array) -> Limits:
@@ -64,7 +72,9 @@ def _without_contact(model: Model, nodes: Array) -> Limits:
         singular |= near_places(
             [place for plate in model.every_plate for place in corners_of(plate.ring(), None)], nodes, within
         )
-    shear_forces = ~(singular | _near(nodes, footprints, reach))
+    edges = [edge for plate in model.every_plate for ring in plate.rings() for edge in ring.segments()]
+    narrowest = min(min(plate.sides) for plate in model.every_plate)
+    shear_forces = ~(singular | _near(nodes, footprints, reach) | _near(nodes, edges, min(reach, narrowest / 4)))
     if not model.ground_carries_shear:
         return Limits(shear_forces, np.ones(len(nodes), dtype=bool))
     return Limits(shear_forces, ~(singular | _near(nodes, [*_creases(model)], reach)))

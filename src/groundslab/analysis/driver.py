@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
+from groundslab.accuracy.judgment import find_largest
 from groundslab.analysis.adaptivity import solve_adaptively
 from groundslab.analysis.load_step import OnStep
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions
@@ -196,7 +197,9 @@ def _collect(model: Model, tasks: Mapping[Combination, Task], outcomes: Mapping[
             refused[name] = outcome
         else:
             results[name] = outcome
-    return Results(model, tuple(tasks), results, refused)
+    largest = find_largest(results.values())
+    judged = {name: replace(found, largest=largest) for name, found in results.items()}
+    return Results(model, tuple(tasks), judged, refused)
 
 
 def _with(outcome: Outcome, **changes: Any) -> Outcome:

@@ -17,8 +17,8 @@ from groundslab.model.model import Model
 if TYPE_CHECKING:
     from shapely import LineString
 
-#: A border or line that passes another one this close is not followed: by this share of its shorter side, or of the
-#: plate's thickness for a line.
+#: A border or line that passes another one this close is not followed: by this share of the plate's thickness, of
+#: twice the thickness for a border, or of the border's shorter side if that is less.
 CLEAR = 0.25
 
 #: A straight line from one place to another.
@@ -35,9 +35,10 @@ def follow_loads(plan: Plan, model: Model) -> Plan:
     if not meshing.available():
         return plan
     shapes = [shape for _, shape in model.acting]
-    rings = dict.fromkeys(ring for shape in shapes for ring in rings_of(shape))
-    edges = [edge for shape in shapes if isinstance(shape, LineForce) for edge in shape.edges]
-    lines = dict.fromkeys((edge.start, edge.end) for edge in edges if edge.straight)
+    loaded = [shape for shape in shapes if isinstance(shape, LineForce)]
+    around = [shape.ring for shape in loaded if shape.closed and not shape.straight]
+    rings = dict.fromkeys([*(ring for shape in shapes for ring in rings_of(shape)), *around])
+    lines = dict.fromkeys((edge.start, edge.end) for shape in loaded for edge in shape.edges if edge.straight)
     thinnest = min(plate.thickness for plate in model.every_plate)
     return _follow(plan, tuple(rings)[:MOST_BORDERS], tuple(lines)[:MOST_BORDERS], thinnest)
 
@@ -57,7 +58,9 @@ def _follow(plan: Plan, rings: tuple[Ring, ...], lines: tuple[Line, ...], thickn
             there.append(own)
         return clear
 
-    followed = [ring for ring in rings if is_clear(ring.polygon(chord).exterior, CLEAR * min(ring.sides))]
+    followed = [
+        ring for ring in rings if is_clear(ring.polygon(chord).exterior, CLEAR * min(*ring.sides, 2 * thickness))
+    ]
     straight = [line for line in lines if is_clear(LineString(line), CLEAR * thickness)]
     return _add_lines(add_borders(plan, (*plan.borders, *followed)), tuple(straight))
 

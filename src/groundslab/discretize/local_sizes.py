@@ -25,18 +25,18 @@ PLACES_PER_SIDE = 2
 SURE = 0.72
 #: Largest number of such places in one part.
 MOST_PLACES = 100_000
-#: Footprints are to have more than so many elements across: two of the next coarser mesh, which are halved.
-ACROSS = 2.5
-#: The first of adaptive meshes has no elements larger than the elastic length, along free edges, where shear forces
-#: change within a thickness, than the thickness; but for them at most so many on the shorter side.
+#: Footprints are to have so many elements across: one of the next coarser mesh, which is halved.
+ACROSS = 2.0
+#: The first of adaptive meshes has no elements larger than the elastic length, but for it at most so many on the
+#: shorter side.
 MOST_ON_SHORT_SIDE = 96
 
 
 def local_sizes(model: Model) -> LocalExtents | None:
     """Return places (k, 2) [m] with the extents (k, 2) [m] that elements have there at most, None without such places.
 
-    Footprints, elastic length and thickness count where the mesh is adaptive: elements that do not see them cannot tell
-    their error either. Free edges limit the extent across them.
+    Footprints and elastic length count where the mesh is adaptive: elements that do not see them cannot tell their
+    error either.
     """
     found: list[tuple[Array, float | Array]] = []
     found += [(_places(part.shape.ring(), part.size), SURE * part.size) for part in model.mesh.refine]
@@ -51,15 +51,13 @@ def local_sizes(model: Model) -> LocalExtents | None:
 
 
 def _sizes_on(plate: AnyPlate, model: Model) -> Iterator[tuple[Array, float | Array]]:
-    """Yield places (p, 2) on a plate and along its edges, with sizes or extents (2,) of elements [m] there."""
+    """Yield places (p, 2) on a plate with the size of elements [m] there, if it is less than usual."""
     shortest = min(plate.sides)
     least, usual = shortest / MOST_ON_SHORT_SIDE, shortest / SHORT_SIDE_ELEMENTS
-    size, edge_size = max(_elastic_length(plate, model), least), max(plate.thickness, least)
+    size = max(_elastic_length(plate, model), least)
     if size < usual or model.plates:
         size = min(size, usual)
         yield _places(plate.ring(), size), size
-    for ring in plate.rings():
-        yield from _across(ring, edge_size)
 
 
 def _elastic_length(plate: AnyPlate, model: Model) -> float:
@@ -69,16 +67,6 @@ def _elastic_length(plate: AnyPlate, model: Model) -> float:
     grounds = [each if isinstance(each, Column) else each.first_column() for each in grounds_of(model)]
     k = max(1 / float(np.linalg.inv(column.A0)[0, 0]) for column in grounds)
     return float((min(bending_rigidity(*part)[0, 0] for part in parts) / k) ** 0.25)
-
-
-def _across(ring: Ring, size: float) -> Iterator[tuple[Array, Array]]:
-    """Yield places (p, 2) along each edge of a ring, with extents (2,) [m] of a size across it."""
-    for edge in ring.segments():
-        extents = np.full(2, size)
-        if edge.straight and edge.along_axis:
-            extents[int(edge.start[0] == edge.end[0])] = np.inf
-        n = max(1, math.ceil(edge.length / size))
-        yield edge.at(np.linspace(0, 1, n + 1)), extents
 
 
 def _places(ring: Ring, size: float) -> Array:

@@ -53,7 +53,7 @@ def sources(plan: Plan, size: float, edge_size: float) -> Sources:
         if gap > 2 * same:
             n = min(MAX_SOURCES, math.ceil(2 * edges[i].length / gap) + 1)
             where = edges[i].at(np.linspace(0, 1, n))
-            ask(where, edges[j].distance(where) / 2)
+            ask(where, edges[j].distance(where))
     for ring in plan.edges_on_ground():
         where = along(ring, edge_size)
         ask(where, np.full(len(where), edge_size))

@@ -33,7 +33,7 @@ from groundslab.schema.repairs import remove, set_value, use_nearest
 from groundslab.schema.wording import describe, one_of, quote, suggestion
 
 MOST_SURFACES = 200  # each couples with all others at every node
-SHORT_SIDE_ELEMENTS = 24  # of the first mesh, where none is described
+SHORT_SIDE_ELEMENTS = 12  # of the first mesh, where none is described
 
 
 def estimate_elements(plate: Plate, plates: tuple[FurtherPlate, ...], mesh: Mesh) -> float:

@@ -44,6 +44,34 @@ class SupportResult:
 
 
 @dataclass(frozen=True, slots=True)
+class LargestValues:
+    """The largest size of each quantity over all combinations, against which discretization errors are judged.
+
+    Attributes
+    ----------
+    displacement : float
+        The largest settlement, uplift or gap [m].
+    moment : float
+        The largest principal moment [N m/m].
+    shear : float
+        The largest shear force in any direction [N/m], where shear forces are judged.
+    pressure : float
+        The largest contact pressure [Pa], where pressures are judged.
+    contact : float
+        The largest share of the area in contact.
+    support : float
+        The largest force of a support [N].
+    """
+
+    displacement: float
+    moment: float
+    shear: float
+    pressure: float
+    contact: float
+    support: float
+
+
+@dataclass(frozen=True, slots=True)
 class JointResult:
     """A joint of two plates: what it carries at each of the k places along its line.
 

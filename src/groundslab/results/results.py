@@ -11,7 +11,7 @@ from groundslab.errors import GroundslabError, InputError, Issue, NoEquilibrium,
 from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-from groundslab.results.record import Certificate, Constants, JointResult, Step, SupportResult
+from groundslab.results.record import Certificate, Constants, JointResult, LargestValues, Step, SupportResult
 from groundslab.schema.wording import listed, quote
 from groundslab.units import format_number
 
@@ -62,7 +62,7 @@ class OnlyPart(Generic[Part]):
         return part
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, weakref_slot=True)
 class Comparison:
     """What elements twice as large give, at the nodes of the finer mesh, and the discretization error in energy.
 
@@ -137,6 +137,8 @@ class CombinationResult:
         The states under smaller shares of the load, if it was applied in increments.
     comparison : Comparison or None
         What elements twice as large give, by which discretization errors are estimated.
+    largest : LargestValues or None
+        The largest values over all combinations, against which these errors are judged; None before all are solved.
     """
 
     model: Model
@@ -157,6 +159,7 @@ class CombinationResult:
     joints: tuple[JointResult, ...] = ()
     increments: tuple[Increment, ...] = ()
     comparison: Comparison | None = None
+    largest: LargestValues | None = None
 
     @property
     def symmetry(self) -> tuple[bool, bool]:

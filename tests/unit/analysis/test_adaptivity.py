@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from groundslab.analysis.driver import Variants
 from groundslab.discretize.local_sizes import local_sizes
 from groundslab.fem.shape_functions import areas
 from groundslab.model.remarks.singular_places import near_singular
+from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult
 from groundslab.views.summary.discretization import coarse_words
 
@@ -35,6 +37,13 @@ def sides(results: CombinationResult) -> np.ndarray:
     """Return the sides of the plate's elements [m]."""
     found: np.ndarray = np.sqrt(areas(results.plate.nodes[results.plate.elements]))
     return found
+
+
+def plate_at(places: np.ndarray, **fields: Any) -> PlateResult:
+    """Return a plate of which nothing is known but nodes, whether they touch, and what is given."""
+    zero = np.zeros(len(places))
+    known = {each.name: zero for each in dataclasses.fields(PlateResult)} | {"nodes": places, "in_contact": zero == 0}
+    return PlateResult(**known | {name: np.array(values) for name, values in fields.items()})
 
 
 def near(results: CombinationResult, x: float, y: float, reach: float) -> np.ndarray:
@@ -130,9 +139,7 @@ def test_footprints_count_where_the_mesh_is_adaptive() -> None:
     """With a share of its side, in its middle, at its corners and between; with a size there are none."""
     model = slab({"accuracy": 0.05})
     places, extents = local_sizes(model) or pytest.fail("no places")
-    along_edges = np.isinf(extents).any(axis=1)
-    places, extents = places[~along_edges], extents[~along_edges]
-    np.testing.assert_allclose(extents, np.full((27, 2), 0.06))
+    np.testing.assert_allclose(extents, np.full((27, 2), 0.075))
     for k, load in enumerate(LEGS):
         offset = places[9 * k : 9 * k + 9] - [load["x"], load["y"]]
         np.testing.assert_allclose(np.unique(np.abs(offset).round(9)), [0.0, 0.075])
@@ -159,8 +166,9 @@ def test_where_section_forces_are_singular() -> None:
     places = np.array([(1.0, 0.0), (1.1, 0.0), (1.3, 0.0), (-3.0, 2.1), (-3.0, 2.3), (5.0, 3.0)])
     singular = near_singular(model, places, np.full(len(places), model.plate.thickness))
     assert singular.tolist() == [True, True, False, True, False, False]
-    found = find_limits(model, places, np.full(len(places), True))
-    assert found.shear_forces.tolist() == (~singular).tolist()
+    found = find_limits(model, plate_at(places))
+    at_the_edge = places[:, 0] == 5.0
+    assert found.shear_forces.tolist() == (~singular & ~at_the_edge).tolist()
     assert found.pressures.all()
 
 
@@ -173,14 +181,25 @@ def test_pressures_of_ground_with_shear_jump_where_loads_begin() -> None:
     model = slab({"size": 0.5}, ground={"kind": "pasternak", "k0": 2e7, "k1": 1e7}, loads=loads)
     reach = model.plate.thickness
     places = np.array([(-1.0, 1.0 + 0.9 * reach), (-1.0, 1.0 + 1.1 * reach), (2.0, 0.0), (2.0, 1.0 + 0.9 * reach)])
-    found = find_limits(model, places, np.full(len(places), True))
+    found = find_limits(model, plate_at(places))
     assert found.shear_forces.tolist() == [True, True, True, False]
     assert found.pressures.tolist() == [False, True, False, False]
     # around a node that has lifted off the pressure jumps, too; there it is zero
-    found = find_limits(model, places, np.array([True, False, True, True]))
+    found = find_limits(model, plate_at(places, in_contact=[True, False, True, True]))
     assert found.pressures.tolist() == [False, True, False, False]
-    found = find_limits(model, places, np.array([False, False, False, True]))
+    found = find_limits(model, plate_at(places, in_contact=[False, False, False, True]))
     assert found.pressures.tolist() == [False, True, False, False], "touching elsewhere on another mesh"
+
+
+def test_pressures_are_not_judged_where_a_strip_along_the_edge_would_lift_off() -> None:
+    """At an edge node without a line force, and within a thickness of it; beside one that has a line force they are."""
+    ground = {"kind": "pasternak", "k0": 2e7, "k1": 1e7}
+    model = slab({"size": 0.5}, ground=ground, contact={"tensionless": True}, loads=[{"kind": "uniform", "q": 1e4}])
+    places = np.array([(5.0, 0.0), (4.9, 0.0), (4.5, 0.0)])
+    found = find_limits(model, plate_at(places, edge_length=[0.5, 0.0, 0.0], line_force=[0.0, 0.0, 0.0]))
+    assert found.pressures.tolist() == [False, False, True]
+    found = find_limits(model, plate_at(places, edge_length=[0.5, 0.0, 0.0], line_force=[10.0, 0.0, 0.0]))
+    assert found.pressures.all()
 
 
 def test_a_mesh_is_adaptive_unless_it_is_described() -> None:
@@ -193,25 +212,19 @@ def test_a_mesh_is_adaptive_unless_it_is_described() -> None:
 
 
 def test_first_elements_are_no_larger_than_the_elastic_length() -> None:
-    """(D / k)^(1/4) all over a large plate; on a small one 24 elements on the shorter side are smaller anyway.
+    """(D / k)^(1/4) all over a large plate; on a small one 12 elements on the shorter side are smaller anyway.
 
-    Across free edges no larger than the thickness; for neither are there more than 96 on the shorter side.
+    For it there are no more than 96 on the shorter side.
     """
     large = {"length_x": 60.0, "length_y": 40.0, "thickness": 0.2, "E": 30e9, "nu": 0.2}
     uniform = [{"kind": "uniform", "q": 1e4}]
-    places, extents = local_sizes(slab({}, plate=large, loads=uniform)) or pytest.fail("no places")
     length = (30e9 * 0.2**3 / 12 / (1 - 0.2**2) / 50e6) ** 0.25
-    inner = np.isclose(extents, length).all(axis=1)
-    assert np.ptp(places[inner], axis=0) == pytest.approx([60, 40])
-    for axis, half in enumerate((30, 20)):
-        across = np.isclose(extents[:, axis], 40 / 96)
-        np.testing.assert_allclose(np.abs(places[across, axis]), half)
-        assert np.ptp(places[across, 1 - axis]) == pytest.approx([40, 60][axis])
-        assert np.isinf(extents[across, 1 - axis]).all()
-    small = slab({}, loads=uniform)
-    places, extents = local_sizes(small) or pytest.fail("no places")
-    np.testing.assert_allclose(extents.min(axis=1), small.plate.thickness)
-    assert np.ptp(places, axis=0) == pytest.approx(small.plate.sides)
+    for thickness, expected in ((0.2, length), (0.02, 40 / 96)):
+        plate = large | {"thickness": thickness}
+        places, extents = local_sizes(slab({}, plate=plate, loads=uniform)) or pytest.fail("no places")
+        np.testing.assert_allclose(extents, expected)
+        assert np.ptp(places, axis=0) == pytest.approx([60, 40])
+    assert local_sizes(slab({}, loads=uniform)) is None
 
 
 def test_shear_forces_alone_are_refined_around_their_places() -> None:

@@ -93,13 +93,22 @@ class LineForce:
         return all(edge.straight for edge in self.edges)
 
     @property
+    def closed(self) -> bool:
+        """Whether the line ends where it starts."""
+        return math.dist(self.edges[0].start, self.edges[-1].end) <= SMOOTH * self.length
+
+    @property
+    def ring(self) -> Ring:
+        """The curve along a closed line."""
+        return Ring(tuple(edge.start for edge in self.edges), tuple(math.tan(edge.sweep / 4) for edge in self.edges))
+
+    @property
     def corners(self) -> tuple[Place, ...]:
         """The ends of the line, and where it bends."""
-        closed = math.dist(self.edges[0].start, self.edges[-1].end) <= SMOOTH * self.length
         joints = list(zip(self.edges, self.edges[1:], strict=False))
-        if closed:
+        if self.closed:
             joints.append((self.edges[-1], self.edges[0]))
-        ends = () if closed else (self.edges[0].start, self.edges[-1].end)
+        ends = () if self.closed else (self.edges[0].start, self.edges[-1].end)
         return (*ends, *(after.start for before, after in joints if _bends(before, after)))
 
     def flat(self, chord: float) -> Array:

@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Flags
-from groundslab.geometry.plan import Place, Ring
+from groundslab.geometry.plan import FLAT, Place, Ring
 from groundslab.model.loads.acting import LineForce, PointForce
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
     from groundslab.model.plate import Plate
+    from groundslab.model.plates.further import AnyPlate
 
 #: Within so many thicknesses of them section forces are reported as means over a width.
 REACH = 1.0
@@ -52,8 +53,8 @@ def singular_places(model: Model) -> dict[str, list[Place]]:
     """Return the places at which moments have no limit, by what is there.
 
     Forces and supports without a footprint, the ends and bends of line loads and line supports, and corners: those that
-    point into the plate, those of zones of other thickness or material, and those between a clamped and a free edge
-    (Williams 1952).
+    point into the plate, those of zones of other thickness or material, where the border of such a zone meets the
+    plate's edge, and corners between a clamped and a free edge (Williams 1952).
     """
     plates = model.every_plate
     ends = [place for _, shape in model.acting if isinstance(shape, LineForce) for place in shape.corners]
@@ -62,7 +63,7 @@ def singular_places(model: Model) -> dict[str, list[Place]]:
     for plate in plates:
         corners += corners_of(plate.ring(), 1)
         corners += [place for each in plate.openings for place in corners_of(each.ring(), -1)]
-        corners += [place for zone in plate.zones for place in corners_of(zone.shape.ring(), None)]
+        corners += [place for zone in plate.zones for place in _corners_of_zone(zone.shape.ring(), plate)]
     found = {
         "forces without a footprint": [*forces_without_footprint(model)],
         "point supports": [support.points[0] for support in model.supports if not support.edges],
@@ -87,6 +88,20 @@ def _between_edges(plate: Plate) -> Iterator[Place]:
         for y, level in ((y0, edges.bottom), (y1, edges.top)):
             if {upright, level} == {"clamped", "free"}:
                 yield x, y
+
+
+def _corners_of_zone(ring: Ring, plate: AnyPlate) -> Iterator[Place]:
+    """Yield the corners of a zone that lie on the plate, and where its border meets the plate's edges."""
+    import shapely
+
+    chord = FLAT * max(plate.sides)
+    edges = shapely.union_all([edge.polygon(chord).exterior for edge in plate.rings()])
+    sheet = plate.ring().polygon(chord).buffer(chord)
+    for place in corners_of(ring, None):
+        if sheet.intersects(shapely.Point(place)):
+            yield place
+    for part in shapely.get_parts(ring.polygon(chord).exterior.intersection(edges)):
+        yield from ((float(x), float(y)) for x, y in shapely.get_coordinates(part.boundary if part.length else part))
 
 
 def corners_of(ring: Ring, side: int | None) -> Iterator[Place]:

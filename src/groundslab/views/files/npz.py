@@ -17,7 +17,7 @@ from groundslab.errors import InputError, Issue
 from groundslab.fem.continuum.pressed_cells import PressedCells
 from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-from groundslab.results.record import Certificate, Constants, JointResult, Step, SupportResult
+from groundslab.results.record import Certificate, Constants, JointResult, LargestValues, Step, SupportResult
 from groundslab.results.results import CombinationResult, Comparison, Increment
 from groundslab.views.files.validation import require_sound
 
@@ -66,6 +66,7 @@ class _About:
     joints: tuple[str, ...]
     increments: tuple[float, ...]
     comparison: tuple[float, float, Constants] | None  # error in energy, its reduction, the coarser mesh's constants
+    largest: LargestValues | None
 
 
 #: What an archive says of results as they have it themselves.

@@ -66,7 +66,7 @@ def _not_judged(results: CombinationResult) -> tuple[str, ...]:
     """Return in words which values are not among those that are judged, nothing where all are."""
     from groundslab.accuracy.singularities import find_limits
 
-    limits = find_limits(results.solved_model, results.plate.nodes, results.plate.in_contact)
+    limits = find_limits(results.solved_model, results.plate)
     words = {
         "shear forces around footprints and where they are singular": limits.shear_forces,
         "pressures where they jump or have no limit": limits.pressures | ~limits.shear_forces,
