@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 from groundslab.errors import InputError, Issue
@@ -16,6 +17,7 @@ from groundslab.workbench.checking.bounded_process import (
     TimeLimit,
 )
 from groundslab.workbench.checking.parsing import CheckResult
+from groundslab.workbench.checking.revision import Revision
 from groundslab.workbench.editing import diagnostics
 from groundslab.workbench.editing.document import Document, Edit
 
@@ -24,25 +26,22 @@ CHECK_LIMIT = 20.0
 #: Time in which an edit must be applied, less than after which a page gives up waiting for the server [s].
 EDIT_LIMIT = 10.0
 
-OnData = Callable[[int, dict[str, Any] | None], None]
-OnResult = Callable[[int, CheckResult], None]
-
 
 class Checker:
-    """Checks the latest submitted document; edits have priority.
+    """Checks the latest submitted revision; edits have priority.
 
-    A thread of the checker calls ``on_data`` with a version's data as soon as they are known, then ``on_result``.
+    A thread of the checker calls ``on_found`` with the revision and its data as soon as they are known, then with the
+    result.
     """
 
     def __init__(
-        self, on_data: OnData, on_result: OnResult, caller: BoundedProcess | None = None, seconds: float = CHECK_LIMIT
+        self, on_found: Callable[[Revision], None], caller: BoundedProcess | None = None, seconds: float = CHECK_LIMIT
     ) -> None:
-        self._on_data = on_data
-        self._on_result = on_result
+        self._on_found = on_found
         self._caller = caller or BoundedProcess(parsing.warm_up)
         self._seconds = seconds
         self._changed = threading.Condition()
-        self._submitted: tuple[int, Document] | None = None
+        self._submitted: Revision | None = None
         self._parsed = 0  # the latest version whose data are known
         self._checked = 0  # the latest version that has been checked
         self._edits = 0  # number of edits in progress
@@ -50,10 +49,10 @@ class Checker:
         self._thread = threading.Thread(target=self._run, name="checker", daemon=True)
         self._thread.start()
 
-    def submit(self, version: int, document: Document) -> None:
-        """Submit a document in place of all earlier ones."""
+    def submit(self, revision: Revision) -> None:
+        """Submit a revision in place of all earlier ones."""
         with self._changed:
-            self._submitted = version, document
+            self._submitted = revision
             self._changed.notify_all()
 
     def wait(self, version: int, seconds: float, for_data: float = 0.0) -> None:
@@ -89,7 +88,7 @@ class Checker:
         self._thread.join()
 
     def _run(self) -> None:
-        """Check submitted documents until the checker is closed."""
+        """Check submitted revisions until the checker is closed."""
         limits: dict[str, Any] = {
             "seconds": self._seconds,
             "needed": lambda: self._submitted is None and not self._edits,
@@ -99,19 +98,20 @@ class Checker:
                 self._changed.wait_for(lambda: self._closed or (self._submitted is not None and not self._edits))
                 if self._closed or self._submitted is None:
                     return
-                (version, document), self._submitted = self._submitted, None
+                revision, self._submitted = self._submitted, None
             try:
-                self._on_data(version, self._caller.call(parsing.parse, document, **limits))
-                self._mark_done(parsed=version)
-                result = self._caller.call(parsing.check, document, **limits)
+                revision = replace(revision, data=self._caller.call(parsing.parse, revision.document, **limits))
+                self._on_found(revision)
+                self._mark_done(parsed=revision.version)
+                result = self._caller.call(parsing.check, revision.document, **limits)
             except Interrupted:
                 with self._changed:
-                    self._submitted = self._submitted or (version, document)
+                    self._submitted = self._submitted or revision
                 continue
             except Exception as error:
                 result = _explain_failure(error)
-            self._on_result(version, result)
-            self._mark_done(parsed=version, checked=version)
+            self._on_found(replace(revision, result=result))
+            self._mark_done(parsed=revision.version, checked=revision.version)
 
     def _mark_done(self, parsed: int, checked: int = 0) -> None:
         """Let threads continue that wait for a version."""

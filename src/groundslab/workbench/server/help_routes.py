@@ -29,7 +29,8 @@ def add_example_routes(app: FastAPI, session: Session) -> None:
 
     @app.post("/api/examples")
     def open_example(body: Example) -> State:
-        return session.new(examples.read_example(body.name))
+        session.new(examples.read_example(body.name))
+        return session.get_state()
 
 
 def add_documentation_routes(app: FastAPI) -> None:

@@ -24,7 +24,10 @@ from groundslab.workbench.server.help_routes import add_documentation_routes, ad
 from groundslab.workbench.server.security import Guard
 from groundslab.workbench.server.session import Session, State
 from groundslab.workbench.server.tickets import Tickets
+from groundslab.workbench.solver.ground_comparison import GroundComparer
+from groundslab.workbench.solver.thread import Solver
 
+UNTITLED = Path("case.toml")
 STATIC = Path(__file__).parents[1] / "static"
 #: A system may register other types, and a browser runs no script of type text/plain.
 TYPES = {".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml", ".woff2": "font/woff2"}
@@ -91,7 +94,7 @@ def create_app(session: Session, tickets: Tickets, port: int, token: str, static
     _add_conflict_handler(app, session)
     _add_document_routes(app, session)
     _add_solver_routes(app, session)
-    _add_table_routes(app, session)
+    _add_table_routes(app, session.analyses.solver, session.analyses.comparer)
     add_example_routes(app, session)
     return guard_app(app, tickets, port, token, static)
 
@@ -159,23 +162,43 @@ def _add_ticket_routes(app: FastAPI, tickets: Tickets, token: str) -> None:
 def _add_document_routes(app: FastAPI, session: Session) -> None:
     """Add the routes of the document and its file."""
     app.get("/api/state")(session.get_state)
-    app.post("/api/undo")(session.undo)
-    app.post("/api/redo")(session.redo)
-    app.post("/api/new")(lambda: session.new())
     app.get("/api/files")(session.list_folder)
     add_schema_route(app)
 
     @app.post("/api/edits")
     def edit(body: Edits) -> State:
-        return session.edit(body.edits, body.text, body.base, body.merge)
+        session.editor.edit(body.edits, body.text, body.base, body.merge)
+        return session.get_state()
+
+    @app.post("/api/undo")
+    def undo() -> State:
+        session.editor.undo()
+        return session.get_state()
+
+    @app.post("/api/redo")
+    def redo() -> State:
+        session.editor.redo()
+        return session.get_state()
+
+    @app.post("/api/restore")
+    def restore(body: Restore) -> State:
+        session.editor.restore(body.take)
+        return session.get_state()
+
+    @app.post("/api/new")
+    def new() -> State:
+        session.new()
+        return session.get_state()
 
     @app.post("/api/save")
     def save(body: Save) -> State:
-        return session.save(body.file, body.over)
+        session.save(body.file, body.over)
+        return session.get_state()
 
     @app.post("/api/open")
     def open_file(body: Open) -> State:
-        return session.open(body.file)
+        session.open(body.file)
+        return session.get_state()
 
     @app.get("/api/drawing")
     def survey_drawing(file: str) -> JSONResponse:
@@ -183,11 +206,8 @@ def _add_document_routes(app: FastAPI, session: Session) -> None:
 
     @app.post("/api/drawing")
     def open_drawing(body: OpenDrawing) -> dict[str, Any]:
-        return session.open_drawing(body.file, body.layers, body.unit, body.centered, body.gap)
-
-    @app.post("/api/restore")
-    def restore(body: Restore) -> State:
-        return session.restore(body.take)
+        made = session.open_drawing(body.file, body.layers, body.unit, body.centered, body.gap)
+        return {"state": session.get_state(), "report": made.report, "origin": made.origin}
 
 
 def add_schema_route(app: FastAPI) -> None:
@@ -201,6 +221,8 @@ def add_schema_route(app: FastAPI) -> None:
 
 def _add_solver_routes(app: FastAPI, session: Session) -> None:
     """Add the routes of the solver and its results."""
+    analyses = session.analyses
+    schedule = analyses.solver.schedule
 
     @app.post("/api/solve")
     def solve() -> dict[str, int]:
@@ -208,12 +230,12 @@ def _add_solver_routes(app: FastAPI, session: Session) -> None:
 
     @app.post("/api/cancel")
     def cancel() -> dict[str, Any]:
-        session.solver.cancel()
+        analyses.solver.cancel()
         return {}
 
     @app.post("/api/autosolve")
     def set_autosolve(body: Autosolve) -> dict[str, Any]:
-        session.set_autosolve(body.on)
+        analyses.set_autosolve(body.on)
         return {}
 
     @app.get("/api/events")
@@ -222,65 +244,65 @@ def _add_solver_routes(app: FastAPI, session: Session) -> None:
 
     @app.get("/api/results/{run}/scene")
     def get_scene(run: int) -> Response:
-        result = session.solver.get_result(run)
+        result = schedule.results.get(run)
         return respond_not_kept() if result is None else Response(result.scene, media_type="application/octet-stream")
 
     @app.get("/api/results/{run}/preview")
     def get_preview(run: int) -> Response:
-        scene = session.solver.get_preview(run)
+        scene = schedule.get_preview(run)
         return respond_not_kept() if scene is None else Response(scene, media_type="application/octet-stream")
 
     @app.post("/api/shown")
     def set_shown(body: Shown) -> dict[str, Any]:
-        session.solver.shown = body.combination
+        analyses.solver.shown = body.combination
         return {}
 
     @app.get("/api/results/{run}/summary")
     def get_summary(run: int) -> Response:
-        result = session.solver.get_result(run)
+        result = schedule.results.get(run)
         return respond_not_kept() if result is None else JSONResponse(result.answer.summary)
 
     @app.get("/api/results/{run}/report")
     def get_report(run: int) -> Response:
-        name, content = session.write_report(run)
+        name, content = analyses.write_report(run, session.file.path or UNTITLED)
         return respond_download(name, content, "text/html; charset=utf-8")
 
     @app.get("/api/results/{run}/archive")
     def get_archive(run: int) -> Response:
-        name, content = session.write_archive(run)
+        name, content = analyses.write_archive(run, session.file.path or UNTITLED)
         return respond_download(name, content, "application/zip")
 
 
-def _add_table_routes(app: FastAPI, session: Session) -> None:
+def _add_table_routes(app: FastAPI, solver: Solver, comparer: GroundComparer) -> None:
     """Add the routes of the tables of results, and of the comparison of grounds, which is one when it has been made."""
 
     @app.get("/api/results/{run}/tables")
     def list_tables(run: int) -> Response:
-        result = session.solver.get_result(run)
+        result = solver.schedule.results.get(run)
         if result is None:
             return respond_not_kept()
-        compared = ["comparison"] if session.comparer.get(run) else []
+        compared = ["comparison"] if comparer.get(run) else []
         return JSONResponse([*result.answer.tables, *compared])
 
     @app.get("/api/results/{run}/tables/{name}")
     def get_table(run: int, name: str) -> Response:
-        result = session.solver.get_result(run)
-        content = session.comparer.get(run) if name == "comparison" else None
+        result = solver.schedule.results.get(run)
+        content = comparer.get(run) if name == "comparison" else None
         if content is None and (result is None or name not in result.answer.tables):
             return respond_not_kept()
-        return Response(content or session.solver.make_view(("table", run, name)), media_type="application/json")
+        return Response(content or solver.make_view(("table", run, name)), media_type="application/json")
 
     @app.post("/api/results/{run}/comparison")
     def compare_grounds(run: int) -> Response:
-        result = session.solver.get_result(run)
+        result = solver.schedule.results.get(run)
         if result is None:
             return respond_not_kept()
-        session.comparer.start(run, result.text)
+        comparer.start(run, result.text)
         return JSONResponse({})
 
     @app.post("/api/comparison/cancel")
     def cancel_comparison() -> dict[str, Any]:
-        session.comparer.cancel()
+        comparer.cancel()
         return {}
 
 

@@ -14,16 +14,15 @@ from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import GroundslabError
 from groundslab.workbench.child_process import ChildProcess, set_up_child
+from groundslab.workbench.solver.runs import Latest
+from groundslab.workbench.solver.schedule import Notify
 
 if TYPE_CHECKING:
     from groundslab.analysis.ground_comparison.comparison import GroundComparison
 
-#: Number of comparisons that are kept, as of results.
-MAX_COMPARISONS = 2
 #: Number of grounds that are compared.
 GROUNDS = 5
 
-Notify = Callable[[str, dict[str, Any]], None]
 #: Compares the grounds of a text, calling a function with each kind before it is solved; returns JSON.
 Task = Callable[[str, Callable[[str], None]], bytes]
 
@@ -37,7 +36,7 @@ class GroundComparer:
         self._lock = threading.RLock()
         self._process: ChildProcess | None = None
         self._run = 0
-        self._found: dict[int, bytes] = {}
+        self._found: Latest[bytes] = Latest()
 
     def start(self, run: int, text: str) -> None:
         """Compare the grounds of a run's text, in place of a comparison that is on its way."""
@@ -82,9 +81,7 @@ class GroundComparer:
             return
         self._process = None
         if kind == "compared":
-            self._found[run] = rest[0]
-            while len(self._found) > MAX_COMPARISONS:
-                del self._found[next(iter(self._found))]
+            self._found.add(run, rest[0])
             self._notify("compared", {"run": run})
         else:
             self._notify("not compared", {"run": run, "message": rest[0]})

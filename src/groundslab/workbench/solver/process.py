@@ -1,7 +1,7 @@
 """The process that solves: it is kept warm, and stops a run between two steps of the analysis.
 
 It receives ("solve", run, text, shown), ("report", run, file), ("archive", run, file) and ("table", run, name) from
-``Solver`` through a pipe. It sends ("ready",) when it can receive, ("warm",) when it has warmed up, ("progress", run,
+``Worker`` through a pipe. It sends ("ready",) when it can receive, ("warm",) when it has warmed up, ("progress", run,
 text, share), ("preview", run, words) followed by the bytes of a scene, ("solved", run, answer) followed by the bytes of
 the scene, ("refused", run, message, issues), ("stopped", run), and ("view", message, error) in answer to the last
 three, followed by the bytes that were asked for if the error is empty.
@@ -68,6 +68,9 @@ class Progress:
 View = tuple[str, int, str]
 #: Solves a text; returns the answer, the packed scene, and the data for a report.
 Task = Callable[[str, Progress], tuple[Answer, bytes, Any]]
+
+#: Gets the process ready for its first run.
+Prepare = Callable[[Progress], None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,7 +143,7 @@ def warm_up(progress: Progress) -> None:
     solve(casefile.starter() + '\n[mesh]\nsize = "0.5 m"\n', progress)
 
 
-def main(pipe: Connection, stop: Any, task: Task, prepare: Callable[[Progress], None] | None) -> None:
+def main(pipe: Connection, stop: Any, task: Task, prepare: Prepare | None) -> None:
     """Serve until the pipe is closed; runs up to the number in ``stop.value`` are stopped."""
     set_up_child()
     pipe.send(("ready",))
@@ -159,7 +162,7 @@ def main(pipe: Connection, stop: Any, task: Task, prepare: Callable[[Progress], 
             return
 
 
-def _prepare(pipe: Connection, prepare: Callable[[Progress], None]) -> None:
+def _prepare(pipe: Connection, prepare: Prepare) -> None:
     """Warm up until the first message arrives."""
 
     def tell(_text: str, _share: float | None) -> None:

@@ -1,14 +1,34 @@
-"""Runs of the solver: what is to be solved, results, and views of them that are waited for."""
+"""Runs of the solver: what is to be solved, the latest results, and views of them that are waited for."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from concurrent.futures import Future
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 from groundslab.errors import InputError, Issue
 from groundslab.workbench.solver.process import Answer, View
+
+#: Number of results that are kept, for pages that still show the previous one.
+MAX_RESULTS = 2
+
+T = TypeVar("T")
+
+
+class Latest(dict[int, T], Generic[T]):
+    """What is kept of the latest runs, by their numbers."""
+
+    def add(self, run: int, value: T) -> None:
+        """Keep the value of a run in place of the oldest one."""
+        self[run] = value
+        while len(self) > MAX_RESULTS:
+            del self[next(iter(self))]
+
+    @property
+    def latest(self) -> T | None:
+        """The value added last."""
+        return next(reversed(self.values()), None)
 
 
 @dataclass(slots=True)

@@ -22,6 +22,7 @@ from groundslab.workbench.checking.bounded_process import (
     TimeLimit,
 )
 from groundslab.workbench.checking.parsing import CheckResult
+from groundslab.workbench.checking.revision import Revision
 from groundslab.workbench.checking.thread import Checker
 from groundslab.workbench.editing.document import Document
 from groundslab.workbench.events import Hub
@@ -47,11 +48,15 @@ class Checks:
 
     def __init__(self, seconds: float = checkers.CHECK_LIMIT) -> None:
         self.found: dict[int, CheckResult] = {}
-        self.checker = Checker(lambda *_: None, self.found.__setitem__, None, seconds)
+        self.checker = Checker(self._keep, None, seconds)
+
+    def _keep(self, found: Revision) -> None:
+        if found.result is not None:
+            self.found[found.version] = found.result
 
     def check(self, version: int, text: str) -> CheckResult:
         """Return what a text means."""
-        self.checker.submit(version, Document(text))
+        self.checker.submit(Revision(version, Document(text)))
         self.checker.wait(version, PATIENCE)
         return self.found[version]
 
@@ -156,7 +161,7 @@ def test_edits_go_before_a_text_that_takes_long(checks: Checks, monkeypatch: pyt
     """An edit is done while a text is being read for ever, and the text after it is read."""
     monkeypatch.setattr(parsing, "check", workers.check_slowly)
     slow = Document(casefile.starter() + "# slow\n")
-    checks.checker.submit(1, slow)
+    checks.checker.submit(Revision(1, slow))
     edit = {"op": "set", "path": ["plate", "nu"], "value": 0.3}
     assert "nu = 0.3\n" in checks.checker.apply_edits(slow, [edit]).text
     assert checks.check(2, casefile.starter()).plan is not None
@@ -185,23 +190,25 @@ def test_a_text_that_takes_long_holds_nobody_up(tmp_path: Path, monkeypatch: pyt
     hub = Hub()
     session = Session(hub, Solver(hub.publish, workers.obey, None), tmp_path, "http://127.0.0.1")
     # it would take for ever
-    session._checker._seconds = 2 * PATIENCE
+    session.editor.checker._seconds = 2 * PATIENCE
     try:
-        session._checker.wait(1, PATIENCE)
+        session.editor.checker.wait(1, PATIENCE)
         assert session.get_state()["plan"] is not None
         start = time.monotonic()
         text = casefile.starter() + "# slow\n"
-        state = session.edit([{"op": "text", "value": text}], "Text", 1)
+        session.editor.edit([{"op": "text", "value": text}], "Text", 1)
+        state = session.get_state()
         assert (state["text"], state["checking"], state["issues"]) == (text, True, [])
         assert state["plan"] is not None, "the plan of before is shown meanwhile"
         with pytest.raises(InputError, match="still being checked"):
             session.solve()
         session.list_folder()
-        assert session.edit([{"op": "set", "path": ["title"], "value": "new"}], "Title", 2)["checking"] is True
-        session.undo()
-        session.undo()
+        session.editor.edit([{"op": "set", "path": ["title"], "value": "new"}], "Title", 2)
+        assert session.get_state()["checking"] is True
+        session.editor.undo()
+        session.editor.undo()
         assert time.monotonic() - start < PATIENCE
-        session._checker.wait(5, PATIENCE)
+        session.editor.checker.wait(5, PATIENCE)
         state = session.get_state()
         assert (state["version"], state["checking"], state["text"]) == (5, False, casefile.starter())
         assert state["data"]["plate"]["thickness"] == "250 mm"

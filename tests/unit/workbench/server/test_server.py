@@ -27,7 +27,7 @@ from helpers.asgi import Answer, Headers
 pytest.importorskip("fastapi")
 from groundslab.workbench.checking import parsing
 from groundslab.workbench.server import case_file as locks
-from groundslab.workbench.server.routes import create_app
+from groundslab.workbench.server.routes import UNTITLED, create_app
 from groundslab.workbench.server.security import HEADERS, MAX_BODY, check_request
 from groundslab.workbench.server.session import Session
 from groundslab.workbench.server.tickets import Tickets
@@ -330,13 +330,13 @@ def test_a_report_on_an_earlier_case_says_so(bench: Bench, monkeypatch: pytest.M
     """After a change the report on the last run is that of a case which has changed since; undone, it is not."""
     run = bench.hub.wait("solved")["run"]
     asked: list[str] = []
-    monkeypatch.setattr(bench.session.solver, "make_view", lambda view: asked.append(view[0]) or b"")
-    bench.session.set_autosolve(False)
-    bench.session.write_report(run)
+    monkeypatch.setattr(bench.solver, "make_view", lambda view: asked.append(view[0]) or b"")
+    bench.session.analyses.set_autosolve(False)
+    bench.session.analyses.write_report(run, UNTITLED)
     bench.set(["plate", "thickness"], "0.3 m")
-    bench.session.write_report(run)
+    bench.session.analyses.write_report(run, UNTITLED)
     bench.post("/api/undo")
-    bench.session.write_report(run)
+    bench.session.analyses.write_report(run, UNTITLED)
     assert asked == ["report", OUTDATED, "report"]
 
 
@@ -367,7 +367,7 @@ def test_results_of_a_run(bench: Bench) -> None:
     assert bench.get("/api/results/99/summary", 404)["error"]["message"]
     assert bench.get("/api/results/99/preview", 404)["error"]["message"]
     assert bench.post("/api/shown", {"combination": "ULS 1"}) == {}
-    assert bench.session.solver.shown == "ULS 1"
+    assert bench.solver.shown == "ULS 1"
     bench.post("/api/shown", {"combination": 1}, 422)
     assert bench.get("/api/results/99/report", 422)["error"]["found"]
     assert bench.get(f"/api/results/{run}/tables") == ["words"]
@@ -386,7 +386,7 @@ def test_solving_only_when_asked_to(bench: Bench) -> None:
     bench.post("/api/autosolve", {"on": False})
     assert bench.get("/api/state")["autosolve"] is False
     version = bench.set(["plate", "nu"], 0.1)["version"]
-    assert bench.session.solver.current is None
+    assert bench.solver.schedule.current is None
     run = bench.post("/api/solve")["run"]
     assert bench.hub.wait("solved", run=run)["version"] == version
     version = bench.set(["plate", "nu"], 0.15)["version"]

@@ -102,7 +102,7 @@ def test_a_run_is_reported_from_beginning_to_end(make: Make, events: Events) -> 
     first = submit(solver, "go 1", 7)
     assert events.wait("solved", first)["version"] == 7
     assert events.names(first) == ["solving", "solved"]
-    result = solver.get_result(first)
+    result = solver.schedule.results.get(first)
     assert result is not None
     assert result.scene == b"go 1" * 1000
     assert result.answer.summary == {"text": "go 1"}
@@ -110,9 +110,9 @@ def test_a_run_is_reported_from_beginning_to_end(make: Make, events: Events) -> 
     for text in ("go 2", "go 3"):
         runs.append(submit(solver, text))
         events.wait("solved", runs[-1])
-    assert [solver.get_result(run) is not None for run in runs] == [False, True, True]
-    assert solver.get_current_events() == [("solved", events.wait("solved", runs[-1]))]
-    assert solver.current is None
+    assert [solver.schedule.results.get(run) is not None for run in runs] == [False, True, True]
+    assert solver.schedule.get_current_events() == [("solved", events.wait("solved", runs[-1]))]
+    assert solver.schedule.current is None
 
 
 def test_a_preview_is_there_until_the_run_ends(make: Make, events: Events, tmp_path: Path) -> None:
@@ -121,12 +121,12 @@ def test_a_preview_is_there_until_the_run_ends(make: Make, events: Events, tmp_p
     solver.shown = "ULS 1"
     run = submit(solver, f"preview {release}", 7)
     assert events.wait("preview", run) == {"run": run, "version": 7, "words": "of ULS 1"}
-    assert (solver.get_preview(run), solver.get_preview(run + 1)) == (b"coarse", None)
+    assert (solver.schedule.get_preview(run), solver.schedule.get_preview(run + 1)) == (b"coarse", None)
     # a page that comes later sees it, too
-    assert solver.get_current_events()[-1] == ("preview", events.wait("preview", run))
+    assert solver.schedule.get_current_events()[-1] == ("preview", events.wait("preview", run))
     release.touch()
     events.wait("solved", run)
-    assert solver.get_preview(run) is None
+    assert solver.schedule.get_preview(run) is None
     # the run before took no time
     assert events.wait("preview", submit(solver, f"preview {release} "))["words"] == "of nothing"
 
@@ -178,7 +178,7 @@ def test_cancelling_is_reported_at_once(
     solver.cancel()
     events.wait("cancelled", run)
     assert time.monotonic() - start < PATIENCE / 2
-    assert (solver.current, solver.get_current_events()) == (None, [])
+    assert (solver.schedule.current, solver.schedule.get_current_events()) == (None, [])
     release_file.touch()  # the run ends with results, which nobody wants any more
     events.wait("solved", submit(solver, "go 2", 2))
     assert events.names(run) == ["solving", "cancelled"]
@@ -191,17 +191,17 @@ def test_cancelling(make: Make, events: Events, tmp_path: Path) -> None:
     events.wait("solved", done)
     running = submit(solver, f"wait {tmp_path / 'never'}")
     events.wait("progress", running)
-    assert solver.current is not None
-    assert (solver.current.run, solver.current.version) == (running, 1)
-    assert [name for name, _ in solver.get_current_events()] == ["solved", "solving", "progress"]
+    assert solver.schedule.current is not None
+    assert (solver.schedule.current.run, solver.schedule.current.version) == (running, 1)
+    assert [name for name, _ in solver.schedule.get_current_events()] == ["solved", "solving", "progress"]
     solver.cancel()
     events.wait("cancelled", running)
     waiting = submit(solver, "go 2", delay=60.0)
     solver.cancel()
     events.wait("cancelled", waiting)
-    assert solver.current is None
-    assert solver.latest is not None
-    assert solver.latest.run == done
+    assert solver.schedule.current is None
+    assert solver.schedule.results.latest is not None
+    assert solver.schedule.results.latest.run == done
     solver.cancel()  # nothing to do
 
 
@@ -214,8 +214,8 @@ def test_what_means_the_same_is_not_solved_again(make: Make, events: Events, tmp
     release_file.touch()
     assert events.wait("solved", first)["version"] == 2
     assert submit(solver, f"wait {release_file}", 3) == first
-    assert solver.latest is not None
-    assert solver.latest.version == 3
+    assert solver.schedule.results.latest is not None
+    assert solver.schedule.results.latest.version == 3
     assert events.names(first) == ["solving", "solved", "solved"]
     again = submit(solver, f"wait {release_file}", 3, force=True)
     assert again != first
@@ -263,7 +263,7 @@ def test_a_crash_is_reported_and_survived(make: Make, events: Events, word: str,
     message = events.wait("refused", run)["message"]
     assert "ended unexpectedly" in message
     assert how in message or how == "SIGKILL"
-    assert solver.latest is not None
+    assert solver.schedule.results.latest is not None
     events.wait("solved", submit(solver, "go on"))
 
 
@@ -290,7 +290,7 @@ def test_results_of_another_document_are_forgotten(make: Make, events: Events, t
     solver.reset()
     release_file.touch()
     events.wait("cancelled", run)
-    assert solver.latest is None
+    assert solver.schedule.results.latest is None
 
 
 TWO = """

@@ -1,0 +1,45 @@
+"""The document in its versions, with what is found in each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from groundslab.workbench.checking.parsing import CheckResult
+from groundslab.workbench.editing.document import Document
+
+if TYPE_CHECKING:
+    from groundslab.workbench.events import Event
+
+
+@dataclass(frozen=True, slots=True)
+class Revision:
+    """A version of the document, and what has been found in it so far."""
+
+    version: int
+    document: Document
+    data: dict[str, Any] | None = None
+    result: CheckResult | None = None  # None while it is being checked
+    earlier_plan: dict[str, Any] | None = None
+
+    @property
+    def plan(self) -> dict[str, Any] | None:
+        """The plan, the previous one while the document is being checked."""
+        return self.earlier_plan if self.result is None else self.result.plan
+
+    @property
+    def event(self) -> Event:
+        """The event that announces it."""
+        return "state", {"version": self.version}
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the revision as data for the page."""
+        return {
+            "version": self.version,
+            "text": self.document.text,
+            "data": self.data,
+            "checking": self.result is None,
+            "issues": [] if self.result is None else self.result.issues_json,
+            "remarks": [] if self.result is None else self.result.remarks_json,
+            "plan": self.plan,
+        }

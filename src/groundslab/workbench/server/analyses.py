@@ -1,0 +1,94 @@
+"""What is solved of the document, and the files about it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from threading import RLock
+from typing import Any
+
+from groundslab.errors import InputError, Issue
+from groundslab.workbench.checking.parsing import CheckResult
+from groundslab.workbench.checking.revision import Revision
+from groundslab.workbench.events import Hub
+from groundslab.workbench.solver.ground_comparison import GroundComparer
+from groundslab.workbench.solver.process import OUTDATED
+from groundslab.workbench.solver.thread import DELAY, Solver
+
+
+class Analyses:
+    """Solves revisions of the document, each when it has been checked or only on request."""
+
+    _revision: Revision
+
+    def __init__(self, lock: RLock, hub: Hub, solver: Solver) -> None:
+        self.solver = solver
+        self.comparer = GroundComparer(hub.publish)
+        self._lock, self._hub = lock, hub
+        self._autosolve = True
+
+    def to_json(self) -> dict[str, Any]:
+        """Return what is being solved as data for the page."""
+        job = self.solver.schedule.current
+        return {"autosolve": self._autosolve, "run": None if job is None else job.to_json()}
+
+    def follow(self, revision: Revision) -> None:
+        """Take the present revision, and solve it if it is to be and has been checked."""
+        with self._lock:
+            self._revision = revision
+            if self._autosolve:
+                self._submit_valid(DELAY)
+
+    def set_autosolve(self, on: bool) -> None:
+        """Solve after every change, or only on request."""
+        with self._lock:
+            self._autosolve = on
+            if on:
+                self._submit_valid(0.0)
+            self._hub.publish(*self._revision.event)
+
+    def solve(self) -> int:
+        """Solve the present revision at once and return the run; raises InputError with its issues if it has any."""
+        with self._lock:
+            result = self._revision.result
+            if result is None:
+                found, hint = "a case that is still being checked", "wait until it has been checked"
+                raise InputError([Issue("the description", found, "a checked one", hint)])
+            if result.issues:
+                raise InputError(result.issues)
+            return self._submit(result, 0.0, force=True)
+
+    def reset(self) -> None:
+        """Stop, and drop all results, which belong to another document."""
+        self.comparer.cancel()
+        self.solver.reset()
+
+    def close(self) -> None:
+        """Stop for good."""
+        self.comparer.cancel()
+        self.solver.close()
+
+    def write_report(self, run: int, case: Path) -> tuple[str, bytes]:
+        """Return a name for the report on a run of a case, and its content."""
+        kind = OUTDATED if self._is_outdated(run) else "report"
+        return f"{case.stem}-report.html", self.solver.make_view((kind, run, case.name))
+
+    def write_archive(self, run: int, case: Path) -> tuple[str, bytes]:
+        """Return a name for the archive of case, results and report of a run, and its content."""
+        return f"{case.stem}-results.zip", self.solver.make_view(("archive", run, case.name))
+
+    def _is_outdated(self, run: int) -> bool:
+        """Return whether the document describes another model by now than that of a run."""
+        solved, present = self.solver.schedule.results.get(run), self._revision
+        if solved is None or solved.text == present.document.text:
+            return False
+        return present.result is None or present.result.fingerprint != solved.fingerprint
+
+    def _submit_valid(self, delay: float) -> None:
+        """Have the present revision solved if it has been checked and describes a model."""
+        result = self._revision.result
+        if result is not None and result.fingerprint:
+            self._submit(result, delay)
+
+    def _submit(self, result: CheckResult, delay: float, force: bool = False) -> int:
+        revision = self._revision
+        return self.solver.submit(revision.document.text, revision.version, result.fingerprint, delay, force)

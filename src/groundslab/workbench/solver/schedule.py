@@ -1,0 +1,163 @@
+"""What the solver is to solve: the job that waits, the run that goes on, the latest results."""
+
+from __future__ import annotations
+
+import itertools
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from groundslab.workbench.editing.diagnostics import issues_to_json
+from groundslab.workbench.solver.runs import Job, Latest, Result
+
+if TYPE_CHECKING:
+    from groundslab.workbench.events import Event
+
+Notify = Callable[[str, dict[str, Any]], None]
+
+
+@dataclass(slots=True)
+class ActiveRun:
+    """The run that the process works on, and what it has told of it."""
+
+    job: Job
+    is_cancelled: bool = False
+    announces_latest: bool = False  # whether the latest result is announced again once the run is stopped
+    kill_at: float | None = None  # when the process is killed unless the run stops before
+    progress: dict[str, Any] | None = None
+    preview: tuple[dict[str, Any], bytes] | None = None  # its event and its scene
+
+
+class Schedule:
+    """At most one run and one job that waits; notifies of the events in the server's interface.
+
+    Whoever calls holds the lock, unless the method takes it.
+    """
+
+    def __init__(self, notify: Notify) -> None:
+        self.lock = threading.RLock()
+        self.waiting: Job | None = None
+        self.active: ActiveRun | None = None
+        self.results: Latest[Result] = Latest()
+        self._notify = notify
+        self._numbers = itertools.count(1)
+
+    def submit(self, text: str, version: int, fingerprint: object, delay: float, force: bool) -> int:
+        """Let a text wait in place of all earlier ones and return the number of its run.
+
+        A model that is being solved, or was solved last, is not solved again unless that is forced.
+        """
+        active, latest = self.active, self.results.latest
+        if active is not None and not active.is_cancelled and active.job.fingerprint == fingerprint:
+            active.job.version, self.waiting = version, None
+            return active.job.run
+        is_solved = not force and latest is not None and latest.fingerprint == fingerprint
+        if active is not None:
+            active.is_cancelled, active.announces_latest = True, is_solved
+        if is_solved and latest is not None:
+            latest.version, self.waiting = version, None
+            self._notify("solved", latest.to_json())
+            return latest.run
+        self.waiting = Job(next(self._numbers), version, text, fingerprint, time.monotonic() + delay)
+        return self.waiting.run
+
+    def cancel(self) -> None:
+        """Have the current run stopped and drop the waiting job."""
+        waiting, self.waiting = self.waiting, None
+        if self.active is not None:
+            self.active.is_cancelled = True
+        if waiting is not None:
+            self._notify("cancelled", {"run": waiting.run})
+
+    @property
+    def current(self) -> Job | None:
+        """The job that is being solved or waits; takes the lock."""
+        with self.lock:
+            return self.active.job if self.active is not None and self.active.kill_at is None else self.waiting
+
+    def get_preview(self, run: int) -> bytes | None:
+        """Return the latest scene of a run that has not ended yet, None if there is none; takes the lock."""
+        with self.lock:
+            preview = None if self.active is None else self.active.preview
+            return preview[1] if preview is not None and preview[0]["run"] == run else None
+
+    def get_current_events(self) -> list[Event]:
+        """Return the events that describe the present state; takes the lock."""
+        with self.lock:
+            latest, active = self.results.latest, self.active
+            events: list[Event] = [] if latest is None else [("solved", latest.to_json())]
+            if active is not None and active.kill_at is None:
+                events.append(("solving", active.job.to_json()))
+                if active.progress is not None:
+                    events.append(("progress", active.progress))
+                if active.preview is not None:
+                    events.append(("preview", active.preview[0]))
+            return events
+
+    @property
+    def due(self) -> float | None:
+        """The time of the next action, None if there is none."""
+        if self.active is not None:
+            return self.active.kill_at
+        return None if self.waiting is None else self.waiting.due
+
+    def begin(self, now: float) -> Job | None:
+        """Return the waiting job, whose run begins, None if none is due."""
+        job = self.waiting
+        if job is None or now < job.due:
+            return None
+        self.waiting, self.active = None, ActiveRun(job)
+        self._notify("solving", job.to_json())
+        return job
+
+    def stop(self, active: ActiveRun, deadline: float) -> None:
+        """Announce that the current run is cancelled; it is to stop until a deadline."""
+        active.kill_at, active.progress = deadline, None
+        self._notify("cancelled", {"run": active.job.run})
+        again, active.announces_latest = active.announces_latest, False
+        if again and self.results.latest is not None:
+            self._notify("solved", self.results.latest.to_json())
+
+    def handle(self, kind: str, run: int, rest: list[Any], content: bytes) -> None:
+        """Handle the process's message about a run; of one that is being stopped only its end counts."""
+        active = self.active
+        if active is None or run != active.job.run:
+            return
+        job, is_stopping = active.job, active.kill_at is not None
+        if kind == "progress":
+            if not is_stopping:
+                active.progress = {"run": run, "text": rest[0], "share": rest[1]}
+                self._notify("progress", active.progress)
+        elif kind == "preview":
+            if not active.is_cancelled:
+                active.preview = job.to_json() | {"words": rest[0]}, content
+                self._notify("preview", active.preview[0])
+        elif active.is_cancelled:
+            if not is_stopping:  # it ended before it could be stopped
+                self.stop(active, 0.0)
+            self.finish()
+        elif kind == "refused":
+            self.finish("refused", job.to_json() | {"message": rest[0], "issues": issues_to_json(rest[1])})
+        else:
+            result = Result(run, job.version, job.fingerprint, rest[0], content, job.text)
+            self.results.add(run, result)
+            self.finish("solved", result.to_json())
+
+    def finish(self, event: str = "", data: dict[str, Any] | None = None) -> None:
+        """Finish the current run, with an event unless it was announced when the run was stopped."""
+        self.active = None
+        if event:
+            self._notify(event, data or {})
+
+    def fail(self, how: str, gives_up: bool) -> None:
+        """Refuse the run whose process has ended by itself, or the waiting job if no process is started any more."""
+        job = None if self.active is None or self.active.kill_at is not None else self.active.job
+        if self.active is None and gives_up:
+            job, self.waiting = self.waiting, None
+        if job is None:
+            self.finish()
+            return
+        message = f"the solver ended unexpectedly ({how}); no part of the case is lost"
+        self.finish("refused", job.to_json() | {"message": message, "issues": []})
