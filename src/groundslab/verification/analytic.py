@@ -21,6 +21,7 @@ from groundslab.verification.analytic_continuum import (
     rigid_circle_on_half_space,
     rigid_circle_on_layer,
     rigid_rectangle_on_half_space,
+    stress_below_rectangle,
 )
 from groundslab.verification.analytic_ground import confined_compression, sinh_mode, wedge
 from groundslab.verification.analytic_plates import (
@@ -250,6 +251,7 @@ _SINGLE = (
     rigid_cap_on_piles,
     rigid_strip,
     flexible_rectangle,
+    stress_below_rectangle,
     flexible_circle,
     rigid_rectangle_on_half_space,
     rigid_circle_on_half_space,

@@ -8,7 +8,7 @@ from itertools import product
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.verification.analytic_half_space import surface_settlement
+from groundslab.verification.analytic_half_space import surface_settlement, vertical_stress
 
 #: Points of Gauss's rule over a plate, and over a half wave of a Bessel function.
 POINTS = 24
@@ -21,6 +21,11 @@ CELLS = 28
 def flexible_rectangle(x: float, y: float, a: float, b: float, q: float, E: float, nu: float) -> float:
     """Return the settlement [m] of a half-space at x and y from the center of a x b under q [Pa] (Love 1929)."""
     return q * float(surface_settlement(x, y, (a, b), E, nu))
+
+
+def stress_below_rectangle(x: float, y: float, z: float, a: float, b: float, q: float) -> float:
+    """Return the vertical stress [Pa] in a half-space at z below such an area (Steinbrenner 1934, Holl 1940)."""
+    return q * float(vertical_stress(x, y, z, (a, b)))
 
 
 def flexible_circle(r: float, radius: float, q: float, E: float, nu: float, h: float = math.inf) -> float:

@@ -198,6 +198,7 @@ QUANTITIES: dict[str, tuple[str | None, Quantity]] = {
     "largest settlement": ("length", lambda r, _: float(r.plate.settlement.max())),
     "largest uplift": ("length", lambda r, _: float(-r.plate.settlement.min())),
     "ground settlement": ("length", lambda r, row: r.ground.value_at(*row["at"])),
+    "soil stress": ("pressure", lambda r, row: float(r.ground.stress_at(*row["at"]))),
     "moment_x": ("force", lambda r, row: r.plate.value_at("moment_x", *row["at"])),
     "moment_y": ("force", lambda r, row: r.plate.value_at("moment_y", *row["at"])),
     "moment_1": ("force", lambda r, row: _principal(r, row, 1.0)),
