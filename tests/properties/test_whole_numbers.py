@@ -113,7 +113,6 @@ def _required(m: Any, d: Any, d_2: Any, t: Any) -> bending.Reinforcement:
 
 CALLS: dict[str, tuple[Callable[..., Any], tuple[Any, ...]]] = {
     "section line": (lambda *a: section_cuts.cut_along(solved().plate, *a), (np.array([[-3, 0], [3, 1]]), 1)),
-    "cut": (lambda *a: section_cuts.cut_plate(solved().plate, *a), ((1, -2), (2, 2))),
     "strip": (lambda *a: section_cuts.strip(solved().plate, *a, 5), ((-3, 0), (3, 0), 2)),
     "differences": (lambda a: tilt.settlement_differences(solved().plate, a), ({"A": (1, 1), "B": (-2, 1)},)),
     "punching": (_punching, (0, 0, 1, 1, 100_000)),

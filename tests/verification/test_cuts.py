@@ -14,7 +14,7 @@ import pytest
 from shapely import Polygon, box
 
 from groundslab.analysis.driver import solve
-from groundslab.design.demands.section_cuts import cut_plate, strip
+from groundslab.design.demands.section_cuts import strip
 from groundslab.design.punching import RectangularColumn, demand
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
@@ -25,6 +25,7 @@ from groundslab.model.plate import Plate
 from groundslab.model.settings import Beyond
 from groundslab.model.settings import Mesh as Density
 from groundslab.results.results import CombinationResult
+from helpers.cuts import cut_plate
 
 LX, LY = 6.0, 4.0
 PLATE = Plate(length_x=LX, length_y=LY, thickness=0.25, E=30e9, nu=0.2)

@@ -9,7 +9,6 @@ import pytest
 
 import groundslab
 from groundslab.design.demands.design_moments import wood_armer
-from groundslab.design.demands.section_cuts import cut_plate
 from groundslab.design.en1992.bending import Axes, slab
 from groundslab.design.en1992.materials import Concrete, Steel
 from groundslab.design.punching import RectangularColumn, demand
@@ -98,12 +97,10 @@ def test_pile_and_pressure_carry_the_loads(combined: Results, tables: dict[str, 
 
 
 @pytest.mark.slow
-def test_strips_are_cuts(combined: Results, tables: dict[str, Table]) -> None:
-    """Forces across the whole width at x = 1 m are those of the cut, and of the loads and pressure beyond it."""
+def test_strips_are_in_equilibrium(combined: Results, tables: dict[str, Table]) -> None:
+    """Forces across the whole width at x = 1 m are those of the loads and the pressure beyond it."""
     (one,) = rows(tables["strips"], combination="in use", s=5.0)
     plate = combined["in use"].plate
-    direct = cut_plate(plate, (1, -3), (1, 3))
-    assert (one["moment"], one["shear"]) == pytest.approx((direct.moment / 1e3, direct.shear / 1e3))
     assert one["width on the plate"] == pytest.approx(6)
     (pile,) = rows(tables["supports"], combination="in use")
     # beyond x = 1: self-weight 10 x 3 x 6, column B, 2 m of the line load; levers about x = 1

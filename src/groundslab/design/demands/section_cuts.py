@@ -1,4 +1,4 @@
-"""Section lines through a plate, the forces on straight cuts, and design strips made of such cuts."""
+"""Section lines through a plate, and design strips with the forces on straight cuts across them."""
 
 from __future__ import annotations
 
@@ -38,38 +38,12 @@ class SectionCut:
 
 
 @dataclass(frozen=True, slots=True)
-class CutForces:
-    """What a straight cut from a to b transfers, integrated over the part of it that lies on the plate.
-
-    The normal n points to the right of the way from a to b: a cut towards +y has n = x, m_n = m_x and q_n = q_x.
-    Together with supports, the loads and contact pressure ahead of the cut (where n points) make up its forces:
-    shear = int (load - p) dA and moment = int (p - load) lever dA, the lever being the distance from the cut.
-    """
-
-    moment: float  # int m_n ds [N m], sagging positive
-    twist: float  # int m_nt ds [N m]
-    shear: float  # int q_n ds [N]
-    length: float  # on the plate [m]
-
-    @property
-    def mean_moment(self) -> float:
-        """Return the mean of m_n [N m/m]."""
-        return self.moment / self.length
-
-    @property
-    def mean_twist(self) -> float:
-        """Return the mean of m_nt [N m/m]."""
-        return self.twist / self.length
-
-    @property
-    def mean_shear(self) -> float:
-        """Return the mean of q_n [N/m]."""
-        return self.shear / self.length
-
-
-@dataclass(frozen=True, slots=True)
 class StripResult:
-    """A design strip: at each station the forces on the cut across it, n along the strip (see CutForces).
+    """A design strip: at each station the forces on the part of the cut across it that lies on the plate.
+
+    The normal n of a cut points along the strip: towards +x m_n = m_x and q_n = q_x. Together with supports, the loads
+    and contact pressure ahead of the cut make up its forces: shear = int (load - p) dA and moment = int (p - load)
+    lever dA, the lever being the distance from the cut.
 
     Design moments are those of Wood and Armer for reinforcement along the strip and at right angles to it, each the
     mean of the values at all points of the cut; at the bottom >= 0, at the top <= 0.
@@ -79,7 +53,7 @@ class StripResult:
     x: Array  # (c,): the station on the axis [m]
     y: Array  # (c,)
     length: Array  # (c,): of the cut, on the plate [m]
-    moment: Array  # (c,): int m_n ds [N m]
+    moment: Array  # (c,): int m_n ds [N m], sagging positive
     shear: Array  # (c,): int q_n ds [N]
     mean_moment: Array  # (c,) [N m/m]
     mean_shear: Array  # (c,) [N/m]
@@ -111,23 +85,6 @@ def cut_along(plate: PlateResult, points: Array, spacing: float | None = None) -
     return SectionCut(s, x, y, (np.cumsum(~goes_on) - 1)[piece], values)
 
 
-def cut_plate(plate: PlateResult, a: tuple[float, float] | Array, b: tuple[float, float] | Array) -> CutForces:
-    """Return the forces on the straight cut from a to b [m], which may reach beyond the plate.
-
-    Gauss points between the element sides that the cut crosses make the integrals exact for the nodal fields on
-    parallelograms. The fields are continuous but where the section changes; for a cut along such a border, move it to
-    one side by a small distance, such as a millionth of its length.
-
-    The integrals are as good as the averaged nodal fields: against loads and contact pressure the error falls with
-    the square of the element's size (tests/verification/test_cuts.py). Within an element of a line load, a point load
-    or an edge where the ground pulls by a line force, shear is smeared.
-    """
-    points = _Cut.of(plate, np.array([[a, b]], dtype=float))
-    m_n, _, m_nt, q_n = points.forces(points.gauss)
-    ds = points.ds
-    return CutForces(float(ds @ m_n), float(ds @ m_nt), float(ds @ q_n), float(ds.sum()))
-
-
 def strip(
     plate: PlateResult,
     start: tuple[float, float] | Array,
@@ -140,6 +97,14 @@ def strip(
     The first cut is at the start, the last at the end; cuts that lie wholly off the plate are left out. The extremes
     of m_n are those at the elements' sides, halfway between, and at the Gauss points. Averaging the design moments
     (Wood 1968, Armer 1968) of all points is on the safe side of taking them from averaged moments.
+
+    Gauss points between the element sides that a cut crosses make the integrals exact for the nodal fields on
+    parallelograms. The fields are continuous but where the section changes; for a cut along such a border, move it to
+    one side by a small distance, such as a millionth of its length.
+
+    The integrals are as good as the averaged nodal fields: against loads and contact pressure the error falls with
+    the square of the element's size (tests/verification/test_cuts.py). Within an element of a line load, a point load
+    or an edge where the ground pulls by a line force, shear is smeared.
     """
     issues = []
     if not width > 0:
