@@ -10,7 +10,7 @@ import numpy as np
 
 from groundslab.results.contact_zone import goes_below_zero
 from groundslab.views.plots.panels import Panel, find_extremes
-from groundslab.views.plots.style import BASE, FOOT, GREY, INK, PT, SMALL, format_place, number, plain_text, text_width
+from groundslab.views.plots.style import BASE, FOOT, GREY, INK, PT, SMALL, number, place_words, plain_text, text_width
 from groundslab.views.plots.symbols import white_outline
 
 if TYPE_CHECKING:
@@ -79,11 +79,11 @@ def panel_title(panel: Panel, width: float, *, with_source: bool) -> list[TitleL
     for word, value, where, whose in find_extremes(panel):
         called, shown = ("uplift", -value) if uplift and word == "smallest" else (word, value)
         governs = f" ({plain_text(whose, 40)})" if whose else ""
-        facts.append(f"{called} {number(shown)} {panel.quantity.field.unit} at {format_place(where)}{governs}")
+        facts.append(f"{called} {number(shown)} {panel.quantity.field.unit} at {place_words(where)}{governs}")
     if not facts:
         facts.append("zero everywhere")
     if panel.line_force is not None:
-        facts.append(f"edge line force up to {number(panel.line_force[0])} kN/m at {format_place(panel.line_force[1])}")
+        facts.append(f"edge line force up to {number(panel.line_force[0])} kN/m at {place_words(panel.line_force[1])}")
     if panel.quantity.name in ("pressure", "gap") and panel.share is not None:
         facts.append(f"{number(100 * panel.share)} % of the plate in contact")
     lines = [TitleLine(each, BASE, GREY, "bold") for each in (_wrapped(panel.source, width) if with_source else [])]

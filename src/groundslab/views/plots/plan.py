@@ -22,9 +22,9 @@ from groundslab.views.plots.style import (
     WIDE,
     Page,
     batch,
-    format_place,
     label_of_axis,
     number,
+    place_words,
 )
 from groundslab.views.plots.symbols import load_filter
 
@@ -132,7 +132,7 @@ def describe_mesh(results: CombinationResult) -> tuple[str, str]:
     sizes = number(about.largest)
     if about.largest_place is not None:
         sizes = f"{number(about.smallest)} to {sizes}"
-    worst = "" if about.worst_place is None else f" at {format_place(about.worst_place)}"
+    worst = "" if about.worst_place is None else f" at {place_words(about.worst_place)}"
     quality = f"scaled Jacobian {number(about.mean_quality)} on average, at worst {number(about.worst_quality)}{worst}"
     return f"Mesh: {about.elements} elements of {sizes} m (root of the area)", quality
 

@@ -114,7 +114,7 @@ def _draw_key_plan(page: style.Page, request: PlotRequest, line: SectionLine, to
     model = request.combined.model
     words = style.plain_text(line.name, 80) or "Section line"
     page.write(style.MARGIN, top + 4, words, fontsize=style.BASE + 0.5, fontweight="bold", color=style.INK)
-    ends = f"from {style.format_place(line.start)} to {style.format_place(line.end)}"
+    ends = f"from {style.place_words(line.start)} to {style.place_words(line.end)}"
     page.write(style.MARGIN, top + 8.2, ends, fontsize=style.SMALL, color=style.GREY)
     axes = page.add_axes(style.PAGE_WIDTH - style.MARGIN - 3 - KEY_WIDTH, top, KEY_WIDTH, KEY_HEIGHT)
     axes.set_axis_off()

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 
 from groundslab._version import __version__
+from groundslab.geometry.plan import format_place
 from groundslab.units import WHOLE, format_coordinate, format_number
 
 if TYPE_CHECKING:
@@ -109,10 +110,10 @@ def number(value: float) -> str:
     return format_number(value, 4, trim=True, fixed=(1e-4, 1e4), minus="\N{MINUS SIGN}")
 
 
-def format_place(place: tuple[float, float]) -> str:
-    """Return a place [m] in words."""
-    x, y = (number(round(value, 3)) if abs(value) < WHOLE else format_coordinate(value) for value in place)
-    return f"({x}, {y}) m"
+def place_words(place: tuple[float, float]) -> str:
+    """Return a place [m] in words, to the millimeter and with a true minus sign."""
+    x, y = place
+    return f"{format_place((round(x, 3), round(y, 3)))} m".replace("-", "\N{MINUS SIGN}")
 
 
 def label_of_axis(axis: Axis, name: str, low: float) -> str:

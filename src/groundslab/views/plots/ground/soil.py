@@ -175,7 +175,7 @@ def draw_columns(
         bottoms = []
         for place, column in enumerate(row):
             left = place * each
-            where = f" at {style.format_place(places[column.name])}" if column.name in places else ""
+            where = f" at {style.place_words(places[column.name])}" if column.name in places else ""
             words = style.plain_text(column.name, 30) + where
             page.write(left + style.MARGIN, top, words, fontsize=style.BASE, fontweight="bold", color=style.INK)
             legend |= _draw_column(page, column, columns, (left, top + 12.0, each, high), named)

@@ -89,7 +89,7 @@ def _draw_section(
     draw_contours(axes, Triangulation(S.ravel(), Z.ravel()), stress.ravel() / 1e3, scale)
     axes.set(xlim=(s[0], s[-1]), ylim=(z[-1], 0.0), xlabel="distance s along the line [m]", ylabel="depth z [m]")
     i, j = np.unravel_index(int(stress.argmax()), stress.shape)
-    ends = f"from {style.format_place(line.start)} to {style.format_place(line.end)}"
+    ends = f"from {style.place_words(line.start)} to {style.place_words(line.end)}"
     most = f"largest {style.number(stress[i, j] / 1e3)} kPa at s = {style.number(s[i])} m, z = {style.number(z[j])} m"
     title = ", ".join(filter(None, (style.plain_text(line.name, 60) or "Section", style.plain_text(name, 60))))
     draw_title(
