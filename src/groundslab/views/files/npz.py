@@ -8,7 +8,7 @@ import stat
 import zipfile
 from dataclasses import asdict, dataclass, fields, replace
 from functools import cache, lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -22,6 +22,7 @@ from groundslab.results.results import CombinationResult, Comparison, Increment
 from groundslab.views.files.validation import require_sound
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from pathlib import Path
 
     from pydantic import TypeAdapter
@@ -38,6 +39,8 @@ LONGEST_REASON = 300
 MESH = {"nodes", "elements"}
 #: Where the cells stand through which a plate presses on an elastic continuum.
 CELLS = "ground.cells"
+
+Named = TypeVar("Named", SupportResult, JointResult)
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,11 +90,12 @@ def write(results: CombinationResult, path: Path) -> None:
     arrays: dict[str, Any] = _arrays("", results)
     for number, increment in enumerate(results.increments):
         arrays |= _arrays(f"increments.{number}.", increment)
-    arrays |= _support_arrays("", results.supports) | _joint_arrays("", results.joints)
+    arrays |= _named_arrays("supports", results.supports) | _named_arrays("joints", results.joints)
     other = results.comparison
     if other is not None:
         arrays |= _arrays("coarser.", other)
-        arrays |= _support_arrays("coarser.", other.supports) | _joint_arrays("coarser.", other.joints)
+        arrays |= _named_arrays("coarser.supports", other.supports)
+        arrays |= _named_arrays("coarser.joints", other.joints)
     about = _About(
         format=FORMAT,
         version=__version__,
@@ -197,8 +201,8 @@ def _results(arrays: dict[str, Any]) -> CombinationResult:
         solved_model=_read_model(str(arrays["solved_model" if "solved_model" in arrays else "model"])),
         **_parts("", arrays),
         **{name: getattr(about, name) for name in PLAIN},
-        supports=_supports("", about.supports, arrays),
-        joints=_joints("", about.joints, arrays),
+        supports=_named(SupportResult, "supports", about.supports, arrays),
+        joints=_named(JointResult, "joints", about.joints, arrays),
         increments=tuple(
             Increment(share, **_parts(f"increments.{number}.", arrays)) for number, share in enumerate(about.increments)
         ),
@@ -220,11 +224,11 @@ def _comparison(about: _About, arrays: dict[str, Any]) -> Comparison:
     """Return what the coarser mesh gave."""
     assert about.comparison is not None
     energy_error, reduction, constants = about.comparison
-    supports = _supports("coarser.", about.supports, arrays)
+    supports = _named(SupportResult, "coarser.supports", about.supports, arrays)
     return Comparison(
         **_parts("coarser.", arrays),
         supports=supports,
-        joints=_joints("coarser.", about.joints, arrays),
+        joints=_named(JointResult, "coarser.joints", about.joints, arrays),
         constants=constants,
         energy_error=energy_error,
         reduction=reduction,
@@ -264,45 +268,21 @@ def _parts(below: str, arrays: dict[str, Any]) -> dict[str, Any]:
     return found
 
 
-#: What a support has by its nodes.
-_OF_SUPPORT = [item.name for item in fields(SupportResult) if item.name != "name"]
-
-
-def _support_arrays(below: str, supports: tuple[SupportResult, ...]) -> dict[str, Any]:
-    """Return the arrays of supports by their names, which begin with `below`."""
+def _named_arrays(below: str, named: Sequence[Named]) -> dict[str, Any]:
+    """Return the arrays of supports or joints by their names, which begin with `below`."""
     return {
-        f"{below}supports.{number}.{name}": getattr(support, name)
-        for number, support in enumerate(supports)
-        for name in _OF_SUPPORT
+        f"{below}.{number}.{item.name}": getattr(each, item.name)
+        for number, each in enumerate(named)
+        for item in fields(each)
+        if item.name != "name"
     }
 
 
-def _supports(below: str, names: tuple[str, ...], arrays: dict[str, Any]) -> tuple[SupportResult, ...]:
-    """Return the supports of these names from the arrays whose names begin with `below`."""
+def _named(kind: type[Named], below: str, names: Sequence[str], arrays: dict[str, Any]) -> tuple[Named, ...]:
+    """Return the supports or joints of these names from the arrays whose names begin with `below`."""
+    keys = [item.name for item in fields(kind) if item.name != "name"]
     return tuple(
-        SupportResult(name=name, **{each: arrays[f"{below}supports.{number}.{each}"] for each in _OF_SUPPORT})
-        for number, name in enumerate(names)
-    )
-
-
-#: What a joint has by its places.
-_OF_JOINT = [item.name for item in fields(JointResult) if item.name != "name"]
-
-
-def _joint_arrays(below: str, joints: tuple[JointResult, ...]) -> dict[str, Any]:
-    """Return the arrays of joints by their names, which begin with `below`."""
-    return {
-        f"{below}joints.{number}.{name}": getattr(joint, name)
-        for number, joint in enumerate(joints)
-        for name in _OF_JOINT
-    }
-
-
-def _joints(below: str, names: tuple[str, ...], arrays: dict[str, Any]) -> tuple[JointResult, ...]:
-    """Return the joints of these names from the arrays whose names begin with `below`."""
-    return tuple(
-        JointResult(name=name, **{each: arrays[f"{below}joints.{number}.{each}"] for each in _OF_JOINT})
-        for number, name in enumerate(names)
+        kind(name=name, **{key: arrays[f"{below}.{number}.{key}"] for key in keys}) for number, name in enumerate(names)
     )
 
 
