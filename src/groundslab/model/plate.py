@@ -17,6 +17,10 @@ from groundslab.schema.wording import quote
 
 #: Key of the shear correction factor.
 SHEAR_FACTOR = Number("kappa", "shear correction factor, 5/6 by default", Range(above=0, at_most=1))
+#: Key of the thermal expansion.
+THERMAL_EXPANSION = Quantity(
+    "strain per temperature", "alpha_T", "strain per temperature; of concrete by default", POSITIVE
+)
 
 Element = Literal["mitc9", "q9", "heterosis"]
 Support = Literal["free", "hinged", "soft", "clamped"]
@@ -126,9 +130,7 @@ class Plate(Section):
     E: Annotated[float, Quantity("pressure", "E", "Young's modulus", POSITIVE)]
     nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]
     shear_factor: Annotated[float, SHEAR_FACTOR] = 5 / 6
-    thermal_expansion: Annotated[
-        float, Quantity("strain per temperature", "alpha_T", "strain per temperature; of concrete by default", POSITIVE)
-    ] = 1e-5
+    thermal_expansion: Annotated[float, THERMAL_EXPANSION] = 1e-5
     element: Annotated[Element, Choice(Element, "plate element; mitc9 does not lock")] = "mitc9"
     edges: Annotated[Edges, Table("supports: hinged is w = 0 without tangential rotation, soft is w = 0 only")] = (
         Edges()

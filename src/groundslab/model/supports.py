@@ -69,15 +69,31 @@ def _check_rotation(rotation: str, rotational_stiffness: float | None) -> Iterat
         yield RelativeIssue(("rotational_stiffness",), "a stiffness", 'none, as rotation is "fixed"', repairs=repairs)
 
 
-class PointSupport(Section):
+class _AtPoint(Section):
+    """What supports at a point have."""
+
+    kind: str
+    name: SupportName = ""
+    x: Annotated[float, coordinate(0, "position")]
+    y: Annotated[float, coordinate(1, "position")]
+
+    @property
+    def points(self) -> tuple[tuple[float, float]]:
+        """Its only place."""
+        return ((self.x, self.y),)
+
+    @property
+    def edges(self) -> tuple[Segment, ...]:
+        """No lines."""
+        return ()
+
+
+class PointSupport(_AtPoint):
     """A support at a point, such as a column below or a pile."""
 
     checks: ClassVar[tuple[Check, ...]] = (_check_one_sided, _check_rotation, _check_limit_is)
 
     kind: Annotated[Literal["point"], Table("support at a point, such as a column below or a pile")] = "point"
-    name: SupportName = ""
-    x: Annotated[float, coordinate(0, "position")]
-    y: Annotated[float, coordinate(1, "position")]
     diameter: Annotated[
         float | None,
         Quantity("length", "d", "diameter, for punching of the plate over it; not checked by default", POSITIVE),
@@ -96,16 +112,6 @@ class PointSupport(Section):
         float | None,
         Quantity("moment per angle", "K_r", "moment per rotation, about both axes; none by default", POSITIVE),
     ] = None
-
-    @property
-    def points(self) -> tuple[tuple[float, float]]:
-        """Its only place."""
-        return ((self.x, self.y),)
-
-    @property
-    def edges(self) -> tuple[Segment, ...]:
-        """No lines."""
-        return ()
 
     @property
     def elastic(self) -> bool:
@@ -156,15 +162,12 @@ def _check_slenderness(length: float, diameter: float) -> Iterator[RelativeIssue
         yield RelativeIssue(("length",), f"{length:g} m", expected, "anything shorter is a footing, not a pile")
 
 
-class Pile(Section):
+class Pile(_AtPoint):
     """A pile below the plate, whose stiffness follows from the ground; ground and other piles settle it, too."""
 
     checks: ClassVar[tuple[Check, ...]] = (_check_slenderness, _check_pile_limit_is)
 
     kind: Annotated[Literal["pile"], Table("a pile in ground of elastic layers, which give its stiffness")] = "pile"
-    name: SupportName = ""
-    x: Annotated[float, coordinate(0, "position")]
-    y: Annotated[float, coordinate(1, "position")]
     length: Annotated[float, Quantity("length", "l", "length below the plate", POSITIVE)]
     diameter: Annotated[float, Quantity("length", "d", "diameter", POSITIVE)]
     E: Annotated[float, Quantity("pressure", "E_p", "Young's modulus; of concrete by default", POSITIVE)] = 30e9
@@ -177,16 +180,6 @@ class Pile(Section):
                  Range(at_least=0)),
     ] = None  # fmt: skip
     limit_is: LimitIsKey = "ultimate resistance"
-
-    @property
-    def points(self) -> tuple[tuple[float, float]]:
-        """Its only place."""
-        return ((self.x, self.y),)
-
-    @property
-    def edges(self) -> tuple[Segment, ...]:
-        """No lines."""
-        return ()
 
     @property
     def acts(self) -> Acts:

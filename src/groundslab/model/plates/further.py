@@ -10,7 +10,7 @@ from groundslab.geometry.places import same_place
 from groundslab.geometry.plan import Ring, format_place, get_bounds
 from groundslab.geometry.validity import TOO_CLOSE
 from groundslab.model.ground import POISSON, POSITIVE
-from groundslab.model.plate import SHEAR_FACTOR, Plate, Zone, check_geometry
+from groundslab.model.plate import SHEAR_FACTOR, THERMAL_EXPANSION, Plate, Zone, check_geometry
 from groundslab.model.shapes import CHORD, AnyShape, Shape
 from groundslab.schema.base import Check, Section, Table
 from groundslab.schema.fields import Number, Quantity, Text
@@ -50,9 +50,7 @@ class FurtherPlate(Section):
     E: Annotated[float, Quantity("pressure", "E", "Young's modulus", POSITIVE)]
     nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]
     shear_factor: Annotated[float, SHEAR_FACTOR] = 5 / 6
-    thermal_expansion: Annotated[
-        float, Quantity("strain per temperature", "alpha_T", "strain per temperature; of concrete by default", POSITIVE)
-    ] = 1e-5
+    thermal_expansion: Annotated[float, THERMAL_EXPANSION] = 1e-5
 
     def ring(self) -> Ring:
         """Return the outline as a curve."""
