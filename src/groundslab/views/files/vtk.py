@@ -9,7 +9,7 @@ import numpy as np
 from groundslab.design.demands.design_moments import derive_field, fields_of
 from groundslab.errors import GroundslabError
 from groundslab.fem.mesh import in_space
-from groundslab.results.fields import DIRECTION, ELEMENT_FIELDS, LAYERS, PLATE_FIELDS, PRINCIPAL
+from groundslab.results.fields import ELEMENT_FIELDS, PLATE_FIELDS, POINT_FIELDS, RANGED_FIELDS
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -24,11 +24,8 @@ if TYPE_CHECKING:
 def plate_mesh(results: CombinationResult) -> meshio.Mesh:
     """Return the plate with its fields at nodes and elements in units of display, and flags (1 or 0) of the nodes."""
     plate = results.plate
-    fields, data = fields_of(plate), plate.point_data()
-    design = {
-        about.name: derive_field(fields, name) * about.scale for name, about in (PRINCIPAL | LAYERS | DIRECTION).items()
-    }
-    data = {about.name: data.pop(about.name) for about in PLATE_FIELDS.values()} | design | data
+    fields, shown = fields_of(plate), RANGED_FIELDS | POINT_FIELDS
+    data = {about.name: derive_field(fields, name) * about.scale for name, about in shown.items()} | plate.point_data()
     cells = {
         f"{about.name} (centre, {about.averaged})": getattr(results.elements, name) * about.scale
         for name, about in ELEMENT_FIELDS.items()

@@ -17,7 +17,6 @@ from groundslab.results.fields import (
     BAR_FIELDS,
     ERROR,
     LINE_FORCE,
-    PLATE_FIELDS,
     RANGED_FIELDS,
     SHOWN_ELEMENT_FIELDS,
     STIFFNESS,
@@ -67,7 +66,7 @@ QUANTITIES = {
     if name != LINE_FORCE
 }
 #: Symbols serve as names too.
-SYMBOLS = {field.symbol: name for name, field in (PLATE_FIELDS | SHOWN_ELEMENT_FIELDS).items() if name != LINE_FORCE}
+SYMBOLS = {each.field.symbol: name for name, each in QUANTITIES.items() if each.field.symbol and name not in BAR_FIELDS}
 
 
 def resolve(names: Sequence[str]) -> tuple[PlotQuantity, ...]:
