@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.accuracy.singularities import find_limits
-from groundslab.accuracy.values import add_errors, estimate_error
+from groundslab.accuracy.values import add_errors, error_of_contact_share, estimate_error
 from groundslab.arrays import Array, Flags, Memo
 from groundslab.results.fields import PLATE_FIELDS, extreme_node, place_of
 from groundslab.results.record import LargestValues
@@ -81,7 +81,7 @@ def _sizes(results: CombinationResult) -> LargestValues:
         moment=float((np.abs(mean) + deviator).max()),
         shear=float(shear[limits.shear_forces].max(initial=0.0)),
         pressure=float(np.abs(plate.pressure[limits.pressures]).max(initial=0.0)),
-        contact=plate.contact_share,
+        area=1.0,
         support=max((abs(support.total) for support in results.supports), default=0.0),
     )
 
@@ -101,9 +101,7 @@ def judged_values(results: CombinationResult) -> Iterator[tuple[str, JudgedValue
         for sign in (1, -1) if name in BOTH_SIGNS else (1,):
             if nodes.any():
                 yield against, _extreme(name, sign, nodes, plate, coarser.plate, comparison)
-    share = plate.contact_share
-    error = estimate_error(share, coarser.plate.contact_share, comparison)
-    yield "contact", JudgedValue(error, share, "area in contact", None)
+    yield "area", JudgedValue(error_of_contact_share(results) or 0.0, plate.contact_share, "area in contact", None)
     for support, before in zip(results.supports, coarser.supports, strict=True):
         error = estimate_error(support.total, before.total, comparison)
         middle = place_of(support.nodes.mean(axis=0)[None], 0) if len(support.nodes) else None

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, overload
 
+import numpy as np
+
 if TYPE_CHECKING:
     from groundslab.arrays import Array
-    from groundslab.results.results import Comparison
+    from groundslab.results.results import CombinationResult, Comparison
 
 #: A mesh on which the energy norm falls by less has not begun to converge: no more is taken from the change.
 SLOWEST = 0.75
@@ -28,6 +30,23 @@ def estimate_error(value: float | Array, coarser: float | Array, comparison: Com
     q = min(comparison.reduction, SLOWEST) if comparison.energy_error >= EXACT else 0.0
     change: Any = value - coarser
     return abs(change) * q / (1 - q)  # type: ignore[no-any-return]
+
+
+def error_of_contact_share(results: CombinationResult) -> float | None:
+    """Return the estimated error of the share of the plate's area that rests on the ground; None without a comparison.
+
+    Between a node that touches and one that does not the line of lift-off may lie anywhere: half a row of nodes more or
+    less is not known from the mesh, whatever the coarser one says.
+    """
+    if results.coarser is None or results.comparison is None:
+        return None
+    plate = results.plate
+    touches = plate.in_contact[plate.elements]
+    meets_line = touches.any(axis=1) & ~touches.all(axis=1)
+    nodes = np.unique(plate.elements[meets_line])
+    row = plate.contact_area[nodes].sum() / plate.area.sum()
+    changed = estimate_error(plate.contact_share, results.coarser.plate.contact_share, results.comparison)
+    return max(changed, float(row) / 2)
 
 
 def add_errors(values: Array, coarser: Array, comparison: Comparison) -> Array:

@@ -57,8 +57,8 @@ class LargestValues:
         The largest shear force in any direction [N/m], where shear forces are judged.
     pressure : float
         The largest contact pressure [Pa], where pressures are judged.
-    contact : float
-        The largest share of the area in contact.
+    area : float
+        The plate's area over itself, against which the error of the share in contact is judged.
     support : float
         The largest force of a support [N].
     """
@@ -67,7 +67,7 @@ class LargestValues:
     moment: float
     shear: float
     pressure: float
-    contact: float
+    area: float
     support: float
 
 

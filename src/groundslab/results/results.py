@@ -81,7 +81,7 @@ class Comparison:
     energy_error : float
         The error of the finer mesh in the energy norm, over that of its solution.
     reduction : float
-        That error over the one of the coarser mesh.
+        That error over the one of the coarser mesh, at least a half on an elastic continuum.
     joints : tuple of JointResult
         What the joints carry, at nodes of the coarser mesh.
     """

@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import repeat
 from math import isfinite
 
-from groundslab.accuracy.values import error_of_largest, estimate_error
+from groundslab.accuracy.values import error_of_contact_share, error_of_largest, estimate_error
 from groundslab.arrays import Flags
 from groundslab.design.codes import CODES
 from groundslab.design.tables.quantities import nodal_values, ranged_fields
@@ -161,7 +161,10 @@ def _with_errors(table: Table, coarser: Table, combination: Sequence[Cell], comb
         for value, other, one, two, name in zip(*rows, strict=True):
             comparison = compared.get(str(name))
             error = None
-            if comparison is not None and one == two and isinstance(value, float) and isinstance(other, float):
+            if column.name == "area in contact":
+                share = error_of_contact_share(combined.results[str(name)]) if comparison is not None else None
+                error = None if share is None else 100 * share
+            elif comparison is not None and one == two and isinstance(value, float) and isinstance(other, float):
                 sizes = (abs(value), abs(other)) if column.name in _SIZES else (value, other)
                 error = estimate_error(*sizes, comparison) if all(map(isfinite, sizes)) else None
             errors.append(error)

@@ -7,7 +7,7 @@ from operator import attrgetter
 from typing import TYPE_CHECKING
 
 from groundslab.accuracy.judgment import judge
-from groundslab.accuracy.values import error_of_largest, estimate_error
+from groundslab.accuracy.values import error_of_contact_share, error_of_largest, estimate_error
 from groundslab.units import UNITS
 from groundslab.views.summary.rows import Row, SummarySection
 
@@ -21,6 +21,8 @@ def with_error(row: Row, coarser: Row | None, results: CombinationResult) -> Row
     if coarser is None or isinstance(row.value, int | str) or isinstance(coarser.value, int | str):
         return row
     assert results.comparison is not None
+    if row.label == AREA_IN_CONTACT:
+        return replace(row, error=error_of_contact_share(results))
     if row.values is None or coarser.values is None:
         return replace(row, error=estimate_error(row.value, coarser.value, results.comparison))
     error = error_of_largest(row.values, coarser.values, results.comparison)
