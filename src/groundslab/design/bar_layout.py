@@ -53,7 +53,7 @@ class BarSet:
         return np.asarray(np.linalg.norm(self.ends[:, 1] - self.ends[:, 0], axis=1))
 
     def mass_of(self, length: float) -> float:
-        """Return what so many meters of the bars weigh [kg]."""
+        """Return the mass [kg] of a length [m] of the bars."""
         return DENSITY * math.pi * self.bars.diameter**2 / 4 * length
 
 

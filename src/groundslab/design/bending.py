@@ -98,7 +98,7 @@ def required(
     thickness: Array | float | None = None,
     minimum: Callable[[Array, Array | float | None], Array],
 ) -> Reinforcement:
-    """Return what sections need for moments m >= 0 (n,) [N m/m] with effective depths d (n,) or one [m].
+    """Return the required reinforcement for moments m >= 0 (n,) [N m/m] with effective depths d (n,) or one [m].
 
     d_2 (n,) or one [m] is the distance of bars in compression from the compressed face; without it there are none.
     With the thickness (n,) or one [m] no layer may have more than the block's most. inf where the neutral axis would

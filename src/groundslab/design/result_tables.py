@@ -64,7 +64,7 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
 
 
 def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
-    """Return what makes each table of `tables_of` by the table's name; a table that others are made of is made once."""
+    """Return the function for each table of `tables_of` by the table's name; tables that others use are made once."""
     model = combined.model
     checks: dict[str, Callable[[], Table]] = {}
     if check_design(combined).checks:

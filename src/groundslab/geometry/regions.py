@@ -51,5 +51,5 @@ def _wind_around(place: Place, edges: Iterable[Segment]) -> bool:
 
 
 def _side(edge: Segment, place: Place) -> float:
-    """Return what is positive for a place to the left; one on a chord counts as a little higher, then farther right."""
+    """Return a positive number for a place on the left; on a chord it counts as slightly higher, then farther right."""
     return edge.side(place) or (edge.end[0] - edge.start[0]) or (edge.start[1] - edge.end[1])

@@ -151,7 +151,7 @@ def _narrow_strip(name: str, other: str, place: Place, gap: float, near: float) 
 
 
 def _outlines(flat: dict[str, Polygon]) -> Any:
-    """Return what the outlines of all plates enclose."""
+    """Return the area enclosed by the outlines of all plates."""
     import shapely
 
     return shapely.union_all([polygon for name, polygon in flat.items() if name.endswith(".outline")])

@@ -77,7 +77,7 @@ def get_most_sections(field: FieldInfo) -> int | None:
 
 
 def get_meaning(field: FieldInfo) -> str:
-    """Return what a field means."""
+    """Return the meaning of a field."""
     return next((item.meaning for item in field.metadata if isinstance(item, FieldType | Table)), "")
 
 

@@ -44,7 +44,7 @@ class FieldType:
         raise NotImplementedError
 
     def expected(self) -> str:
-        """Return what the value should be, for messages and examples."""
+        """Return the expected value in words, for messages and examples."""
         return self.EXPECTED
 
     def write(self, value: Any) -> str:

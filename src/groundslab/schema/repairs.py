@@ -83,5 +83,5 @@ def add_unit(value: object, dimension: str, limits: ranges.Range) -> Iterator[Re
 
 
 def _name(place: Place) -> str:
-    """Return what a place is called on a button: ``beyond.kind``, ``loads[2]``."""
+    """Return the name of a place on a button: ``beyond.kind``, ``loads[2]``."""
     return "".join(f"[{step + 1}]" if isinstance(step, int) else f".{step}" for step in place).lstrip(".")

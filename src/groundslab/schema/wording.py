@@ -10,7 +10,7 @@ MOST_NAMES = 10  # that are listed of those in a file
 
 
 def describe(value: object) -> str:
-    """Return what a value is in at most about fifty characters, for messages."""
+    """Return a description of a value in at most about fifty characters, for messages."""
     if value is None:
         return "nothing"
     if isinstance(value, bool):

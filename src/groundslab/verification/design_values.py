@@ -62,7 +62,7 @@ def _links(**given: Any) -> float:
 
 
 def _crack(what: str) -> Callable[..., float]:
-    """Return what finds a figure of a crack, of bars with an effective depth of concrete in tension."""
+    """Return the function for a figure of a crack, of bars with an effective depth of concrete in tension."""
 
     def find(
         diameter: float, spacing: float, cover: float, area: float, depth: float, sigma_s: float, f_ck: float
@@ -105,7 +105,7 @@ def _aci_stress(b_1: float, b_2: float, d: float, V_u: float, M: float) -> float
 
 
 def _section(what: str) -> Callable[..., float]:
-    """Return what finds a figure of a section of width b with bars at the bottom, I in 1e6 mm4, M_cr at 1 MPa."""
+    """Return the function for a figure of a section of width b with bottom bars, I in 1e6 mm4, M_cr at 1 MPa."""
 
     def find(b: float, h: float, area: float, distance: float, n: float, M: float = 0.0) -> float:
         bars = cracked_section.Bars((area / b, 0.0), (distance, distance))
@@ -134,7 +134,7 @@ def _beside_aisle(stress: float, E: float, h: float, k: float) -> float:
 
 
 def _design_moment(name: str) -> Callable[..., float]:
-    """Return what finds a design moment of Wood and Armer."""
+    """Return the function for a design moment of Wood and Armer."""
 
     def find(m_x: float, m_y: float, m_xy: float) -> float:
         return float(getattr(wood_armer(*(np.array([moment]) for moment in (m_x, m_y, m_xy))), name)[0])

@@ -64,7 +64,7 @@ class BlockCounts:
         return self._counts.get((name.lower(), role), (1, 1))[0] > 0
 
     def _content(self, entities: Iterable[DXFEntity], contents: dict[str, _Content]) -> _Content:
-        """Return what there is, and enter the blocks that it refers to, and those that these do."""
+        """Return the content of entities, and add that of blocks they refer to, directly or through other blocks."""
         first, todo = _Content(), [(entities, "")]
         while todo:
             some, name = todo.pop()

@@ -47,7 +47,7 @@ CURVES = ("outline", "openings", "zones", "columns")
 def read(
     path: str | Path, layers: Layers | Mapping[str, str] | None = None, unit: str | None = None, gap: float = GAP
 ) -> Drawing:
-    """Return what a drawing's layers hold; raises InputError with all that is wrong.
+    """Return the contents of a drawing's layers; raises InputError with all issues.
 
     ``layers`` names one for each thing, or says what each holds of all that are read. ``unit`` (such as "mm") is needed
     if the drawing does not say its own, and wins over it. Gaps between the ends of lines up to ``gap`` [m] are closed,

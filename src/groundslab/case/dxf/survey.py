@@ -62,7 +62,7 @@ class _EveryLayer(Roles):
 
 
 def survey(path: str | Path) -> Survey:
-    """Return what the layers of a drawing hold; raises InputError if it cannot be opened."""
+    """Return the contents of a drawing's layers; raises InputError if it cannot be opened."""
     context = ReadContext(str(path))
     document = open_drawing(context.path)
     unit = UNITS.get(document.header.get("$INSUNITS", 0))

@@ -73,7 +73,7 @@ class Design:
 
 
 def check_design(combined: Results) -> Design:
-    """Return what can be judged of the design of a model, over its certified results.
+    """Return the design checks of a model over its certified results.
 
     Parameters
     ----------

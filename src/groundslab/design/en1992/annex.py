@@ -62,7 +62,7 @@ def _frozen(value: Any) -> Any:
 
 
 def table(name: str) -> dict[str, dict[str, Any]]:
-    """Return what an annex's file says: of each parameter its value, clause and source."""
+    """Return the parameters in an annex's file, each with its value, clause and source."""
     path = files("groundslab.design.en1992") / "annexes" / f"{ANNEXES[name]}.toml"
     parameters: dict[str, dict[str, Any]] = tomllib.loads(path.read_text(encoding="utf-8"))["parameters"]
     return parameters

@@ -18,7 +18,7 @@ from groundslab.results.results import CombinationResult, Results, refusal_words
 
 
 def combinations(combined: Results) -> Table:
-    """Return what each combination is made of, and its first figures, or why it has none."""
+    """Return the composition and the main figures of each combination, or why it has none."""
     heads = [
         ("combination", ""), ("limit state", ""), ("rule", ""), ("loads", ""), ("outcome", ""),
         ("sum of loads", "kN"), ("reaction", "kN"), ("largest settlement", "mm"), ("largest uplift", "mm"),
@@ -67,7 +67,7 @@ def acting_cases(combined: Results) -> Table:
 
 
 def factors(combined: Results, combination: Combination) -> str:
-    """Return what a combination is made of, as in "1.35 G + 1.5 Q"."""
+    """Return the load factors of a combination as a sum, as in "1.35 G + 1.5 Q"."""
     if not combined.model.cases:
         return "all loads"
     text = ""

@@ -77,7 +77,7 @@ class PlateRegion:
 
 
 def _area(plate: AnyPlate) -> BaseGeometry:
-    """Return what a plate covers, without its openings."""
+    """Return the area of a plate without its openings."""
     from shapely import union_all
 
     outline, *openings = map(equal_area_polygon, plate.rings())

@@ -43,7 +43,7 @@ def near_places(places: Sequence[Place], nodes: Array, thickness: Array) -> Flag
 
 
 def notes_on_singular_places(model: Model, mark: str = "") -> tuple[str, ...]:
-    """Return what is said of the places at which section forces are singular, and of their mark; nothing of none."""
+    """Return the note on the places where section forces are singular, and on their mark; empty without such places."""
     places = singular_places(model)
     what = ", ".join(f"{kind} ({len(found)})" for kind, found in places.items())
     return (SINGULAR.format(mark, what),) if places else ()

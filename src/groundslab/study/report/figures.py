@@ -251,7 +251,7 @@ def plan_map(name: str, title: str, nodes: Array, elements: Integers, values: Ar
 
 
 def _render(name: str, label: str, draw: Callable[[], Figure]) -> Markup:
-    """Return what `draw` draws as an SVG element for the page."""
+    """Return the figure made by `draw` as an SVG element for the page."""
     return to_inline_svg(draw, name, label, CHARTS)
 
 
@@ -263,7 +263,7 @@ def _figure(height: float, width: float = WIDTH) -> Figure:
 
 
 def named(name: str, unit: Unit) -> str:
-    """Return what an axis says: "E1 [MPa]"."""
+    """Return the label of an axis: "E1 [MPa]"."""
     return f"{short(name)} [{unit.name}]" if unit.name else short(name)
 
 

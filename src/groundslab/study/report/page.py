@@ -90,7 +90,7 @@ def _lead(sample: Samples) -> str:
 
 
 def _warnings(sample: Samples) -> list[str]:
-    """Return what a reader must know before any figure."""
+    """Return the warnings that come before any figure."""
     n, collapsed = len(sample.number), int(sample.collapsed.sum())
     lost = n - int(sample.solved.sum()) - collapsed
     notes = []

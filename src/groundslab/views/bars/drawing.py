@@ -140,7 +140,7 @@ def _bar_set(each: BarSet, place: tuple[float, float], h: float) -> Iterator[Sha
 
 
 def label_of(each: BarSet) -> str:
-    """Return what is written at a set of bars: how many of which diameter, how far apart, how long; what mesh."""
+    """Return the label of a set of bars: number, diameter, spacing and length, or the welded mesh."""
     shortest, longest = f"{each.lengths.min():.2f}", f"{each.lengths.max():.2f}"
     long = longest if shortest == longest else f"{shortest} to {longest}"
     phi, spacing = (format_number(1e3 * value, 4, trim=True) for value in (each.bars.diameter, each.bars.spacing))

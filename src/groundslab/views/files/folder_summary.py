@@ -55,14 +55,14 @@ class Summary:
 
 @cache
 def _adapter() -> TypeAdapter[Summary]:
-    """Return what reads summary.json."""
+    """Return the type adapter that reads summary.json."""
     from pydantic import TypeAdapter
 
     return TypeAdapter(Summary)
 
 
 def read_summary(folder: Path) -> Summary | None:
-    """Return what the summary in a folder says of it, None if there is none that groundslab wrote."""
+    """Return the summary in a folder, None if there is none that groundslab wrote."""
     path = folder / FILE
     try:
         return _adapter().validate_json(bounded.read_whole(path, LARGEST), strict=True) if path.is_file() else None

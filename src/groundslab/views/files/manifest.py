@@ -40,7 +40,7 @@ def is_path(name: str) -> bool:
 
 
 def _of_one(results: CombinationResult, below: str, plot: bool) -> dict[str, Writer]:
-    """Return what writes the files of one combination, by their paths; all of them begin with `below`."""
+    """Return the writers of the files of one combination by their paths, all of which begin with `below`."""
     from groundslab.views import plots
     from groundslab.views.files import npz, vtk
 
@@ -56,7 +56,7 @@ def _of_one(results: CombinationResult, below: str, plot: bool) -> dict[str, Wri
 
 
 def _of_increments(results: CombinationResult, below: str) -> dict[str, Writer]:
-    """Return what writes the states under shares of the load, and the collections that join them with the last one.
+    """Return the writers of the states under shares of the load, and of collections that join them with the last one.
 
     ParaView's time is the share.
     """
@@ -79,7 +79,7 @@ def _of_increments(results: CombinationResult, below: str) -> dict[str, Writer]:
 
 
 def files_of(combined: Results, plot: bool) -> tuple[dict[str, Writer], dict[str, str]]:
-    """Return what writes the files of each combination and those that join them, and the combinations' folders.
+    """Return the writers of each combination's files and of those that join them, and the combinations' folders.
 
     ParaView's time is the number of each combination; those without a certified result are left out there.
     """
@@ -105,7 +105,7 @@ def files_of(combined: Results, plot: bool) -> tuple[dict[str, Writer], dict[str
 
 
 def of_all(combined: Results) -> dict[str, Writer]:
-    """Return what writes the files of all combinations together: tables, and envelopes if there is more than one."""
+    """Return the writers of the files of all combinations together: tables, and envelopes if there is more than one."""
     from groundslab.design.result_tables import tables_of
     from groundslab.views.files import vtk
 

@@ -170,14 +170,14 @@ def _array(archive: zipfile.ZipFile, member: zipfile.ZipInfo) -> Any:
 
 @cache
 def _adapters() -> tuple[TypeAdapter[_Layout], TypeAdapter[_About]]:
-    """Return what reads the JSON text: the version of its layout alone, and all of it."""
+    """Return the type adapters that read the JSON text: the version of its layout alone, and all of it."""
     from pydantic import TypeAdapter
 
     return TypeAdapter(_Layout), TypeAdapter(_About)
 
 
 def _read_about(text: str) -> _About:
-    """Return what the JSON text says; raises ValueError, which names the first value that is wrong."""
+    """Return the metadata in the JSON text; raises ValueError, which names the first invalid value."""
     from pydantic import ValidationError
 
     layout, about = _adapters()
@@ -221,7 +221,7 @@ def _read_model(text: str) -> Model:
 
 
 def _comparison(about: _About, arrays: dict[str, Any]) -> Comparison:
-    """Return what the coarser mesh gave."""
+    """Return the comparison with the coarser mesh."""
     assert about.comparison is not None
     energy_error, reduction, constants = about.comparison
     supports = _named(SupportResult, "coarser.supports", about.supports, arrays)

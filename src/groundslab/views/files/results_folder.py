@@ -260,7 +260,7 @@ def _not_ours(path: Path, found: str) -> InputError:
 
 
 def _in_the_way(target: Path) -> list[Issue]:
-    """Return what speaks against writing results into the folder."""
+    """Return the issues that prevent writing results into the folder."""
     atomic.check_name(target, manifest.DEEPEST)
     previous = atomic.previous_path(target)
     if os.path.lexists(previous):

@@ -45,7 +45,7 @@ class ComparisonRow:
 
 
 def headings(comparison: GroundComparison) -> tuple[str, ...]:
-    """Return what each ground is called, and whether its constants were fitted."""
+    """Return the name of each ground, and whether its constants were fitted."""
     return tuple(f"{each.name}, fitted" if each.fitted else each.name for each in comparison.grounds)
 
 
@@ -82,7 +82,7 @@ RMS_NOTE = (
 
 
 def notes(comparison: GroundComparison) -> tuple[str, ...]:
-    """Return what a reader must know."""
+    """Return the notes on a comparison."""
     about = f'Combination "{comparison.combination}" ({comparison.limit_state}).'
     return (about, "Differences are those to the continuum, in percent of its value.", RMS_NOTE, *comparison.notes)
 

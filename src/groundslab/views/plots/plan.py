@@ -150,7 +150,7 @@ def panels_per_page(ratio: float) -> tuple[int, int]:
 
 
 def _limits(model: Model) -> tuple[float, float, float, float]:
-    """Return what a plan shows, x0, x1, y0, y1 [m]."""
+    """Return the limits of a plan, x0, x1, y0, y1 [m]."""
     x0, x1, y0, y1 = model.bounds
     around = PADDING * max(x1 - x0, y1 - y0)
     return x0 - around, x1 + around, y0 - around, y1 + around

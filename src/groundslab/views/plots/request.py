@@ -50,7 +50,7 @@ class PlotQuantity:
 
     @property
     def title(self) -> str:
-        """Return what the quantity is, as a title."""
+        """Return the meaning of the quantity as a title."""
         return self.field.meaning[0].upper() + self.field.meaning[1:]
 
     @property
@@ -268,7 +268,7 @@ def _require_bar_fields(quantities: Sequence[PlotQuantity], combined: Results) -
 def _find_conflicts(
     kind: str, fields: Sequence[str], combinations: tuple[str, ...], envelope: str | None, lines: bool, mesh: bool
 ) -> list[Issue]:
-    """Return what does not go together."""
+    """Return an issue for each conflict between options."""
     if kind not in KINDS:
         return [Issue("kind", quote(kind), f"one of {listed(KINDS)}", suggestion(kind, KINDS))]
     issues = []

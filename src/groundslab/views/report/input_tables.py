@@ -241,7 +241,7 @@ def _column(name: str, key: FieldType, values: list[Any]) -> tuple[TableHeader, 
 
 
 def _combinations(combinations: Sequence[Combination]) -> TableLayout:
-    """Return what is solved: the combinations that the case lists and those made by EN 1990, or each case."""
+    """Return the table of solved combinations: those of the case and those made by EN 1990, or each load case."""
     heads = headers("#no.", "name", "limit state", "loads that act together")
     rows = tuple(
         (Cell(str(number), "number"), Cell(each.name), Cell(each.limit_state), Cell(factors_text(each)))

@@ -85,7 +85,7 @@ def _loads_of(model: Model, placed: Model, case: LoadCase | None) -> list[tuple[
 
 
 def _on_plate(load: AnyLoad) -> str:
-    """Return what acts everywhere, such as "uniform 5 kPa", with the plate that it names."""
+    """Return the text of a load on the entire plate, such as "uniform 5 kPa", with the plate that it names."""
     name = getattr(load, "plate", "")
     return f"{load.kind} {load_text(load)}" + (f" on {name}" if name else "")
 

@@ -115,7 +115,7 @@ def _words(name: str, signed: bool) -> dict[str, Any]:
 
 
 def _fields_of_bars(combined: Results) -> dict[str, Array]:
-    """Return what bars are required and how far they are used (n,), where any are enough; the same in all combinations.
+    """Return the required bars and their utilization (n,), where any are enough; the same in all combinations.
 
     One of them is left out where the concrete is too weak somewhere.
     """

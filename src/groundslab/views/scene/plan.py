@@ -43,7 +43,7 @@ Data = dict[str, Any]
 
 
 def plan_of(model: Model) -> Data:
-    """Return what stands in plan [m]: each item with its path in the case file, which counts from 1."""
+    """Return the items in plan [m], each with its path in the case file, which counts from 1."""
     plate = model.plate
     x0, x1, y0, y1 = model.bounds
     chord = DRAWN_CHORD * max(model.sides)
@@ -123,7 +123,7 @@ def _load(load: AnyLoad, model: Model, chord: float) -> Data:
 
 
 def _place_of(shape: Acting, model: Model, chord: float) -> Data:
-    """Return what a shape acts on."""
+    """Return the points, line or area that a load acts on."""
     if isinstance(shape, PointForce):
         footprint = {} if shape.ring is None else {"footprint": _rounded(shape.ring.flat(chord))}
         return {"points": _rounded([shape.place])} | footprint

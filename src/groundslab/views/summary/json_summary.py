@@ -74,7 +74,7 @@ def _case(use: CaseUse) -> dict[str, Any]:
 
 
 def design(combined: Results) -> dict[str, Any]:
-    """Return what can be judged of the design as data for JSON."""
+    """Return the design checks as data for JSON."""
     from groundslab.design.checks import check_design
 
     found = check_design(combined)
@@ -95,7 +95,7 @@ def _only(results: CombinationResult) -> dict[str, Any]:
 
 
 def _several(combined: Results, found: Sequence[Entry], folders: Mapping[str, str]) -> dict[str, Any]:
-    """Return what all combinations have in common, the extremes over them, and each by itself."""
+    """Return the description of all combinations, the extremes over them, and each by itself."""
     document: dict[str, Any] = {}
     if any(entry.results is not None for entry in found):
         document |= _sections(combinations.description(combined))

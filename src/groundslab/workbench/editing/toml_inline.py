@@ -109,7 +109,7 @@ def _align(old: list[Any], new: list[Any]) -> list[int | None]:
 
 
 def _split_separator(between: str) -> tuple[str, str]:
-    """Return what stands behind an item on its line and what precedes the next one, without the comma."""
+    """Return the text after an item on its line and the text before the next one, without the comma."""
     plain = _COMMENT.sub(lambda match: " " * len(match.group()), between)
     comma = plain.find(",")
     without = between[:comma] + between[comma + 1 :] if comma >= 0 else between

@@ -41,7 +41,7 @@ Maker = Callable[[], TableLayout]
 
 
 def layout_makers(combined: Results) -> dict[str, Maker]:
-    """Return what makes each table by its name, in the order of the report."""
+    """Return the function for each table by the table's name, in the order of the report."""
     makers: dict[str, Maker] = {name: partial(_layout_table, make) for name, make in table_makers(combined).items()}
     found = combinations.entries(combined)
     there = [entry.results for entry in found if entry.results is not None]
@@ -87,7 +87,7 @@ def _list_errors(combined: Results) -> TableLayout:
 
 
 def _head_to_json(head: TableHeader, at: int, texts: Sequence[str]) -> dict[str, Any]:
-    """Return what stands above a column, and which columns say where its values are and of which combination."""
+    """Return the header of a column, and which columns give the place and the combination of its values."""
     stem = texts[at]
     for start in ("x of the ", "y of the ", "combination of the "):
         stem = stem.removeprefix(start)
