@@ -113,7 +113,8 @@ def required(
     mu = np.minimum(m, m_lim) / (block.stress * d**2)
     omega = 2 * mu / (1 + np.sqrt(1 - 2 * mu))
     axis = np.where(beyond, block.xi, np.minimum(omega / block.depth, block.xi))
-    tension, compression = omega * block.stress * d / block.f_y, np.zeros(m.shape)
+    tension = omega * block.stress * d / block.f_y
+    compression = np.zeros(m.shape)
     fails = beyond.copy()
     if d_2 is not None:
         strain = block.eps_cu * (1 - np.asarray(d_2, dtype=float) / (block.xi * d))
@@ -124,7 +125,7 @@ def required(
         tension = tension + force / block.f_y
     if thickness is not None:
         fails = fails | (np.maximum(tension, compression) > block.most * np.asarray(thickness, dtype=float))
-    tension, compression, axis = (np.where(fails, np.inf, each) for each in (tension, compression, axis))
+    tension, compression, axis = (np.where(fails, np.inf, values) for values in (tension, compression, axis))
     return Reinforcement(tension, compression, axis, np.where(m > 0, minimum(d, thickness), 0.0))
 
 
