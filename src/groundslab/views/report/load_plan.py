@@ -124,9 +124,9 @@ def _split_repeated(
 
 def _values(model: Model, placed: Model, case: LoadCase | None) -> dict[tuple[float, float], list[str]]:
     """Return how large the loads of a case are, by the places at which that is written."""
-    found: dict[tuple[float, float], list[str]] = {}
+    texts: dict[tuple[float, float], list[str]] = {}
     for load, about in _loads_of(model, placed, case):
         if stands_in_plan(about):
             place = upper_left(about["ring"]) if "ring" in about else middle(about["points"])
-            found.setdefault(place, []).append(load_text(load))
-    return found
+            texts.setdefault(place, []).append(load_text(load))
+    return texts

@@ -74,8 +74,8 @@ def plan_of(model: Model) -> Data:
         "outline": ring(plate.ring()),
         "openings": listed("plate.openings", plate.openings, lambda hole: {"ring": ring(hole.ring())}),
         "zones": zones("plate.zones", plate),
-        "plates": [further(number, each) for number, each in enumerate(model.plates, 1)],
-        "columns": listed("columns", model.columns, lambda each: _place(each) | {"ring": ring(each.ring())}),
+        "plates": [further(number, other) for number, other in enumerate(model.plates, 1)],
+        "columns": listed("columns", model.columns, lambda column: _place(column) | {"ring": ring(column.ring())}),
         "supports": listed("supports", model.supports, _support),
         "loads": listed("loads", model.loads, lambda load: _load(load, model, chord)),
         "boreholes": listed("boreholes", model.boreholes, _place),
@@ -179,5 +179,5 @@ def _ends(line: OutputLine | OutputStrip) -> Data:
 
 def _rounded(places: Sequence[Place] | Array) -> list[list[float]]:
     """Return places as lists, rounded to nanometers, no zero of them negative."""
-    found: list[list[float]] = (np.round(np.asarray(places, dtype=float), DIGITS) + 0.0).tolist()
-    return found
+    rounded: list[list[float]] = (np.round(np.asarray(places, dtype=float), DIGITS) + 0.0).tolist()
+    return rounded
