@@ -64,7 +64,7 @@ def meant_word(word: object, known: Collection[str], unlisted: str | None) -> tu
 
 def use_free_name(place: Place, name: str, taken: Collection[str]) -> tuple[Repair, ...]:
     """Return the repair that makes a name its own: ``A1 2`` beside ``A1``."""
-    free = next(each for number in itertools.count(2) if (each := f"{name} {number}") not in taken)
+    free = next(candidate for number in itertools.count(2) if (candidate := f"{name} {number}") not in taken)
     return (set_value(place, free, f"rename to {describe(free)}"),)
 
 
