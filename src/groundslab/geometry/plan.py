@@ -376,9 +376,9 @@ def sections(plan: Plan, places: Array) -> Integers:
     starts = np.array([0, *(number for _, number in plan.others)])
     for ring, number in zip(plan.outlines, starts, strict=True):
         section[inside(ring)] = number
-    own = section.copy()
+    of_plates = section.copy()
     for ring, number in plan.zones:
-        section[inside(ring) & (own == starts[starts <= number].max())] = number
+        section[inside(ring) & (of_plates == starts[starts <= number].max())] = number
     for ring in plan.openings:
         cut = inside(ring)
         section[cut] = empty[cut]

@@ -32,8 +32,8 @@ class Region:
 
     def find_near(self, edge: Segment, tolerance: float) -> list[int]:
         """Return the numbers of the edges whose boxes come near that of an edge."""
-        found = self.tree.query(bounding_box([edge]), predicate="dwithin", distance=tolerance)
-        return sorted(found.tolist())
+        near = self.tree.query(bounding_box([edge]), predicate="dwithin", distance=tolerance)
+        return sorted(near.tolist())
 
 
 def _wind_around(place: Place, edges: Iterable[Segment]) -> bool:
