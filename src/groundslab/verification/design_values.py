@@ -42,8 +42,8 @@ def _least_ratio(f_ck: float, f_yk: float) -> float:
 
 def _concrete(f_ck: float, annex: str) -> Concrete:
     """Return concrete with the factors and rules of an annex."""
-    own = annex_of(annex)
-    return Concrete(f_ck, own.gamma_c, own.alpha_cc, own)
+    parameters = annex_of(annex)
+    return Concrete(f_ck, parameters.gamma_c, parameters.alpha_cc, parameters)
 
 
 def _without_links(f_ck: float, d: float, rho: float, annex: str = "recommended") -> float:
@@ -110,10 +110,10 @@ def _section(what: str) -> Callable[..., float]:
     def find(b: float, h: float, area: float, distance: float, n: float, M: float = 0.0) -> float:
         bars = cracked_section.Bars((area / b, 0.0), (distance, distance))
         thickness, ratio = np.array([h]), np.array([n])
-        z, I_I, _ = (float(each[0]) for each in cracked_section.uncracked_section(thickness, bars, ratio))
-        x, I_II, _ = (float(each[0]) for each in cracked_section.cracked_section(thickness, bars, ratio, top=False))
-        found = {"z": z, "I_I": b * I_I * 1e6, "M_cr": b * I_I / (h - z) * 1e6, "x": x, "I_II": b * I_II * 1e6}
-        return (found | {"sigma_s": n * M / b * (h - distance - x) / I_II})[what]
+        z, I_I, _ = (float(value[0]) for value in cracked_section.uncracked_section(thickness, bars, ratio))
+        x, I_II, _ = (float(value[0]) for value in cracked_section.cracked_section(thickness, bars, ratio, top=False))
+        figures = {"z": z, "I_I": b * I_I * 1e6, "M_cr": b * I_I / (h - z) * 1e6, "x": x, "I_II": b * I_II * 1e6}
+        return (figures | {"sigma_s": n * M / b * (h - distance - x) / I_II})[what]
 
     return find
 
@@ -166,7 +166,7 @@ def _effect(
         cases.append(LoadCase(name=name, action="variable", category=kind, group=group, **factors))
     effects = {**permanent, "rare": rare, **{name: effect for name, (effect, *_) in variable.items()}}
     made = make_combinations(Combine(sets=(limit_state,), **rules), cases)
-    sums = [sum(factor * effects[name] for name, factor in each.factors) for each in made]
+    sums = [sum(factor * effects[name] for name, factor in combination.factors) for combination in made]
     return min(sums) if least else max(sums)
 
 
