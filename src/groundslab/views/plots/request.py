@@ -66,7 +66,11 @@ QUANTITIES = {
     if name != LINE_FORCE
 }
 #: Symbols serve as names too.
-SYMBOLS = {each.field.symbol: name for name, each in QUANTITIES.items() if each.field.symbol and name not in BAR_FIELDS}
+SYMBOLS = {
+    quantity.field.symbol: name
+    for name, quantity in QUANTITIES.items()
+    if quantity.field.symbol and name not in BAR_FIELDS
+}
 
 
 def resolve(names: Sequence[str]) -> tuple[PlotQuantity, ...]:
