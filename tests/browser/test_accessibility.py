@@ -58,7 +58,7 @@ def test_no_violations_from_an_empty_case_to_a_result(server: Server, bench: Ben
         bench.tab(tab)
         assert find_violations(bench.page) == []
     bench.page.locator("svg.drawing").press("?")
-    bench.page.get_by_role("dialog", name="Keys").wait_for()
+    bench.page.get_by_role("dialog", name="Keyboard shortcuts").wait_for()
     assert find_violations(bench.page) == []
     bench.page.keyboard.press("Escape")
     for tab in bench.page.locator(".result").get_by_role("tab").all():

@@ -159,10 +159,10 @@ def test_a_warehouse_floor(server: Server, bench: Bench) -> None:
     hands.click(bench.page.get_by_role("button", name="+ self-weight"))
     bench.wait_text('kind = "self weight"')
     rack = {"P": "45", "width_x": "100 mm", "width_y": "100 mm", "bay": "3", "depth": "1", "x": "-8", "y": "-6"}
-    hands.generate("racks", {**rack, "case": "a new one"})
+    hands.generate("racks", {**rack, "case": "new load case"})
     bench.wait_text('kind = "rack"')
     path = {"x": "11.3", "y": "-11", "x2": "11.3", "y2": "11", "step": "5.5"}
-    hands.generate("vehicle", {"front": "120", "rear": "0", **path, "case": "a new one"})
+    hands.generate("vehicle", {"front": "120", "rear": "0", **path, "case": "new load case"})
     bench.wait_text('kind = "vehicle"')
     hands.add_case("curling", "variable")
     hands.tab("Tables")
@@ -277,9 +277,9 @@ def test_a_tank_from_a_drawing(server: Server, bench: Bench, tmp_path: Path) -> 
     bench.page.get_by_role("option", name="tank.dxf").dblclick()
     dialog = bench.page.locator(".drawing-dialog")
     for layer, what in (("BASE", "outline"), ("WALL", "line loads")):
-        hands.enter(what, dialog.get_by_label(f"what the layer {layer} holds"))
-    hands.enter("the middle of the slab", dialog.get_by_label("origin"))
-    hands.click(dialog.get_by_role("button", name="Make a case"))
+        hands.enter(what, dialog.get_by_label(f"content of layer {layer}"))
+    hands.enter("center of the slab", dialog.get_by_label("origin"))
+    hands.click(dialog.get_by_role("button", name="Create case"))
     bench.wait_seen(".drawing-report pre", "outline")
     hands.click(bench.page.get_by_role("button", name="Close", exact=True))
     hands.fill({"thickness": "400 mm", "E": "33 GPa", "nu": "0.2"}, "plate")

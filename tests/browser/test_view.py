@@ -19,7 +19,7 @@ def test_results_saved_as_one_file_are_looked_at(own_server: Server, bench: Benc
     bench.wait_solved()
     settlement = bench.largest("largest settlement")
     with bench.page.expect_download() as download:
-        bench.page.get_by_role("button", name="One file").click()
+        bench.page.get_by_role("button", name="Archive").click()
     path = tmp_path / download.value.suggested_filename
     download.value.save_as(path)
     own_server.stop()
@@ -30,7 +30,7 @@ def test_results_saved_as_one_file_are_looked_at(own_server: Server, bench: Benc
     bench.page.goto(own_server.start(path, command="view"))
     bench.wait_solved()
     assert bench.largest("largest settlement") == settlement
-    bench.wait_seen(".result-status", "nothing can be changed")
+    bench.wait_seen(".result-status", "read-only")
     bench.wait_seen(".file-title", "slab-results.zip")
     assert bench.page.locator("button, a.button", has_text="Solve").count() == 0
     assert bench.page.locator(".model, .tool, textarea").count() == 0

@@ -37,7 +37,7 @@ def _open(bench: Bench, name: str) -> None:
 
 def _hold(bench: Bench, layer: str, what: str) -> None:
     """Say what a layer holds."""
-    bench.page.get_by_label(f"what the layer {layer} holds").select_option(what)
+    bench.page.get_by_label(f"content of layer {layer}").select_option(what)
 
 
 def test_a_case_from_layers_that_are_chosen(server: Server, bench: Bench, case: Path, drawing: Path) -> None:
@@ -46,10 +46,10 @@ def test_a_case_from_layers_that_are_chosen(server: Server, bench: Bench, case: 
     _open(bench, drawing.name)
     dialog = bench.page.locator(".drawing-dialog")
     bench.wait_seen(".drawing-dialog .messages", "Choose the drawing's unit")
-    make = dialog.get_by_role("button", name="Make a case")
+    make = dialog.get_by_role("button", name="Create case")
     assert make.is_disabled()
-    dialog.get_by_label("unit of the drawing").select_option("cm")
-    bench.wait_seen(".drawing-dialog .messages", "Choose the layer of the outline.")
+    dialog.get_by_label("drawing unit").select_option("cm")
+    bench.wait_seen(".drawing-dialog .messages", "Choose the layer with the outline.")
     _hold(bench, "A-AXIS", "outline")
     make.click()
     bench.wait_seen(".drawing-dialog .messages", "lines that close end to end")
@@ -83,14 +83,14 @@ def test_what_is_drawn_snaps_to_a_drawing_below_the_plan(
     before = bench.text()
     _open(bench, drawing.name)
     dialog = bench.page.locator(".drawing-dialog")
-    dialog.get_by_label("unit of the drawing").select_option("cm")
-    dialog.get_by_role("button", name="Only show it below the plan").click()
+    dialog.get_by_label("drawing unit").select_option("cm")
+    dialog.get_by_role("button", name="Only show under the plan").click()
     underlay = bench.page.locator("svg.drawing .underlay")
     underlay.wait_for(state="attached")
     bar = bench.page.get_by_role("button", name="Underlay")
     bar.click()
     for axis, value in (("x", "-7"), ("y", "-4.5")):
-        field = bench.page.get_by_label(f"{axis} of the drawing's origin in the plan")
+        field = bench.page.get_by_label(f"{axis} of the drawing's origin on the plan")
         field.fill(value)
         field.press("Enter")
     bar.click()

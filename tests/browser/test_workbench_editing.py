@@ -147,7 +147,7 @@ def test_what_is_turned_and_mirrored_is_written_exactly(server: Server, bench: B
     bench.click(-2.0, 1.0)
     bench.page.keyboard.press("r")
     bench.page.locator('.action-dialog [name="angle"]').fill("30")
-    bench.wait_seen(".action-message", "turn it by right angles, or give it a diameter")
+    bench.wait_seen(".action-message", "rotate by multiples of 90°, or give it a diameter")
     bench.page.keyboard.press("Escape")
     bench.page.keyboard.press("i")
     _enter(bench, x="0")

@@ -18,8 +18,8 @@ def test_twelve_legs_are_one_step(server: Server, bench: Bench, case: Path) -> N
     drawing.focus()
     drawing.press("k")
     dialog = page.get_by_role("dialog", name="Racks")
-    dialog.get_by_label("load of a leg").fill("62,5")
-    dialog.get_by_label("width of a bay").fill("0.8")
+    dialog.get_by_label("load per leg").fill("62,5")
+    dialog.get_by_label("bay width").fill("0.8")
     dialog.get_by_label("first leg x").fill("-2 m")
     bench.until(lambda: "12 legs." in dialog.inner_text(), dialog.inner_text)
     bench.until(lambda: page.evaluate("document.querySelector('svg.drawing .ghosts').childElementCount") > 0)
@@ -44,7 +44,7 @@ def test_a_vehicle_moves_along_a_path(server: Server, bench: Bench, case: Path) 
     page = bench.page
     bench.tool("vehicle")
     dialog = page.get_by_role("dialog", name="Vehicle")
-    for label, value in (("from x", "-2"), ("to x", "2"), ("axles apart", "0.8"), ("step", "2")):
+    for label, value in (("from x", "-2"), ("to x", "2"), ("wheelbase", "0.8"), ("step", "2")):
         dialog.get_by_label(label).fill(value)
     bench.until(lambda: "3 positions" in dialog.inner_text(), dialog.inner_text)
     dialog.get_by_role("button", name="Vehicle").click()
@@ -58,11 +58,11 @@ def test_a_vehicle_moves_along_a_path(server: Server, bench: Bench, case: Path) 
     for label, value in (
         ("first x", "-2.5"),
         ("first y", "-1.5"),
-        ("distances in x", "2x2,5 5"),
-        ("distances in y", "3"),
+        ("spacing in x", "2x2,5 5"),
+        ("spacing in y", "3"),
     ):
         dialog.get_by_label(label).fill(value)
-    bench.until(lambda: "6 columns. 2 that would not stand" in dialog.inner_text(), dialog.inner_text)
+    bench.until(lambda: "6 columns. 2 outside the slab" in dialog.inner_text(), dialog.inner_text)
     page.keyboard.press("Enter")
     bench.wait_text('name = "C2"')
     # the axes on which they stand

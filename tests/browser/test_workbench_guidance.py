@@ -82,7 +82,7 @@ def test_a_field_with_the_focus_is_explained(server: Server, bench: Bench, case:
         bench.page.keyboard.press("Tab")
         assert not bench.page.evaluate(COVERED)
     thickness.focus()
-    panel.get_by_role("button", name="hide the meaning of fields").click()
+    panel.get_by_role("button", name="hide field help").click()
     bench.field("plate", "E").locator("input").focus()
     panel.wait_for(state="hidden")
 
@@ -143,9 +143,9 @@ def test_the_tour_at_the_first_start(server: Server, newcomer: Bench, case: Path
     titles = {
         "Draw the slab": '.tool[data-tool="slab"]',
         "Describe the ground": '[data-section="ground"] > summary',
-        "Put loads on it": '.tool[data-tool="point load"]',
-        "Solve and look at the result": ".solve",
-        "Report and save": 'a:text-is("Report")',
+        "Add loads": '.tool[data-tool="point load"]',
+        "Solve and review the results": ".solve",
+        "Save and report": 'a:text-is("Report")',
     }
     for number, (title, control) in enumerate(titles.items(), start=1):
         dialog.get_by_role("heading", name=title).wait_for()

@@ -17,7 +17,7 @@ def test_keys_are_listed_and_work(server: Server, bench: Bench, case: Path) -> N
     bench.open(server.start(case))
     drawing = bench.page.locator("svg.drawing")
     drawing.press("?")
-    dialog = bench.page.get_by_role("dialog", name="Keys")
+    dialog = bench.page.get_by_role("dialog", name="Keyboard shortcuts")
     dialog.get_by_text("Point load", exact=True).wait_for()
     bench.page.keyboard.press("Escape")
     dialog.wait_for(state="detached")

@@ -141,7 +141,7 @@ def test_a_wrong_unit_is_reported_at_its_field(server: Server, bench: Bench, cas
     bench.until(lambda: '"MPa" is no unit of a length' in message.inner_text(), message.inner_text)
     bench.wait_text('thickness = "250 MPa"  # as on the drawing')
     bench.wait_seen(".issue-count", "1 error")
-    bench.wait_seen(".status-words", "earlier state of the model")
+    bench.wait_seen(".status-words", "earlier version of the model")
     # from another view the list leads back to the field
     bench.tab("Text")
     bench.wait_seen(".line-issue", "expected a length")
@@ -189,7 +189,7 @@ def test_nothing_is_lost_when_the_server_dies(own_server: Server, tabs: Any, cas
     other = tabs()
     other.page.goto(own_server.start(case, port))
     for each in (bench, other):
-        each.page.get_by_role("dialog").get_by_text("Unsaved work was found").wait_for()
+        each.page.get_by_role("dialog").get_by_text("Restore unsaved work?").wait_for()
     bench.page.get_by_role("button", name="Restore").click()
     bench.wait_text('size = "0.05 m"', 'thickness = "275 mm"  # as on the drawing')
     bench.page.wait_for_selector(".banner", state="hidden")
@@ -214,7 +214,7 @@ def test_a_file_changed_by_others_is_replaced_only_when_asked(server: Server, be
     dialog.get_by_role("button", name="Don't save").click()
     assert case.read_text() == theirs
     bench.page.keyboard.press("Control+s")
-    dialog.get_by_role("button", name="Replace it").click()
+    dialog.get_by_role("button", name="Replace").click()
     bench.until(lambda: bench.seen(".unsaved") == "")
     assert 'thickness = "260 mm"' in case.read_text()
 

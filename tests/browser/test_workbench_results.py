@@ -120,7 +120,7 @@ def test_a_section_that_was_cut_is_kept_as_line_and_as_strip(server: Server, ben
     box = page.locator(".gs-plan").bounding_box()
     for share in (0.4, 0.6):
         page.mouse.click(box["x"] + share * box["width"], box["y"] + 0.5 * box["height"])
-    result.get_by_role("button", name="Keep in the case").click()
+    result.get_by_role("button", name="Add section line").click()
     bench.wait_text("[[output.lines]]", 'name = "line 1"')
     result.get_by_label("Width of the strip").fill("1.5 m")
     result.get_by_role("button", name="Add strip").click()
@@ -149,7 +149,7 @@ def test_a_reference_stands_beside_the_next_result(server: Server, bench: Bench,
     )
     assert [float(text) for text in cells[:2]] == [before, after]
     # the picture of the reference has its own scale
-    picture = page.get_by_role("button", name="Show its picture")
+    picture = page.get_by_role("button", name="Show reference")
     largest = "parseFloat(document.querySelector('.gs-scale').textContent.match(/max ([\\d.]+)/)[1])"
     now = page.evaluate(largest)
     picture.click()

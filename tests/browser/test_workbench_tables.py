@@ -63,7 +63,7 @@ def test_columns_and_loads_come_from_a_spreadsheet(server: Server, bench: Bench,
     _open_table(bench, "columns")
     bench.page.keyboard.press("ArrowDown")
     bench.page.evaluate(PASTE, COLUMNS)
-    bench.wait_seen(".sheet-status", "12 rows added. Not taken: remark.")
+    bench.wait_seen(".sheet-status", "12 rows added. Skipped: remark.")
     bench.until(lambda: len(_data(bench)["columns"]) == 13)
     assert _data(bench)["columns"][12] == {
         "name": "B11",

@@ -134,10 +134,11 @@ def _lines(part: Section, path: str) -> Iterator[str]:
     tables: list[tuple[str, Section]] = []
     for name, field in type(part).model_fields.items():
         value: Any = getattr(part, name)
-        key, inner = get_field_type(field), get_sections(field)
+        key = get_field_type(field)
+        inner = get_sections(field)
         below = f"{path}.{name}" if path else name
         if inner.many:
-            tables += [(f"[[{below}]]", each) for each in value]
+            tables += [(f"[[{below}]]", section) for section in value]
         elif inner.parts:
             if value is not None and (field.is_required() or value != field.default):
                 tables.append((f"[{below}]", value))

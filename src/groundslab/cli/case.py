@@ -76,7 +76,7 @@ def check_case(options: argparse.Namespace) -> int:
     combinations = list_combinations(model)
     lines += [f'  no equilibrium in "{name}": {error}' for name, error in lost.items()]
     lines += _columns_and_supports(model) + _cases_and_combinations(model, combinations)
-    lines += [f"  remark: {each.words}" for each in find_remarks(model, combinations)]
+    lines += [f"  remark: {remark.words}" for remark in find_remarks(model, combinations)]
     print_stdout("\n".join(lines))
     return EXIT_DESIGN_FAILS if lost else EXIT_OK
 
@@ -107,7 +107,10 @@ def _cases_and_combinations(model: Model, combinations: Sequence[Combination]) -
     from groundslab.views.summary.combinations import factors_text
 
     cases = [f"  case {use.case.name}: {use.about()}; {use.words()}" for use in case_uses(model, combinations)]
-    return cases + [f"  combination {each.name} ({each.limit_state}): {factors_text(each)}" for each in combinations]
+    return cases + [
+        f"  combination {combination.name} ({combination.limit_state}): {factors_text(combination)}"
+        for combination in combinations
+    ]
 
 
 def write_starter(options: argparse.Namespace) -> int:
@@ -140,7 +143,7 @@ def _layers(pairs: Sequence[str]) -> Layers:
     from groundslab.case.dxf.document import Layers
     from groundslab.schema.wording import describe, listed, suggestion
 
-    known = [each.name for each in fields(Layers)]
+    known = [field.name for field in fields(Layers)]
     names: dict[str, str] = {}
     issues = []
     for pair in pairs:

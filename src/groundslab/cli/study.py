@@ -59,7 +59,7 @@ def run(options: argparse.Namespace) -> int:
     again = f"groundslab study {options.study}" + (f" --out {options.out}" if options.out is not None else "")
     _end_on_sigterm()
     try:
-        found = study.run(
+        finished = study.run(
             options.study,
             out=folder,
             workers=options.workers,
@@ -74,14 +74,14 @@ def run(options: argparse.Namespace) -> int:
         print_stderr("interrupted" if isinstance(error, KeyboardInterrupt) else f"error: {error}")
         print_stderr(study.resume_hint(folder, again))
         return EXIT_INTERRUPTED if isinstance(error, KeyboardInterrupt) else EXIT_NO_RESULT
-    print_stdout("\n".join(study.summarize(found)))
-    if len(found):
+    print_stdout("\n".join(study.summarize(finished)))
+    if len(finished):
         try:
-            print_stdout(f"evaluation: {study.evaluate(found)[0]}")
+            print_stdout(f"evaluation: {study.evaluate(finished)[0]}")
         except InputError as error:
             # the rows are there, only a library that evaluates them is not
             print_stderr(format_issues(error))
-    if len(found) < found.count:
+    if len(finished) < finished.count:
         print_stderr(study.resume_hint(folder, again))
         return EXIT_NO_RESULT
     return EXIT_OK
@@ -91,12 +91,12 @@ def evaluate(options: argparse.Namespace) -> int:
     """Make page and tables of a study; find design points of its limit states if asked to."""
     from groundslab import study
 
-    found = study.open_study(options.folder)
+    opened = study.open_study(options.folder)
     names = options.design_points
     if names is not None and not names:
-        names = [limit.name for limit in found.setup.limits] or [""]
-    points = [study.reliability(found, name) for name in names or ()]
-    files = study.evaluate(found, points, options.level)
+        names = [limit.name for limit in opened.setup.limits] or [""]
+    points = [study.reliability(opened, name) for name in names or ()]
+    files = study.evaluate(opened, points, options.level)
     print_stdout("\n\n".join(map(str, points)) + "\n" * 2 * bool(points) + f"evaluation: {files[0]}")
     return EXIT_OK
 

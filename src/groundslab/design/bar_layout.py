@@ -53,7 +53,7 @@ class BarSet:
         return np.asarray(np.linalg.norm(self.ends[:, 1] - self.ends[:, 0], axis=1))
 
     def mass_of(self, length: float) -> float:
-        """Return what so many meters of the bars weigh [kg]."""
+        """Return the mass [kg] of a length [m] of the bars."""
         return DENSITY * math.pi * self.bars.diameter**2 / 4 * length
 
 
@@ -62,7 +62,7 @@ def bar_sets(model: Model) -> list[BarSet]:
     steel, plan = model.reinforcement, PlateRegion(model.plate, model.plates).area
     if steel is None or not steel.laid:
         return []
-    found = []
+    layout = []
     for layer in LAYERS:
         base = steel.base_bars(layer)
         assert base is not None
@@ -74,8 +74,8 @@ def bar_sets(model: Model) -> list[BarSet]:
         ]
         for name, mesh, bars, region in sets:
             ends = straight_bars(region, "xy".index(layer[-1]), bars.spacing)
-            found.append(BarSet(layer, name, mesh, bars, region, ends))
-    return found
+            layout.append(BarSet(layer, name, mesh, bars, region, ends))
+    return layout
 
 
 def straight_bars(region: BaseGeometry, axis: int, spacing: float) -> Array:
@@ -91,5 +91,5 @@ def straight_bars(region: BaseGeometry, axis: int, spacing: float) -> Array:
     lines[:, :, axis], lines[:, :, 1 - axis] = (start, end), across[:, None]
     # along an edge of the region a line is cut at its corners, and so joined again
     cut = get_parts(line_merge(intersection(linestrings(lines), region)))
-    found = bounds_of(cut[length(cut) > SHORTEST]).reshape(-1, 2, 2)
-    return np.asarray(found[np.lexsort((found[:, 0, axis], found[:, 0, 1 - axis]))])
+    ends = bounds_of(cut[length(cut) > SHORTEST]).reshape(-1, 2, 2)
+    return np.asarray(ends[np.lexsort((ends[:, 0, axis], ends[:, 0, 1 - axis]))])

@@ -24,7 +24,7 @@ def bars(model: Model) -> Table:
         ("mass per area", "kg/m2"),
     ]  # fmt: skip
     area = PlateRegion(model.plate, model.plates).area.area
-    rows = [row for each in bar_sets(model) for row in _rows(each, area)]
+    rows = [row for bar_set in bar_sets(model) for row in _rows(bar_set, area)]
     if rows:
         number, length, mass, share = (sum(float(row[i] or 0) for row in rows) for i in (5, 8, 9, 10))
         rows.append(["all layers", None, None, None, None, round(number), None, None, length, mass, share])
@@ -37,16 +37,17 @@ def bars(model: Model) -> Table:
     return table_of("bars", "Bars provided", heads, rows, notes)
 
 
-def _rows(each: BarSet, area: float) -> Iterator[list[Cell]]:
+def _rows(bar_set: BarSet, area: float) -> Iterator[list[Cell]]:
     """Yield the rows of a set of bars on a slab of some area [m2]."""
-    rounded = np.round(each.lengths, 3)
+    rounded = np.round(bar_set.lengths, 3)
     different = np.unique(rounded)
     groups = [rounded == length for length in different[::-1]] if len(different) <= MOST_LENGTHS else [rounded > 0]
     for group in groups:
-        lengths = each.lengths[group]
+        lengths = bar_set.lengths[group]
         total = float(lengths.sum())
-        mass = each.mass_of(total)
+        mass = bar_set.mass_of(total)
         yield [
-            each.layer.replace("_", " "), each.zone or None, each.mesh or None, each.bars.diameter * MM,
-            each.bars.spacing * MM, len(lengths), float(lengths.min()), float(lengths.max()), total, mass, mass / area,
+            bar_set.layer.replace("_", " "), bar_set.zone or None, bar_set.mesh or None, bar_set.bars.diameter * MM,
+            bar_set.bars.spacing * MM, len(lengths), float(lengths.min()), float(lengths.max()),
+            total, mass, mass / area,
         ]  # fmt: skip

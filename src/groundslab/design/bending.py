@@ -98,7 +98,7 @@ def required(
     thickness: Array | float | None = None,
     minimum: Callable[[Array, Array | float | None], Array],
 ) -> Reinforcement:
-    """Return what sections need for moments m >= 0 (n,) [N m/m] with effective depths d (n,) or one [m].
+    """Return the required reinforcement for moments m >= 0 (n,) [N m/m] with effective depths d (n,) or one [m].
 
     d_2 (n,) or one [m] is the distance of bars in compression from the compressed face; without it there are none.
     With the thickness (n,) or one [m] no layer may have more than the block's most. inf where the neutral axis would
@@ -113,7 +113,8 @@ def required(
     mu = np.minimum(m, m_lim) / (block.stress * d**2)
     omega = 2 * mu / (1 + np.sqrt(1 - 2 * mu))
     axis = np.where(beyond, block.xi, np.minimum(omega / block.depth, block.xi))
-    tension, compression = omega * block.stress * d / block.f_y, np.zeros(m.shape)
+    tension = omega * block.stress * d / block.f_y
+    compression = np.zeros(m.shape)
     fails = beyond.copy()
     if d_2 is not None:
         strain = block.eps_cu * (1 - np.asarray(d_2, dtype=float) / (block.xi * d))
@@ -124,7 +125,7 @@ def required(
         tension = tension + force / block.f_y
     if thickness is not None:
         fails = fails | (np.maximum(tension, compression) > block.most * np.asarray(thickness, dtype=float))
-    tension, compression, axis = (np.where(fails, np.inf, each) for each in (tension, compression, axis))
+    tension, compression, axis = (np.where(fails, np.inf, values) for values in (tension, compression, axis))
     return Reinforcement(tension, compression, axis, np.where(m > 0, minimum(d, thickness), 0.0))
 
 

@@ -34,7 +34,7 @@ def _elements_by_plate(results: CombinationResult) -> dict[str, Flags]:
     """Return which elements belong to each plate."""
     plates = results.model.every_plate
     number = np.searchsorted(first_sections(plates), results.elements.section, side="right") - 1
-    return {each.name or f"plate {n + 1}": number == n for n, each in enumerate(plates)}
+    return {plate.name or f"plate {n + 1}": number == n for n, plate in enumerate(plates)}
 
 
 def split_by_plate(results: CombinationResult) -> dict[str, CombinationResult]:
@@ -59,7 +59,7 @@ def split_by_plate(results: CombinationResult) -> dict[str, CombinationResult]:
 
 
 def _part_of(elements: ElementResult, those: Flags) -> ElementResult:
-    values = {each.name: getattr(elements, each.name) for each in fields(elements)}
+    values = {field.name: getattr(elements, field.name) for field in fields(elements)}
     some: dict[str, Any] = {name: value if value is None else value[those] for name, value in values.items()}
     return ElementResult(**some)
 
@@ -72,13 +72,13 @@ def _models_by_plate(model: Model) -> tuple[Model, ...]:
         # loads on what lies beside the plate are of no interest here, and would not be valid
         model.model_copy(
             update={
-                "plate": each if isinstance(each, Plate) else Plate(**dict(each)),
+                "plate": plate if isinstance(plate, Plate) else Plate(**dict(plate)),
                 "plates": (),
                 "joints": (),
-                "loads": tuple(load for load in model.loads if _acts_on(load, n, each, model, region)),
+                "loads": tuple(load for load in model.loads if _acts_on(load, n, plate, model, region)),
             }
         )
-        for n, each in enumerate(model.every_plate)
+        for n, plate in enumerate(model.every_plate)
     )
 
 

@@ -14,10 +14,10 @@ def checks_table(combined: Results) -> Table:
         ("combination", ""), ("x", "m"), ("y", "m"), ("clause", ""), ("in words", ""),
     ]  # fmt: skip
     rows = []
-    for each in check_design(combined).checks:
-        x, y = each.place or (None, None)
-        numbers = each.demand, each.resistance, each.unit or None, each.utilisation
-        rows.append([each.name, each.of or None, each.status, *numbers, each.combination or None, x, y,
-                     each.clause or None, each.words])  # fmt: skip
+    for check in check_design(combined).checks:
+        x, y = check.place or (None, None)
+        numbers = check.demand, check.resistance, check.unit or None, check.utilisation
+        rows.append([check.name, check.of or None, check.status, *numbers, check.combination or None, x, y,
+                     check.clause or None, check.words])  # fmt: skip
     notes = ["The utilisation is demand over limit; of an area in contact, which must not be less, limit over demand."]
     return table_of("checks", "Checks of the design", heads, rows, notes)

@@ -25,19 +25,20 @@ def required_areas(steel: Reinforcement, results: list[CombinationResult]) -> di
     if not results:
         return {}
     t, _ = results[0].elements.at_nodes(results[0].plate)
-    axes, bending = Axes(*steel.bottom_axes, *steel.top_axes), code_of(steel).bending
+    axes = Axes(*steel.bottom_axes, *steel.top_axes)
+    bending = code_of(steel).bending
     return {
-        each.combination: slab(design_moments(each.plate), t, axes, bending(steel, each.limit_state).required)
-        for each in results
+        result.combination: slab(design_moments(result.plate), t, axes, bending(steel, result.limit_state).required)
+        for result in results
     }
 
 
-def largest_areas(found: dict[str, SlabReinforcement], layer: str) -> tuple[Array, Envelope]:
+def largest_areas(required: dict[str, SlabReinforcement], layer: str) -> tuple[Array, Envelope]:
     """Return the largest area (n,) [m2/m] of a layer over the combinations, inf where it fails, and its envelope.
 
     The envelope is that of areas with a number larger than any in place of inf.
     """
-    areas = {name: getattr(each, layer) for name, each in found.items()}
+    areas = {name: getattr(reinforcement, layer) for name, reinforcement in required.items()}
     finite = {name: np.where(np.isinf(area), np.finfo(float).max, area) for name, area in areas.items()}
     return np.max(list(areas.values()), axis=0), envelope(finite)
 
@@ -48,12 +49,14 @@ def bar_fields(combined: Results) -> dict[str, Array]:
     Areas are inf where the concrete is too weak for any reinforcement. Without bars that are laid there is only what is
     required, without ultimate combinations nothing.
     """
-    steel, results = combined.model.reinforcement, ultimate_results(combined)
+    steel = combined.model.reinforcement
+    results = ultimate_results(combined)
     if steel is None or not results:
         return {}
-    found, fields = required_areas(steel, results), dict[str, Array]()
+    needed = required_areas(steel, results)
+    fields = dict[str, Array]()
     for layer in LAYERS:
-        required = fields[f"required_{layer}"] = largest_areas(found, layer)[0]
+        required = fields[f"required_{layer}"] = largest_areas(needed, layer)[0]
         if steel.laid:
             provided = fields[f"provided_{layer}"] = laid_bars(steel, layer, results[0].plate.nodes).area
             fields[f"utilisation_{layer}"] = required / provided
@@ -61,9 +64,9 @@ def bar_fields(combined: Results) -> dict[str, Array]:
     return {name: fields[name] for name in BAR_FIELDS if name in fields}
 
 
-def needs_links(found: dict[str, SlabReinforcement]) -> Flags:
+def needs_links(required: dict[str, SlabReinforcement]) -> Flags:
     """Return where bars in compression are counted in any combination (n,), which links must hold."""
-    counted: Flags = np.any([each.links for each in found.values()], axis=0)
+    counted: Flags = np.any([reinforcement.links for reinforcement in required.values()], axis=0)
     return counted
 
 
@@ -101,25 +104,26 @@ def governing_needs(combined: Results, steel: Reinforcement, laid: Mapping[str, 
     layer needs grows with them. With areas that are laid (n,) [m2/m], by layer, a section is divided by them.
     """
     results = ultimate_results(combined)
-    found = required_areas(steel, results)
-    if not found:
+    required = required_areas(steel, results)
+    if not required:
         return []
-    plate, linked = results[0].plate, needs_links(found)
+    plate = results[0].plate
+    linked = needs_links(required)
     thickness, section = results[0].elements.at_nodes(plate)
     designs: dict[str, dict[str, DesignMoments]] = {}
-    for each in results:
-        designs.setdefault(each.limit_state, {})[each.combination] = design_moments(each.plate)
-    largest = {state: {layer: _largest(own, layer) for layer in LAYERS} for state, own in designs.items()}
+    for result in results:
+        designs.setdefault(result.limit_state, {})[result.combination] = design_moments(result.plate)
+    largest = {state: {layer: _largest(moments, layer) for layer in LAYERS} for state, moments in designs.items()}
     rows = []
     for layer in LAYERS:
-        area = largest_areas(found, layer)[0]
+        area = largest_areas(required, layer)[0]
         there = np.zeros(len(section)) if laid is None else laid[layer]
         for number, own_area in np.unique(np.column_stack([section, there]), axis=0):
             nodes = np.flatnonzero((section == number) & (there == own_area))
             shares = [_share(plate, nodes[flags[nodes]]) for flags in (np.isinf(area), linked)]
             needs = []
-            for state, own in largest.items():
-                moments = [_peak(plate, nodes, *own[each]) for each in (layer, _OTHER[layer])]
+            for state, by_layer in largest.items():
+                moments = [_peak(plate, nodes, *by_layer[face_layer]) for face_layer in (layer, _OTHER[layer])]
                 t = float(thickness[nodes[0]])
                 needs.append(_need(layer, int(number), t, steel, code_of(steel).bending(steel, state), moments, shares))
             worst = max(needs, key=lambda need: (need.area, abs(need.moment or 0.0)))
@@ -135,7 +139,7 @@ _Peak = tuple[float, tuple[float, float], str]
 
 def _largest(designs: dict[str, DesignMoments], layer: str) -> tuple[Array, Envelope]:
     """Return the largest size (n,) [N m/m] of a layer's design moments over the combinations, and its envelope."""
-    sizes = envelope({name: np.abs(getattr(each, layer)) for name, each in designs.items()})
+    sizes = envelope({name: np.abs(getattr(moments, layer)) for name, moments in designs.items()})
     return sizes.greatest, sizes
 
 
@@ -157,20 +161,25 @@ def _need(
     """Return a layer's needs by a code's rule for the largest moments of its own face and of the other one."""
     here, there = axis_of(steel, layer), axis_of(steel, _OTHER[layer])
     depths = t - here, t - there
-    own, other = (
+    near, other = (
         rule.required(np.array(peak[0]), d, d_2=d_2, thickness=t)
         for peak, d, d_2 in zip(moments, depths, (there, here), strict=True)
     )
-    areas = {MINIMUM: own.minimum, MOMENT: own.tension, COMPRESSION: other.compression}
-    area, governed_by = max(((float(each), name) for name, each in areas.items()), key=lambda one: one[0])
+    areas = {MINIMUM: near.minimum, MOMENT: near.tension, COMPRESSION: other.compression}
+    area, governed_by = max(((float(value), name) for name, value in areas.items()), key=lambda one: one[0])
     face = 1 if governed_by == COMPRESSION else 0
     if np.isinf(area):
         # of two faces that are both too weak, the one that is so by more is named
-        loads = [peak[0] / d**2 * each.fails for peak, d, each in zip(moments, depths, (own, other), strict=True)]
-        governed_by, face = TOO_WEAK, int(np.argmax(loads))
+        loads = [
+            peak[0] / d**2 * reinforcement.fails
+            for peak, d, reinforcement in zip(moments, depths, (near, other), strict=True)
+        ]
+        governed_by = TOO_WEAK
+        face = int(np.argmax(loads))
     size, where, name = moments[face]
     at_top = layer.startswith("top") != (face == 1)
-    least, needed = float(rule.minimum(np.array(depths[0]), t)), area > 0
+    least = float(rule.minimum(np.array(depths[0]), t))
+    needed = area > 0
     return Need(
         layer=layer,
         section=section,

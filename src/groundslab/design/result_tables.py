@@ -64,19 +64,21 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
 
 
 def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
-    """Return what makes each table of `tables_of` by the table's name; a table that others are made of is made once."""
+    """Return the function for each table of `tables_of` by the table's name; tables that others use are made once."""
     model = combined.model
     checks: dict[str, Callable[[], Table]] = {}
     if check_design(combined).checks:
         checks["checks"] = lambda: checks_table(combined)
     acting: dict[str, Callable[[], Table]] = {"acting": lambda: acting_cases(combined)} if model.cases else {}
-    each = cache(lambda: errors.with_errors_of_extremes(extremes(combined), combined))
+    extremes_with_errors = cache(lambda: errors.with_errors_of_extremes(extremes(combined), combined))
     columns = cache(lambda: errors.with_errors(column_table, combined))
     makers: dict[str, Callable[[], Table]] = {
-        "combinations": lambda: errors.with_errors_of_figures(errors.with_errors(combinations, combined), each()),
+        "combinations": lambda: errors.with_errors_of_figures(
+            errors.with_errors(combinations, combined), extremes_with_errors()
+        ),
         **acting,
-        "extremes": each,
-        "envelope": lambda: errors.with_errors_of_envelope(envelopes(combined), each()),
+        "extremes": extremes_with_errors,
+        "envelope": lambda: errors.with_errors_of_envelope(envelopes(combined), extremes_with_errors()),
         "tilt": lambda: errors.with_errors(tilts, combined),
         **checks,
     }

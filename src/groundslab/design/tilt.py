@@ -74,7 +74,7 @@ class Differences:
 
 def largest_tilt(results: CombinationResult) -> Tilt:
     """Return the tilt of the plate that tilts most."""
-    return max(map(tilt, results_by_plate(results).values()), key=lambda each: each.tilt)
+    return max(map(tilt, results_by_plate(results).values()), key=lambda plate_tilt: plate_tilt.tilt)
 
 
 def tilt(plate: PlateResult) -> Tilt:
@@ -107,9 +107,11 @@ def deflections_between(plate: PlateResult, points: Mapping[str, tuple[float, fl
     (EN 1997-1 Annex H: relative deflection), at places that lie on the plate. Neighbors are pairs with no third point
     in the circle over the line between them (Gabriel and Sokal 1969); the diagonals of rectangles count.
     """
-    names, places = tuple(points), np.array(list(points.values()), dtype=float)
-    along, mesh = np.linspace(0, 1, CHORD_POINTS)[:, None], Mesh(plate.nodes, plate.elements)
-    found = []
+    names = tuple(points)
+    places = np.array(list(points.values()), dtype=float)
+    along = np.linspace(0, 1, CHORD_POINTS)[:, None]
+    mesh = Mesh(plate.nodes, plate.elements)
+    ratios = []
     for i, j in combinations(range(len(names)), 2):
         a, b = places[i], places[j]
         squared = float(((b - a) ** 2).sum())
@@ -118,8 +120,8 @@ def deflections_between(plate: PlateResult, points: Mapping[str, tuple[float, fl
         element, local = locate(mesh, (1 - along) * a + along * b)
         w = np.einsum("pa,pa->p", q9(local)[0], plate.settlement[mesh.elements[element]])
         off = np.abs(w - (1 - along[:, 0]) * w[0] - along[:, 0] * w[-1])[element >= 0]
-        found.append((names[i], names[j], float(off.max() / np.sqrt(squared))))
-    return found
+        ratios.append((names[i], names[j], float(off.max() / np.sqrt(squared))))
+    return ratios
 
 
 def settlement_differences(plate: PlateResult, points: Mapping[str, tuple[float, float]]) -> Differences:

@@ -23,7 +23,7 @@ def shares(xy: Array, rings: Sequence[Ring], followed: Collection[int], extent: 
     """
     import shapely
 
-    found = np.zeros((len(xy), 1 + len(rings)))
+    share = np.zeros((len(xy), 1 + len(rings)))
     polygons = [ring.polygon(FLAT * extent) for ring in rings]
     x, y = xy[:, 8].T
     holder, crossed = np.zeros(len(xy), dtype=np.int64), np.zeros(len(xy), dtype=bool)
@@ -33,11 +33,11 @@ def shares(xy: Array, rings: Sequence[Ring], followed: Collection[int], extent: 
         holder[shapely.intersects_xy(polygon, x, y)] = number
         if ring.straight or number - 1 not in followed:
             crossed[tree.query(polygon.boundary, predicate="intersects")] = True
-    found[np.arange(len(xy)), holder] = 1.0
+    share[np.arange(len(xy)), holder] = 1.0
     cut = np.flatnonzero(crossed)
     if len(cut):
-        found[cut] = _by_area(cells[cut], polygons)
-    return found
+        share[cut] = _by_area(cells[cut], polygons)
+    return share
 
 
 def _by_area(cells: Array, polygons: Sequence[object]) -> Array:

@@ -99,5 +99,5 @@ def find_meeting(one: Region, other: Sequence[Segment], tolerance: float, spend:
 def _first_meeting(edge: Segment, others: Sequence[Segment], tolerance: float, spend: Spend) -> Place | None:
     """Return a place at which an edge meets one of others."""
     spend(len(others))
-    found = (_meeting(other, edge, tolerance) for other in others)
-    return next((place for place in found if place is not None), None)
+    meetings = (_meeting(other, edge, tolerance) for other in others)
+    return next((place for place in meetings if place is not None), None)

@@ -309,13 +309,13 @@ class Plan:
         return (self.outline, *(ring for ring, _ in self.others))
 
     def plate_polygon(self, tolerance: float) -> Polygon | MultiPolygon:
-        """Return what the outlines enclose, openings too, arcs as chords at most a tolerance [m] off."""
+        """Return the area enclosed by the outlines, with openings, arcs as chords at most a tolerance [m] off."""
         import shapely
 
         return shapely.union_all([ring.polygon(tolerance) for ring in self.outlines])
 
     def domain_polygon(self, tolerance: float) -> Polygon | MultiPolygon:
-        """Return what is meshed, regardless of openings in the plate, arcs as chords at most a tolerance [m] off."""
+        """Return the meshed area, regardless of openings in the plate, arcs as chords at most a tolerance [m] off."""
         return self.plate_polygon(tolerance) if self.beyond is None else self.beyond.polygon(tolerance)
 
     def rings(self) -> dict[str, Ring]:
@@ -376,9 +376,9 @@ def sections(plan: Plan, places: Array) -> Integers:
     starts = np.array([0, *(number for _, number in plan.others)])
     for ring, number in zip(plan.outlines, starts, strict=True):
         section[inside(ring)] = number
-    own = section.copy()
+    of_plates = section.copy()
     for ring, number in plan.zones:
-        section[inside(ring) & (own == starts[starts <= number].max())] = number
+        section[inside(ring) & (of_plates == starts[starts <= number].max())] = number
     for ring in plan.openings:
         cut = inside(ring)
         section[cut] = empty[cut]

@@ -32,8 +32,8 @@ class Region:
 
     def find_near(self, edge: Segment, tolerance: float) -> list[int]:
         """Return the numbers of the edges whose boxes come near that of an edge."""
-        found = self.tree.query(bounding_box([edge]), predicate="dwithin", distance=tolerance)
-        return sorted(found.tolist())
+        near = self.tree.query(bounding_box([edge]), predicate="dwithin", distance=tolerance)
+        return sorted(near.tolist())
 
 
 def _wind_around(place: Place, edges: Iterable[Segment]) -> bool:
@@ -51,5 +51,5 @@ def _wind_around(place: Place, edges: Iterable[Segment]) -> bool:
 
 
 def _side(edge: Segment, place: Place) -> float:
-    """Return what is positive for a place to the left; one on a chord counts as a little higher, then farther right."""
+    """Return a positive number for a place on the left; on a chord it counts as slightly higher, then farther right."""
     return edge.side(place) or (edge.end[0] - edge.start[0]) or (edge.start[1] - edge.end[1])

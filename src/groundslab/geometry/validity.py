@@ -30,23 +30,23 @@ TOO_SHARP = math.radians(5)
 
 def find_issues(plan: Plan) -> list[Issue]:
     """Return all issues that keep a plan from being meshed, each with its place."""
-    found = list(_find_number_issues(plan))
-    if found:
-        return found
+    issues = list(_find_number_issues(plan))
+    if issues:
+        return issues
     rings = plan.rings()
     for name, ring in rings.items():
-        found += _find_ring_issues(name, ring, plan.extent)
-    found += _find_line_issues(plan)
-    if found:
-        return found
+        issues += _find_ring_issues(name, ring, plan.extent)
+    issues += _find_line_issues(plan)
+    if issues:
+        return issues
     flat = {name: ring.polygon(FLAT * plan.extent) for name, ring in rings.items()}
-    found += _find_opening_issues(plan, flat)
-    found += _find_zone_issues(plan, flat)
-    if not found:
-        found += _find_place_issues(plan, flat)
-        found += _find_near_misses(plan)
-        found += _find_narrow_wedges(plan)
-    return found
+    issues += _find_opening_issues(plan, flat)
+    issues += _find_zone_issues(plan, flat)
+    if not issues:
+        issues += _find_place_issues(plan, flat)
+        issues += _find_near_misses(plan)
+        issues += _find_narrow_wedges(plan)
+    return issues
 
 
 def _find_number_issues(plan: Plan) -> Iterator[Issue]:
@@ -124,25 +124,25 @@ def _find_opening_issues(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue
         if k < i:
             beside.setdefault(i, []).append(k)
     for i, name in enumerate(names):
-        own = flat[name]
-        if not outline.intersects(own) or outline.touches(own):
+        opening = flat[name]
+        if not outline.intersects(opening) or outline.touches(opening):
             yield Issue(name, "an opening outside the plate", "one inside", "move it or leave it out")
-        elif outline.boundary.intersects(own.boundary):
-            found = f"an opening that touches or crosses the plate's edge at {_meeting(own, outline)}"
+        elif outline.boundary.intersects(opening.boundary):
+            found = f"an opening that touches or crosses the plate's edge at {_meeting(opening, outline)}"
             yield Issue(name, found, "one inside the plate", hint)
-        elif own.contains(outline):
+        elif opening.contains(outline):
             yield Issue(name, "an opening around the plate", "one inside the plate")
-        elif (gap := outline.boundary.distance(own)) < near:
-            where = shapely.shortest_line(own, outline.boundary).coords[0]
+        elif (gap := outline.boundary.distance(opening)) < near:
+            where = shapely.shortest_line(opening, outline.boundary).coords[0]
             yield _narrow_strip(name, "plate.outline", where, gap, near)
         for other in (names[k] for k in sorted(beside.get(i, []))):
-            if own.intersects(flat[other]):
-                inside = own.contains(flat[other]) or flat[other].contains(own)
-                place = "inside the other" if inside else f"at {_meeting(own, flat[other])}"
+            if opening.intersects(flat[other]):
+                inside = opening.contains(flat[other]) or flat[other].contains(opening)
+                place = "inside the other" if inside else f"at {_meeting(opening, flat[other])}"
                 found = f"an opening that meets {other}, {place}"
                 yield Issue(name, found, "openings apart from each other", "draw them as one")
-            elif (gap := own.distance(flat[other])) < near:
-                yield _narrow_strip(name, other, shapely.shortest_line(own, flat[other]).coords[0], gap, near)
+            elif (gap := opening.distance(flat[other])) < near:
+                yield _narrow_strip(name, other, shapely.shortest_line(opening, flat[other]).coords[0], gap, near)
 
 
 def _narrow_strip(name: str, other: str, place: Place, gap: float, near: float) -> Issue:
@@ -151,7 +151,7 @@ def _narrow_strip(name: str, other: str, place: Place, gap: float, near: float) 
 
 
 def _outlines(flat: dict[str, Polygon]) -> Any:
-    """Return what the outlines of all plates enclose."""
+    """Return the area enclosed by the outlines of all plates."""
     import shapely
 
     return shapely.union_all([polygon for name, polygon in flat.items() if name.endswith(".outline")])
@@ -228,9 +228,9 @@ def _find_near_misses(plan: Plan) -> Iterator[Issue]:
     counts = np.ones(len(places), dtype=bool)
     chord = FLAT * plan.extent
     for kind, within in (("plate.zones", plan.plate_polygon(chord)), ("borders", plan.domain_polygon(chord))):
-        own = np.char.startswith(names, kind)
+        of_kind = np.char.startswith(names, kind)
         reach = within.buffer(2 * chord)
-        counts[own] = shapely.intersects_xy(reach, *places[own].T)
+        counts[of_kind] = shapely.intersects_xy(reach, *places[of_kind].T)
     near = TOO_CLOSE * plan.extent
     seen: set[tuple[str, str]] = set()
     for i, k_near in _find_near_places(plan, [edge for _, edge in edges], places, near):
@@ -250,12 +250,12 @@ def _find_near_places(plan: Plan, edges: list[Segment], places: Array, near: flo
     import shapely
 
     off = FLAT * plan.extent
-    found = shapely.STRtree(shapely.points(places)).query(
+    pairs = shapely.STRtree(shapely.points(places)).query(
         _flatten(edges, off), predicate="dwithin", distance=near + off
     )
-    found = found[:, np.lexsort(found[::-1])]
-    begins = np.flatnonzero(np.diff(found[0], prepend=-1))
-    for one, many in zip(found[0, begins], np.split(found[1], begins[1:]), strict=False):
+    pairs = pairs[:, np.lexsort(pairs[::-1])]
+    begins = np.flatnonzero(np.diff(pairs[0], prepend=-1))
+    for one, many in zip(pairs[0, begins], np.split(pairs[1], begins[1:]), strict=False):
         yield int(one), many
 
 

@@ -95,7 +95,8 @@ def place_patterns(model: Model) -> Model:
 def _place(model: Model) -> Model:
     """Return the model with its patterns placed."""
     loads, moving = _place_forces(model)
-    cases, fixed = list[LoadCase](), _fixed_cases(model)
+    cases = list[LoadCase]()
+    fixed = _fixed_cases(model)
     for case in model.cases:
         positions = moving.get(case.name, {})
         stays = not positions or case.name in fixed
@@ -103,7 +104,7 @@ def _place(model: Model) -> Model:
         # horizontal forces stand in one of the cases only
         once = {"H_x": 0.0, "H_y": 0.0} if stays else {}
         cases += [case.model_copy(update={"name": name, **once}) for name in positions]
-        loads += [load for own in positions.values() for load in own]
+        loads += [load for at_position in positions.values() for load in at_position]
     changes: dict[str, Any] = {"patterns": (), "moves": (), "cases": tuple(cases), "loads": tuple(loads)}
     if moving:
         changes |= {"combinations": list_combinations(model), "combine": None}
@@ -121,8 +122,8 @@ def _place_forces(model: Model) -> tuple[list[AnyLoad], dict[str, dict[str, tupl
         for station in stations(move):
             if move.travels:
                 name = position_name(move, station)
-                own = loads_on_plate(covered, point_loads(pattern, station, name))
-                moving.setdefault(move.case, {})[name] = own
+                placed = loads_on_plate(covered, point_loads(pattern, station, name))
+                moving.setdefault(move.case, {})[name] = placed
             else:
                 loads += point_loads(pattern, station, move.case)
     return loads, moving

@@ -41,7 +41,7 @@ def estimate_elements(plate: Plate, plates: tuple[FurtherPlate, ...], mesh: Mesh
     if mesh.counts is not None:
         return mesh.counts[0] * mesh.counts[1]
     total = 0.0
-    for x, y in (each.sides for each in list_plates(plate, plates)):
+    for x, y in (slab.sides for slab in list_plates(plate, plates)):
         size = mesh.size if mesh.size is not None else min(x, y) / SHORT_SIDE_ELEMENTS
         total += max(1.0, x / size) * max(1.0, y / size)
     return total
@@ -78,7 +78,7 @@ def check_shear_of_layers(
     tail is known.
     """
     grounds = {("ground",): ground} | {("soil_zones", n, "ground"): zone.ground for n, zone in enumerate(soil_zones)}
-    shears = {place: carry_shear(each) for place, each in grounds.items()}
+    shears = {place: carry_shear(soil) for place, soil in grounds.items()}
     if beyond.kind != "infinite" or not any(map(any, shears.values())):
         return
     for place, layers in shears.items():
@@ -87,7 +87,8 @@ def check_shear_of_layers(
             hint = 'beyond.kind = "margin" needs no shear'
             if isinstance(grounds[place], Winkler):
                 continue  # of another kind than the rest, an issue of its own
-            expected, repairs = "k1 above 0, as other ground has it and is infinite", _end_ground(beyond)
+            expected = "k1 above 0, as other ground has it and is infinite"
+            repairs = _end_ground(beyond)
             yield RelativeIssue((*place, *key), "0 N/m", expected, hint, repairs)
 
 
@@ -145,7 +146,7 @@ def check_load_cases(loads: tuple[AnyLoad, ...], cases: tuple[LoadCase, ...]) ->
 
 def check_combinations(combinations: tuple[Combination, ...], cases: tuple[LoadCase, ...]) -> Iterator[RelativeIssue]:
     """Find combinations without a unique name, and factors of unknown cases."""
-    yield from check_names("combinations", [each.name for each in combinations], needed=True)
+    yield from check_names("combinations", [combination.name for combination in combinations], needed=True)
     yield from check_factors(combinations, cases)
 
 
@@ -208,12 +209,13 @@ def check_plate_of_loads(
     plate: Plate, plates: tuple[FurtherPlate, ...], loads: tuple[AnyLoad, ...]
 ) -> Iterator[RelativeIssue]:
     """Find loads on unknown plates."""
-    names = [each.name for each in list_plates(plate, plates) if each.name]
+    names = [slab.name for slab in list_plates(plate, plates) if slab.name]
     for position, load in enumerate(loads):
         name = getattr(load, "plate", "")
         if name and name not in names:
             expected = one_of(names) if names else "no plate, as none has a name"
-            place, hint = ("loads", position, "plate"), suggestion(name, names)
+            place = ("loads", position, "plate")
+            hint = suggestion(name, names)
             repairs = (*use_nearest(place, name, names), remove(place, label="remove plate"))
             yield RelativeIssue(place, describe(name), expected, hint, repairs)
 
@@ -242,7 +244,8 @@ def check_supports_on_joints(
     """Find supports on the line of a joint, of which nobody knows which plate they hold."""
     from shapely import LineString, Point
 
-    known, (x0, x1, y0, y1) = {each.name: each for each in list_plates(plate, plates)}, bounds_of(plate, plates)
+    known = {slab.name: slab for slab in list_plates(plate, plates)}
+    x0, x1, y0, y1 = bounds_of(plate, plates)
     near = TOO_CLOSE * max(x1 - x0, y1 - y0)
     for joint in joints:
         if not all(name in known for name in joint.between):
@@ -263,7 +266,7 @@ def check_glued_joints(
     contact: Contact, ground: AnyGround, soil_zones: tuple[SoilZone, ...], joints: tuple[AnyJoint, ...]
 ) -> Iterator[RelativeIssue]:
     """Find elastic joints of plates glued to ground that goes on under them, which settle alike in any case."""
-    if contact.tensionless or not any(any(carry_shear(each)) for each in (ground, *(z.ground for z in soil_zones))):
+    if contact.tensionless or not any(any(carry_shear(soil)) for soil in (ground, *(z.ground for z in soil_zones))):
         return
     for position, joint in enumerate(joints):
         if joint.kind == "elastic":

@@ -235,7 +235,7 @@ def _check_continuum(layers: tuple[SoilLayer, ...], half_space: HalfSpace | None
         if layer.thickness < LEAST_PART * depth:
             expected = f"at least {LEAST_PART * depth:.3g} m, a thousandth of the depth of all layers"
             yield RelativeIssue(("layers", position, "thickness"), f"{layer.thickness:g} m", expected)
-    moduli = [each for layer in layers for each in (layer.E, layer.E_bottom) if each is not None]
+    moduli = [modulus for layer in layers for modulus in (layer.E, layer.E_bottom) if modulus is not None]
     moduli += [] if half_space is None else [half_space.E]
     if moduli and max(moduli) > MOST_CONTRAST * min(moduli):
         found = f"moduli from {min(moduli):.3g} to {max(moduli):.3g} Pa"

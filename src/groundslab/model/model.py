@@ -154,7 +154,7 @@ class Model(Section):
     def ground_carries_shear(self) -> bool:
         """Return whether the ground carries shear in any layer anywhere."""
         grounds = (self.ground, *(zone.ground for zone in self.soil_zones))
-        return any(any(carry_shear(each)) for each in grounds)
+        return any(any(carry_shear(ground)) for ground in grounds)
 
     @property
     def ground_reaches(self) -> bool:

@@ -124,7 +124,7 @@ def check_output(plate: Plate, plates: tuple[FurtherPlate, ...], output: Output)
         yield from on_plate(covered, point, ("output", "points", position))
     if not (output.lines or output.strips):
         return
-    outline = union_all([each.ring().polygon(1e-4 * max(each.sides)) for each in list_plates(plate, plates)])
+    outline = union_all([slab.ring().polygon(1e-4 * max(slab.sides)) for slab in list_plates(plate, plates)])
     wanted: dict[str, tuple[OutputLine | OutputStrip, ...]] = {"lines": output.lines, "strips": output.strips}
     for part, lines in wanted.items():
         for position, line in enumerate(lines):

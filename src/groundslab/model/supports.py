@@ -246,16 +246,16 @@ def plan_of_plate(
     starts = first_sections(every)
     return Plan(
         plate.ring(),
-        tuple(shape.ring() for each in every for shape in each.openings),
+        tuple(shape.ring() for slab in every for shape in slab.openings),
         tuple(
             (zone.shape.ring(), number)
-            for each, start in zip(every, starts, strict=True)
-            for number, zone in enumerate(each.zones, start=start + 1)
+            for slab, start in zip(every, starts, strict=True)
+            for number, zone in enumerate(slab.zones, start=start + 1)
         ),
         beyond,
         tuple(support.points[0] for support in supports if not support.edges),
         tuple(support.points for support in supports if support.edges),
-        others=tuple((each.ring(), start) for each, start in zip(plates, starts[1:], strict=True)),
+        others=tuple((slab.ring(), start) for slab, start in zip(plates, starts[1:], strict=True)),
     )
 
 

@@ -48,14 +48,14 @@ class NestedSections:
 
 def get_sections(field: FieldInfo) -> NestedSections:
     """Return the sections that a field may hold."""
-    found: list[type[Section]] = []
+    sections: list[type[Section]] = []
     many = False
 
     def walk(annotation: Any) -> None:
         nonlocal many
         many = many or get_origin(annotation) is tuple
         if isinstance(annotation, type) and issubclass(annotation, Section):
-            found.append(annotation)
+            sections.append(annotation)
         elif get_origin(annotation) is Annotated:
             walk(get_args(annotation)[0])
         else:
@@ -63,7 +63,7 @@ def get_sections(field: FieldInfo) -> NestedSections:
                 walk(argument)
 
     walk(field.annotation)
-    return NestedSections(tuple(found), many and bool(found))
+    return NestedSections(tuple(sections), many and bool(sections))
 
 
 def get_field_type(field: FieldInfo) -> FieldType | None:
@@ -77,7 +77,7 @@ def get_most_sections(field: FieldInfo) -> int | None:
 
 
 def get_meaning(field: FieldInfo) -> str:
-    """Return what a field means."""
+    """Return the meaning of a field."""
     return next((item.meaning for item in field.metadata if isinstance(item, FieldType | Table)), "")
 
 
@@ -304,11 +304,13 @@ def _to_issue(cls: type[Section], place: tuple[str | int, ...], line: Any, given
     """Return one of pydantic's own errors as an issue."""
     kind, value = line["type"], line["input"]
     if kind in ("extra_forbidden", "invalid_key"):
-        known, own = list(cls.model_fields), tuple(map(str, place))
-        meant, nearest = suggestion(place[0], known), find_nearest(place[0], known)
-        renames = () if nearest is None or nearest in given else (rename_key(own, nearest),)
-        repairs = (*renames, remove(own)) if own and own[0] in given else ()
-        return RelativeIssue(own, "an unknown key", f"one of {', '.join(known)}", meant, repairs)
+        known = list(cls.model_fields)
+        own_place = tuple(map(str, place))
+        meant = suggestion(place[0], known)
+        nearest = find_nearest(place[0], known)
+        renames = () if nearest is None or nearest in given else (rename_key(own_place, nearest),)
+        repairs = (*renames, remove(own_place)) if own_place and own_place[0] in given else ()
+        return RelativeIssue(own_place, "an unknown key", f"one of {', '.join(known)}", meant, repairs)
     field = cls.model_fields.get(str(place[0])) if place else None
     if field is None:
         return _not_a_table(place, value)
@@ -322,13 +324,14 @@ def _to_issue(cls: type[Section], place: tuple[str | int, ...], line: Any, given
     if kind in ("union_tag_invalid", "union_tag_not_found") and isinstance(value, Mapping):
         tags = [str(part.model_fields["kind"].default) for part in inner.parts if "kind" in part.model_fields]
         given_kind = value.get("kind")
-        tag_place, hint = (*place, "kind"), suggestion(given_kind, tags)
+        tag_place = (*place, "kind")
+        hint = suggestion(given_kind, tags)
         return RelativeIssue(
             tag_place, describe(given_kind), listed(map(quote, tags)), hint, use_nearest(tag_place, given_kind, tags)
         )
     if inner.many and len(place) == 1:
         hint = "write double brackets: [[...]]" if isinstance(value, Mapping) else ""
-        is_flat = isinstance(value, Mapping) and all(isinstance(each, str | int | float) for each in value.values())
+        is_flat = isinstance(value, Mapping) and all(isinstance(entry, str | int | float) for entry in value.values())
         repairs = (set_value(place, [dict(value)], "make it a list"),) if is_flat else ()
         return RelativeIssue(place, describe(value), "a list of tables", hint, repairs)
     if inner.parts:

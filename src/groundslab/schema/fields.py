@@ -44,7 +44,7 @@ class FieldType:
         raise NotImplementedError
 
     def expected(self) -> str:
-        """Return what the value should be, for messages and examples."""
+        """Return the expected value in words, for messages and examples."""
         return self.EXPECTED
 
     def write(self, value: Any) -> str:
@@ -169,8 +169,8 @@ class Number(FieldType):
         number = _number(value, self.expected(), hint)
         limits = ranges.number_range(self.range)
         if not limits.holds(number):
-            own = replace(self.range, smallest=0.0).holds(number)
-            raise field_error(value, f"a number {limits.wanted(number)}" if own else self.expected())
+            in_range = replace(self.range, smallest=0.0).holds(number)
+            raise field_error(value, f"a number {limits.wanted(number)}" if in_range else self.expected())
         return number
 
     def expected(self) -> str:

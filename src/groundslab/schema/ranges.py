@@ -89,22 +89,22 @@ ANY = Range()
 
 
 @lru_cache
-def quantity_range(own: Range, dimension: str) -> Range:
+def quantity_range(limits: Range, dimension: str) -> Range:
     """Return the range of a quantity: its own, and within it the sizes that make sense for its dimension.
 
     What must be positive has a smallest size; what may be zero or negative has a largest one only.
     """
     known = units.DIMENSIONS[dimension]
-    lowest = own.at_least
+    lowest = limits.at_least
     if lowest is None:
-        lowest = -known.largest if own.above is None else known.smallest if own.above == 0 else None
-    highest = known.largest if own.below is None and own.at_most is None else own.at_most
-    return replace(own, at_least=lowest, at_most=highest)
+        lowest = -known.largest if limits.above is None else known.smallest if limits.above == 0 else None
+    highest = known.largest if limits.below is None and limits.at_most is None else limits.at_most
+    return replace(limits, at_least=lowest, at_most=highest)
 
 
 @lru_cache
-def number_range(own: Range) -> Range:
+def number_range(limits: Range) -> Range:
     """Return the range of a pure number: its own, and a largest size where it has no limits."""
-    lowest = -LARGEST_NUMBER if own.above is None and own.at_least is None else own.at_least
-    highest = LARGEST_NUMBER if own.below is None and own.at_most is None else own.at_most
-    return replace(own, at_least=lowest, at_most=highest)
+    lowest = -LARGEST_NUMBER if limits.above is None and limits.at_least is None else limits.at_least
+    highest = LARGEST_NUMBER if limits.below is None and limits.at_most is None else limits.at_most
+    return replace(limits, at_least=lowest, at_most=highest)

@@ -94,13 +94,13 @@ def _tables(part: type[Section], path: str, kind: str, about: str) -> Iterator[s
     for name, field in fields.items():
         inner = get_sections(field)
         below = f"{path}.{name}".lstrip(".") + ("[]" if inner.many else "")
-        for each in inner.parts:
-            tag = next((field for field in each.model_fields.values() if _is_tag(field)), None)
-            which = f"given by {', '.join(_needed(each))}" if len(inner.parts) > 1 and not tag else ""
+        for section in inner.parts:
+            tag = next((field for field in section.model_fields.values() if _is_tag(field)), None)
+            which = f"given by {', '.join(_needed(section))}" if len(inner.parts) > 1 and not tag else ""
             names = (kind if path else "", f'kind = "{tag.default}"' if tag else "", which)
             meaning = get_meaning(tag) if tag else get_meaning(field)
             meaning += f" (at most {get_most_sections(field):,} in the list)" if inner.many else ""
-            yield from _tables(each, below, ", ".join(filter(None, names)), meaning)
+            yield from _tables(section, below, ", ".join(filter(None, names)), meaning)
 
 
 def _needed(part: type[Section]) -> list[str]:

@@ -64,7 +64,7 @@ def meant_word(word: object, known: Collection[str], unlisted: str | None) -> tu
 
 def use_free_name(place: Place, name: str, taken: Collection[str]) -> tuple[Repair, ...]:
     """Return the repair that makes a name its own: ``A1 2`` beside ``A1``."""
-    free = next(each for number in itertools.count(2) if (each := f"{name} {number}") not in taken)
+    free = next(candidate for number in itertools.count(2) if (candidate := f"{name} {number}") not in taken)
     return (set_value(place, free, f"rename to {describe(free)}"),)
 
 
@@ -83,5 +83,5 @@ def add_unit(value: object, dimension: str, limits: ranges.Range) -> Iterator[Re
 
 
 def _name(place: Place) -> str:
-    """Return what a place is called on a button: ``beyond.kind``, ``loads[2]``."""
+    """Return the name of a place on a button: ``beyond.kind``, ``loads[2]``."""
     return "".join(f"[{step + 1}]" if isinstance(step, int) else f".{step}" for step in place).lstrip(".")

@@ -33,7 +33,7 @@ def value(what: Any) -> str:
     if isinstance(what, int):
         return str(what)
     if isinstance(what, Mapping):
-        pairs = [f"{key(name)} = {value(each)}" for name, each in what.items()]
+        pairs = [f"{key(name)} = {value(entry)}" for name, entry in what.items()]
         return f"{{{', '.join(pairs)}}}"
     if isinstance(what, Sequence):
         return f"[{', '.join(map(value, what))}]"
@@ -48,16 +48,16 @@ def pair(name: str, what: Any) -> str:
     if len(line) <= WIDTH or not isinstance(what, list) or not what:
         return line + "\n"
     lines = [""]
-    for each in map(value, what):
-        if lines[-1] and len(lines[-1]) + len(each) + 4 > WIDTH:
+    for text in map(value, what):
+        if lines[-1] and len(lines[-1]) + len(text) + 4 > WIDTH:
             lines.append("")
-        lines[-1] += f" {each}," if lines[-1] else f"{each},"
-    return "\n".join([f"{name} = [", *(f"  {each}" for each in lines), "]\n"])
+        lines[-1] += f" {text}," if lines[-1] else f"{text},"
+    return "\n".join([f"{name} = [", *(f"  {line}" for line in lines), "]\n"])
 
 
 def is_list_of_tables(what: Any) -> bool:
     """Whether a value is written as double-bracketed tables."""
-    return isinstance(what, list) and bool(what) and all(isinstance(each, Mapping) for each in what)
+    return isinstance(what, list) and bool(what) and all(isinstance(item, Mapping) for item in what)
 
 
 def is_section(path: tuple[str, ...], what: Any) -> bool:
@@ -66,7 +66,7 @@ def is_section(path: tuple[str, ...], what: Any) -> bool:
         return True
     if not isinstance(what, Mapping):
         return False
-    inner = any(is_section((*path, name), each) for name, each in what.items())
+    inner = any(is_section((*path, name), entry) for name, entry in what.items())
     return len(path) == 1 or inner or len(f"{path[-1]} = {value(what)}") > WIDTH
 
 
@@ -75,14 +75,14 @@ def section(path: tuple[str, ...], what: Any) -> str:
     name = ".".join(map(key, path))
     if isinstance(what, Mapping):
         return _table(f"[{name}]", path, what)
-    return "\n".join(_table(f"[[{name}]]", path, each) for each in what)
+    return "\n".join(_table(f"[[{name}]]", path, table) for table in what)
 
 
 def _table(header: str, path: tuple[str, ...], table: Mapping[str, Any]) -> str:
     """Return one table below its header: first its pairs, then the tables in it."""
-    below = {name: each for name, each in table.items() if is_section((*path, name), each)}
-    pairs = [pair(key(name), each) for name, each in table.items() if name not in below]
-    inner = ["\n" + section((*path, name), each) for name, each in below.items()]
+    below = {name: entry for name, entry in table.items() if is_section((*path, name), entry)}
+    pairs = [pair(key(name), entry) for name, entry in table.items() if name not in below]
+    inner = ["\n" + section((*path, name), entry) for name, entry in below.items()]
     if not pairs and inner and not header.startswith("[["):
         return "".join(inner).removeprefix("\n")  # those in it say that it is there
     return "".join([header + "\n", *pairs, *inner])

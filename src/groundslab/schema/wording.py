@@ -10,7 +10,7 @@ MOST_NAMES = 10  # that are listed of those in a file
 
 
 def describe(value: object) -> str:
-    """Return what a value is in at most about fifty characters, for messages."""
+    """Return a description of a value in at most about fifty characters, for messages."""
     if value is None:
         return "nothing"
     if isinstance(value, bool):
@@ -71,14 +71,14 @@ def find_nearest(word: object, known: Iterable[str]) -> str | None:
     """Return the known word that a word resembles most, None if it resembles none."""
     if not isinstance(word, str) or len(word) > 40:
         return None
-    lower = {each.lower(): each for each in known}
+    lower = {candidate.lower(): candidate for candidate in known}
     close = difflib.get_close_matches(word.lower(), lower, n=1)
     return lower[close[0]] if close else None
 
 
 def spelled_alike(word: object, known: Iterable[str]) -> tuple[str, ...]:
     """Return the known words with the letters and digits of a word, in any case and with any other signs."""
-    return tuple(each for each in known if isinstance(word, str) and _letters(each) == _letters(word))
+    return tuple(candidate for candidate in known if isinstance(word, str) and _letters(candidate) == _letters(word))
 
 
 def _letters(word: str) -> str:

@@ -89,10 +89,10 @@ def _rename(rename: Callable[[Path], object], new: Path) -> None:
 
 def sweep(path: Path, age: float) -> None:
     """Remove partial files that killed processes left, older than an age [s]."""
-    for each in _find_partial(path):
+    for partial in _find_partial(path):
         with suppress(OSError):
-            if not each.is_dir() and time.time() - each.lstat().st_mtime > age:
-                each.unlink()
+            if not partial.is_dir() and time.time() - partial.lstat().st_mtime > age:
+                partial.unlink()
 
 
 def write_folder(
@@ -216,8 +216,8 @@ def _sweep_folders(target: Path, ours: Callable[[str], bool]) -> None:
             if path.is_dir() and not path.is_symlink():
                 entries = list(path.rglob("*"))
                 newest = max(entry.lstat().st_mtime for entry in (path, *entries))
-                files = (each for each in entries if each.is_symlink() or not each.is_dir())
-                if time.time() - newest > STALE and all(ours(each.relative_to(path).as_posix()) for each in files):
+                files = (entry for entry in entries if entry.is_symlink() or not entry.is_dir())
+                if time.time() - newest > STALE and all(ours(file.relative_to(path).as_posix()) for file in files):
                     shutil.rmtree(path, ignore_errors=True)
 
 

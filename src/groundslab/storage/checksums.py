@@ -73,11 +73,11 @@ def seal(content: bytes, before: str = "<!-- ", after: str = " -->") -> bytes:
 def is_sealed(path: Path) -> bool:
     """Return whether a file has a seal, and is as it was when it got it; raises OSError."""
     content = bounded.read_whole(path, LARGEST)
-    found = list(_SEAL.finditer(content[-1000:]))
-    if not found or found[-1].end() != len(content[-1000:]):
+    seals = list(_SEAL.finditer(content[-1000:]))
+    if not seals or seals[-1].end() != len(content[-1000:]):
         return False
-    before = content[: len(content) - len(found[-1][0])]
-    return hashlib.sha256(before).hexdigest().encode() == found[-1][1]
+    before = content[: len(content) - len(seals[-1][0])]
+    return hashlib.sha256(before).hexdigest().encode() == seals[-1][1]
 
 
 def _checksum(path: Path) -> str:

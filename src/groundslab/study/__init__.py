@@ -115,12 +115,12 @@ def describe_file(path: Path) -> list[str]:
     """Return a summary of a study file, line by line; raises InputError with all its issues."""
     from groundslab.study.definition import files, setup
 
-    found = files.read(path).setup
-    lines = [f"{path}: fine ({found.count} variants, {found.sampling.kind})"]
-    lines += [f"  varies {each.name}: {_describe_variable(each)}" for each in found.variables]
-    lines += [f"  random field {each.name}: a factor on {each.path}" for each in found.fields]
-    lines += [f"  keeps {output.name}" + (f" [{output.unit}]" if output.unit else "") for output in found.outputs]
-    return lines + [f"warning: {line}" for line in setup.warnings_of(found)]
+    study = files.read(path).setup
+    lines = [f"{path}: fine ({study.count} variants, {study.sampling.kind})"]
+    lines += [f"  varies {variable.name}: {_describe_variable(variable)}" for variable in study.variables]
+    lines += [f"  random field {field.name}: a factor on {field.path}" for field in study.fields]
+    lines += [f"  keeps {output.name}" + (f" [{output.unit}]" if output.unit else "") for output in study.outputs]
+    return lines + [f"warning: {line}" for line in setup.warnings_of(study)]
 
 
 def _describe_variable(variable: Variable) -> str:
@@ -129,9 +129,9 @@ def _describe_variable(variable: Variable) -> str:
     if variable.distribution is None:
         parts.append(f"{len(variable.values or ())} values")
     else:
-        found = variable.distribution
-        parts.append(f"{found.dist.name}, mean {found.mean():.5g} {variable.unit}".strip())
-        parts.append(f"standard deviation {found.std():.5g} {variable.unit}".strip())
+        distribution = variable.distribution
+        parts.append(f"{distribution.dist.name}, mean {distribution.mean():.5g} {variable.unit}".strip())
+        parts.append(f"standard deviation {distribution.std():.5g} {variable.unit}".strip())
     return ", ".join(filter(None, parts))
 
 

@@ -48,11 +48,12 @@ def joined_beams(x: float, P: float, a: float, EI: float, k: float, s: float = m
     b = (k / (4 * EI)) ** 0.25
     V = P * math.exp(-b * a) * math.cos(b * a) / (2 + k / (2 * b * s))
     far = 20 / b
-    own = beam_on_springs(-x, far, P, a, EI, k) if x < 0 else {"settlement": 0.0, "moment": 0.0}
-    sign, wave = (-1.0 if x < 0 else 1.0), math.exp(-b * abs(x))
+    beam = beam_on_springs(-x, far, P, a, EI, k) if x < 0 else {"settlement": 0.0, "moment": 0.0}
+    sign = -1.0 if x < 0 else 1.0
+    wave = math.exp(-b * abs(x))
     return {
-        "settlement": own["settlement"] + sign * 2 * V * b / k * wave * math.cos(b * x),
-        "moment": own["moment"] - sign * V / b * wave * math.sin(b * abs(x)),
+        "settlement": beam["settlement"] + sign * 2 * V * b / k * wave * math.cos(b * x),
+        "moment": beam["moment"] - sign * V / b * wave * math.sin(b * abs(x)),
         "force": V,
     }
 
@@ -146,7 +147,7 @@ def _half_strip(
 
     def waves(n: int, x: float) -> np.ndarray:
         # those that grow with x are of size 1 at c
-        return np.array([each**n * cmath.exp(each * (x - c if each.real > 0 else x)) for each in r])
+        return np.array([root**n * cmath.exp(root * (x - c if root.real > 0 else x)) for root in r])
 
     lines = [waves(1, 0.0), EI * waves(3, 0.0)]
     for terms in end:

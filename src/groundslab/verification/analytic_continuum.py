@@ -38,12 +38,12 @@ def flexible_circle(r: float, radius: float, q: float, E: float, nu: float, h: f
 
     m = (r / radius) ** 2
     shape = ellipe(m) if m <= 1 else math.sqrt(m) * (ellipe(1 / m) - (1 - 1 / m) * ellipk(1 / m))
-    found = 4 * q * radius * (1 - nu**2) / (math.pi * E) * float(shape)
+    settlement = 4 * q * radius * (1 - nu**2) / (math.pi * E) * float(shape)
     if math.isinf(h):
-        return found
+        return settlement
     k, weight = _waves(radius + r, h)
     lacks = 2 * (1 - nu**2) / E * (_layer(k * h, nu) - 1) / k
-    return found + float(weight @ (lacks * q * radius * j1(k * radius) * j0(k * r)))
+    return settlement + float(weight @ (lacks * q * radius * j1(k * radius) * j0(k * r)))
 
 
 def rigid_circle_on_half_space(x: float, radius: float, P: float, E: float, nu: float, e: float = 0.0) -> float:
@@ -95,8 +95,8 @@ def _rigid_rectangle(cells: int, x: float, a: float, b: float, P: float, E: floa
     """Return the same by one grid of so many cells from the middle to an edge, for a quarter of the rectangle."""
     edge = np.sin(np.linspace(0, math.pi / 2, cells + 1))
     (u, du), (v, dv) = ((side / 4 * (edge[1:] + edge[:-1]), side / 2 * np.diff(edge)) for side in (a, b))
-    U, V = (each.ravel() for each in np.meshgrid(u, v, indexing="ij"))
-    DU, DV = (each.ravel() for each in np.meshgrid(du, dv, indexing="ij"))
+    U, V = (grid.ravel() for grid in np.meshgrid(u, v, indexing="ij"))
+    DU, DV = (grid.ravel() for grid in np.meshgrid(du, dv, indexing="ij"))
 
     def pressures(settled: Array, odd: float) -> Array:
         """Return pressures for settlements that are the same, or opposite, on both sides."""
@@ -117,10 +117,10 @@ def _love(x: Array, y: Array, a: Array, b: Array) -> Array:
     def corner(u: Array, v: Array) -> Array:
         return u * np.arcsinh(v / np.abs(u)) + v * np.arcsinh(u / np.abs(v))
 
-    found = np.zeros(np.broadcast_shapes(x.shape, a.shape))
+    integral = np.zeros(np.broadcast_shapes(x.shape, a.shape))
     for i, j in product((-1, 1), repeat=2):
-        found += corner(a / 2 + i * x, b / 2 + j * y)
-    return found
+        integral += corner(a / 2 + i * x, b / 2 + j * y)
+    return integral
 
 
 def _layer(x: Array, nu: float) -> Array:

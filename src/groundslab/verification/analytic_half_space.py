@@ -135,7 +135,7 @@ def surface_settlement(
 
 def _broadcast(*arrays: ArrayLike) -> tuple[Array, ...]:
     """Return arrays of one shape."""
-    return np.broadcast_arrays(*(np.asarray(each, float) for each in arrays))
+    return np.broadcast_arrays(*(np.asarray(array, float) for array in arrays))
 
 
 def _distance(at: tuple[Array, ...], sides: tuple[float, float], mean: bool) -> Array:
@@ -181,7 +181,7 @@ def _sum(
     sides: tuple[float, float],
 ) -> Array:
     """Return the weighted sum of a function over offsets in both directions, given in sides; 0 outside the mask."""
-    x, y, *depths = (each[mask] for each in at)
+    x, y, *depths = (values[mask] for values in at)
     total: Array = np.zeros(mask.shape)
     for (s, u), (t, v) in product(rule, rule):
         total[mask] += u * v * function(x + s * sides[0], y + t * sides[1], *depths)

@@ -19,7 +19,7 @@ def clamped_plate(x: float, y: float, a: float, b: float, q: float, D: float, nu
     shapes = [Polynomial([1, 0, -2, 0, 1]) * Legendre.basis(2 * i).convert(kind=Polynomial) for i in range(TERMS)]
     s, weight = np.polynomial.legendre.leggauss(2 * TERMS + 8)
     at = [np.array([shape.deriv(n)(s) if n else shape(s) for shape in shapes]) for n in range(3)]
-    value, slope, bent = ((each * weight) @ each.T for each in at)
+    value, slope, bent = ((terms * weight) @ terms.T for terms in at)
     u, v = 2 / a, 2 / b  # derivatives over x and y
     K = D * (u**4 * np.kron(bent, value) + 2 * u**2 * v**2 * np.kron(slope, slope) + v**4 * np.kron(value, bent))
     mean = at[0] @ weight

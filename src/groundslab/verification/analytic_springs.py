@@ -41,7 +41,7 @@ class OnSprings:
 
     @property
     def sigma(self) -> float:
-        """Return what the shear's share weighs; 0 for a thin plate."""
+        """Return the weight of the shear deformation; 0 for a thin plate."""
         return math.sqrt(self.k * self.D) / (2 * self.S)
 
     @property

@@ -42,8 +42,8 @@ def _least_ratio(f_ck: float, f_yk: float) -> float:
 
 def _concrete(f_ck: float, annex: str) -> Concrete:
     """Return concrete with the factors and rules of an annex."""
-    own = annex_of(annex)
-    return Concrete(f_ck, own.gamma_c, own.alpha_cc, own)
+    parameters = annex_of(annex)
+    return Concrete(f_ck, parameters.gamma_c, parameters.alpha_cc, parameters)
 
 
 def _without_links(f_ck: float, d: float, rho: float, annex: str = "recommended") -> float:
@@ -62,7 +62,7 @@ def _links(**given: Any) -> float:
 
 
 def _crack(what: str) -> Callable[..., float]:
-    """Return what finds a figure of a crack, of bars with an effective depth of concrete in tension."""
+    """Return the function for a figure of a crack, of bars with an effective depth of concrete in tension."""
 
     def find(
         diameter: float, spacing: float, cover: float, area: float, depth: float, sigma_s: float, f_ck: float
@@ -105,15 +105,15 @@ def _aci_stress(b_1: float, b_2: float, d: float, V_u: float, M: float) -> float
 
 
 def _section(what: str) -> Callable[..., float]:
-    """Return what finds a figure of a section of width b with bars at the bottom, I in 1e6 mm4, M_cr at 1 MPa."""
+    """Return the function for a figure of a section of width b with bottom bars, I in 1e6 mm4, M_cr at 1 MPa."""
 
     def find(b: float, h: float, area: float, distance: float, n: float, M: float = 0.0) -> float:
         bars = cracked_section.Bars((area / b, 0.0), (distance, distance))
         thickness, ratio = np.array([h]), np.array([n])
-        z, I_I, _ = (float(each[0]) for each in cracked_section.uncracked_section(thickness, bars, ratio))
-        x, I_II, _ = (float(each[0]) for each in cracked_section.cracked_section(thickness, bars, ratio, top=False))
-        found = {"z": z, "I_I": b * I_I * 1e6, "M_cr": b * I_I / (h - z) * 1e6, "x": x, "I_II": b * I_II * 1e6}
-        return (found | {"sigma_s": n * M / b * (h - distance - x) / I_II})[what]
+        z, I_I, _ = (float(value[0]) for value in cracked_section.uncracked_section(thickness, bars, ratio))
+        x, I_II, _ = (float(value[0]) for value in cracked_section.cracked_section(thickness, bars, ratio, top=False))
+        figures = {"z": z, "I_I": b * I_I * 1e6, "M_cr": b * I_I / (h - z) * 1e6, "x": x, "I_II": b * I_II * 1e6}
+        return (figures | {"sigma_s": n * M / b * (h - distance - x) / I_II})[what]
 
     return find
 
@@ -134,7 +134,7 @@ def _beside_aisle(stress: float, E: float, h: float, k: float) -> float:
 
 
 def _design_moment(name: str) -> Callable[..., float]:
-    """Return what finds a design moment of Wood and Armer."""
+    """Return the function for a design moment of Wood and Armer."""
 
     def find(m_x: float, m_y: float, m_xy: float) -> float:
         return float(getattr(wood_armer(*(np.array([moment]) for moment in (m_x, m_y, m_xy))), name)[0])
@@ -166,7 +166,7 @@ def _effect(
         cases.append(LoadCase(name=name, action="variable", category=kind, group=group, **factors))
     effects = {**permanent, "rare": rare, **{name: effect for name, (effect, *_) in variable.items()}}
     made = make_combinations(Combine(sets=(limit_state,), **rules), cases)
-    sums = [sum(factor * effects[name] for name, factor in each.factors) for each in made]
+    sums = [sum(factor * effects[name] for name, factor in combination.factors) for combination in made]
     return min(sums) if least else max(sums)
 
 

@@ -50,11 +50,11 @@ def depression(run: Run, model: str, x: list[float], published_mm: list[float]) 
     ours = np.array([results.plate.value_at("settlement", place, 0.0) for place in x])
     load = results.certificate.load
     theirs = most_carried(np.array(x), np.array(published_mm) / 1e3, k0, k1)
-    own = most_carried(np.array(x), ours, k0, k1)
+    carried = most_carried(np.array(x), ours, k0, k1)
     return Proof(
-        theirs < 0.85 * load < 0.95 * load < own,
+        theirs < 0.85 * load < 0.95 * load < carried,
         f"no equilibrium: the printed profile, turned about the center, carries at most {theirs / 1e6:.2f} MN of the "
-        f"{load / 1e6:.2f} MN applied; the same sum over our profile gives {own / 1e6:.2f} MN",
+        f"{load / 1e6:.2f} MN applied; the same sum over our profile gives {carried / 1e6:.2f} MN",
     )
 
 

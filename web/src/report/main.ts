@@ -26,7 +26,7 @@ async function start(): Promise<void> {
     place.textContent =
       error instanceof SceneError
         ? error.message
-        : `The viewer cannot start: ${String(error)}. The tables of this report do not need it.`;
+        : `The viewer could not start: ${String(error)}. The tables in this report work without it.`;
     place.classList.add("viewer-failed");
   }
 }

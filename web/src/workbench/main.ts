@@ -18,7 +18,7 @@ const queue: EditQueue = new EditQueue(api, {
   base: () => store.doc?.version ?? 0,
   adopt: (state, waiting) => store.setDoc(state, waiting),
   fits: (change, state) => isUntouched(change, store.doc?.data ?? {}, state.data ?? {}),
-  onRefused: (change, why) => store.set("notice", { kind: "bad", text: `“${change.text}” was not done: ${why}` }),
+  onRefused: (change, why) => store.set("notice", { kind: "bad", text: `“${change.text}” failed: ${why}` }),
   onLost: (error) => connection.handleLoss(error),
   onChange: () => store.setWaiting(queue.waiting),
 });
@@ -54,7 +54,7 @@ document.body.replaceChildren(cover);
 store.on(["connection"], () => {
   cover.textContent =
     store.connection === "unauthorized"
-      ? "This address is no longer valid. Open the address that groundslab app has printed."
-      : "The server does not answer. Start it with: groundslab app";
+      ? "This address is no longer valid. Open the address printed by groundslab app."
+      : "The server is not responding. Start it with: groundslab app";
 });
 await connection.start();

@@ -85,7 +85,7 @@ def to_case(drawing: Drawing, title: str = "") -> str:
         holes = [row for hole in area.holes for row in _shape_lines("[[loads.holes]]", hole)]
         text += _load_lines("area", area, value, [*_shape_lines("[loads.shape]", area.curve), *holes])
     marks: list[PointMark | LineMark | AreaMark] = [*drawing.point_loads, *drawing.line_loads, *drawing.area_loads]
-    if all(each.value is None for each in marks):
+    if all(mark.value is None for mark in marks):
         text += ["", *_LOADS]
     return "\n".join(text) + "\n"
 
@@ -125,7 +125,7 @@ def _footprint_lines(column: Footprint, number: int) -> list[str]:
 
 def _other_shapes(drawing: Drawing) -> list[Ring]:
     """Return the columns that are closed curves but none that a case can hold."""
-    return [each for each in drawing.columns if isinstance(each, Ring) and footprint_of(each, "") is None]
+    return [column for column in drawing.columns if isinstance(column, Ring) and footprint_of(column, "") is None]
 
 
 def _spread_over(mark: PointMark, shapes: Sequence[Ring]) -> list[str]:
@@ -172,10 +172,10 @@ def _shape_lines(head: str, curve: Ring) -> list[str]:
 
 def _circle_lines(curve: Ring) -> list[str] | None:
     """Return the lines of a circle, None if a curve is none."""
-    found = circle_of(curve)
-    if found is None:
+    circle = circle_of(curve)
+    if circle is None:
         return None
-    (x, y), radius = found
+    (x, y), radius = circle
     x, y, radius = (float(f"{value:.12g}") for value in (x, y, radius))
     return ['kind = "circle"', f"centre = {_point_text((x, y))}", f"radius = {_length_text(radius)}"]
 
@@ -201,17 +201,17 @@ def _place_point(mark: PointMark, columns: list[Footprint], tree: STRtree) -> li
     from shapely import Point
 
     near = sorted(tree.query(Point(mark.x, mark.y)).tolist())
-    own = next((columns[k] for k in near if columns[k].covers(mark.x, mark.y)), None)
-    if own is not None:
-        arms = {"M_x": mark.x - own.centre[0], "M_y": mark.y - own.centre[1]}
-        beside = {name: arm for name, arm in arms.items() if abs(arm) > SAME * max(own.widths)}
+    holder = next((columns[k] for k in near if columns[k].covers(mark.x, mark.y)), None)
+    if holder is not None:
+        arms = {"M_x": mark.x - holder.centre[0], "M_y": mark.y - holder.centre[1]}
+        beside = {name: arm for name, arm in arms.items() if abs(arm) > SAME * max(holder.widths)}
         if mark.value is not None or not beside:
             force = mark.value or 0.0
             moments = [
                 f'{name} = "{units.write(force * arm, "moment")}"  # {arm:.6g} m off the center of the column'
                 for name, arm in beside.items()
             ]
-            return [*moments, f"column = {quote(own.name)}"]
+            return [*moments, f"column = {quote(holder.name)}"]
     return [f"x = {_length_text(mark.x)}", f"y = {_length_text(mark.y)}"]
 
 

@@ -71,14 +71,14 @@ class _Link(NamedTuple):
 
 def _make_links(source: Source, piece: DrawnLine, nodes: PointIndex, middles: PointIndex) -> list[_Link]:
     """Return the edges of a line without those that have no length."""
-    found = []
+    links = []
     numbers = [nodes.number(point) for point in piece.points]
     for i, bulge in enumerate(piece.bulges):
         a, b = numbers[i], numbers[i + 1]
         if a != b:
             middle = middles.number(segment(piece.points[i], piece.points[i + 1], bulge).middle)
-            found.append(_Link(a, b, bulge, source, (min(a, b), max(a, b), middle)))
-    return found
+            links.append(_Link(a, b, bulge, source, (min(a, b), max(a, b), middle)))
+    return links
 
 
 def join_lines(lines: list[tuple[Source, DrawnLine]], tolerance: float, context: ReadContext) -> list[ClosedCurve]:

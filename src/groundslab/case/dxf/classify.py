@@ -20,11 +20,11 @@ if TYPE_CHECKING:
     from ezdxf.entities import DXFEntity
 
 
-def report_taken(found: ClosedCurve, what: str, context: ReadContext) -> None:
+def report_taken(curve: ClosedCurve, what: str, context: ReadContext) -> None:
     """Report the entities of a curve as taken."""
-    for source in found.sources:
-        remark = found.remarks.get(source)
-        text = what if len(found.sources) == 1 else f"part of {what}"
+    for source in curve.sources:
+        remark = curve.remarks.get(source)
+        text = what if len(curve.sources) == 1 else f"part of {what}"
         context.report_entity(source, True, f"{text}, {remark}" if remark else text)
 
 
@@ -44,24 +44,24 @@ def find_outline(
             why = "; ".join(dict.fromkeys(line.why for line in context.report if line.layer == entities[0][0].layer))
             context.issues.append(Issue(where, found, "a closed curve", why))
         return None, []
-    outline = max(curves, key=lambda each: each.curve.area)
+    outline = max(curves, key=lambda closed: closed.curve.area)
     report_taken(outline, "the outline", context)
     inner = EnclosingCurves(curves, context)
-    for number, each in sorted(enumerate(curves), key=lambda pair: -pair[1].curve.area):
-        if each is outline:
+    for number, closed in sorted(enumerate(curves), key=lambda pair: -pair[1].curve.area):
+        if closed is outline:
             continue
-        start = each.curve.points[0]
-        meeting = find_meeting(outline.region, each.curve.segments(), tolerance, context.count_pairs)
+        start = closed.curve.points[0]
+        meeting = find_meeting(outline.region, closed.curve.segments(), tolerance, context.count_pairs)
         if meeting is not None:
             found = "a second curve that crosses or touches the outline"
-            context.issue(each.sources, meeting, found, "one outline")
+            context.issue(closed.sources, meeting, found, "one outline")
         elif not outline.region.holds(start, context.count_edges):
             found, hint = "a second curve next to the outline", "a file describes one plate: move the others elsewhere"
-            context.issue(each.sources, start, found, "one outline", hint)
+            context.issue(closed.sources, start, found, "one outline", hint)
         elif has_openings:
-            report_ignored(each, "it lies inside the outline, but openings have their own layer", context)
+            report_ignored(closed, "it lies inside the outline, but openings have their own layer", context)
         elif inner.find([start]) is not None:
-            report_ignored(each, "it lies inside an opening", context)
+            report_ignored(closed, "it lies inside an opening", context)
         else:
             inner.add(number)
     return outline.curve, [curves[number] for number in sorted(inner.added)]
@@ -75,7 +75,7 @@ class EnclosingCurves:
 
         self._curves, self._context = curves, context
         self.added: dict[int, int] = {}  # by the number of a curve the how manieth to be added it is
-        self._tree = STRtree([bounding_box(each.curve.segments()) for each in curves])
+        self._tree = STRtree([bounding_box(closed.curve.segments()) for closed in curves])
 
     def add(self, number: int) -> None:
         """Add one of the curves."""
@@ -94,9 +94,9 @@ class EnclosingCurves:
         return None
 
 
-def report_ignored(found: ClosedCurve, why: str, context: ReadContext) -> None:
+def report_ignored(curve: ClosedCurve, why: str, context: ReadContext) -> None:
     """Report the entities of a curve as ignored."""
-    for source in found.sources:
+    for source in curve.sources:
         context.report_entity(source, False, why)
 
 
@@ -162,7 +162,7 @@ def _exact_footprint(curve: Ring, name: str) -> Footprint | None:
     near = max(SAME * size, min(GAP, OF_SIDE * size))
     corners = {(low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1])}
     rectangle = len(curve.points) == 4 and not any(curve.bulges)
-    if not rectangle or any(min(math.dist(corner, each) for each in curve.points) > near for corner in corners):
+    if not rectangle or any(min(math.dist(corner, point) for point in curve.points) > near for corner in corners):
         return None
     centre = (low[0] + high[0]) / 2, (low[1] + high[1]) / 2
     return Footprint(name, centre, (high[0] - low[0], high[1] - low[1]), round=False)
@@ -186,15 +186,15 @@ def _equal_circle(curve: Ring, name: str) -> Footprint | None:
 
 def circle_of(curve: Ring) -> tuple[Place, float] | None:
     """Return center and radius of a curve that is a circle, None of any other."""
-    found = _exact_footprint(curve, "")
-    return (found.centre, found.widths[0] / 2) if found is not None and found.round else None
+    footprint = _exact_footprint(curve, "")
+    return (footprint.centre, footprint.widths[0] / 2) if footprint is not None and footprint.round else None
 
 
 def remark_on_column(curve: Ring) -> str:
     """Return the note on a column that is not read as drawn, none for others."""
-    found = footprint_of(curve, "")
-    if found is None:
+    footprint = footprint_of(curve, "")
+    if footprint is None:
         return "neither a rectangle along x and y nor compact; a force on it is spread over it, punching is not checked"
-    if found.shape is None:
+    if footprint.shape is None:
         return ""
-    return f"taken as a circle of the same area, {found.widths[0]:.4g} m in diameter, also for punching"
+    return f"taken as a circle of the same area, {footprint.widths[0]:.4g} m in diameter, also for punching"

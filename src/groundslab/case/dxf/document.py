@@ -80,7 +80,7 @@ def open_drawing(path: str) -> Document:
 def set_unit(document: Document, given: str | None, context: ReadContext) -> None:
     """Give the context its unit: the one that was given, else the drawing's own."""
     code = document.header.get("$INSUNITS", 0)
-    own = UNITS.get(code)
+    own_unit = UNITS.get(code)
     if given is not None:
         try:
             scale = Fraction(repr(units.parse(f"1 {given}", "length")))
@@ -89,11 +89,11 @@ def set_unit(document: Document, given: str | None, context: ReadContext) -> Non
             context.issues.append(Issue("the drawing's unit", describe(given), expected, error.reason))
             return
         context.unit, context.scale = given, scale
-        if own is not None and not math.isclose(own[1], scale, rel_tol=1e-5):
-            why = f"the drawing says that its unit is {own[0]}; it was read in {given} as given"
+        if own_unit is not None and not math.isclose(own_unit[1], scale, rel_tol=1e-5):
+            why = f"the drawing says that its unit is {own_unit[0]}; it was read in {given} as given"
             context.report.append(ReportLine("", "HEADER", "", False, why))
-    elif own is not None:
-        context.unit, context.scale = own
+    elif own_unit is not None:
+        context.unit, context.scale = own_unit
     else:
         found = f"unit number {code}" if code else "no unit"
         hint = 'say the unit, such as "mm", or set INSUNITS in the drawing'
@@ -148,7 +148,7 @@ class Roles:
 def assign_roles(layers: Layers, context: ReadContext) -> Roles:
     """Return the role of each layer."""
     roles: dict[str, str] = {}
-    for role in (each.name for each in fields(layers)):
+    for role in (field.name for field in fields(layers)):
         name: str = getattr(layers, role)
         if name and name.lower() in roles:
             expected = "a separate layer"
@@ -164,7 +164,7 @@ def assign_roles(layers: Layers, context: ReadContext) -> Roles:
 
 def name_roles(layers: Mapping[str, str], context: ReadContext) -> Roles:
     """Return the role of each layer from a full list of names, of which several may have the same role."""
-    known = [each.name for each in fields(Layers)]
+    known = [field.name for field in fields(Layers)]
     for layer, role in layers.items():
         if role not in known:
             where = f"layer {describe(layer)}"
@@ -216,8 +216,8 @@ def check_layers(
         if entities[role] or (role in WITH_VALUE and key == getattr(usual, role).lower()):
             continue
         if role == "outline" or key != getattr(usual, role).lower():
-            shown = ", ".join(describe(each) for each in known[:12]) + (" ..." if len(known) > 12 else "")
-            meant = suggestion(name, [each for each in known if each.lower() != key])
+            shown = ", ".join(describe(layer) for layer in known[:12]) + (" ..." if len(known) > 12 else "")
+            meant = suggestion(name, [layer for layer in known if layer.lower() != key])
             hint = f"{meant} the drawing has the layers {shown}".lstrip()
             where = f"{context.path}, layer {describe(name)}"
             context.issues.append(Issue(where, "nothing on it", f"entities for {role.replace('_', ' ')}", hint))

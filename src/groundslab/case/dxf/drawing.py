@@ -104,16 +104,16 @@ def center(drawing: Drawing) -> Drawing:
     def move_area(area: AreaMark) -> AreaMark:
         return replace(area, curve=move_ring(area.curve), holes=tuple(map(move_ring, area.holes)))
 
-    columns = tuple(move_ring(each) if isinstance(each, Ring) else move(each) for each in drawing.columns)
-    loads = [(each, move((each.x, each.y))) for each in drawing.point_loads]
+    columns = tuple(move_ring(column) if isinstance(column, Ring) else move(column) for column in drawing.columns)
+    loads = [(load, move((load.x, load.y))) for load in drawing.point_loads]
     return replace(
         drawing,
         outline=move_ring(drawing.outline),
         openings=tuple(map(move_ring, drawing.openings)),
         zones=tuple(map(move_ring, drawing.zones)),
         columns=columns,
-        point_loads=tuple(replace(each, x=x, y=y) for each, (x, y) in loads),
-        line_loads=tuple(replace(each, points=tuple(map(move, each.points))) for each in drawing.line_loads),
+        point_loads=tuple(replace(load, x=x, y=y) for load, (x, y) in loads),
+        line_loads=tuple(replace(load, points=tuple(map(move, load.points))) for load in drawing.line_loads),
         area_loads=tuple(map(move_area, drawing.area_loads)),
         origin=origin,
     )

@@ -64,7 +64,7 @@ class BlockCounts:
         return self._counts.get((name.lower(), role), (1, 1))[0] > 0
 
     def _content(self, entities: Iterable[DXFEntity], contents: dict[str, _Content]) -> _Content:
-        """Return what there is, and enter the blocks that it refers to, and those that these do."""
+        """Return the content of entities, and add that of blocks they refer to, directly or through other blocks."""
         first, todo = _Content(), [(entities, "")]
         while todo:
             some, name = todo.pop()
@@ -86,11 +86,11 @@ class BlockCounts:
 
     def _count_below(self, content: _Content, role: str | None) -> tuple[int, int]:
         """Return how many entities are taken and placed, if layer 0 has this role."""
-        own = {"0": role}
-        taken = sum(count for each, count in content.entities.items() if own.get(str(each), each) is not None)
+        role_of_layer = {"0": role}
+        taken = sum(count for kind, count in content.entities.items() if role_of_layer.get(str(kind), kind) is not None)
         placed = sum(content.entities.values())
-        for (child, each), count in content.references.items():
-            its = own.get(str(each), each)
+        for (child, kind), count in content.references.items():
+            its = role_of_layer.get(str(kind), kind)
             below = (1, 1) if its == "point_loads" else self._counts.get((child, its), (0, 0))
             if below[0]:
                 taken, placed = taken + count * below[0], placed + count * (1 + below[1])
@@ -107,7 +107,7 @@ def layer_of(entity: DXFEntity) -> str:
 def _count_attributes(insert: DXFEntity, roles: Roles) -> int:
     """Return how many attributes of a block's reference lie on the layer of point loads."""
     attributes: list[DXFEntity] = insert.attribs
-    return sum(roles.of(layer_of(each)) == "point_loads" for each in attributes)
+    return sum(roles.of(layer_of(attribute)) == "point_loads" for attribute in attributes)
 
 
 def iterate_entities(
@@ -148,7 +148,7 @@ def _locate_entity(entity: DXFEntity, outer: tuple[Source, ...]) -> Source:
 def _has_content(insert: Insert, source: Source, role: str | None, blocks: BlockCounts, context: ReadContext) -> bool:
     """Return whether there is anything to take from a block's reference; if not, and it lies on a layer, say why."""
     name = insert.dxf.get("name")
-    own = Source(source.layer, f"INSERT block {describe(str(name))}", source.handle)
+    block = Source(source.layer, f"INSERT block {describe(str(name))}", source.handle)
     if not isinstance(name, str) or insert.block() is None or insert.is_xref():
         why = "its block is an external file or is missing"
     elif not blocks.holds(name, role):
@@ -156,7 +156,7 @@ def _has_content(insert: Insert, source: Source, role: str | None, blocks: Block
     else:
         return True
     if role:
-        context.report_entity(own, False, why)
+        context.report_entity(block, False, why)
     return bool(insert.attribs)
 
 
@@ -171,19 +171,19 @@ def _iterate_block(
         if roles.of(its.layer) == "point_loads":
             yield "point_loads", its, attribute
     name = str(insert.dxf.get("name"))
-    own = Source(source.layer, f"INSERT block {describe(name)}", source.handle)
+    block = Source(source.layer, f"INSERT block {describe(name)}", source.handle)
     if insert.block() is None or insert.is_xref() or not blocks.holds(name, roles.of(source.layer)):
         return
     if len(outer) >= DEEPEST:
-        context.issue([own], None, "too many blocks in blocks", f"at most {DEEPEST} blocks in each other", FEWER)
+        context.issue([block], None, "too many blocks in blocks", f"at most {DEEPEST} blocks in each other", FEWER)
         return
-    inner = (*outer, own)
+    inner = (*outer, block)
     skipped: list[tuple[DXFGraphic, str]] = []
     callback: Callable[[DXFGraphic, str], None] = lambda part, why: skipped.append((part, why))  # noqa: E731
     try:
         parts = list(insert.virtual_entities(skipped_entity_callback=callback))
     except (DXFError, ArithmeticError, ValueError) as error:
-        context.issue([own], None, f"a block that cannot be placed ({error})", "a block with sound scales")
+        context.issue([block], None, f"a block that cannot be placed ({error})", "a block with sound scales")
         return
     for part, why in skipped:
         its = _locate_entity(part, inner)

@@ -47,7 +47,7 @@ CURVES = ("outline", "openings", "zones", "columns")
 def read(
     path: str | Path, layers: Layers | Mapping[str, str] | None = None, unit: str | None = None, gap: float = GAP
 ) -> Drawing:
-    """Return what a drawing's layers hold; raises InputError with all that is wrong.
+    """Return the contents of a drawing's layers; raises InputError with all issues.
 
     ``layers`` names one for each thing, or says what each holds of all that are read. ``unit`` (such as "mm") is needed
     if the drawing does not say its own, and wins over it. Gaps between the ends of lines up to ``gap`` [m] are closed,
@@ -68,27 +68,29 @@ def read(
     texts = {role: _texts(entities[role], DIMENSION[role], context) for role in WITH_VALUE}
     lines, points = _lines(entities, context)
     tolerance = _tolerance(lines, points)
-    found = {role: join_lines(lines[role], tolerance, context) for role in (*CURVES, "area_loads")}
-    _check_crossings(found, tolerance, context)
-    outline, inner = find_outline(found["outline"], entities["outline"], bool(found["openings"]), tolerance, context)
-    openings = [*inner, *found["openings"]]
-    for name, curves in (("opening", openings), ("zone", found["zones"]), ("column", found["columns"])):
-        for number, each in enumerate(curves, 1):
-            report_taken(each, f"{name} {number}", context)
-            if name == "column" and (remark := remark_on_column(each.curve)):
-                context.report_entity(Source(each.sources[0].layer, "LAYER", ""), True, f"column {number}: {remark}")
-    columns = [each.curve for each in found["columns"]] + read_column_points(
-        points, len(found["columns"]), tolerance, context
+    curves_of = {role: join_lines(lines[role], tolerance, context) for role in (*CURVES, "area_loads")}
+    _check_crossings(curves_of, tolerance, context)
+    outline, inner = find_outline(
+        curves_of["outline"], entities["outline"], bool(curves_of["openings"]), tolerance, context
+    )
+    openings = [*inner, *curves_of["openings"]]
+    for name, curves in (("opening", openings), ("zone", curves_of["zones"]), ("column", curves_of["columns"])):
+        for number, closed in enumerate(curves, 1):
+            report_taken(closed, f"{name} {number}", context)
+            if name == "column" and (remark := remark_on_column(closed.curve)):
+                context.report_entity(Source(closed.sources[0].layer, "LAYER", ""), True, f"column {number}: {remark}")
+    columns = [closed.curve for closed in curves_of["columns"]] + read_column_points(
+        points, len(curves_of["columns"]), tolerance, context
     )
     marks = read_point_loads(entities["point_loads"], tolerance, context)
     line_loads = read_line_loads(lines["line_loads"], texts["line_loads"], roles, tolerance, context)
-    area_loads = read_area_loads(found["area_loads"], texts["area_loads"], roles, context)
+    area_loads = read_area_loads(curves_of["area_loads"], texts["area_loads"], roles, context)
     if context.issues or outline is None:
         raise context.to_error()
     return Drawing(
         outline=outline,
-        openings=tuple(each.curve for each in openings),
-        zones=tuple(each.curve for each in found["zones"]),
+        openings=tuple(opening.curve for opening in openings),
+        zones=tuple(closed.curve for closed in curves_of["zones"]),
         columns=tuple(columns),
         point_loads=tuple(marks),
         line_loads=tuple(line_loads),
@@ -161,23 +163,23 @@ def _why_no_filling(role: str, entity: DXFEntity, entities: dict[str, list[tuple
 
 def _texts(entities: list[tuple[Source, DXFEntity]], dimension: str, context: ReadContext) -> list[Label]:
     """Return the texts on the layers of loads."""
-    found = [read_label(source, entity, context, dimension) for source, entity in entities]
-    return [label for label in found if label is not None]
+    read_texts = [read_label(source, entity, context, dimension) for source, entity in entities]
+    return [label for label in read_texts if label is not None]
 
 
 def _tolerance(lines: dict[str, list[tuple[Source, DrawnLine]]], points: list[tuple[Source, Place]]) -> float:
     """Return how near ends are one point [m], by the size of what is drawn."""
-    every = [point for each in lines.values() for _, piece in each for point in piece.points]
+    every = [point for line in lines.values() for _, piece in line for point in piece.points]
     every += [point for _, point in points]
     return CLOSE * max((max(values) - min(values) for values in zip(*every, strict=True)), default=0.0) or CLOSE
 
 
-def _check_crossings(found: dict[str, list[ClosedCurve]], tolerance: float, context: ReadContext) -> None:
+def _check_crossings(curves_of: dict[str, list[ClosedCurve]], tolerance: float, context: ReadContext) -> None:
     """Add an issue for each curve that crosses or touches itself."""
-    for each in (each for curves in found.values() for each in curves):
-        meeting = find_self_meeting(each.curve.segments(), tolerance, context.count_pairs)
+    for closed in (closed for curves in curves_of.values() for closed in curves):
+        meeting = find_self_meeting(closed.curve.segments(), tolerance, context.count_pairs)
         if meeting is not None:
             hint = "change the curve so that it neither crosses nor touches itself"
             context.issue(
-                each.sources, meeting, "a curve that crosses or touches itself", "a simple closed curve", hint
+                closed.sources, meeting, "a curve that crosses or touches itself", "a simple closed curve", hint
             )

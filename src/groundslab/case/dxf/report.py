@@ -11,7 +11,7 @@ from groundslab.schema.wording import printable
 
 
 def report_text(drawing: Drawing) -> str:
-    """Return what was taken and what was ignored, and why, for people: counts per layer first."""
+    """Return the report on a drawing: counts per layer, then each entity ignored or taken, with the reason."""
     notes = [line for line in drawing.report if line.entity in {"LAYER", "HEADER"}]
     lines = [line for line in drawing.report if line.entity not in {"LAYER", "HEADER"}]
     counts: dict[str, Counter[bool]] = {}

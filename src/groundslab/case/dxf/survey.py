@@ -62,7 +62,7 @@ class _EveryLayer(Roles):
 
 
 def survey(path: str | Path) -> Survey:
-    """Return what the layers of a drawing hold; raises InputError if it cannot be opened."""
+    """Return the contents of a drawing's layers; raises InputError if it cannot be opened."""
     context = ReadContext(str(path))
     document = open_drawing(context.path)
     unit = UNITS.get(document.header.get("$INSUNITS", 0))
@@ -82,8 +82,8 @@ def survey(path: str | Path) -> Survey:
             (layer.lines if straight else layer.curves).append(points)
     if left:
         remarks.append(f"{left:,} lines are not shown, as there are more than {MOST_POINTS:,} points")
-    found = sorted(layers.values(), key=lambda each: (each.role is None, each.name.lower()))
-    return Survey(None if unit is None else context.unit, float(context.scale), tuple(found), tuple(remarks))
+    ordered = sorted(layers.values(), key=lambda layer: (layer.role is None, layer.name.lower()))
+    return Survey(None if unit is None else context.unit, float(context.scale), tuple(ordered), tuple(remarks))
 
 
 def _iterate_all(document: Document, context: ReadContext, remarks: list[str]) -> Iterator[tuple[Source, DXFEntity]]:
@@ -108,7 +108,7 @@ def _iterate_all(document: Document, context: ReadContext, remarks: list[str]) -
 def _describe_layer(document: Document, name: str) -> LayerContent:
     """Return a layer without its content."""
     usual = Layers()
-    role = Roles({getattr(usual, each).lower(): each for each in Layers.__dataclass_fields__}).of(name)
+    role = Roles({getattr(usual, role_name).lower(): role_name for role_name in Layers.__dataclass_fields__}).of(name)
     known = document.layers.get(name) if document.layers.has_entry(name) else None
     return LayerContent(name, role, known is not None and (known.is_frozen() or known.is_off()))
 

@@ -36,7 +36,7 @@ def required(
     d_2: Array | float | None = None,
     thickness: Array | float | None = None,
 ) -> Reinforcement:
-    """Return what sections need for factored moments m >= 0 (n,) [N m/m] with depths d (n,) or one [m].
+    """Return the required reinforcement for factored moments m >= 0 (n,) [N m/m] with depths d (n,) or one [m].
 
     d_2, thickness: see ``bending.required``; the least bars need the thickness, and are 0 without it.
     """

@@ -52,8 +52,8 @@ def covers(steel: Reinforcement) -> Iterator[tuple[str, float, int]]:
 
 def check_cover(steel: Reinforcement, least: dict[str, list[float]], where: str, clause: str) -> DesignCheck:
     """Return the check of the bars whose cover is nearest to the least one [m], or below it by most."""
-    found = [(cover, least[layer][position], layer.replace("_", " ")) for layer, cover, position in covers(steel)]
-    cover, most, layer = min(found, key=lambda one: one[0] - one[1])
+    margins = [(cover, least[layer][position], layer.replace("_", " ")) for layer, cover, position in covers(steel)]
+    cover, most, layer = min(margins, key=lambda margin: margin[0] - margin[1])
     holds = cover >= most - ROUNDING
     return DesignCheck(
         "cover",

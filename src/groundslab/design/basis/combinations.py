@@ -13,7 +13,11 @@ UNFACTORED = "No factor of the ultimate combinations is above 1: the loads must 
 
 def solved_results(combined: Results) -> list[CombinationResult]:
     """Return the results there are, in the order of the combinations."""
-    return [combined.results[each.name] for each in combined.combinations if each.name in combined.results]
+    return [
+        combined.results[combination.name]
+        for combination in combined.combinations
+        if combination.name in combined.results
+    ]
 
 
 def ultimate_results(combined: Results) -> list[CombinationResult]:

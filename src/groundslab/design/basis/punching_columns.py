@@ -52,7 +52,7 @@ NO_COLUMNS = PunchingColumns((), lambda _, __: [], ())
 
 
 def effective_note(about_center: str) -> str:
-    """Return what openings do, by what is told of the perimeter about its center."""
+    """Return the note on openings, with the properties of the perimeter about its center."""
     return (
         "The part between the tangents to an opening does not count; center, moments and "
         f"{about_center} are those of the remaining part."

@@ -72,14 +72,14 @@ def _legs(plan: Polygon | MultiPolygon, columns: tuple[Column, ...], column: Col
 
     bounds = np.reshape(plan.bounds, (2, 2))[:, 1 - axis]
     here = (column.x, column.y)[1 - axis]
-    middles = [(here + (each.x, each.y)[1 - axis]) / 2 for each in columns]
+    middles = [(here + (column.x, column.y)[1 - axis]) / 2 for column in columns]
     near = 1e-6 * np.ptp(bounds)
     low = max([bounds[0], *(middle for middle in middles if middle < here - near)])
     high = min([bounds[1], *(middle for middle in middles if middle > here + near)])
     ends = [(at, low), (at, high)] if axis == 0 else [(low, at), (high, at)]
     parts = get_parts(intersection(plan, LineString(ends)))
-    found = [get_coordinates(part)[[0, -1]] for part in parts if part.length > near]
-    return np.array(found).reshape(-1, 2, 2)
+    legs = [get_coordinates(part)[[0, -1]] for part in parts if part.length > near]
+    return np.array(legs).reshape(-1, 2, 2)
 
 
 def _cut(mesh: Mesh, axis: int, legs: Array) -> Cut:

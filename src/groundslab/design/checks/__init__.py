@@ -69,11 +69,11 @@ class Design:
     @property
     def open(self) -> tuple[DesignCheck, ...]:
         """Return the checks that fail or need attention."""
-        return tuple(each for each in self.checks if each.status in ("fails", "attention"))
+        return tuple(check for check in self.checks if check.status in ("fails", "attention"))
 
 
 def check_design(combined: Results) -> Design:
-    """Return what can be judged of the design of a model, over its certified results.
+    """Return the design checks of a model over its certified results.
 
     Parameters
     ----------
@@ -103,18 +103,18 @@ def check_design(combined: Results) -> Design:
 def _check_design(combined: Results) -> Design:
     """Return the checks, which are made once of the same results."""
     made = [check for find in CHECKS for check in find(combined)]
-    found = tuple(sorted((each for each in made if each.status != "not checked"), key=_order))
-    unchecked = {each.name: each.words for each in made if each.status == "not checked"}
+    checked = tuple(sorted((check for check in made if check.status != "not checked"), key=_order))
+    unchecked = {check.name: check.words for check in made if check.status == "not checked"}
     left = "; ".join((unchecked if "strength" in unchecked else {"anchorage": NOT_CHECKED, **unchecked}).values())
-    failing, doubtful = (sum(each.status == status for each in found) for status in ("fails", "attention"))
-    total = f"{len(found)} check{'s' if len(found) > 1 else ''}"
+    failing, doubtful = (sum(check.status == status for check in checked) for status in ("fails", "attention"))
+    total = f"{len(checked)} check{'s' if len(checked) > 1 else ''}"
     if failing:
-        return Design("fails", _failure(found[0], f"{failing} of {total} {_verb('fail', failing)}"), found)
+        return Design("fails", _failure(checked[0], f"{failing} of {total} {_verb('fail', failing)}"), checked)
     if doubtful:
         words = f"DESIGN NEEDS ATTENTION: {doubtful} of {total} {_verb('need', doubtful)} it."
-        return Design("attention", words, found)
-    if found:
-        return Design("no failure found", f"No failure found in {total}; {left}.", found)
+        return Design("attention", words, checked)
+    if checked:
+        return Design("no failure found", f"No failure found in {total}; {left}.", checked)
     return Design("not checked", f"{left[:1].upper()}{left[1:]}.")
 
 

@@ -28,13 +28,13 @@ _ANY = ("static equilibrium", "")
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
     """Yield the combinations without equilibrium, the two limit states about it, and what the program could not do."""
-    lost = [each for each in combined.combinations if each.name in combined.without_equilibrium]
+    lost = [combination for combination in combined.combinations if combination.name in combined.without_equilibrium]
     for combination in lost:
         yield _failure(combined, combination)
-    failed = {each.limit_state for each in lost}
+    failed = {combination.limit_state for combination in lost}
     for state in _CHECKS:
-        made = [each for each in combined.combinations if each.limit_state == state]
-        if made and state not in failed and any(each.name in combined.results for each in made):
+        made = [combination for combination in combined.combinations if combination.limit_state == state]
+        if made and state not in failed and any(combination.name in combined.results for combination in made):
             yield _balanced(combined, made)
     if combined.unsolved:
         words = f"without a certified result, so not checked: {some(list(combined.unsolved))}"
@@ -56,7 +56,7 @@ def _failure(combined: Results, combination: Combination) -> DesignCheck:
 def _balanced(combined: Results, made: list[Combination]) -> DesignCheck:
     """Return the check that no combination of a limit state lacks equilibrium."""
     name, clause = _CHECKS[made[0].limit_state]
-    solved = [each for each in made if each.name in combined.results]
+    solved = [combination for combination in made if combination.name in combined.results]
     numbers = _uplift(combined, solved) if made[0].limit_state == "uplift" else {}
     words = f"all {len(made)} combinations are in equilibrium"
     if len(made) == 1:
@@ -72,10 +72,10 @@ def _uplift(combined: Results, made: list[Combination]) -> dict[str, Any]:
     if combined.model.supports or combined.model.plates or not solved:
         return {}
     forces = column_loads.sum_of_others(solved[0], outline(solved[0].plate), None)
-    found = []
-    for each in made:
-        parts = [factor * forces.get(case, 0.0) for case, factor in each.factors]
+    ratios = []
+    for combination in made:
+        parts = [factor * forces.get(case, 0.0) for case, factor in combination.factors]
         up, down = -sum(part for part in parts if part < 0), sum(part for part in parts if part > 0)
-        found.append((up / down if down else float("inf"), up / 1e3, down / 1e3, each.name))
-    _, up, down, combination = max(found)
-    return {"demand": up, "resistance": down, "unit": "kN", "combination": combination}
+        ratios.append((up / down if down else float("inf"), up / 1e3, down / 1e3, combination.name))
+    _, up, down, worst = max(ratios)
+    return {"demand": up, "resistance": down, "unit": "kN", "combination": worst}

@@ -61,21 +61,21 @@ def _distortion(results: CombinationResult) -> Demand | None:
     """Return the largest angular distortion without tilt between two columns on a plate, None of fewer."""
     demands: list[Demand] = []
     for plate, columns in _columns_by_plate(results):
-        found = settlement_differences(plate, columns)
-        worst = int(np.argmax(found.relative))
-        first, second = found.names[found.first[worst]], found.names[found.second[worst]]
-        demands.append((float(found.relative[worst]), f"{first} - {second}", columns[second]))
-    return max(demands, key=lambda each: each[0], default=None)
+        differences = settlement_differences(plate, columns)
+        worst = int(np.argmax(differences.relative))
+        first, second = differences.names[differences.first[worst]], differences.names[differences.second[worst]]
+        demands.append((float(differences.relative[worst]), f"{first} - {second}", columns[second]))
+    return max(demands, key=lambda demand: demand[0], default=None)
 
 
 def _deflection(results: CombinationResult) -> Demand | None:
     """Return the largest sag between two neighboring columns over their distance, None of fewer."""
     demands: list[Demand] = []
     for plate, columns in _columns_by_plate(results):
-        first, second, ratio = max(deflections_between(plate, columns), key=lambda each: each[2])
+        first, second, ratio = max(deflections_between(plate, columns), key=lambda deflection: deflection[2])
         (x0, y0), (x1, y1) = columns[first], columns[second]
         demands.append((ratio, f"{first} - {second}", ((x0 + x1) / 2, (y0 + y1) / 2)))
-    return max(demands, key=lambda each: each[0], default=None)
+    return max(demands, key=lambda demand: demand[0], default=None)
 
 
 def _columns_by_plate(results: CombinationResult) -> Iterator[tuple[PlateResult, dict[str, tuple[float, float]]]]:
@@ -103,11 +103,11 @@ def _pressure(results: CombinationResult) -> Demand:
 
 def _mean_pressure(results: CombinationResult) -> Demand:
     """Return the ground's force over the area in contact, of several plates the largest."""
-    found = []
+    pressures = []
     for name, plate in results_by_plate(results).items():
         area = plate.contact_share * plate.area.sum()
-        found.append((float(plate.contact_force.sum() / area) if area else 0.0, name, None))
-    return max(found)
+        pressures.append((float(plate.contact_force.sum() / area) if area else 0.0, name, None))
+    return max(pressures)
 
 
 def _contact(results: CombinationResult) -> Demand:
@@ -134,7 +134,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     limits = combined.model.limits
     if limits is None:
         return
-    results = [each for each in solved_results(combined) if each.limit_state in SERVICEABILITY]
+    results = [result for result in solved_results(combined) if result.limit_state in SERVICEABILITY]
     for key, limit in LIMITS.items():
         allowed: float | None = getattr(limits, key)
         if allowed is not None:
@@ -144,11 +144,11 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
 
 def _check(limit: Limit, allowed: float, results: list[CombinationResult], missing: str) -> DesignCheck:
     """Return the check of one limit in its unit of display; `missing` says why there are no results, if so."""
-    found = [(demand, each.combination) for each in results if (demand := limit.demand(each)) is not None]
-    if not found:
+    demands = [(demand, result.combination) for result in results if (demand := limit.demand(result)) is not None]
+    if not demands:
         what = "there are no two columns" if results else missing
         return DesignCheck(limit.name, "attention", f"not checked: {what}", resistance=allowed, unit=limit.unit)
-    (value, of, place), combination = (min if limit.least else max)(found, key=lambda each: each[0][0])
+    (value, of, place), combination = (min if limit.least else max)(demands, key=lambda entry: entry[0][0])
     value *= limit.scale
     holds = value >= allowed if limit.least else value <= allowed
     sign = (">=" if holds else "<") if limit.least else ("<=" if holds else ">")

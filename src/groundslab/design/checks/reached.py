@@ -118,9 +118,9 @@ def _joints(results: list[CombinationResult]) -> Iterator[DesignCheck]:
     for number, joint in enumerate(results[0].model.joints):
         if not isinstance(joint, ElasticJoint) or joint.gap == 0:
             continue
-        forces = {each.combination: each.joints[number] for each in results}
-        governing = max(forces, key=lambda each: float(np.abs(forces[each].step).max()))
-        closed = [combination for combination, each in forces.items() if (np.abs(each.step) > joint.gap).any()]
+        forces = {result.combination: result.joints[number] for result in results}
+        governing = max(forces, key=lambda combination: float(np.abs(forces[combination].step).max()))
+        closed = [combination for combination, force in forces.items() if (np.abs(force.step) > joint.gap).any()]
         words = f"{joint.title}: {_play(forces[governing], joint.gap, closed)}"
         yield DesignCheck(PLAY, "no failure found", words, of=joint.title, combination=governing)
 

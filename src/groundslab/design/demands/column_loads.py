@@ -59,7 +59,7 @@ def sum_of_others(results: CombinationResult, part: Polygon, column: str | None)
 
 
 def shapes_around(model: Model, part: Polygon, column: str | None) -> Shapes:
-    """Return what may press a part of the plate, without the loads that name a column if one is given."""
+    """Return the loads that may act on a part of the plate, without those that name a column if one is given."""
     shapes: list[tuple[str, Acting]] = []
     for load in model.loads:
         on_column = getattr(load, "column", "")

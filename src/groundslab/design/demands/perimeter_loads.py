@@ -61,7 +61,7 @@ class PunchingForce:
 
     @cached_property
     def footprint(self) -> Footprint:
-        """Return what of the plate it stands on."""
+        """Return the footprint of the column or pile on the plate."""
         return footprint_of(self.column)
 
     @property
@@ -159,7 +159,7 @@ class LoadsNear:
     supports: tuple[Polygon, ...]  # places of the other supports
 
     def inside(self, results: CombinationResult, part: Polygon) -> PerimeterLoads:
-        """Return what lies inside a perimeter that cuts off a part of the plate."""
+        """Return the loads inside a perimeter that cuts off a part of the plate."""
         mesh = Mesh(results.plate.nodes, results.plate.elements)
         shares = load_vectors.integrate_over_polygon(mesh, self.elements, part, rule=load_vectors.SHAPE_POINTS)
         area = scatter(mesh.elements[self.elements], shares, len(mesh.nodes))
@@ -170,7 +170,7 @@ class LoadsNear:
 
 
 def loads_near(results: CombinationResult, punching: PunchingForce, within: float) -> LoadsNear:
-    """Return what is near a column or pile whose perimeters are at most so far from it [m]."""
+    """Return the loads near a column or pile whose perimeters are within a distance [m]."""
     from shapely import LineString, Point
 
     model = results.solved_model
@@ -188,7 +188,7 @@ def loads_near(results: CombinationResult, punching: PunchingForce, within: floa
 def punching_shear(
     results: CombinationResult, inside: PerimeterLoads, punching: PunchingForce, center: Array, *, edge_relieves: bool
 ) -> PunchingShear:
-    """Return what punches on a perimeter about its center (2,) [m] in a combination.
+    """Return the punching force and moments on a perimeter about its center (2,) [m] in a combination.
 
     Of a column V is its force and the other loads inside less the ground's pressure there; of a pile its force and the
     pressure less the loads. The edge's line force inside is taken off only where the case says so, but added in any

@@ -294,7 +294,7 @@ def _cut_off(around: Surroundings, region: Polygon, *, filled: bool = False) -> 
 def _shadow(
     plan: Polygon | MultiPolygon, footprint: Polygon, center: Array, openings: Openings, far: float
 ) -> BaseGeometry:
-    """Return what lies between the tangents from a center to openings, as far out as given [m]."""
+    """Return the area between the tangents from a center to openings, out to a distance [m]."""
     from shapely import Polygon, get_coordinates, get_parts, union_all
 
     wedges = []

@@ -161,8 +161,8 @@ class _Cut:
         mesh = Mesh(plate.nodes, plate.elements)
         line = _on_plate(mesh, ends, "cut")
         piece, s, ds = line.gauss()
-        each = np.arange(len(line.low))
-        edges = np.tile(each, 3), np.concatenate([line.low, line.high, (line.low + line.high) / 2])
+        numbers = np.arange(len(line.low))
+        edges = np.tile(numbers, 3), np.concatenate([line.low, line.high, (line.low + line.high) / 2])
         return cls(plate, mesh, line, (piece, s), ds, edges)
 
     def forces(self, at: tuple[Integers, Array]) -> tuple[Array, Array, Array, Array]:
@@ -205,7 +205,8 @@ def _legs(points: Array) -> Array:
 
 def _on_plate(mesh: Mesh, ends: Array, where: str) -> Pieces:
     """Return the pieces of legs in the plate's elements; InputError if there are none."""
-    known, key = _LINES.get(mesh.nodes, mesh.elements, dict), ends.tobytes()
+    known = _LINES.get(mesh.nodes, mesh.elements, dict)
+    key = ends.tobytes()
     line = known[key] if key in known else known.setdefault(key, pieces(mesh, ends))
     if not len(line.low):
         start, end = format_place(ends[0, 0]), format_place(ends[-1, 1])

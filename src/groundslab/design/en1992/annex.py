@@ -51,8 +51,8 @@ class Annex:
 @cache
 def annex_of(name: str) -> Annex:
     """Return the parameters of an annex, the recommended ones where it has none of its own."""
-    found = {**table("recommended"), **table(name)}
-    values: dict[str, Any] = {key: _frozen(each["value"]) for key, each in found.items()}
+    parameters = {**table("recommended"), **table(name)}
+    values: dict[str, Any] = {key: _frozen(parameter["value"]) for key, parameter in parameters.items()}
     return Annex(**values)
 
 
@@ -62,7 +62,7 @@ def _frozen(value: Any) -> Any:
 
 
 def table(name: str) -> dict[str, dict[str, Any]]:
-    """Return what an annex's file says: of each parameter its value, clause and source."""
+    """Return the parameters in an annex's file, each with its value, clause and source."""
     path = files("groundslab.design.en1992") / "annexes" / f"{ANNEXES[name]}.toml"
     parameters: dict[str, dict[str, Any]] = tomllib.loads(path.read_text(encoding="utf-8"))["parameters"]
     return parameters
@@ -70,8 +70,12 @@ def table(name: str) -> dict[str, dict[str, Any]]:
 
 def unconfirmed(name: str) -> list[str]:
     """Return the clauses of a national annex whose values were found in no source that could be read."""
-    found = [] if name == "recommended" else [each["clause"] for each in table(name).values() if not each["source"]]
-    return list(dict.fromkeys(found))
+    clauses = (
+        []
+        if name == "recommended"
+        else [parameter["clause"] for parameter in table(name).values() if not parameter["source"]]
+    )
+    return list(dict.fromkeys(clauses))
 
 
 #: What is taken where no annex is named.

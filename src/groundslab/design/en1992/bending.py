@@ -50,7 +50,7 @@ def required(
     thickness: Array | float | None = None,
     xi_lim: float | None = None,
 ) -> Reinforcement:
-    """Return what sections need for moments m >= 0 (n,) [N m/m] with effective depths d (n,) or one [m].
+    """Return the required reinforcement for moments m >= 0 (n,) [N m/m] with effective depths d (n,) or one [m].
 
     d_2, thickness: see ``bending.required``. Sources: EN 1992-1-1 3.1.7(3), 3.2.7(2), 6.1(2), 9.3.1.1.
     """

@@ -46,7 +46,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         return
     soil = _design_soil(strength)
     base = outline(results[0].plate)
-    forces = [_forces(each) for each in results]
+    forces = [_forces(result) for result in results]
     kind = "D.4, drained" if soil.c_u is None else "D.3, undrained"
     vertical = f"EN 1997-1 6.5.2, annex {kind}"
 
@@ -91,13 +91,13 @@ def _worst(
     clause: str,
 ) -> DesignCheck:
     """Return the check of the combination that uses most."""
-    found = []
+    ratios = []
     for force in forces:
         area = bearing.effective_area(base, *force.place)
         R = resistance(force, area) if area is not None else 0.0
         used = demand(force) / R if R > 0 else math.inf
-        found.append((used, R, force, area))
-    used, R, force, area = max(found, key=lambda each: each[0])
+        ratios.append((used, R, force, area))
+    used, R, force, area = max(ratios, key=lambda ratio: ratio[0])
     size = "" if area is None else f" on A' = {area.area:.3g} m2 ({area.width:.3g} x {area.length:.3g} m)"
     words = f'{demand(force) / 1e3:.0f} kN is {used:.3g} times {R / 1e3:.0f} kN{size} in "{force.combination}"'
     return DesignCheck(

@@ -63,8 +63,8 @@ class Borders:
         before, after = at - np.roll(at, 1, axis=0), np.roll(at, -1, axis=0) - at
         cross = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
         turned = np.arctan2(cross, (before * after).sum(axis=1))
-        found: Array = at[turned * (1 if self.ring.exterior.is_ccw else -1) > TURN]
-        return found
+        corners: Array = at[turned * (1 if self.ring.exterior.is_ccw else -1) > TURN]
+        return corners
 
     def locate(self, place: tuple[float, float], reach: float) -> tuple[Location, bool]:
         """Return where a place lies, near being within a reach [m], and whether that is at the plate's outline."""
@@ -75,7 +75,7 @@ class Borders:
             return "corner", True
         if self.ring.exterior.distance(point) < reach:
             return "edge", True
-        return ("edge" if any(each.distance(point) < reach for each in self.openings) else "internal"), False
+        return ("edge" if any(opening.distance(point) < reach for opening in self.openings) else "internal"), False
 
 
 def factors_of(results: CombinationResult) -> dict[str, float]:
@@ -90,7 +90,8 @@ def forces(results: CombinationResult, borders: Borders, h: float, l: float, tra
     """
     from shapely import union_all
 
-    model, factors = results.solved_model, factors_of(results)
+    model = results.solved_model
+    factors = factors_of(results)
     given = [
         (factors[load.case] * load.P, load.on(model.columns))
         for load in model.loads
@@ -98,7 +99,7 @@ def forces(results: CombinationResult, borders: Borders, h: float, l: float, tra
     ]
     P = np.array([force for force, _ in given])
     places = np.array([(load.x, load.y) for _, load in given], dtype=float).reshape(-1, 2)
-    found = []
+    grouped = []
     for members in _as_one(places, AS_ONE * h):
         shapes = [given[n][1].to_shapely(borders.chord) for n in members]
         shape = union_all(shapes).convex_hull if len(shapes) > 1 else shapes[0]
@@ -106,8 +107,8 @@ def forces(results: CombinationResult, borders: Borders, h: float, l: float, tra
         a = math.sqrt(shape.area / math.pi)
         location, at_outline = borders.locate((x, y), l + a)
         share = 1 - transfer if at_outline else 1.0
-        found.append(Force(float(P[members].sum()), a, (x, y), location, share, shape))
-    return found
+        grouped.append(Force(float(P[members].sum()), a, (x, y), location, share, shape))
+    return grouped
 
 
 def _as_one(places: Array, distance: float) -> list[Integers]:

@@ -92,13 +92,13 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if floor is None:
         return
     by_tr34 = isinstance(floor, TR34Floor)
-    found = ultimate_results(combined) if by_tr34 else _serviceable(combined)
-    if not found:
+    decisive = ultimate_results(combined) if by_tr34 else _serviceable(combined)
+    if not decisive:
         states = (STRENGTH, "ultimate combination") if by_tr34 else (SERVICEABILITY, "serviceability combination")
         yield DesignCheck("floor", "attention", f"not checked: {why_none(combined, *states)}")
         return
     transfers = []
-    for name, results in _split_by_plate(found).items():
+    for name, results in _split_by_plate(decisive).items():
         slab = slab_of(results[0].model)
         standing = _standing(floor, slab, results)
         transfers.append(_largest_transfer(standing))
@@ -111,8 +111,8 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
 
 def _split_by_plate(results: list[CombinationResult]) -> dict[str, list[CombinationResult]]:
     """Return the results of combinations plate by plate."""
-    split = [split_by_plate(each) for each in results]
-    return {name: [each[name] for each in split] for name in split[0]}
+    split = [split_by_plate(result) for result in results]
+    return {name: [plates[name] for plates in split] for name in split[0]}
 
 
 def _of_plate(name: str, check: DesignCheck) -> DesignCheck:
@@ -124,21 +124,22 @@ def _of_plate(name: str, check: DesignCheck) -> DesignCheck:
 
 def _serviceable(combined: Results) -> list[CombinationResult]:
     """Return the results of the combinations of serviceability, which have no partial factors."""
-    return [each for each in solved_results(combined) if each.limit_state in SERVICEABILITY]
+    return [result for result in solved_results(combined) if result.limit_state in SERVICEABILITY]
 
 
 def slab_of(model: Model) -> Slab:
     """Return the slab that the formulas use for a model: its thinnest part on its softest ground."""
     plate = model.plate
     h = min([plate.thickness, *(zone.thickness for zone in plate.zones if zone.thickness is not None)])
-    grounds = [each if isinstance(each, Column) else each.first_column() for each in grounds_of(model)]
+    grounds = [ground if isinstance(ground, Column) else ground.first_column() for ground in grounds_of(model)]
     k = min(1 / float(np.linalg.inv(column.A0)[0, 0]) for column in grounds)
     return Slab(plate.E, h, plate.nu, k, isinstance(model.ground, ContinuousGround))
 
 
 def _by_tr34(floor: TR34Floor, slab: Slab, standing: Standing) -> Iterator[DesignCheck]:
     """Yield point loads, line loads and pressures on a plate by TR34 in the ultimate combinations."""
-    concrete, results = concrete_of(floor), [each for each, _ in standing]
+    concrete = concrete_of(floor)
+    results = [result for result, _ in standing]
     M_n = resistance.plain_moment(concrete, slab.h)
     lines = YieldSlab(slab.l, sagging_moment(floor, concrete, slab.h), M_n)
 
@@ -173,11 +174,11 @@ def sagging_moment(floor: TR34Floor, concrete: Concrete, h: float) -> float:
 def _punching(floor: TR34Floor, concrete: Concrete, slab: Slab, standing: Standing) -> Iterator[DesignCheck]:
     """Yield punching by the largest force inside, at an edge and at a corner: at its footprint and 2 d from it."""
     largest = dict[Location, tuple[Force, CombinationResult]]()
-    for each, loads in standing:
+    for result, loads in standing:
         for load in loads:
             known = largest.get(load.location)
             if load.a and (known is None or load.share * load.P > known[0].share * known[0].P):
-                largest[load.location] = load, each
+                largest[load.location] = load, result
     d = FIBER_DEPTH * slab.h if floor.mesh_axis is None else slab.h - floor.mesh_axis
     rho = 0.0 if floor.mesh_area is None else floor.mesh_area / d
     at_footprint = punching_resistance.max_resistance(concrete)
@@ -186,24 +187,27 @@ def _punching(floor: TR34Floor, concrete: Concrete, slab: Slab, standing: Standi
         at_footprint,
         punching_resistance.resistance_without_links(concrete, d, rho),
     )
-    for location, (load, each) in sorted(largest.items()):
-        column, P = acting_loads.as_column(load), load.share * load.P
+    for location, (load, result) in sorted(largest.items()):
+        column = acting_loads.as_column(load)
+        P = load.share * load.P
         try:
-            at_face = P / (face_length(surroundings(each.plate, column, 0.0, openings(d)), d) * d)
-            around = punching.demand(each.plate, column, d, P).v_Ed
+            at_face = P / (face_length(surroundings(result.plate, column, 0.0, openings(d)), d) * d)
+            around = punching.demand(result.plate, column, d, P).v_Ed
         except InputError as error:
             yield DesignCheck("punching", "attention", f"{location}: not judged, {error}", of=location)
             continue
         for name, v_Ed, v_Rd in zip(("punching at the footprint", "punching"), (at_face, around), limits, strict=True):
-            use = Use(max(v_Ed, 0.0), v_Rd, load.place, each.combination)
+            use = Use(max(v_Ed, 0.0), v_Rd, load.place, result.combination)
             yield _check(name, location, use, "MPa", 1e-6, "TR34, EN 1992-1-1 6.4")
 
 
 def _by_aci(floor: ACI360Floor, slab: Slab, standing: Standing) -> Iterator[DesignCheck]:
     """Yield stresses, pressures and, of fiber concrete, yield lines by ACI 360R in combinations of serviceability."""
-    results, allowed, drag = [each for each, _ in standing], allowed_stress(floor), _drag(floor)
+    results = [result for result, _ in standing]
+    allowed = allowed_stress(floor)
+    drag = _drag(floor)
     for face, sign in (("bottom", 1), ("top", -1)):
-        uses = [_stress(each, sign, drag, allowed) for each in results]
+        uses = [_stress(result, sign, drag, allowed) for result in results]
         clause = "ACI 360R-10 7.2, 5.9, table 5.3"
         yield _check("flexural stress", face, max(uses, key=lambda use: use.share), "MPa", 1e-6, clause)
     yield from _pressures(slab, (allowed - drag) * slab.h**2 / 6, results, f"PCA, ACI 360R-10 A1{slab.springs}")
@@ -242,20 +246,20 @@ Fails = Callable[[tuple[Force, ...], float, Location], float]
 def _standing(floor: AnyFloor, slab: Slab, results: list[CombinationResult]) -> Standing:
     """Return the results of combinations with the forces in each."""
     borders = Borders(results[0].model)
-    return [(each, acting_loads.forces(each, borders, slab.h, slab.l, floor.joint_transfer)) for each in results]
+    return [(result, acting_loads.forces(result, borders, slab.h, slab.l, floor.joint_transfer)) for result in results]
 
 
 def _point_loads(slab: Slab, standing: Standing, fails: Fails, clauses: dict[int, str]) -> Iterator[DesignCheck]:
     """Yield the worst of single forces, of two and of four, each inside, at edges and at corners."""
     worst = dict[tuple[int, Location], Use]()
-    for each, loads in standing:
+    for result, loads in standing:
         some: Iterable[tuple[tuple[Force, ...], float]] = [((load,), 0.0) for load in loads]
         if 2 in clauses:
             some = [*some, *acting_loads.groups(loads, REACH * slab.l)]
         for members, distances in some:
             location = acting_loads.worst_location(members)
             demand = sum(load.share * load.P for load in members)
-            use = Use(demand, fails(members, distances, location), _middle(members), each.combination)
+            use = Use(demand, fails(members, distances, location), _middle(members), result.combination)
             key = len(members), location
             if key not in worst or use.share > worst[key].share:
                 worst[key] = use
@@ -284,11 +288,12 @@ def _middle(members: tuple[Force, ...]) -> tuple[float, float]:
 
 def _line_loads(slab: Slab, M: float, results: list[CombinationResult], clause: str) -> Iterator[DesignCheck]:
     """Yield the worst line load."""
-    borders, near = Borders(results[0].model), strips.NEAR_EDGE / slab.lam
+    borders = Borders(results[0].model)
+    near = strips.NEAR_EDGE / slab.lam
     uses = [
-        Use(q, strips.line_load(M, slab.lam, away < near), place, each.combination)
-        for each in results
-        for q, away, place in acting_loads.line_loads(each, borders)
+        Use(q, strips.line_load(M, slab.lam, away < near), place, result.combination)
+        for result in results
+        for q, away, place in acting_loads.line_loads(result, borders)
     ]
     if uses:
         yield _check("line load", "", max(uses, key=lambda use: use.share), "kN/m", 1e-3, clause)
@@ -297,7 +302,9 @@ def _line_loads(slab: Slab, M: float, results: list[CombinationResult], clause: 
 def _pressures(slab: Slab, M: float, results: list[CombinationResult], clause: str) -> Iterator[DesignCheck]:
     """Yield the largest pressure against the one that may stand beside any aisle."""
     allowed = strips.aisle_load(max(M, math.ulp(1.0)), slab.lam)
-    uses = [Use(q, allowed, place, each.combination) for each in results for q, place in acting_loads.pressures(each)]
+    uses = [
+        Use(q, allowed, place, result.combination) for result in results for q, place in acting_loads.pressures(result)
+    ]
     if uses:
         yield _check("pressure beside aisles", "", max(uses, key=lambda use: use.share), "kPa", 1e-3, clause)
 

@@ -37,23 +37,24 @@ _EXTREMES = (
 
 def column_table(combined: Results) -> Table:
     """Return load, settlement, worst neighbor and demand of punching of each column in each combination."""
-    model, results = combined.model, solved_results(combined)
+    model = combined.model
+    results = solved_results(combined)
     by_case = {column.name: column_loads.sum_of_column(model, column.name) for column in model.columns}
     punched = punching_at_columns(combined)
     rows = []
-    for each in results:
-        neighbor = _neighbors(each.plate, model.columns)
+    for result in results:
+        neighbor = _neighbors(result.plate, model.columns)
         for column in model.columns:
-            force = column_loads.factored_sum(each, by_case[column.name])
-            row: list[Cell] = [each.combination, column.name, column.x, column.y, force / 1e3]
-            rows.append([*row, *neighbor(column), *punched.cells(each.combination, column.name)])
+            force = column_loads.factored_sum(result, by_case[column.name])
+            row: list[Cell] = [result.combination, column.name, column.x, column.y, force / 1e3]
+            rows.append([*row, *neighbor(column), *punched.cells(result.combination, column.name)])
     about = [("combination", ""), ("column", ""), ("x", "m"), ("y", "m"), ("load", "kN"), ("settlement", "mm")]
     return table_of("columns", "Columns", [*about, *_NEIGHBOURS, *punched.heads], rows, [*_NOTES, *punched.notes])
 
 
 def column_envelope(combined: Results, columns: Table) -> Table:
     """Return the extremes of each column over the ultimate combinations, and over those of serviceability."""
-    states = {each.name: each.limit_state for each in combined.combinations}
+    states = {combination.name: combination.limit_state for combination in combined.combinations}
     known = {column.name: column.values for column in columns.columns}
     of_punching = [(name, unit, 1, False) for name, unit in extremes_of_punching(combined)]
     wanted = [row for row in (*_EXTREMES, *of_punching) if row[0] in known]
@@ -63,8 +64,8 @@ def column_envelope(combined: Results, columns: Table) -> Table:
         for name, members in groups.items():
             at = [
                 i
-                for i, (combination, own) in enumerate(zip(columns["combination"], columns["column"], strict=True))
-                if own == column.name and states[str(combination)] in members
+                for i, (combination, name) in enumerate(zip(columns["combination"], columns["column"], strict=True))
+                if name == column.name and states[str(combination)] in members
             ]
             if at:
                 rows.append([column.name, name, *(cell for row in wanted for cell in _extreme(known, at, *row))])
@@ -80,10 +81,10 @@ def _extreme(
     known: Mapping[str, tuple[Cell, ...]], at: list[int], quantity: str, _: str, sign: int, named: bool
 ) -> list[Cell]:
     """Return the extreme of a quantity in some rows of the table of columns, and its combination if wanted."""
-    found = [(sign * value, i) for i in at if isinstance(value := known[quantity][i], float)]
-    if not found:
+    values = [(sign * value, i) for i in at if isinstance(value := known[quantity][i], float)]
+    if not values:
         return [None] * (1 + named)
-    value, i = max(found, key=lambda each: each[0])
+    value, i = max(values, key=lambda entry: entry[0])
     return [sign * value, *([known["combination"][i]] * named)]
 
 

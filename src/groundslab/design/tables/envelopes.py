@@ -31,7 +31,7 @@ def envelopes(combined: Results) -> Table:
     for state, group in _by_limit_state(combined):
         nodes = group[0].plate.nodes
         for about, name, where in ranged_fields(group[0]):
-            e = envelope({each.combination: nodal_values(each, name)[where] for each in group})
+            e = envelope({result.combination: nodal_values(result, name)[where] for result in group})
             row: list[Cell] = [state, about.label, about.unit]
             for sign, values, by in ((-1, e.least, e.least_by), (1, e.greatest, e.greatest_by)):
                 node = extreme_node(nodes[where], values, sign)
@@ -55,16 +55,16 @@ def fields_of_envelope(combined: Results) -> dict[str, Array | Integers]:
     is 1 where bars in compression are counted on. Where bars are laid, "provided area bottom x [cm2/m]", "utilisation
     bottom x [%]" and "missing area bottom x [cm2/m]" compare with them. Empty if no combination has a result.
     """
-    number = {each.name: i for i, each in enumerate(combined.combinations)}
+    number = {combination.name: i for i, combination in enumerate(combined.combinations)}
     fields: dict[str, Array | Integers] = {}
     for state, group in _by_limit_state(combined):
-        own: Integers = np.array([number[each.combination] for each in group], dtype=np.int64)
+        numbers: Integers = np.array([number[result.combination] for result in group], dtype=np.int64)
         for name, about in RANGED_FIELDS.items():
-            e = envelope({each.combination: nodal_values(each, name) for each in group})
+            e = envelope({result.combination: nodal_values(result, name) for result in group})
             fields[f"{state} greatest {about.name}"] = e.greatest
             fields[f"{state} least {about.name}"] = e.least
-            fields[f"{state} combination of greatest {about.label}"] = own[e.greatest_by]
-            fields[f"{state} combination of least {about.label}"] = own[e.least_by]
+            fields[f"{state} combination of greatest {about.label}"] = numbers[e.greatest_by]
+            fields[f"{state} combination of least {about.label}"] = numbers[e.least_by]
     if combined.model.reinforcement is not None:
         fields |= _reinforcement(combined)
     return fields
@@ -73,10 +73,10 @@ def fields_of_envelope(combined: Results) -> dict[str, Array | Integers]:
 def _reinforcement(combined: Results) -> dict[str, Array | Integers]:
     """Return the required areas [cm2/m] and flags at the plate's nodes."""
     assert combined.model.reinforcement is not None
-    found = required_bars.required_areas(combined.model.reinforcement, ultimate_results(combined))
-    if not found:
+    required = required_bars.required_areas(combined.model.reinforcement, ultimate_results(combined))
+    if not required:
         return {}
-    areas = {layer: required_bars.largest_areas(found, layer)[0] for layer in LAYERS}
+    areas = {layer: required_bars.largest_areas(required, layer)[0] for layer in LAYERS}
     fields: dict[str, Array | Integers] = {
         f"reinforcement {layer.replace('_', ' ')} [cm2/m]": area * CM2 for layer, area in areas.items()
     }
@@ -85,17 +85,17 @@ def _reinforcement(combined: Results) -> dict[str, Array | Integers]:
         if not name.startswith("required"):  # which is there as reinforcement
             fields[f"{BAR_FIELDS[name].quantity} [{BAR_FIELDS[name].unit}]"] = values * BAR_FIELDS[name].scale
     fields["reinforcement fails"] = fails.astype(np.int64)
-    fields["reinforcement needs links"] = required_bars.needs_links(found).astype(np.int64)
+    fields["reinforcement needs links"] = required_bars.needs_links(required).astype(np.int64)
     return fields
 
 
 def _by_limit_state(combined: Results) -> Iterator[tuple[str, list[CombinationResult]]]:
     """Yield each limit state that has results, with these."""
     results = solved_results(combined)
-    for each in results[1:]:
-        if not np.array_equal(each.plate.nodes, results[0].plate.nodes):
+    for result in results[1:]:
+        if not np.array_equal(result.plate.nodes, results[0].plate.nodes):
             raise GroundslabError("the combinations' results are on different meshes; they have no envelope")
     for state in get_args(LimitState):
-        group = [each for each in results if each.limit_state == state]
+        group = [result for result in results if result.limit_state == state]
         if group:
             yield state, group

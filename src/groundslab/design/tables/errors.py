@@ -69,15 +69,15 @@ def with_errors(make: Callable[[Results], Table], combined: Results) -> Table:
 
 def with_errors_of_extremes(extremes: Table, combined: Results) -> Table:
     """Return the table of extremes with the errors of the least and greatest values, if any result has them."""
-    if all(each.comparison is None for each in combined.results.values()):
+    if all(result.comparison is None for result in combined.results.values()):
         return extremes
-    found = {
-        (name, about.label): (each, field, where)
-        for name, each in combined.results.items()
-        for about, field, where in ranged_fields(each)
+    fields = {
+        (name, about.label): (result, field, where)
+        for name, result in combined.results.items()
+        for about, field, where in ranged_fields(result)
     }
     keys = zip(extremes["combination"], extremes["quantity"], strict=True)
-    rows = [found[str(name), str(label)] for name, label in keys]
+    rows = [fields[str(name), str(label)] for name, label in keys]
     columns = [
         Column(_name(name), "", tuple(_error_of_extreme(*row, sign) for row in rows), error_of=name)
         for name, sign in (("least", -1), ("greatest", 1))
@@ -89,7 +89,7 @@ def _error_of_extreme(results: CombinationResult, field: str, where: Flags, sign
     """Return the error of the largest (sign 1) or smallest (sign -1) of a quantity's values at some nodes (n,)."""
     if results.coarser is None or results.comparison is None:
         return None
-    values, coarser = (sign * nodal_values(each, field)[where] for each in (results, results.coarser))
+    values, coarser = (sign * nodal_values(result, field)[where] for result in (results, results.coarser))
     return error_of_largest(values, coarser, results.comparison)
 
 
@@ -122,10 +122,10 @@ def _with_known(table: Table, extremes: Table, columns: Mapping[str, Iterable[tu
         for key, error in zip(keys, extremes[_name(name)], strict=True)
     }
     unit = {column.name: column.unit for column in table.columns}
-    found = [
+    errors = [
         Column(_name(name), unit[name], tuple(map(known.get, rows)), error_of=name) for name, rows in columns.items()
     ]
-    return replace(table, columns=(*table.columns, *found))
+    return replace(table, columns=(*table.columns, *errors))
 
 
 def with_errors_of_governing(make: Callable[[Results], Table], combined: Results) -> Table:
@@ -142,7 +142,7 @@ def with_errors_of_governing(make: Callable[[Results], Table], combined: Results
 
 def _coarser(combined: Results) -> Results:
     """Return the results on elements twice as large; of a combination that has none there, those that it has."""
-    return replace(combined, results={name: each.coarser or each for name, each in combined.results.items()})
+    return replace(combined, results={name: result.coarser or result for name, result in combined.results.items()})
 
 
 def _with_errors(table: Table, coarser: Table, combination: Sequence[Cell], combined: Results) -> Table:
@@ -150,11 +150,11 @@ def _with_errors(table: Table, coarser: Table, combination: Sequence[Cell], comb
 
     The rows of `coarser` are those of the table, as the coarser mesh's fields stand at the same nodes.
     """
-    compared = {name: each.comparison for name, each in combined.results.items() if each.comparison is not None}
+    compared = {name: result.comparison for name, result in combined.results.items() if result.comparison is not None}
     if not compared:
         return table
     columns = []
-    for column in (each for each in table.columns if each.name in VALUES[table.name]):
+    for column in (column for column in table.columns if column.name in VALUES[table.name]):
         alike = _ALIKE.get(column.name, "combination")
         errors: list[Cell] = []
         rows = column.values, coarser[column.name], table[alike], coarser[alike], combination

@@ -106,16 +106,16 @@ def strips(combined: Results) -> Table:
     rows: list[list[Cell]] = []
     missed: list[str] = []
     for results in solved_results(combined):
-        for each in combined.model.output.strips:
+        for output in combined.model.output.strips:
             try:
-                f = strip(results.plate, each.start, each.end, each.width, each.stations)
+                f = strip(results.plate, output.start, output.end, output.width, output.stations)
             except InputError:
-                missed.append(each.name)
+                missed.append(output.name)
                 continue
             forces = [f.moment, f.shear, f.mean_moment, f.mean_shear, f.largest, f.least]
             design = [f.bottom, f.top, f.bottom_across, f.top_across]
             values = np.column_stack([f.s, f.x, f.y, f.length, *(field / 1e3 for field in (*forces, *design))])
-            rows += [[results.combination, each.name, *row] for row in values]
+            rows += [[results.combination, output.name, *row] for row in values]
     notes = [
         "Moments bend the strip along its axis, sagging positive; moment and shear are integrals over the width that "
         "lies on the plate, mean ones are these by that width.",

@@ -11,7 +11,7 @@ from groundslab.results.results import Results
 
 
 def punching_at_columns(combined: Results) -> PunchingColumns:
-    """Return what the table of columns has of punching; nothing without reinforcement, or rules for it."""
+    """Return the punching columns of the table of columns; none without reinforcement, or rules for it."""
     steel = combined.model.reinforcement
     rule = code_of(steel).punching if steel is not None else None
     return NO_COLUMNS if steel is None or rule is None else rule.at_columns(combined, steel)

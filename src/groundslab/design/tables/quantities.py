@@ -44,7 +44,7 @@ def mean_at_nodes(plate: PlateResult, values: Array) -> Array:
 
 
 def ranged_fields(results: CombinationResult) -> list[tuple[ResultField, str, Flags]]:
-    """Return what has extremes: how it is shown, its name in RANGED_FIELDS, and the nodes that count (n,)."""
+    """Return the fields with extremes: how each is shown, its name in RANGED_FIELDS, and the nodes that count (n,)."""
     everywhere = np.ones(len(results.plate.nodes), dtype=bool)
     on_edge = results.plate.edge_length > 0
     return [

@@ -20,7 +20,7 @@ def reinforcement(combined: Results, steel: Reinforcement) -> Table:
         ("combination", ""), ("design moment", "kNm/m"), ("thickness", "m"), ("minimum area", "cm2/m"),
         ("part of the plate that fails", "%"), ("part of the plate that needs links", "%"),
     ]  # fmt: skip
-    rows = [_row(each) for each in governing_needs(combined, steel)]
+    rows = [_row(need) for need in governing_needs(combined, steel)]
     code = code_of(steel)
     least, held = code.clauses.least_bars, code.clauses.held_bars
     notes = [

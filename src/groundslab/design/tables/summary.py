@@ -18,7 +18,7 @@ from groundslab.results.results import CombinationResult, Results, refusal_words
 
 
 def combinations(combined: Results) -> Table:
-    """Return what each combination is made of, and its first figures, or why it has none."""
+    """Return the composition and the main figures of each combination, or why it has none."""
     heads = [
         ("combination", ""), ("limit state", ""), ("rule", ""), ("loads", ""), ("outcome", ""),
         ("sum of loads", "kN"), ("reaction", "kN"), ("largest settlement", "mm"), ("largest uplift", "mm"),
@@ -26,17 +26,22 @@ def combinations(combined: Results) -> Table:
         ("worst figure of the certificate", ""), ("which figure", ""),
     ]  # fmt: skip
     rows = []
-    for each in combined.combinations:
-        words: list[Cell] = [each.name, each.limit_state, each.rule or None, factors(combined, each)]
-        if each.name in combined.results:
-            rows.append([*words, "solved", *_figures(combined.results[each.name])])
+    for combination in combined.combinations:
+        words: list[Cell] = [
+            combination.name,
+            combination.limit_state,
+            combination.rule or None,
+            factors(combined, combination),
+        ]
+        if combination.name in combined.results:
+            rows.append([*words, "solved", *_figures(combined.results[combination.name])])
         else:
-            rows.append([*words, refusal_words(combined.refused[each.name]), *[None] * (len(heads) - 5)])
+            rows.append([*words, refusal_words(combined.refused[combination.name]), *[None] * (len(heads) - 5)])
     notes = [
         "The figures of the certificate are ratios; a result counts if none is above 1e-6, and margin_effect not above "
         "0.01, section_law not above 0.001."
     ]
-    if any(has_line_force(each) for each in combined.results.values()):
+    if any(has_line_force(result) for result in combined.results.values()):
         notes.append(EDGE_NOTE)
     return table_of("combinations", "Combinations", heads, rows, notes)
 
@@ -67,7 +72,7 @@ def acting_cases(combined: Results) -> Table:
 
 
 def factors(combined: Results, combination: Combination) -> str:
-    """Return what a combination is made of, as in "1.35 G + 1.5 Q"."""
+    """Return the load factors of a combination as a sum, as in "1.35 G + 1.5 Q"."""
     if not combined.model.cases:
         return "all loads"
     text = ""
@@ -118,7 +123,7 @@ def extremes(combined: Results) -> Table:
         "Of nodal values. Of several places with the same value, the one nearest to the origin is named.",
         *notes_on_singular_places(combined.solved_model),
     ]
-    if any(has_line_force(each) for each in combined.results.values()):
+    if any(has_line_force(result) for result in combined.results.values()):
         notes.append(EDGE_NOTE)
     return table_of("extremes", "Extremes of each combination", heads, rows, notes)
 

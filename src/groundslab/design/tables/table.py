@@ -101,10 +101,10 @@ def table_of(
 
 def _plain(value: Any, unit: str) -> Cell:
     """Return a cell as one of Python's own types, no zero of it negative."""
-    found: Cell = value.item() if hasattr(value, "item") else value
-    if not isinstance(found, float):
-        return found
-    return coordinate(found) if unit == "m" else found + 0.0
+    plain: Cell = value.item() if hasattr(value, "item") else value
+    if not isinstance(plain, float):
+        return plain
+    return coordinate(plain) if unit == "m" else plain + 0.0
 
 
 def _written(value: Cell, unit: str) -> str:

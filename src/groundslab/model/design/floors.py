@@ -140,7 +140,7 @@ def check_floor(
     if not has_ultimate_combination(combinations, combine):
         add = '[[combinations]] with limit_state = "ultimate", or "ultimate" in the sets of [combine]'
         yield RelativeIssue(("floor",), "no ultimate combination of loads", "at least one to check", f"add {add}")
-    thinnest = min(each.thickness for each in list_plates(plate, plates))
+    thinnest = min(slab.thickness for slab in list_plates(plate, plates))
     if floor.mesh_axis is not None and floor.mesh_axis >= thinnest / 2:
         expected = f"less than half of the thickness, {thinnest / 2!r} m"
         yield RelativeIssue(("floor", "mesh_axis"), f"{floor.mesh_axis!r} m", expected)

@@ -72,12 +72,13 @@ def laid_bars(steel: Reinforcement, layer: str, places: Array) -> LaidBars:
 
     x, y = places.T
     near = same_place(x.min(), x.max(), y.min(), y.max()) if len(places) else 0.0
-    sets, there = bars_of(steel, layer), [np.ones(len(places), dtype=bool)]
+    sets = bars_of(steel, layer)
+    there = [np.ones(len(places), dtype=bool)]
     for zone in steel.zones:
         if layer in zone.layers:
             region = polygon_of(zone.shape.ring()).buffer(near, join_style="mitre")
             there.append(intersects_xy(region, x, y))
-    diameter, spacing = (np.array([getattr(each, name) for each in sets])[:, None] for name in ("diameter", "spacing"))
+    diameter, spacing = (np.array([getattr(bars, name) for bars in sets])[:, None] for name in ("diameter", "spacing"))
     count = np.array(there) / spacing  # per length
     squares = (count * diameter**2).sum(axis=0)
     farthest = np.where(there, spacing, np.inf).min(axis=0)
@@ -102,14 +103,15 @@ def mean_area(
     zones = [(zone, polygon_of(zone.shape.ring())) for zone in steel.zones if layer in zone.layers]
     if not zones:
         return bar_area(base)
-    plan, found = PlateRegion(plate, plates).area, list[float]()
+    plan = PlateRegion(plate, plates).area
+    areas = list[float]()
     for where in (along[0] - BEYOND * d, (along[0] + along[1]) / 2, along[1] + BEYOND * d):
         ends = [(where, across[0] - BESIDE * d), (where, across[1] + BESIDE * d)]
         cut = LineString(ends if axis == 0 else [end[::-1] for end in ends]).intersection(plan)
         if cut.length > 0:
             more = sum(bar_area(zone.bars) * cut.intersection(region).length for zone, region in zones)
-            found.append(bar_area(base) + more / cut.length)
-    return min(found)
+            areas.append(bar_area(base) + more / cut.length)
+    return min(areas)
 
 
 def punching_ratio(

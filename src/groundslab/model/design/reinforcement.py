@@ -275,8 +275,8 @@ def check_bar_distances(
     if reinforcement is None:
         return
     every = list_plates(plate, plates)
-    zones = [zone.thickness for each in every for zone in each.zones if zone.thickness is not None]
-    thinnest = min([*(each.thickness for each in every), *zones])
+    zones = [zone.thickness for slab in every for zone in slab.zones if zone.thickness is not None]
+    thinnest = min([*(slab.thickness for slab in every), *zones])
     for face in ("bottom", "top"):
         for position, distance in enumerate(getattr(reinforcement, f"{face}_axes")):
             if distance >= thinnest / 2:

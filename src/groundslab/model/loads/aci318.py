@@ -107,8 +107,8 @@ def _by_table(
     variable = [case for case in cases if case.action == "variable"]
     for quake in quakes:
         for equation, of_dead, factors in table:
-            own = {case.name: factors.get(_KINDS.get(case.category or "", "L"), 0.0) for case in variable}
+            live_factors = {case.name: factors.get(_KINDS.get(case.category or "", "L"), 0.0) for case in variable}
             shaken = {name: factors.get("E", 1.0) * factor for name, factor in quake.items()}
-            for together in subsets([case for case in variable if own[case.name]]):
-                live = {case.name: own[case.name] for case in together}
+            for together in subsets([case for case in variable if live_factors[case.name]]):
+                live = {case.name: live_factors[case.name] for case in together}
                 yield f"{code} {equation}", dict.fromkeys(dead, of_dead) | live | shaken

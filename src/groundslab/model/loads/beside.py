@@ -42,7 +42,7 @@ def check_ground_loads(
     loads: tuple[AnyLoad, ...],
 ) -> Iterator[RelativeIssue]:
     """Find loads beside the plate that have no effect, or that press on no ground."""
-    carries_shear = any(any(carry_shear(each)) for each in (ground, *(zone.ground for zone in soil_zones)))
+    carries_shear = any(any(carry_shear(soil)) for soil in (ground, *(zone.ground for zone in soil_zones)))
     for position, load in enumerate(loads):
         if presses_ground(load):
             place, on = ("loads", position), ("loads", position, "on")
@@ -51,7 +51,8 @@ def check_ground_loads(
                 yield RelativeIssue(on, '"ground" on ground without shear', "ground that carries shear", hint)
             elif beyond.kind == "none":
                 hint = 'beyond.kind = "infinite", or "margin" with a width'
-                found, repairs = '"ground", which ends with the plate', (set_value(("beyond", "kind"), "infinite"),)
+                found = '"ground", which ends with the plate'
+                repairs = (set_value(("beyond", "kind"), "infinite"),)
                 yield RelativeIssue(on, found, "ground beyond the plate", hint, repairs)
             else:
                 yield from _check_reach(get_plate_region(plate, plates), beyond, load, place)

@@ -73,7 +73,7 @@ def make_combinations(combine: Combine, cases: Sequence[LoadCase]) -> tuple[Comb
     other accompanies it (EN 1990 6.4.3.2, 6.5.3). The fullest combination of a leading action comes first. Raises
     InputError where there would be more than MOST_COMBINATIONS.
     """
-    found: list[Combination] = []
+    made: list[Combination] = []
     for limit_state in combine.sets:
         seen: set[Terms] = set()
         for rule, terms in _all_terms(combine, cases, limit_state):
@@ -81,13 +81,13 @@ def make_combinations(combine: Combine, cases: Sequence[LoadCase]) -> tuple[Comb
                 continue
             seen.add(terms)
             name = f"{_TITLES[limit_state]} {len(seen)}"
-            found.append(Combination(name=name, limit_state=limit_state, factors=terms, rule=rule))
-            if len(found) > MOST_COMBINATIONS:
+            made.append(Combination(name=name, limit_state=limit_state, factors=terms, rule=rule))
+            if len(made) > MOST_COMBINATIONS:
                 variable = sum(case.action == "variable" for case in cases)
                 expected = f"at most {MOST_COMBINATIONS} combinations"
                 hint = "write the combinations that matter by hand, or put actions that exclude each other in a group"
                 raise InputError([Issue("combine", f"{variable} variable actions", expected, hint)])
-    return tuple(found)
+    return tuple(made)
 
 
 def _all_terms(combine: Combine, cases: Sequence[LoadCase], limit_state: LimitState) -> Iterator[tuple[str, Terms]]:
@@ -216,7 +216,7 @@ def check_combine(
     if missing:
         return
     try:
-        made = {each.name for each in make_combinations(combine, cases)}
+        made = {combination.name for combination in make_combinations(combine, cases)}
     except InputError as error:
         for issue in error.issues:
             yield RelativeIssue(("combine",), issue.found, issue.expected, issue.hint)

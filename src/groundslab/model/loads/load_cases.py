@@ -225,7 +225,7 @@ def check_factors(combinations: tuple[Combination, ...], cases: tuple[LoadCase, 
 
 def has_ultimate_combination(combinations: tuple[Combination, ...], combine: Combine | None) -> bool:
     """Return whether any combination given or made is for the ultimate limit state."""
-    return any(each.limit_state == "ultimate" for each in combinations) or (
+    return any(combination.limit_state == "ultimate" for combination in combinations) or (
         combine is not None and "ultimate" in combine.sets
     )
 

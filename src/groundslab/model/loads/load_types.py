@@ -153,13 +153,13 @@ def _check_position(
     diameter: float | None,
     column: str,
 ) -> Iterator[RelativeIssue]:
-    own = {"x": x, "y": y, "width_x": width_x, "width_y": width_y, "diameter": diameter}
+    given = {"x": x, "y": y, "width_x": width_x, "width_y": width_y, "diameter": diameter}
     if column:
-        for name in (name for name, value in own.items() if value is not None):
+        for name in (name for name, value in given.items() if value is not None):
             hint = "the column says where its load acts"
             yield RelativeIssue((name,), f"{name} together with a column", "one of them", hint)
     else:
-        for name in (name for name in ("x", "y") if own[name] is None):
+        for name in (name for name in ("x", "y") if given[name] is None):
             yield RelativeIssue((name,), "nothing", 'a position such as "1.5 m", or the name of a column')
 
 

@@ -154,7 +154,7 @@ def stations(move: Move) -> tuple[Station, ...]:
     if not move.travels:
         return (Station(0.0, move.points[0], turn),)
     lengths = [math.dist(a, b) for a, b in pairwise(move.points)]
-    found, piece, before = [], 0, 0.0
+    places, piece, before = [], 0, 0.0
     for distance in _distances(move, sum(lengths)):
         while distance >= before + lengths[piece] - NO_LENGTH and piece < len(lengths) - 1:
             before += lengths[piece]
@@ -162,16 +162,16 @@ def stations(move: Move) -> tuple[Station, ...]:
         (x0, y0), (x1, y1) = move.points[piece : piece + 2]
         share = (distance - before) / lengths[piece]
         origin = (x0 + share * (x1 - x0), y0 + share * (y1 - y0))
-        found.append(Station(distance, origin, math.atan2(y1 - y0, x1 - x0) + turn))
-    return tuple(found)
+        places.append(Station(distance, origin, math.atan2(y1 - y0, x1 - x0) + turn))
+    return tuple(places)
 
 
 def _distances(move: Move, length: float) -> list[float]:
     """Return how far along a path of a length [m] its positions lie; the end replaces one that is as good as there."""
     assert move.step is not None
     count = math.floor(length / move.step)
-    found = [number * move.step for number in range(count + 1) if length - number * move.step > SAME_POSITION]
-    return [*found, length]
+    distances = [number * move.step for number in range(count + 1) if length - number * move.step > SAME_POSITION]
+    return [*distances, length]
 
 
 def position_name(move: Move, station: Station) -> str:
@@ -184,8 +184,8 @@ def position_names(moves: tuple[Move, ...]) -> dict[str, tuple[str, ...]]:
     names: dict[str, tuple[str, ...]] = {}
     for move in moves:
         if move.travels:
-            own = tuple(position_name(move, station) for station in stations(move))
-            names[move.case] = (*names.get(move.case, ()), *own)
+            here = tuple(position_name(move, station) for station in stations(move))
+            names[move.case] = (*names.get(move.case, ()), *here)
     return names
 
 
@@ -194,12 +194,14 @@ def point_loads(pattern: AnyPattern, station: Station, case: str) -> tuple[Point
 
     A rectangle turned by other than right angles stands as a circle of the same area.
     """
-    (x, y), cos, sin = station.origin, math.cos(station.angle), math.sin(station.angle)
-    found = []
+    x, y = station.origin
+    cos = math.cos(station.angle)
+    sin = math.sin(station.angle)
+    loads = []
     for force in pattern.forces():
         place = {"x": x + cos * force.x - sin * force.y, "y": y + sin * force.x + cos * force.y}
-        found.append(PointLoad(P=force.P, name=pattern.name, case=case, **place, **_footprint(force, cos, sin)))
-    return tuple(found)
+        loads.append(PointLoad(P=force.P, name=pattern.name, case=case, **place, **_footprint(force, cos, sin)))
+    return tuple(loads)
 
 
 def _footprint(force: Wheel, cos: float, sin: float) -> dict[str, float]:
@@ -242,10 +244,12 @@ def expand(
 ) -> tuple[Combination, ...]:
     """Return the combinations at all positions of the cases in them that move; in fixed cases something stands, too."""
     names = position_names(moves)
-    found = combinations
+    expanded = combinations
     for case, positions in names.items():
-        found = tuple(each for combination in found for each in _at_positions(combination, case, positions, fixed))
-    return found
+        expanded = tuple(
+            position for combination in expanded for position in _at_positions(combination, case, positions, fixed)
+        )
+    return expanded
 
 
 def _at_positions(
@@ -258,7 +262,9 @@ def _at_positions(
     for position in positions:
         here = (case, position) if case in fixed else (position,)
         factors = tuple(
-            (name, factor) for own, factor in combination.factors for name in (here if own == case else (own,))
+            (name, factor)
+            for name_of_case, factor in combination.factors
+            for name in (here if name_of_case == case else (name_of_case,))
         )
         name = position if combination.name == case else f"{combination.name}, {position}"
         yield combination.model_copy(update={"name": name, "factors": factors})
@@ -309,8 +315,8 @@ def _check_places(covered: PlateRegion, pattern: AnyPattern, move: Move, number:
 
 def _count_forces(pattern: AnyPattern, move: Move) -> int:
     """Return how many forces a pattern has at all places of a move."""
-    each = len(pattern.wheels) if isinstance(pattern, Vehicle) else pattern.frames * len(pattern.rows)
-    return each * len(stations(move))
+    forces = len(pattern.wheels) if isinstance(pattern, Vehicle) else pattern.frames * len(pattern.rows)
+    return forces * len(stations(move))
 
 
 def _too_many(move: Move) -> bool:
@@ -360,9 +366,9 @@ def _listed(
             made = make_combinations(combine, cases)
         except InputError:  # which its own check tells
             made = ()
-    return [each.factors for each in (*combinations, *made)]
+    return [combination.factors for combination in (*combinations, *made)]
 
 
 def _count(factors: list[tuple[tuple[str, float], ...]], positions: Mapping[str, int]) -> int:
     """Return how many combinations there are at all positions."""
-    return sum(math.prod(positions.get(name, 1) for name, factor in each if factor) for each in factors)
+    return sum(math.prod(positions.get(name, 1) for name, factor in pairs if factor) for pairs in factors)

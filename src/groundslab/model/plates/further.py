@@ -80,37 +80,39 @@ def bounds_of(plate: Plate, plates: Sequence[FurtherPlate]) -> tuple[float, floa
     return (
         plate.bounds
         if not plates
-        else get_bounds(edge for each in list_plates(plate, plates) for edge in each.ring().segments())
+        else get_bounds(edge for slab in list_plates(plate, plates) for edge in slab.ring().segments())
     )
 
 
 def first_sections(plates: Sequence[AnyPlate]) -> list[int]:
     """Return the number of each plate's own section, 0 of the first; those of its zones follow."""
-    return list(accumulate((1 + len(each.zones) for each in plates[:-1]), initial=0))
+    return list(accumulate((1 + len(plate.zones) for plate in plates[:-1]), initial=0))
 
 
 def shared_line(one: AnyPlate, other: AnyPlate) -> BaseGeometry:
     """Return the line that the outlines of two plates share, arcs as chords; points where they only touch."""
-    x0, x1, y0, y1 = get_bounds(edge for each in (one, other) for edge in each.ring().segments())
+    x0, x1, y0, y1 = get_bounds(edge for slab in (one, other) for edge in slab.ring().segments())
     chord = CHORD * max(x1 - x0, y1 - y0)
-    edge, beside = (each.ring().polygon(chord).exterior for each in (one, other))
+    edge, beside = (slab.ring().polygon(chord).exterior for slab in (one, other))
     return edge.intersection(beside.buffer(same_place(x0, x1, y0, y1)))
 
 
 def check_plates(plate: Plate, plates: tuple[FurtherPlate, ...], joints: Sequence[_Joined]) -> Iterator[RelativeIssue]:
     """Find plates without a name of their own, and plates that overlap, leave too narrow a strip, or touch unjoined."""
     seen = {plate.name} - {""}
-    for position, each in enumerate(plates):
-        if not each.name or each.name in seen:
-            found = f"{describe(each.name)} again" if each.name else "no name"
-            place, taken = ("plates", position, "name"), [plate.name, *(other.name for other in plates)]
-            repairs = use_free_name(place, each.name or "plate", taken)
+    for position, further in enumerate(plates):
+        if not further.name or further.name in seen:
+            found = f"{describe(further.name)} again" if further.name else "no name"
+            place = ("plates", position, "name")
+            taken = [plate.name, *(other.name for other in plates)]
+            repairs = use_free_name(place, further.name or "plate", taken)
             yield RelativeIssue(place, found, "a unique name", repairs=repairs)
-        seen.add(each.name)
+        seen.add(further.name)
     if not plates:
         return
     x0, x1, y0, y1 = bounds_of(plate, plates)
-    size, joined = max(x1 - x0, y1 - y0), {frozenset(joint.between) for joint in joints}
+    size = max(x1 - x0, y1 - y0)
+    joined = {frozenset(joint.between) for joint in joints}
     for first, second in combinations(range(1 + len(plates)), 2):
         one, other = list_plates(plate, plates)[first], plates[second - 1]
         meeting = _find_meeting(one, other, size, frozenset((one.name, other.name)) in joined)
@@ -128,7 +130,7 @@ def _find_meeting(one: AnyPlate, other: FurtherPlate, size: float, joined: bool)
     """
     from shapely import union_all
 
-    outline, beside = (each.ring().polygon(CHORD * size) for each in (one, other))
+    outline, beside = (slab.ring().polygon(CHORD * size) for slab in (one, other))
     openings = union_all([opening.ring().polygon(CHORD * size) for opening in one.openings])
     shared = outline.intersection(beside)
     if shared.area > (CHORD * size) ** 2:

@@ -82,15 +82,17 @@ def check_joints(
     plate: Plate, plates: tuple[FurtherPlate, ...], joints: tuple[AnyJoint, ...]
 ) -> Iterator[RelativeIssue]:
     """Find joints of unknown plates, or of plates that share no line, and second joints of two plates."""
-    known = {each.name: each for each in list_plates(plate, plates) if each.name}
+    known = {slab.name: slab for slab in list_plates(plate, plates) if slab.name}
     x0, x1, y0, y1 = bounds_of(plate, plates)
-    size, seen = max(x1 - x0, y1 - y0), set[frozenset[str]]()
+    size = max(x1 - x0, y1 - y0)
+    seen = set[frozenset[str]]()
     for position, joint in enumerate(joints):
         unknown = [(side, name) for side, name in enumerate(joint.between) if name not in known]
         for side, name in unknown:
             expected = one_of(list(known)) if known else "a plate, and names of [plate] and [[plates]]"
-            plate_place, hint = ("joints", position, "between", side), suggestion(name, list(known))
-            others = [each for each in known if each not in joint.between]
+            plate_place = ("joints", position, "between", side)
+            hint = suggestion(name, list(known))
+            others = [name for name in known if name not in joint.between]
             repairs = (*use_nearest(plate_place, name, others), remove(("joints", position), label="remove the joint"))
             yield RelativeIssue(plate_place, describe(name), expected, hint, repairs)
         pair = frozenset(joint.between)

@@ -29,14 +29,14 @@ class PlateRegion:
         self.bounds = bounds_of(plate, plates)
         x0, x1, y0, y1 = self.bounds
         self.size = max(x1 - x0, y1 - y0)
-        self.straight = all(ring.straight for each in self.every for ring in each.rings())
+        self.straight = all(ring.straight for slab in self.every for ring in slab.rings())
         self.rounding = same_place(*self.bounds)
         self.near = self.rounding if self.straight else CURVED * self.size
 
     @cached_property
     def edges(self) -> Region:
         """The edges of the plates and their openings."""
-        rings = (ring for each in self.every for ring in each.rings())
+        rings = (ring for slab in self.every for ring in slab.rings())
         return Region(edge for ring in rings for edge in ring.segments())
 
     @cached_property
@@ -77,7 +77,7 @@ class PlateRegion:
 
 
 def _area(plate: AnyPlate) -> BaseGeometry:
-    """Return what a plate covers, without its openings."""
+    """Return the area of a plate without its openings."""
     from shapely import union_all
 
     outline, *openings = map(equal_area_polygon, plate.rings())

@@ -27,25 +27,26 @@ SINGULAR = (
 
 def near_singular(model: Model, nodes: Array, thickness: Array) -> Flags:
     """Return which nodes (n, 2) lie within a thickness (n,) [m] of a singular place."""
-    return near_places([place for found in singular_places(model).values() for place in found], nodes, thickness)
+    return near_places([place for places in singular_places(model).values() for place in places], nodes, thickness)
 
 
 def near_places(places: Sequence[Place], nodes: Array, thickness: Array) -> Flags:
     """Return which nodes (n, 2) lie within a thickness (n,) [m] of one of some places."""
     import shapely
 
-    found = np.zeros(len(nodes), dtype=bool)
+    near = np.zeros(len(nodes), dtype=bool)
     if not places:
-        return found
-    tree, reach = shapely.STRtree(shapely.points(places)), REACH * thickness * (1 + 1e-9)
-    found[tree.query(shapely.points(nodes), predicate="dwithin", distance=reach)[0]] = True
-    return found
+        return near
+    tree = shapely.STRtree(shapely.points(places))
+    reach = REACH * thickness * (1 + 1e-9)
+    near[tree.query(shapely.points(nodes), predicate="dwithin", distance=reach)[0]] = True
+    return near
 
 
 def notes_on_singular_places(model: Model, mark: str = "") -> tuple[str, ...]:
-    """Return what is said of the places at which section forces are singular, and of their mark; nothing of none."""
+    """Return the note on the places where section forces are singular, and on their mark; empty without such places."""
     places = singular_places(model)
-    what = ", ".join(f"{kind} ({len(found)})" for kind, found in places.items())
+    what = ", ".join(f"{kind} ({len(of_kind)})" for kind, of_kind in places.items())
     return (SINGULAR.format(mark, what),) if places else ()
 
 
@@ -62,15 +63,15 @@ def singular_places(model: Model) -> dict[str, list[Place]]:
     corners = [*_between_edges(model.plate)]
     for plate in plates:
         corners += corners_of(plate.ring(), 1)
-        corners += [place for each in plate.openings for place in corners_of(each.ring(), -1)]
+        corners += [place for opening in plate.openings for place in corners_of(opening.ring(), -1)]
         corners += [place for zone in plate.zones for place in _corners_of_zone(zone.shape.ring(), plate)]
-    found = {
+    by_kind = {
         "forces without a footprint": [*forces_without_footprint(model)],
         "point supports": [support.points[0] for support in model.supports if not support.edges],
         "ends and bends of lines": ends,
         "corners": corners,
     }
-    return {what: places for what, places in found.items() if places}
+    return {what: places for what, places in by_kind.items() if places}
 
 
 def forces_without_footprint(model: Model) -> Iterator[Place]:
@@ -113,7 +114,7 @@ def corners_of(ring: Ring, side: int | None) -> Iterator[Place]:
     edges = ring.segments()
     for before, after in zip((edges[-1], *edges[:-1]), edges, strict=True):
         if before.straight and after.straight:
-            (ax, ay), (bx, by) = (np.subtract(each.end, each.start) for each in (before, after))
+            (ax, ay), (bx, by) = (np.subtract(edge.end, edge.start) for edge in (before, after))
             sine = turn * (ax * by - ay * bx) / (np.hypot(ax, ay) * np.hypot(bx, by))
             if sine < -1e-9 or (side is None and sine > 1e-9):
                 yield after.start

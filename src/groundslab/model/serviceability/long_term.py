@@ -32,11 +32,12 @@ def scale_stiffnesses(section: AnySection, factor: float) -> AnySection:
     """Return a section with all stiffnesses in it multiplied by a factor."""
     changes: dict[str, object] = {}
     for name, field in type(section).model_fields.items():
-        value, kind = getattr(section, name), get_field_type(field)
+        value = getattr(section, name)
+        kind = get_field_type(field)
         if isinstance(kind, Quantity) and kind.dimension in STIFFNESSES and value is not None:
             changes[name] = value * factor
         elif isinstance(value, Section):
             changes[name] = scale_stiffnesses(value, factor)
         elif isinstance(value, tuple) and value and isinstance(value[0], Section):
-            changes[name] = tuple(scale_stiffnesses(each, factor) for each in value)
+            changes[name] = tuple(scale_stiffnesses(part, factor) for part in value)
     return section.model_copy(update=changes)

@@ -129,7 +129,7 @@ def distribution_of(part: AnyDistribution, read: Read) -> Any:
     if isinstance(part, Scipy):
         return _from_scipy(part)
     amounts = _read_amounts(part, read)
-    mean, low, high = (amounts.get(*each) for each in (("mean", 0.0), ("low", -math.inf), ("high", math.inf)))
+    mean, low, high = (amounts.get(*amount) for amount in (("mean", 0.0), ("low", -math.inf), ("high", math.inf)))
     if not low < high:
         raise FieldError(RelativeIssue(("high",), f"{high:g}, where low is {low:g}", "more than low"))
     if isinstance(part, Uniform):
@@ -160,15 +160,15 @@ def distribution_of(part: AnyDistribution, read: Read) -> Any:
 
 def _read_amounts(part: AnyDistribution, read: Read) -> dict[str, float]:
     """Return all amounts of a section that are given, by their names, in SI units."""
-    found: dict[str, float] = {}
+    amounts: dict[str, float] = {}
     issues: list[RelativeIssue] = []
     for name in AMOUNTS:
         if (raw := getattr(part, name, None)) is not None:
             with issues_below(name, collected=issues):
-                found[name] = read(raw)
+                amounts[name] = read(raw)
     if issues:
         raise FieldError(*issues)
-    return found
+    return amounts
 
 
 def _beta(mean: float, std: float, low: float, high: float) -> Any:
@@ -237,9 +237,9 @@ def _from_scipy(part: Scipy) -> Any:
     missing = [name for name in names[:-2] if name not in dict(part.parameters)]
     if missing:
         raise FieldError(RelativeIssue(("parameters",), f"none called {missing[0]}", f"all of {', '.join(names[:-2])}"))
-    found = family(**dict(part.parameters))
-    if not math.isfinite(float(found.ppf(0.5))):
+    distribution = family(**dict(part.parameters))
+    if not math.isfinite(float(distribution.ppf(0.5))):
         raise FieldError(
             RelativeIssue(("parameters",), "parameters outside their range", "those that scipy.stats takes")
         )
-    return found
+    return distribution

@@ -65,7 +65,7 @@ class OneOrTwo(ListOf):
         return self.each.write(value[0]) if value[0] == value[1] else super().write(value)
 
     def type_text(self) -> str:
-        """Return what each is."""
+        """Return the type of the two values in words."""
         return f"{self.each.type_text()}, or a list of two"
 
     def json_schema(self) -> dict[str, Any]:

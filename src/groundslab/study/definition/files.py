@@ -68,15 +68,16 @@ def _load_case(case: Model | str | Path) -> tuple[Model, str]:
     """Return a case and its text; raises InputError with the file's name in each location."""
     if isinstance(case, Model):
         return case, casefile.to_toml(case)
-    name, text = str(case), ""
+    name = str(case)
+    text = ""
     try:
         text = casefile.read(case)
         return casefile.loads(text, name), text
     except InputError as error:
         raise InputError(
             [
-                each if each.location.startswith(name) else replace(each, location=f"{name}: {each.location}")
-                for each in error.issues
+                issue if issue.location.startswith(name) else replace(issue, location=f"{name}: {issue.location}")
+                for issue in error.issues
             ]
         ) from None
 
@@ -84,15 +85,15 @@ def _load_case(case: Model | str | Path) -> tuple[Model, str]:
 def _with_units(file: StudyFile, setup: Setup) -> StudyFile:
     """Return a study with units in all amounts, so that its text can be read."""
     vary = []
-    for each, variable in zip(file.vary, setup.variables, strict=True):
-        key: FieldType = Number("", "") if each.times else variable.place.key
-        values = None if each.values is None else tuple(_write_unit(key, value) for value in each.values)
-        distribution = each.distribution
+    for quantity, variable in zip(file.vary, setup.variables, strict=True):
+        key: FieldType = Number("", "") if quantity.times else variable.place.key
+        values = None if quantity.values is None else tuple(_write_unit(key, value) for value in quantity.values)
+        distribution = quantity.distribution
         if distribution is not None:
             amounts = {name: getattr(distribution, name, None) for name in AMOUNTS}
             given = {name: _write_unit(key, value) for name, value in amounts.items() if value is not None}
             distribution = distribution.replace(**given)
-        vary.append(each.replace(values=values, distribution=distribution))
+        vary.append(quantity.replace(values=values, distribution=distribution))
     limits = []
     for limit in file.limit_state:
         key = next(output.key for output in setup.outputs if output.name == limit.keep)

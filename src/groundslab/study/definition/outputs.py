@@ -174,7 +174,7 @@ def error_of(output: RequestedOutput, combined: Results, names: Sequence[str]) -
     assert results.comparison is not None
     if output.take in ("largest", "smallest"):
         sign = 1 if output.take == "largest" else -1
-        values, before = (sign * _nodal_values(output, each)[0] for each in (results, coarser))
+        values, before = (sign * _nodal_values(output, combination)[0] for combination in (results, coarser))
         return value, error_of_largest(values, before, results.comparison)
     if output.of == "in contact":
         return value, error_of_contact_share(results) or 0.0
@@ -241,7 +241,7 @@ def _scalar_quantity(output: RequestedOutput, results: CombinationResult) -> flo
         case "in contact":
             return results.plate.contact_share
         case "support force":
-            return next((each.total for each in results.supports if each.name == output.support), None)
+            return next((support.total for support in results.supports if support.name == output.support), None)
         case "soil settlement" | "soil stress":
             return _in_depth(output, results)
         case "gamma":
@@ -303,9 +303,10 @@ def _required_bars(results: CombinationResult, name: str, design: Any, thickness
 
     steel = results.model.reinforcement
     assert steel is not None
-    axes, rule = Axes(*steel.bottom_axes, *steel.top_axes), code_of(steel).bending(steel, "ultimate")
-    found = slab(design, thickness, axes, rule.required)
-    layers = {layer: getattr(found, layer) for layer in LAYERS}
+    axes = Axes(*steel.bottom_axes, *steel.top_axes)
+    rule = code_of(steel).bending(steel, "ultimate")
+    reinforcement = slab(design, thickness, axes, rule.required)
+    layers = {layer: getattr(reinforcement, layer) for layer in LAYERS}
     wanted = name.removeprefix("reinforcement").strip().replace(" ", "_")
     area: Array = layers[wanted] if wanted else np.max(list(layers.values()), axis=0)
     return area

@@ -141,20 +141,20 @@ def _choices_fit(
     sampling: Sampling, vary: tuple[VariedQuantity, ...], correlation: tuple[Correlation, ...]
 ) -> Iterator[RelativeIssue]:
     """Find choices where nothing is drawn, and choices that are correlated with drawn variables."""
-    for position, each in enumerate(vary):
-        if each.choose and sampling.kind in (*UNCOUNTED, "saltelli"):
+    for position, quantity in enumerate(vary):
+        if quantity.choose and sampling.kind in (*UNCOUNTED, "saltelli"):
             yield _misfit(("vary", position, "choose"), "true", "no choice", sampling)
-        if each.choose and any(each.column in pair.between for pair in correlation):
+        if quantity.choose and any(quantity.column in pair.between for pair in correlation):
             yield RelativeIssue(("vary", position, "choose"), "true", "no choice, as [[correlation]] names it")
 
 
 def _kinds_fit(sampling: Sampling, vary: tuple[VariedQuantity, ...]) -> Iterator[RelativeIssue]:
-    for position, each in enumerate(vary):
-        if sampling.kind == "tornado" and each.values is not None:
+    for position, quantity in enumerate(vary):
+        if sampling.kind == "tornado" and quantity.values is not None:
             yield _misfit(("vary", position, "values"), "values", "a distribution", sampling)
-        if sampling.kind in LISTED and each.distribution is not None:
+        if sampling.kind in LISTED and quantity.distribution is not None:
             yield _misfit(("vary", position, "distribution"), "a distribution", "values", sampling)
-    lengths = {len(each.values) for each in vary if each.values is not None}
+    lengths = {len(quantity.values) for quantity in vary if quantity.values is not None}
     if sampling.kind == "list" and len(lengths) > 1:
         found = f"lists of {listed(map(str, sorted(lengths)), 'and')} values"
         yield _misfit(("vary",), found, "as many values for each", sampling)
@@ -183,14 +183,14 @@ def _something_varies(
 
 
 def _known_outputs(keep: tuple[RequestedOutput, ...], limit_state: tuple[LimitState, ...]) -> Iterator[RelativeIssue]:
-    outputs = {each.column: each for each in reversed(keep)}
-    for position, each in enumerate(limit_state):
+    outputs = {output.column: output for output in reversed(keep)}
+    for position, limit in enumerate(limit_state):
         place = ("limit_state", position, "keep")
-        if each.keep not in outputs:
+        if limit.keep not in outputs:
             names = [output.column for output in keep]
-            yield RelativeIssue(place, describe(each.keep), one_of(names), suggestion(each.keep, names))
-        elif outputs[each.keep].take == "everywhere":
-            yield RelativeIssue(place, describe(each.keep), "a result that is one number")
+            yield RelativeIssue(place, describe(limit.keep), one_of(names), suggestion(limit.keep, names))
+        elif outputs[limit.keep].take == "everywhere":
+            yield RelativeIssue(place, describe(limit.keep), "a result that is one number")
 
 
 def _unique_names(
@@ -216,27 +216,27 @@ def _unique_names(
     if total > MAX_COLUMNS:
         yield RelativeIssue((), f"{total} variables and results", f"at most {MAX_COLUMNS} together")
     limits: set[str] = set()
-    for position, each in enumerate(limit_state):
-        if each.name in limits:
-            yield RelativeIssue(("limit_state", position, "name"), describe(each.name), "a name that no other one has")
-        limits.add(each.name)
+    for position, limit in enumerate(limit_state):
+        if limit.name in limits:
+            yield RelativeIssue(("limit_state", position, "name"), describe(limit.name), "a name that no other one has")
+        limits.add(limit.name)
 
 
 def _known_correlations(
     vary: tuple[VariedQuantity, ...], correlation: tuple[Correlation, ...]
 ) -> Iterator[RelativeIssue]:
-    names = [each.column for each in vary]
+    names = [quantity.column for quantity in vary]
     pairs: set[frozenset[str]] = set()
-    for position, each in enumerate(correlation):
-        for number, name in enumerate(each.between):
+    for position, entry in enumerate(correlation):
+        for number, name in enumerate(entry.between):
             if name not in names:
                 expected = one_of(names) if names else "a variable"
                 place = ("correlation", position, "between", number)
                 yield RelativeIssue(place, describe(name), expected, suggestion(name, names))
-        own = {frozenset(pair) for pair in itertools.combinations(each.between, 2)}
-        if own & pairs:
+        entry_pairs = {frozenset(pair) for pair in itertools.combinations(entry.between, 2)}
+        if entry_pairs & pairs:
             yield RelativeIssue(("correlation", position, "between"), "a pair that is already listed", "each pair once")
-        pairs |= own
+        pairs |= entry_pairs
 
 
 class StudyFile(Section):
@@ -289,7 +289,7 @@ def json_schema() -> dict[str, Any]:
 def docs_table() -> str:
     """Return all keys of a study file as Markdown, one table per section and kind; distributions once."""
     sections = reference.docs_table(StudyFile).split("\n### ")
-    return "\n### ".join(each for each in sections if not each.startswith("`[random_field.distribution]`"))
+    return "\n### ".join(section for section in sections if not section.startswith("`[random_field.distribution]`"))
 
 
 def outputs_table() -> str:
@@ -297,6 +297,8 @@ def outputs_table() -> str:
     lines = []
     for title, kept in (("fields: `take` says what of them", FIELDS), ("figures: without `take`", SCALARS)):
         lines += [f"| {title} | dimension | meaning |", "|---|---|---|"]
-        lines += [f"| `{name}` | {each.dimension or 'pure number'} | {each.meaning} |" for name, each in kept.items()]
+        lines += [
+            f"| `{name}` | {output.dimension or 'pure number'} | {output.meaning} |" for name, output in kept.items()
+        ]
         lines.append("")
     return "\n".join(lines).strip() + "\n"

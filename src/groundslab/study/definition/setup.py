@@ -140,12 +140,12 @@ class Setup:
     @property
     def scalar_outputs(self) -> tuple[RequestedOutput, ...]:
         """Return the outputs that are one number."""
-        return tuple(each for each in self.outputs if not each.everywhere)
+        return tuple(output for output in self.outputs if not output.everywhere)
 
     @property
     def nodal_outputs(self) -> tuple[RequestedOutput, ...]:
         """Return the outputs that are a value at each node."""
-        return tuple(each for each in self.outputs if each.everywhere)
+        return tuple(output for output in self.outputs if output.everywhere)
 
     @property
     def count(self) -> int:
@@ -158,7 +158,9 @@ class Setup:
         if self.sampling.kind == "tornado":
             return 1 + 2 * len(self.variables)
         assert self.sampling.count is not None
-        designs = math.prod(len(each.values) for each in self.variables if each.chosen and each.values is not None)
+        designs = math.prod(
+            len(variable.values) for variable in self.variables if variable.chosen and variable.values is not None
+        )
         blocks = len(self.variables) + len(self.fields) + 2 if self.sampling.kind == "saltelli" else 1
         return self.sampling.count * blocks * designs
 
@@ -169,11 +171,11 @@ def setup_of(file: schema.StudyFile, model: Model, from_file: bool = True) -> Se
 
     def resolve_each(key: str, parts: Sequence[Any], resolve: Callable[..., T], *context: Any) -> list[T | None]:
         """Resolve the parts below a key; None where one has issues."""
-        found: list[T | None] = [None] * len(parts)
+        resolved: list[T | None] = [None] * len(parts)
         for position, part in enumerate(parts):
             with issues_below(key, position, collected=issues):
-                found[position] = resolve(part, *context)
-        return found
+                resolved[position] = resolve(part, *context)
+        return resolved
 
     variables = resolve_each("vary", file.vary, _variable, model, from_file)
     paths: set[tuple[str | int, ...]] = set()
@@ -188,7 +190,7 @@ def setup_of(file: schema.StudyFile, model: Model, from_file: bool = True) -> Se
     limits = resolve_each("limit_state", file.limit_state, _limit, outputs, from_file)
     correlation = np.eye(len(file.vary))
     with issues_below("correlation", collected=issues):
-        correlation = _correlation([each.column for each in file.vary], file.correlation)
+        correlation = _correlation([quantity.column for quantity in file.vary], file.correlation)
     if not issues:
         setup = Setup(
             file.title, model, file.seed, file.sampling, _all(variables), correlation, _all(fields), _all(outputs),
@@ -200,8 +202,8 @@ def setup_of(file: schema.StudyFile, model: Model, from_file: bool = True) -> Se
     raise InputError([issue.issue(schema.StudyFile.root()) for issue in issues])
 
 
-def _all(found: Sequence[T | None]) -> tuple[T, ...]:
-    return tuple(each for each in found if each is not None)
+def _all(parts: Sequence[T | None]) -> tuple[T, ...]:
+    return tuple(part for part in parts if part is not None)
 
 
 def _variable(vary: schema.VariedQuantity, model: Model, from_file: bool) -> Variable:
@@ -292,7 +294,7 @@ def _output_issues(keep: RequestedOutput, of: str, model: Model) -> Iterator[Rel
         yield RelativeIssue(("support",), describe(keep.support), 'none, as of is not "support force"')
     if of not in ("k0", "k1") and keep.layer is not None:
         yield RelativeIssue(("layer",), str(keep.layer), "none, as of is neither k0 nor k1")
-    combinations = {each.name: each.limit_state for each in list_combinations(model)}
+    combinations = {combination.name: combination.limit_state for combination in list_combinations(model)}
     if keep.combination and keep.combination not in combinations:
         hint = suggestion(keep.combination, combinations)
         yield RelativeIssue(("combination",), describe(keep.combination), one_of(list(combinations)), hint)
@@ -326,7 +328,7 @@ def _soil_issues(keep: RequestedOutput, of: str, model: Model) -> Iterator[Relat
 
 def _limit(limit: schema.LimitState, outputs: list[RequestedOutput | None], from_file: bool) -> Limit | None:
     """Return a limit state, None if its output has issues; raises FieldError."""
-    output = next((each for each in outputs if each is not None and each.name == limit.keep), None)
+    output = next((output for output in outputs if output is not None and output.name == limit.keep), None)
     if output is None:
         return None
     name, raw = ("at_most", limit.at_most) if limit.at_most is not None else ("at_least", limit.at_least)
@@ -338,24 +340,24 @@ def _limit(limit: schema.LimitState, outputs: list[RequestedOutput | None], from
 
 def _correlation(names: list[str], correlation: tuple[schema.Correlation, ...]) -> Array:
     """Return the correlation matrix (d, d); raises FieldError if it is not positive definite."""
-    found = np.eye(len(names))
-    for each in correlation:
-        for a, b in itertools.permutations([names.index(name) for name in each.between], 2):
-            found[a, b] = each.rho
-    least = float(np.linalg.eigvalsh(found).min()) if names else 1.0
+    matrix = np.eye(len(names))
+    for entry in correlation:
+        for a, b in itertools.permutations([names.index(name) for name in entry.between], 2):
+            matrix[a, b] = entry.rho
+    least = float(np.linalg.eigvalsh(matrix).min()) if names else 1.0
     if least < 1e-10:
         given = f"correlations that cannot hold together (least eigenvalue {least:.2g})"
         raise FieldError(RelativeIssue((), given, "a positive definite matrix of them", "smaller correlations"))
-    return found
+    return matrix
 
 
 def warnings_of(setup: Setup) -> list[str]:
     """Return warnings before a study is run, a line each."""
     return [
-        f"{each.name}: about {each.outside * setup.count:.2g} of {setup.count} values will lie outside the range of "
-        f"{each.path} ({each.place.key.range_text()}); these variants will fail"
-        for each in setup.variables
-        if each.outside * setup.count > MAX_OUTSIDE
+        f"{variable.name}: about {variable.outside * setup.count:.2g} of {setup.count} values will lie outside the "
+        f"range of {variable.path} ({variable.place.key.range_text()}); these variants will fail"
+        for variable in setup.variables
+        if variable.outside * setup.count > MAX_OUTSIDE
     ]
 
 

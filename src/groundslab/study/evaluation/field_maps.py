@@ -47,5 +47,5 @@ def moments(fields: Iterable[Array]) -> Moments | None:
 
 def find_uplift(field: Array) -> Flags:
     """Return where a field (k,) is negative by more than rounding: for a settlement, where the plate lifts."""
-    found: Flags = field < -ROUNDING * np.abs(field).max(initial=0.0)
-    return found
+    lifts: Flags = field < -ROUNDING * np.abs(field).max(initial=0.0)
+    return lifts

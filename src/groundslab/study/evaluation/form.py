@@ -55,10 +55,12 @@ def design_point(g: Callable[[Array], float], correlation: Array) -> DesignPoint
     from scipy.special import ndtr
 
     ot = import_optional("openturns", "which finds the design point", "study")
-    d, known, raised = len(correlation), dict[tuple[float, ...], float](), list[GroundslabError]()
+    d = len(correlation)
+    known = dict[tuple[float, ...], float]()
+    raised = list[GroundslabError]()
 
     def raw(z: Iterable[float]) -> float:
-        at = tuple(float(each) for each in z)
+        at = tuple(float(score) for score in z)
         # each point costs a solution of the plate
         if at not in known:
             try:
@@ -70,8 +72,8 @@ def design_point(g: Callable[[Array], float], correlation: Array) -> DesignPoint
         return known[at]
 
     def slope(z: Iterable[float]) -> Array:
-        at, steps = np.array([float(each) for each in z]), STEP * np.eye(d)
-        return np.array([raw(at + step) - raw(at - step) for step in steps]) / (2 * STEP)
+        at = np.array([float(score) for score in z])
+        return np.array([raw(at + step) - raw(at - step) for step in STEP * np.eye(d)]) / (2 * STEP)
 
     L = np.linalg.cholesky(correlation)
     # scaled to its own standard deviations, whatever its unit
@@ -83,7 +85,7 @@ def design_point(g: Callable[[Array], float], correlation: Array) -> DesignPoint
             d, 1, func=lambda z: [raw(z) / scale], gradient=lambda z: [[float(s) / scale] for s in slope(z)]
         )
     )
-    scores = ot.Normal([0.0] * d, [1.0] * d, ot.CorrelationMatrix(d, [float(each) for each in correlation.ravel()]))
+    scores = ot.Normal([0.0] * d, [1.0] * d, ot.CorrelationMatrix(d, [float(entry) for entry in correlation.ravel()]))
     event = ot.ThresholdEvent(ot.CompositeRandomVector(function, ot.RandomVector(scores)), ot.Less(), 0.0)
     algorithm = ot.FORM(_search_algorithm(ot, d), event)
     try:
@@ -93,7 +95,8 @@ def design_point(g: Callable[[Array], float], correlation: Array) -> DesignPoint
             raise raised[0] from None
         raise NotConverged("the search for the design point", _history(known), {}) from error
     z = np.array(algorithm.getResult().getPhysicalSpaceDesignPoint())
-    u, steepest = np.linalg.solve(L, z), L.T @ slope(z) / scale
+    u = np.linalg.solve(L, z)
+    steepest = L.T @ slope(z) / scale
     if _distance_from_solution(u, raw(z) / scale, steepest) > ACCEPTED:
         raise NotConverged("the search for the design point", _history(known), {"scores": z})
     # one more step, without a solution: to the foot of the tangent plane
@@ -128,9 +131,9 @@ class Reliability:
             f"beta {point.beta:.4g}, probability of failure {point.probability:.4g}{beside}",
             f"design point, after {point.solves} solutions:",
         ]
-        for each, z, share in zip(self.inputs, point.scores, point.importance, strict=True):
-            value = show_value(each.values[0], each.unit, 5)
-            lines.append(f"  {each.name} = {value}, normal score {z:+.3f}, importance {share:.1%}")
+        for input_, z, share in zip(self.inputs, point.scores, point.importance, strict=True):
+            value = show_value(input_.values[0], input_.unit, 5)
+            lines.append(f"  {input_.name} = {value}, normal score {z:+.3f}, importance {share:.1%}")
         return "\n".join(lines)
 
 
@@ -180,8 +183,8 @@ def reliability(study: Study | str | Path, limit_state: str = "") -> Reliability
     point = design_point(margin_of(setup, limit), setup.correlation)
     sample = read_samples(study)
     inputs = tuple(
-        Input(each.name, each.unit, np.array([value]))
-        for each, value in zip(sample.inputs, values_of(setup, point.scores), strict=True)
+        Input(input_.name, input_.unit, np.array([value]))
+        for input_, value in zip(sample.inputs, values_of(setup, point.scores), strict=True)
     )
     sampled = (
         evaluation.failure_probability(sample, sample.groups[0], limit)
@@ -208,7 +211,9 @@ def margin_of(setup: Setup, limit: Limit) -> Callable[[Array], float]:
         row = worker.row(Variant(0, values, ()))
         result = row.results[index]
         if result is None:
-            at = ", ".join(f"{each.name} = {value:g}" for each, value in zip(setup.variables, values, strict=True))
+            at = ", ".join(
+                f"{variable.name} = {value:g}" for variable, value in zip(setup.variables, values, strict=True)
+            )
             raise GroundslabError(
                 f"no result during the search for the design point, at {at}: {row.reason} {row.message}"
             )
@@ -223,8 +228,8 @@ def values_of(setup: Setup, scores: Array) -> tuple[float, ...]:
 
     # the smaller of both probabilities has all its digits
     return tuple(
-        float(each.distribution.ppf(ndtr(z)) if z < 0 else each.distribution.isf(ndtr(-z)))
-        for each, z in zip(setup.variables, scores, strict=True)
+        float(variable.distribution.ppf(ndtr(z)) if z < 0 else variable.distribution.isf(ndtr(-z)))
+        for variable, z in zip(setup.variables, scores, strict=True)
     )
 
 
@@ -235,31 +240,33 @@ def _limit(setup: Setup, name: str) -> Limit:
         expected = "variables only: a random field is too many of them for a design point"
         issues.append(Issue("random_field", f"{len(setup.fields)} of them", expected))
     issues += [
-        Issue(f"vary[{place}]", f"{each.name}, which has listed values", "variables with distributions")
-        for place, each in enumerate(setup.variables, 1)
-        if each.distribution is None
+        Issue(f"vary[{place}]", f"{variable.name}, which has listed values", "variables with distributions")
+        for place, variable in enumerate(setup.variables, 1)
+        if variable.distribution is None
     ]
-    known = [each.name for each in setup.limits]
-    found = [each for each in setup.limits if each.name == name or (not name and len(known) == 1)]
-    if not found:
+    known = [limit.name for limit in setup.limits]
+    chosen = [limit for limit in setup.limits if limit.name == name or (not name and len(known) == 1)]
+    if not chosen:
         expected = one_of(known) if known else "a study with a limit state"
         issues.append(Issue("limit_state", describe(name or None), expected, suggestion(name, known)))
     if issues:
         raise InputError(issues)
-    return found[0]
+    return chosen[0]
 
 
-def tables(found: Sequence[Reliability]) -> tuple[Table, Table]:
+def tables(reliabilities: Sequence[Reliability]) -> tuple[Table, Table]:
     """Return the tables of first-order reliability: one row a limit state; one row an input of each."""
     rows: list[list[Cell]] = []
     points: list[list[Cell]] = []
-    for each in found:
-        point = each.point
-        p = each.sampled
+    for result in reliabilities:
+        point = result.point
+        p = result.sampled
         beside = [p.value, p.low, p.high] if p is not None else [None] * 3
-        rows.append([each.limit.name, each.condition, point.beta, point.probability, *beside, point.solves])
-        for own, z, share in zip(each.inputs, point.scores, point.importance, strict=True):
-            points.append([each.limit.name, own.name, float(own.values[0] * own.unit.scale), own.unit.name, z, share])
+        rows.append([result.limit.name, result.condition, point.beta, point.probability, *beside, point.solves])
+        for entry, z, share in zip(result.inputs, point.scores, point.importance, strict=True):
+            points.append(
+                [result.limit.name, entry.name, float(entry.values[0] * entry.unit.scale), entry.unit.name, z, share]
+            )
     heads: list[Head] = [("limit state", ""), ("condition", ""), ("beta", ""), ("probability of failure", "")]
     heads += [("by sampling", ""), ("by sampling, low", ""), ("by sampling, high", ""), ("solutions", "")]
     notes = [
@@ -300,4 +307,4 @@ def _distance_from_solution(u: Array, g: float, steepest: Array) -> float:
 
 def _history(known: dict[tuple[float, ...], float]) -> list[dict[str, Any]]:
     """Return the points at which the limit state was evaluated, in their order."""
-    return [{"scores": [round(each, 4) for each in at], "margin": value} for at, value in known.items()]
+    return [{"scores": [round(score, 4) for score in at], "margin": value} for at, value in known.items()]

@@ -101,7 +101,7 @@ class Samples:
     @property
     def varied(self) -> tuple[Input, ...]:
         """The inputs that are numbers and vary by chance, or are listed."""
-        return tuple(each for each in self.inputs if not each.chosen and not each.labels)
+        return tuple(entry for entry in self.inputs if not entry.chosen and not entry.labels)
 
     @property
     def base(self) -> int:
@@ -125,19 +125,19 @@ class Samples:
     @cached_property
     def groups(self) -> tuple[Group, ...]:
         """The designs in rising order of what was chosen; one without a label if nothing was."""
-        chosen = [each for each in self.inputs if each.chosen]
+        chosen = [entry for entry in self.inputs if entry.chosen]
         every = np.arange(len(self.number))
         if not chosen:
             return (Group("", every, ()),)
-        table = np.column_stack([each.values for each in chosen])
+        table = np.column_stack([entry.values for entry in chosen])
         designs, which = np.unique(table, axis=0, return_inverse=True)
-        found = []
+        groups = []
         for number, design in enumerate(designs):
-            pairs = tuple((each.name, float(value)) for each, value in zip(chosen, design, strict=True))
+            pairs = tuple((entry.name, float(value)) for entry, value in zip(chosen, design, strict=True))
             rows = every[which.ravel() == number]
-            label = ", ".join(f"{each.name} = {each.text(int(rows[0]))}" for each in chosen)
-            found.append(Group(label, rows, pairs))
-        return tuple(found)
+            label = ", ".join(f"{entry.name} = {entry.text(int(rows[0]))}" for entry in chosen)
+            groups.append(Group(label, rows, pairs))
+        return tuple(groups)
 
     def falls(self, output: Output) -> bool:
         """Whether low values of an output are the bad ones: all its limit states say at least."""
@@ -146,7 +146,7 @@ class Samples:
 
     def output(self, name: str) -> Output:
         """Return the output of a name; KeyError if there is none."""
-        return {each.name: each for each in self.outputs}[name]
+        return {output.name: output for output in self.outputs}[name]
 
     def there(self, output: Output, group: Group, least: bool | None = None) -> Array:
         """Return the values of an output in one design that follow the inputs' distributions and are not missing.
@@ -191,10 +191,11 @@ def read_samples(study: Study) -> Samples:
     setup = study.setup
     with study.open_rows() as kept:
         names = kept.columns.scalars
-        rows, errors = kept.rows(names), kept.discretization()
+        rows = kept.rows(names)
+        errors = kept.discretization()
     table = [list(column) for column in zip(*rows, strict=True)] or [[] for _ in names]
     number, status, reason, message, seconds, *columns = table
-    own = iter(columns)
+    remaining = iter(columns)
     return Samples(
         kind=setup.sampling.kind,
         seed=setup.seed,
@@ -202,10 +203,10 @@ def read_samples(study: Study) -> Samples:
         reason=tuple(map(_failure_reason, status, reason, message)),
         seconds=np.array(seconds, dtype=float),
         inputs=(
-            *(_input(variable, next(own), setup) for variable in setup.variables),
-            *(_label(field.name, next(own)) for field in setup.fields),
+            *(_input(variable, next(remaining), setup) for variable in setup.variables),
+            *(_label(field.name, next(remaining)) for field in setup.fields),
         ),
-        outputs=tuple(_output(each, next(own)) for each in setup.scalar_outputs),
+        outputs=tuple(_output(output, next(remaining)) for output in setup.scalar_outputs),
         limits=setup.limits,
         planned=study.count,
         errors=errors,

@@ -50,14 +50,14 @@ def sobol_indices(A: Array, B: Array, AB: Array, seed: int, level: float = LEVEL
         shares: Array = variances / np.var(np.concatenate([A, B]), axis=0)
         return shares
 
-    found: list[list[Estimate]] = [[], []]
-    for each in used[2:]:
-        y = np.stack([*used[:2], each])
+    indices: list[list[Estimate]] = [[], []]
+    for mixed in used[2:]:
+        y = np.stack([*used[:2], mixed])
         errors = estimate(y[:, resample]).std(axis=1, ddof=1)
-        for estimates, value, error in zip(found, estimate(y), errors, strict=True):
+        for estimates, value, error in zip(indices, estimate(y), errors, strict=True):
             half = half_width(level) * error
             estimates.append(Estimate(float(value), float(value - half), float(value + half)))
-    return SobolIndices(tuple(found[0]), tuple(found[1]), n, blocks.shape[1])
+    return SobolIndices(tuple(indices[0]), tuple(indices[1]), n, blocks.shape[1])
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,5 +76,5 @@ def tornado(y: Array, names: tuple[str, ...]) -> tuple[float, tuple[Swing, ...]]
     """
     swings = [Swing(name, float(a), float(b)) for name, a, b in zip(names, y[1::2], y[2::2], strict=True)]
     # without one of its variants an input has no width
-    width = {each.input: np.nan_to_num(abs(each.high - each.low), posinf=0.0) for each in swings}
-    return float(y[0]), tuple(sorted(swings, key=lambda each: -width[each.input]))
+    width = {swing.input: np.nan_to_num(abs(swing.high - swing.low), posinf=0.0) for swing in swings}
+    return float(y[0]), tuple(sorted(swings, key=lambda swing: -width[swing.input]))

@@ -192,7 +192,12 @@ class Study:
         n = self.setup.sampling.count
         if self.setup.sampling.kind != "saltelli" or n is None:
             raise InputError([Issue("sampling.kind", f'"{self.setup.sampling.kind}"', '"saltelli", which has blocks')])
-        names = ["A", "B", *(each.name for each in self.setup.variables), *(each.name for each in self.setup.fields)]
+        names = [
+            "A",
+            "B",
+            *(field.name for field in self.setup.variables),
+            *(field.name for field in self.setup.fields),
+        ]
         return {name: range(1 + i * n, 1 + (i + 1) * n) for i, name in enumerate(names)}
 
     def fields(self, name: str) -> Iterator[tuple[int, Array]]:
@@ -273,14 +278,14 @@ class Study:
         if statistic not in known:
             raise InputError([Issue("map", f'"{statistic}"', one_of(known), suggestion(statistic, known))])
         column = self._column(name)
-        output = next(each for each in self.setup.outputs if each.name == column)
+        output = next(output for output in self.setup.outputs if output.name == column)
         if statistic == "probability of uplift" and output.of != "settlement":
             raise InputError([Issue("map", f"{output.of}", "settlement, the only field that shows uplift")])
         mesh = self.mesh(column)
-        found = moments(values for _, values in self.fields(column))
-        assert found is not None  # where there is a mesh there is a field
-        values = {"mean": found.mean, "std": found.deviation}.get(statistic, found.below_zero)
-        return Map(mesh, values, output.unit if statistic in ("mean", "std") else "", found.n)
+        summary = moments(values for _, values in self.fields(column))
+        assert summary is not None  # where there is a mesh there is a field
+        values = {"mean": summary.mean, "std": summary.deviation}.get(statistic, summary.below_zero)
+        return Map(mesh, values, output.unit if statistic in ("mean", "std") else "", summary.n)
 
     @contextmanager
     def open_rows(self) -> Iterator[store.Store]:

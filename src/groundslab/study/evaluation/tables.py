@@ -51,9 +51,9 @@ def tabulate_variants(sample: Samples) -> Table:
     """Return a row for each variant: inputs, outputs, why there is no result, seconds."""
     heads: list[Head] = [("variant", "")]
     columns: list[list[Cell]] = [[int(number) + 1 for number in sample.number]]
-    for each in sample.inputs:
-        heads.append((each.name, each.unit.name))
-        columns.append([each.cell(row) for row in range(len(sample.number))])
+    for entry in sample.inputs:
+        heads.append((entry.name, entry.unit.name))
+        columns.append([entry.cell(row) for row in range(len(sample.number))])
     for output in sample.outputs:
         heads.append((output.name, output.unit.name))
         columns.append([_cell(value * output.unit.scale) for value in output.values])
@@ -88,10 +88,10 @@ def tabulate_statistics(sample: Samples, level: float = LEVEL) -> Table:
 
 def tabulate_discretization(sample: Samples) -> Table | None:
     """Return the discretization error of each output in the case as it is; None if none has any."""
-    found = [(each, *sample.errors[each.name]) for each in sample.outputs if each.name in sample.errors]
-    if not found:
+    known = [(output, *sample.errors[output.name]) for output in sample.outputs if output.name in sample.errors]
+    if not known:
         return None
-    rows = [[each.name, each.unit.name, *(x * each.unit.scale for x in both)] for each, *both in found]
+    rows = [[output.name, output.unit.name, *(x * output.unit.scale for x in both)] for output, *both in known]
     notes = [
         "Of the base case, estimated from the same analysis on elements twice as large. The variants start from its "
         "solution and have no coarser mesh."
@@ -179,7 +179,9 @@ def tabulate_exceedance(sample: Samples, level: float = LEVEL) -> Table | None:
         value, *curve = exceedance_curve(sample, output, group, level)
         about = [group.label, output.name, output.unit.name]
         side = "below" if sample.falls(output) else "above"
-        rows += [[*about, value[at], side, *(each[at] for each in curve)] for at in thin_out(len(value), MOST_POINTS)]
+        rows += [
+            [*about, value[at], side, *(values[at] for values in curve)] for at in thin_out(len(value), MOST_POINTS)
+        ]
     notes = [
         f"The share of variants above each value; below it for outputs whose limit states say at least. At most "
         f"{MOST_POINTS} points of each curve. {_interval_note(sample, level)}"
@@ -214,13 +216,13 @@ def tabulate_sobol_indices(sample: Samples, level: float = LEVEL) -> Table | Non
     rows: list[list[Cell]] = []
     left_out = False
     for output in sample.outputs:
-        found = compute_sobol_indices(sample, output, level)
-        if found is None:
-            rows += [[output.name, each.name, *[None] * 6, None] for each in sample.inputs]
+        indices = compute_sobol_indices(sample, output, level)
+        if indices is None:
+            rows += [[output.name, entry.name, *[None] * 6, None] for entry in sample.inputs]
             continue
-        left_out = left_out or found.blocks < found.of
-        for each, first, total in zip(sample.inputs, found.first, found.total, strict=True):
-            rows.append([output.name, each.name, *_estimate_cells(first), *_estimate_cells(total), found.blocks])
+        left_out = left_out or indices.blocks < indices.of
+        for entry, first, total in zip(sample.inputs, indices.first, indices.total, strict=True):
+            rows.append([output.name, entry.name, *_estimate_cells(first), *_estimate_cells(total), indices.blocks])
     notes = [
         "Shares of the output's variance (Saltelli 2010): first order, the share due to the input alone; total, "
         "including its interaction with all others. Intervals of {level:.0%} confidence from "
@@ -264,11 +266,11 @@ def tabulate_influence(sample: Samples, level: float = LEVEL) -> Table | None:
 def rank_inputs(sample: Samples, group: Group, output: Output, level: float = LEVEL) -> list[tuple[str, Estimate]]:
     """Return the rank correlation of each input that varies by chance with an output, the strongest first."""
     rows = _complete_rows(sample, group, output)
-    found = [
-        (each.name, statistics.rank_correlation(each.values[rows], output.values[rows], level))
-        for each in sample.varied
+    correlations = [
+        (entry.name, statistics.rank_correlation(entry.values[rows], output.values[rows], level))
+        for entry in sample.varied
     ]
-    return sorted(found, key=lambda pair: -abs(np.nan_to_num(pair[1].value)))
+    return sorted(correlations, key=lambda pair: -abs(np.nan_to_num(pair[1].value)))
 
 
 def _complete_rows(sample: Samples, group: Group, output: Output) -> Integers:
@@ -283,9 +285,11 @@ def _tabulate_swings(sample: Samples) -> Table:
     rows: list[list[Cell]] = []
     for output in sample.outputs:
         base, swings = compute_swings(sample, output)
-        for each in swings:
-            scaled = [_cell(value * output.unit.scale) for value in (base, each.low, each.high, each.high - each.low)]
-            rows.append([output.name, output.unit.name, each.input, *scaled])
+        for swing in swings:
+            scaled = [
+                _cell(value * output.unit.scale) for value in (base, swing.low, swing.high, swing.high - swing.low)
+            ]
+            rows.append([output.name, output.unit.name, swing.input, *scaled])
     notes = ["One input at a time at its 10 % and its 90 % quantile, all others at their medians; the widest first."]
     return _tabulate(sample, "tornado", "Influence of the inputs (one at a time)", heads, rows, notes)
 
@@ -294,7 +298,7 @@ def compute_swings(sample: Samples, output: Output) -> tuple[float, tuple[sensit
     """Return an output (SI) with all inputs at their medians, and its swings, the widest first."""
     y = np.full(sample.planned, np.nan)
     y[sample.number] = output.values
-    return sensitivity.tornado(y, tuple(each.name for each in sample.inputs))
+    return sensitivity.tornado(y, tuple(entry.name for entry in sample.inputs))
 
 
 def tabulate_correlations(sample: Samples) -> Table | None:

@@ -166,8 +166,8 @@ def _free_port(port: int) -> int:
             tried.bind((LOOPBACK, port))
         except OSError:
             return _free_port(0)
-        found: int = tried.getsockname()[1]
-        return found
+        free: int = tried.getsockname()[1]
+        return free
 
 
 @contextmanager
@@ -313,11 +313,14 @@ def _require_same_versions(client: Any, packages: tuple[str, ...]) -> None:
     # sent by value, as groundslab itself may be missing there
     cloudpickle.register_pickle_by_value(versions)
     try:
-        found = {f"worker {address}": each for address, each in client.run(versions.versions, packages).items()}
-        found["scheduler"] = client.run_on_scheduler(versions.versions, packages)
+        others = {
+            f"worker {address}": worker_versions
+            for address, worker_versions in client.run(versions.versions, packages).items()
+        }
+        others["scheduler"] = client.run_on_scheduler(versions.versions, packages)
     finally:
         cloudpickle.unregister_pickle_by_value(versions)
-    issues = version_differences(packages, versions.versions(packages), found)
+    issues = version_differences(packages, versions.versions(packages), others)
     if issues:
         raise InputError(issues)
 

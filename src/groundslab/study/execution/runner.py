@@ -73,12 +73,14 @@ def run(study: files.StudyInput, folder: Path, resources: Resources, resume: boo
     with store.lock(folder), store.Store(folder, study.setup) as rows:
         variants = list_variants(study.setup)
         _require_same_inputs(rows, variants)
-        there, solved = rows.count(), rows.counts().get(SOLVED, 0)
+        there = rows.count()
+        solved = rows.counts().get(SOLVED, 0)
         progress = Progress(
             folder, len(variants), there, there - solved, solved, warnings=tuple(warnings_of(study.setup))
         )
         rows.add_killer()
-        done, failures = rows.numbers(), rows.failure_counts()
+        done = rows.numbers()
+        failures = rows.failure_counts()
         # what ended a run before must not keep the others from being solved
         numbers = sorted(range(1, len(variants) + 1), key=failures.__getitem__)
         todo = [variants[number] for number in numbers if number not in done]
@@ -88,8 +90,8 @@ def run(study: files.StudyInput, folder: Path, resources: Resources, resume: boo
         rows.add_run(versions.versions(RECORDED))
         with closing(_solve(study, resources, todo, rows, progress)) as outcomes:
             for batch in outcomes:
-                made = [each for each in batch if isinstance(each, Row)]
-                failed = [each for each in batch if isinstance(each, WorkerFailure)]
+                made = [outcome for outcome in batch if isinstance(outcome, Row)]
+                failed = [outcome for outcome in batch if isinstance(outcome, WorkerFailure)]
                 rows.add(*made)
                 for failure in failed:
                     rows.add_failure(failure.number, failure.message)
@@ -120,13 +122,13 @@ def _solve(
         cluster = dask_cluster.start_local(resources.workers, len(todo), resources.dashboard)
     else:
         cluster = dask_cluster.connect(resources.scheduler, study.setup)
-    with cluster as found:
-        count = found.threads
-        progress.where, progress.dashboard = f"on {count} worker{'s' if count != 1 else ''}", found.dashboard
+    with cluster as connected:
+        count = connected.threads
+        progress.where, progress.dashboard = f"on {count} worker{'s' if count != 1 else ''}", connected.dashboard
         yield []
         # of a folder that is locked no other run can have the same name
         mark = sha256(f"{rows.folder.resolve()} {' '.join(study.checksums.values())}".encode()).hexdigest()[:12]
-        with closing(dask_cluster.rows(found, f"groundslab-{mark}", study.setup, todo, rows.mesh_keys)) as outcomes:
+        with closing(dask_cluster.rows(connected, f"groundslab-{mark}", study.setup, todo, rows.mesh_keys)) as outcomes:
             yield from outcomes
 
 

@@ -105,10 +105,10 @@ class Columns:
     def statements(self) -> list[str]:
         """Return the SQL that creates the tables."""
         fixed = [f"{name} {kind}" for name, kind in FIXED.items()]
-        own = [*map(_quote, self.inputs), *(f"{_quote(name)} REAL" for name in self.results)]
-        own += [f"{_quote(name)} BLOB" for name in self.fields]
+        columns = [*map(_quote, self.inputs), *(f"{_quote(name)} REAL" for name in self.results)]
+        columns += [f"{_quote(name)} BLOB" for name in self.fields]
         return [
-            f"CREATE TABLE rows ({', '.join([*fixed, *own, 'mesh TEXT NOT NULL'])})",
+            f"CREATE TABLE rows ({', '.join([*fixed, *columns, 'mesh TEXT NOT NULL'])})",
             "CREATE TABLE meshes (key TEXT PRIMARY KEY, nodes BLOB NOT NULL, elements BLOB NOT NULL) WITHOUT ROWID",
             _CREATE_DISCRETIZATION,
             "CREATE TABLE mishaps (number INTEGER NOT NULL, at TEXT NOT NULL, message TEXT NOT NULL)",
@@ -118,9 +118,11 @@ class Columns:
 
 def table_columns(setup: Setup) -> Columns:
     """Return the columns of a study's table of rows."""
-    inputs = (*(each.name for each in setup.variables), *(each.name for each in setup.fields))
+    inputs = (*(field.name for field in setup.variables), *(field.name for field in setup.fields))
     return Columns(
-        inputs, tuple(each.name for each in setup.scalar_outputs), tuple(each.name for each in setup.nodal_outputs)
+        inputs,
+        tuple(output.name for output in setup.scalar_outputs),
+        tuple(output.name for output in setup.nodal_outputs),
     )
 
 
@@ -204,15 +206,15 @@ class Store:
 
     def worker_failures(self) -> dict[int, str]:
         """Return the last failure of a worker for each variant that has no row."""
-        found = self._connection.execute(
+        failures = self._connection.execute(
             "SELECT number, message FROM mishaps WHERE number NOT IN (SELECT number FROM rows) ORDER BY at"
         )
-        return dict(found)
+        return dict(failures)
 
     def runs(self) -> list[dict[str, Any]]:
         """Return when the study was run, and with which versions."""
-        found = self._connection.execute("SELECT at, versions FROM runs ORDER BY at")
-        return [{"at": at, "versions": json.loads(versions)} for at, versions in found]
+        runs = self._connection.execute("SELECT at, versions FROM runs ORDER BY at")
+        return [{"at": at, "versions": json.loads(versions)} for at, versions in runs]
 
     @contextmanager
     def _writing(self, what: str) -> Iterator[None]:
@@ -251,17 +253,17 @@ class Store:
         """Return by output its value in the case as it is and the discretization error of that, where it has one."""
         if not self._connection.execute("SELECT 1 FROM sqlite_master WHERE name = 'discretization'").fetchone():
             return {}
-        found = self._connection.execute("SELECT output, value, error FROM discretization")
-        known = {name: (value, error) for name, value, error in found}
+        values = self._connection.execute("SELECT output, value, error FROM discretization")
+        known = {name: (value, error) for name, value, error in values}
         return {name: known[name] for name in self.columns.results if name in known}
 
     def meshes(self) -> dict[str, Mesh]:
         """Return all meshes by their keys."""
-        found = {}
+        meshes = {}
         for key, nodes, elements in self._connection.execute("SELECT key, nodes, elements FROM meshes"):
             xy = np.frombuffer(zlib.decompress(nodes), dtype="<f8").reshape(-1, 2)
-            found[key] = Mesh(xy, np.frombuffer(zlib.decompress(elements), dtype="<i8").reshape(-1, 9))
-        return found
+            meshes[key] = Mesh(xy, np.frombuffer(zlib.decompress(elements), dtype="<i8").reshape(-1, 9))
+        return meshes
 
     def mesh_keys(self) -> tuple[str, ...]:
         """Return the keys of all meshes."""
@@ -273,11 +275,11 @@ def about(folder: str | Path) -> dict[str, Any]:
     path = Path(folder)
     expected = "a folder that groundslab study made"
     try:
-        found = json.loads(bounded.read_whole(path / ABOUT, LARGEST_ABOUT))
-        if found["program"] == "groundslab study" and (path / ROWS).is_file():
-            if found["format"] == FORMAT:
-                if all(isinstance(found[name], kind) for name, kind in _TYPES.items()):
-                    return dict(found)
+        content = json.loads(bounded.read_whole(path / ABOUT, LARGEST_ABOUT))
+        if content["program"] == "groundslab study" and (path / ROWS).is_file():
+            if content["format"] == FORMAT:
+                if all(isinstance(content[name], kind) for name, kind in _TYPES.items()):
+                    return dict(content)
             else:
                 expected = f"a folder of format {FORMAT}, which this version reads"
     except (OSError, ValueError, KeyError, TypeError, RecursionError):

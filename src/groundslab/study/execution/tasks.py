@@ -61,7 +61,7 @@ class Tasks:
         return tasks
 
     def finish(self, variants: Sequence[Variant], outcome: Outcome) -> Sequence[Row | WorkerFailure]:
-        """Return what a task's variants have come to, nothing of those that are to be solved again."""
+        """Return the outcomes of a task's variants, without those that are to be solved again."""
         suspect, self._tried = self._tried, None
         if not isinstance(outcome, Loss):
             if seconds := [row.seconds for row in outcome if isinstance(row, Row)]:

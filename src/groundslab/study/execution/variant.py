@@ -88,8 +88,8 @@ class Worker:
         pardiso.make_reproducible()
         self._setup = setup
         combinations = list_combinations(setup.model)
-        self._names = tuple(each.name for each in combinations)
-        self._ultimate = {each.name for each in combinations if each.limit_state == "ultimate"}
+        self._names = tuple(combination.name for combination in combinations)
+        self._ultimate = {combination.name for combination in combinations if combination.limit_state == "ultimate"}
         named = {output.combination for output in setup.outputs}
         #: Combinations of the case that are solved, by their positions.
         self._solved = [n for n, name in enumerate(self._names) if "" in named or name in named]
@@ -98,8 +98,8 @@ class Worker:
             self._solve, base = self._solver()
         names = {name: name for name in self._names}
         self._base = tuple(
-            None if base is None else outputs.error_of(each, base, self._names_for(each, names))
-            for each in setup.scalar_outputs
+            None if base is None else outputs.error_of(output, base, self._names_for(output, names))
+            for output in setup.scalar_outputs
         )
 
     def outcome(self, variant: Variant, known_meshes: Sequence[str] = ()) -> Row | WorkerFailure:
@@ -120,7 +120,9 @@ class Worker:
             model, names = self._model(variant.values)
             with factorization.one_thread():
                 fields = zip(self._setup.fields, variant.seeds, strict=True)
-                factors = {each.path: random_fields.factors(each, seed) for each, seed in fields}
+                factors = {
+                    random_field.path: random_fields.factors(random_field, seed) for random_field, seed in fields
+                }
                 combined = self._solve(model, factors)
             # a foundation that fails counts more than what was not solved
             failure = next(iter([*combined.without_equilibrium.values(), *combined.refused.values()]), None)
@@ -131,21 +133,23 @@ class Worker:
         def take(what: Callable[[RequestedOutput, Results, Sequence[str]], T], output: RequestedOutput) -> T | None:
             return None if combined is None else what(output, combined, self._names_for(output, names))
 
-        results = tuple(take(outputs.scalar_of, each) for each in self._setup.scalar_outputs)
-        arrays = tuple(take(outputs.nodal_values_of, each) for each in self._setup.nodal_outputs)
-        mesh, meshes = "", tuple[Mesh, ...]()
+        results = tuple(take(outputs.scalar_of, output) for output in self._setup.scalar_outputs)
+        arrays = tuple(take(outputs.nodal_values_of, output) for output in self._setup.nodal_outputs)
+        mesh = ""
+        meshes = tuple[Mesh, ...]()
         if combined is not None and any(array is not None for array in arrays):
             plate = next(iter(combined.results.values())).plate
             made = Mesh(plate.nodes, plate.elements)
             mesh = key_of(made)
             meshes = () if mesh in known_meshes else (made,)
-        inputs, seconds = (*variant.values, *variant.seeds), time.perf_counter() - began
+        inputs = (*variant.values, *variant.seeds)
+        seconds = time.perf_counter() - began
         return Row(variant.number, status, reason, message, seconds, inputs, results, arrays, mesh, meshes, self._base)
 
     def _names_for(self, output: RequestedOutput, names: dict[str, str]) -> list[str]:
         """Return the names of the combinations of a variant that an output is of."""
-        own = [output.combination] if output.combination else [self._names[n] for n in self._solved]
-        return [names[each] for each in own if each in self._ultimate or not output.is_steel]
+        wanted = [output.combination] if output.combination else [self._names[n] for n in self._solved]
+        return [names[name] for name in wanted if name in self._ultimate or not output.is_steel]
 
     def _model(self, values: Sequence[Any]) -> tuple[Model, dict[str, str]]:
         """Return the case with the variables' values, and the names there of the combinations that are solved.

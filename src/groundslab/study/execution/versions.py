@@ -17,14 +17,14 @@ def versions(packages: tuple[str, ...]) -> dict[str, str]:
     import importlib.metadata
     import sys
 
-    found = {"python": f"{sys.version_info[0]}.{sys.version_info[1]}"}
+    known = {"python": f"{sys.version_info[0]}.{sys.version_info[1]}"}
     for name in packages:
         try:
             # an installed package may not be the one that is imported
             if name == "groundslab":
-                found[name] = importlib.import_module(name).__version__
+                known[name] = importlib.import_module(name).__version__
             elif name != "python":
-                found[name] = importlib.metadata.version(name)
+                known[name] = importlib.metadata.version(name)
         except ImportError:
             continue
-    return found
+    return known

@@ -57,11 +57,11 @@ def inputs(sample: Samples) -> Markup:
 
     def draw() -> Figure:
         figure, panels = _panels(len(sample.varied))
-        for axes, each in zip(panels, sample.varied, strict=False):
-            x = each.values[sample.by_chance] * each.unit.scale
-            _histogram(axes, x, named(each.name, each.unit))
-            if each.density is not None and np.ptp(x) > 0:
-                _density(axes, each, x)
+        for axes, entry in zip(panels, sample.varied, strict=False):
+            x = entry.values[sample.by_chance] * entry.unit.scale
+            _histogram(axes, x, named(entry.name, entry.unit))
+            if entry.density is not None and np.ptp(x) > 0:
+                _density(axes, entry, x)
         return figure
 
     return _render("inputs", "Histograms of the inputs", draw)
@@ -72,12 +72,12 @@ def outputs(sample: Samples) -> Markup:
 
     def draw() -> Figure:
         figure, panels = _panels(len(sample.outputs))
-        for axes, each in zip(panels, sample.outputs, strict=False):
+        for axes, output in zip(panels, sample.outputs, strict=False):
             for number, group in enumerate(sample.groups):
-                x = sample.of(each, group) * each.unit.scale
+                x = sample.of(output, group) * output.unit.scale
                 if len(x):
-                    _histogram(axes, x, named(each.name, each.unit), number, len(sample.groups), short(group.label))
-            _bounds(axes, sample, each)
+                    _histogram(axes, x, named(output.name, output.unit), number, len(sample.groups), short(group.label))
+            _bounds(axes, sample, output)
         _legend(figure, sample)
         return figure
 
@@ -89,13 +89,14 @@ def exceedance(sample: Samples, level: float = LEVEL) -> Markup:
 
     def draw() -> Figure:
         figure, panels = _panels(len(sample.outputs))
-        for axes, each in zip(panels, sample.outputs, strict=False):
+        for axes, output in zip(panels, sample.outputs, strict=False):
             for number, group in enumerate(sample.groups):
-                curve, color = tables.exceedance_curve(sample, each, group, level), _color(number, len(sample.groups))
-                _curve(axes, curve, color, short(group.label), "pre" if sample.falls(each) else "post")
-            axes.set_xlabel(named(each.name, each.unit))
-            axes.set_ylabel("probability of less" if sample.falls(each) else "probability of more")
-            _bounds(axes, sample, each)
+                curve = tables.exceedance_curve(sample, output, group, level)
+                color = _color(number, len(sample.groups))
+                _curve(axes, curve, color, short(group.label), "pre" if sample.falls(output) else "post")
+            axes.set_xlabel(named(output.name, output.unit))
+            axes.set_ylabel("probability of less" if sample.falls(output) else "probability of more")
+            _bounds(axes, sample, output)
         _legend(figure, sample)
         return figure
 
@@ -112,13 +113,13 @@ def scatter(sample: Samples) -> Markup:
         rows = np.flatnonzero(sample.by_chance)[:MOST_POINTS]
         size = 2.2 if len(rows) > 300 else 4.0
         for i, output in enumerate(down):
-            for j, each in enumerate(across):
+            for j, entry in enumerate(across):
                 axes = panels[i, j]
-                x, y = each.values[rows] * each.unit.scale, output.values[rows] * output.unit.scale
+                x, y = entry.values[rows] * entry.unit.scale, output.values[rows] * output.unit.scale
                 axes.plot(x, y, ".", color=ACCENT, markersize=size, markeredgewidth=0, alpha=0.6)
                 axes.locator_params(nbins=4)
                 if i == len(down) - 1:
-                    axes.set_xlabel(named(each.name, each.unit))
+                    axes.set_xlabel(named(entry.name, entry.unit))
                 if j == 0:
                     axes.set_ylabel(named(output.name, output.unit))
         return figure
@@ -133,15 +134,15 @@ def sobol(sample: Samples, level: float = LEVEL) -> Markup:
         figure, panels = _panels(len(sample.outputs), 1.0 + 0.32 * len(sample.inputs), 2)
         places = np.arange(len(sample.inputs))
         for axes, output in zip(panels, sample.outputs, strict=False):
-            found = tables.compute_sobol_indices(sample, output, level)
+            indices = tables.compute_sobol_indices(sample, output, level)
             axes.set_title(short(output.name))
-            axes.set_yticks(places, [short(each.name, NARROW) for each in sample.inputs])
+            axes.set_yticks(places, [short(entry.name, NARROW) for entry in sample.inputs])
             axes.invert_yaxis()
-            if found is None:
+            if indices is None:
                 continue
             for values, shift, color, label in (
-                (found.first, -0.19, ACCENT, "first order"),
-                (found.total, 0.19, SECOND, "total"),
+                (indices.first, -0.19, ACCENT, "first order"),
+                (indices.total, 0.19, SECOND, "total"),
             ):
                 middle, _ = _intervals(values)
                 axes.barh(places + shift, middle, 0.36, color=color, label=label)
@@ -180,7 +181,7 @@ def designs(sample: Samples, level: float = LEVEL) -> Markup:
 
     Over the quantity if it is one number; several of them, and words, are named side by side.
     """
-    chosen = [each for each in sample.inputs if each.chosen]
+    chosen = [entry for entry in sample.inputs if entry.chosen]
     number = len(chosen) == 1 and not chosen[0].labels
 
     def draw() -> Figure:
@@ -209,7 +210,7 @@ def designs(sample: Samples, level: float = LEVEL) -> Markup:
 
 def _intervals(estimates: Sequence[statistics.Estimate]) -> tuple[Array, Array]:
     """Return estimates (n,), and how far their intervals reach below and above them (2, n)."""
-    value, low, high = np.array([(each.value, each.low, each.high) for each in estimates]).T
+    value, low, high = np.array([(estimate.value, estimate.low, estimate.high) for estimate in estimates]).T
     return value, np.array([value - low, high - value])
 
 
@@ -221,7 +222,7 @@ def _draw_intervals(axes: Axes, places: Any, estimates: Sequence[statistics.Esti
 
 def _smallest(p: list[statistics.Estimate]) -> float:
     """Return where a logarithmic scale of probabilities that may be zero begins."""
-    return min(max(min(each.high for each in p), 1e-9), 0.1)
+    return min(max(min(estimate.high for estimate in p), 1e-9), 0.1)
 
 
 def plan_map(name: str, title: str, nodes: Array, elements: Integers, values: Array, label: str) -> Markup:
@@ -251,7 +252,7 @@ def plan_map(name: str, title: str, nodes: Array, elements: Integers, values: Ar
 
 
 def _render(name: str, label: str, draw: Callable[[], Figure]) -> Markup:
-    """Return what `draw` draws as an SVG element for the page."""
+    """Return the figure made by `draw` as an SVG element for the page."""
     return to_inline_svg(draw, name, label, CHARTS)
 
 
@@ -263,7 +264,7 @@ def _figure(height: float, width: float = WIDTH) -> Figure:
 
 
 def named(name: str, unit: Unit) -> str:
-    """Return what an axis says: "E1 [MPa]"."""
+    """Return the label of an axis: "E1 [MPa]"."""
     return f"{short(name)} [{unit.name}]" if unit.name else short(name)
 
 
@@ -298,11 +299,11 @@ def _histogram(axes: Axes, x: Array, label: str, number: int = 0, of: int = 1, n
     axes.grid(axis="y", visible=False)
 
 
-def _density(axes: Axes, each: Input, x: Array) -> None:
+def _density(axes: Axes, entry: Input, x: Array) -> None:
     """Draw the density that an input was drawn from, over the range of its samples."""
-    assert each.density is not None
+    assert entry.density is not None
     at = np.linspace(x.min(), x.max(), 200)
-    axes.plot(at, each.density(at / each.unit.scale) / each.unit.scale, color=INK, linewidth=1.0)
+    axes.plot(at, entry.density(at / entry.unit.scale) / entry.unit.scale, color=INK, linewidth=1.0)
 
 
 def _curve(
@@ -345,25 +346,25 @@ def _swings(axes: Axes, sample: Samples, output: Output) -> None:
     """Draw the swings of one output, the widest on top."""
     base, swings = tables.compute_swings(sample, output)
     scale = output.unit.scale
-    for place, each in enumerate(swings):
-        for value, color, label in ((each.low, ACCENT, "input low"), (each.high, SECOND, "input high")):
+    for place, bar in enumerate(swings):
+        for value, color, label in ((bar.low, ACCENT, "input low"), (bar.high, SECOND, "input high")):
             if np.isfinite(value) and np.isfinite(base):
                 axes.barh(place, (value - base) * scale, 0.6, left=base * scale, color=color, label=label)
     if np.isfinite(base):
         axes.axvline(base * scale, color=INK, linewidth=0.8)
-    axes.set_yticks(range(len(swings)), [short(each.input, NARROW) for each in swings])
+    axes.set_yticks(range(len(swings)), [short(swing.input, NARROW) for swing in swings])
     axes.set_xlabel(named(output.name, output.unit))
 
 
 def _ranked(axes: Axes, sample: Samples, output: Output, level: float) -> None:
     """Draw the rank correlations of one output with their intervals, the strongest on top; of the first design."""
-    found = tables.rank_inputs(sample, sample.groups[0], output, level)
-    for place, (_, r) in enumerate(found):
+    ranked = tables.rank_inputs(sample, sample.groups[0], output, level)
+    for place, (_, r) in enumerate(ranked):
         if np.isfinite(r.value):
             axes.barh(place, r.value, 0.6, color=ACCENT if r.value >= 0 else SECOND)
             _draw_intervals(axes, [place], [r])
     axes.axvline(0.0, color=INK, linewidth=0.8)
-    axes.set_yticks(range(len(found)), [short(name, NARROW) for name, _ in found])
+    axes.set_yticks(range(len(ranked)), [short(name, NARROW) for name, _ in ranked])
     axes.set_xlim(-1.05, 1.05)
     axes.set_xlabel("rank correlation")
 

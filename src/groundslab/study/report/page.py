@@ -90,7 +90,7 @@ def _lead(sample: Samples) -> str:
 
 
 def _warnings(sample: Samples) -> list[str]:
-    """Return what a reader must know before any figure."""
+    """Return the warnings that come before any figure."""
     n, collapsed = len(sample.number), int(sample.collapsed.sum())
     lost = n - int(sample.solved.sum()) - collapsed
     notes = []
@@ -127,7 +127,7 @@ def _parts(
 
     results = bool(sample.outputs) and bool(sample.solved.any())
     if sample.limits and (results or sample.collapsed.any()):
-        chosen = sample.random and any(each.chosen for each in sample.inputs)
+        chosen = sample.random and any(entry.chosen for entry in sample.inputs)
         add("limit-states", "Limit states", [figures.designs(sample, level)] if chosen else [], named("limit_states"))
     if reliability:
         add("reliability", "First-order reliability", (), [_layout(table) for table in form.tables(reliability)])
@@ -139,13 +139,16 @@ def _parts(
         if sample.kind == "saltelli":
             add("sobol", "Sobol indices", [figures.sobol(sample, level)], named("sobol"))
         if "tornado" in tables:
-            chart, words = [figures.tornado(sample, level)], _first_only(sample)
+            chart = [figures.tornado(sample, level)]
+            words = _first_only(sample)
             add("tornado", "Influence of the inputs", chart, named("tornado"), words)
         if sample.varied:
             add("scatter", "Outputs over inputs", [figures.scatter(sample)], named("correlations"), _shown(sample))
     pictures = [
-        figures.plan_map(f"map{number}", each.title, each.nodes, each.elements, each.values, each.unit.name)
-        for number, each in enumerate(maps)
+        figures.plan_map(
+            f"map{number}", field_map.title, field_map.nodes, field_map.elements, field_map.values, field_map.unit.name
+        )
+        for number, field_map in enumerate(maps)
     ]
     add("maps", "Maps", pictures)
     if sample.varied:
@@ -220,5 +223,5 @@ def _estimate(values: Sequence[RawCell]) -> Cell:
     """Return an estimate with its interval below it: "0.05 to 0.09"; an end that is not known is a dot."""
     if values[0] is None:
         return Cell("")
-    value, low, high = (_cell(each).text or "\u00b7" for each in values)
+    value, low, high = (_cell(value).text or "\u00b7" for value in values)
     return Cell(value, "number", f"{low} to {high}")

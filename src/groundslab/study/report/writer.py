@@ -100,10 +100,10 @@ def _require_free(folder: Path) -> None:
     expected, hint = "an evaluation of groundslab, or nothing", "move it away; nothing was changed"
     if folder.is_symlink() or not folder.is_dir():
         raise InputError([Issue(str(folder), "something that is not a folder", expected, hint)])
-    found = _foreign(folder)
-    if found:
+    strangers = _foreign(folder)
+    if strangers:
         given = "something that groundslab did not write"
-        raise InputError([Issue(str(folder / name), given, expected, hint) for name in found])
+        raise InputError([Issue(str(folder / name), given, expected, hint) for name in strangers])
 
 
 def _make_way(folder: Path) -> None:
@@ -144,17 +144,17 @@ def maps(study: Study) -> Iterator[page.Map]:
         if not output.everywhere:
             continue
         try:
-            found = {"mean": study.map(output.name, "mean")}
+            by_statistic = {"mean": study.map(output.name, "mean")}
         except InputError:
             return
-        found["standard deviation"] = study.map(output.name, "std")
+        by_statistic["standard deviation"] = study.map(output.name, "std")
         if output.of == "settlement":
-            found["probability of uplift"] = study.map(output.name, "probability of uplift")
-        for what, each in found.items():
+            by_statistic["probability of uplift"] = study.map(output.name, "probability of uplift")
+        for what, statistic in by_statistic.items():
             probability = what == "probability of uplift"
-            unit = UNITS["%"] if probability else choose_unit(output.dimension or None, each.values)
+            unit = UNITS["%"] if probability else choose_unit(output.dimension or None, statistic.values)
             title = f"{output.name}: {what}"
-            yield page.Map(title, each.mesh.nodes, each.mesh.elements, each.values * unit.scale, unit)
+            yield page.Map(title, statistic.mesh.nodes, statistic.mesh.elements, statistic.values * unit.scale, unit)
 
 
 def origin(study: Study) -> page.Origin:

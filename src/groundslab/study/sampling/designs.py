@@ -109,8 +109,8 @@ def unit_points(setup: Setup, dimensions: int) -> Array:
     if kind == "monte carlo":
         return rng.random((n, dimensions))
     if kind == "latin hypercube":
-        found: Array = qmc.LatinHypercube(dimensions, rng=rng).random(n)
-        return found
+        drawn: Array = qmc.LatinHypercube(dimensions, rng=rng).random(n)
+        return drawn
     with warnings.catch_warnings():
         # the sequence's balance asks for powers of 2; other counts are a little less even, and not wrong
         warnings.simplefilter("ignore", UserWarning)
@@ -133,8 +133,8 @@ def quantiles(variable: Variable, probability: Array) -> list[Any]:
     """Return the values (n,) of a variable with the given probabilities of not being exceeded; listed ones alike."""
     probability = np.clip(probability, _END, 1 - _END)
     if variable.distribution is not None:
-        found: list[Any] = variable.distribution.ppf(probability).tolist()
-        return found
+        values: list[Any] = variable.distribution.ppf(probability).tolist()
+        return values
     assert variable.values is not None
     return [variable.values[i] for i in (probability * len(variable.values)).astype(int)]
 

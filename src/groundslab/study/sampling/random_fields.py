@@ -58,12 +58,12 @@ def _matern32(gstools: Any) -> Any:
             return (1 + root * h) * np.exp(-root * h)
 
         def spectral_rad_cdf(self, k: Array) -> Array:
-            found: Array = 1 - (1 + (k * self.len_rescaled) ** 2 / 3) ** -1.5
-            return found
+            probability: Array = 1 - (1 + (k * self.len_rescaled) ** 2 / 3) ** -1.5
+            return probability
 
         def spectral_rad_ppf(self, u: Array) -> Array:
-            found: Array = root / self.len_rescaled * np.sqrt((1 - u) ** (-2 / 3) - 1)
-            return found
+            wave_number: Array = root / self.len_rescaled * np.sqrt((1 - u) ** (-2 / 3) - 1)
+            return wave_number
 
     return Matern32
 

@@ -90,7 +90,7 @@ def draw(model: Model) -> list[Shape]:
     step = (0.0, -(y1 - y0) - 2 * GAP * h) if flat else (x1 - x0 + 2 * GAP * h, 0.0)
     shapes: list[Shape] = []
     for face, shift in (("bottom", (0.0, 0.0)), ("top", step)):
-        shapes += [_moved(each, shift) for each in _face(model, face, h)]
+        shapes += [_moved(shape, shift) for shape in _face(model, face, h)]
     low = y0 + min(step[1], 0.0) - GAP * h
     return shapes + list(_table(model, (x0, low), h))
 
@@ -107,27 +107,30 @@ def _face(model: Model, face: str, h: float) -> Iterator[Shape]:
     for column in model.columns:
         yield _closed("COLUMNS", column.ring(), chord)
         yield Text("LABELS", (column.x + 0.6 * h, column.y + 0.6 * h), h, column.name)
-    sets = [each for each in bar_sets(model) if each.layer.startswith(face)]
-    for name, region in {each.zone: each.region for each in sets if each.zone}.items():
+    sets = [bar_set for bar_set in bar_sets(model) if bar_set.layer.startswith(face)]
+    for name, region in {bar_set.zone: bar_set.region for bar_set in sets if bar_set.zone}.items():
         pieces = getattr(region, "geoms", [region])
-        for piece in (each for each in pieces if each.geom_type == "Polygon"):
+        for piece in (piece for piece in pieces if piece.geom_type == "Polygon"):
             yield from (Line(BROKEN, np.asarray(ring.coords)[:-1], closed=True) for ring in _rings(piece))
         left, _, _, top = region.bounds
         yield Text("LABELS", (left + 0.4 * h, top - 1.4 * h), h, name)
-    turn = {name: number for number, name in enumerate(dict.fromkeys(each.zone for each in sets))}
-    for each in sets:
-        yield from _bar_set(each, PLACES[min(turn[each.zone], 1 + (turn[each.zone] - 1) % (len(PLACES) - 1))], h)
+    turn = {name: number for number, name in enumerate(dict.fromkeys(bar_set.zone for bar_set in sets))}
+    for bar_set in sets:
+        yield from _bar_set(
+            bar_set, PLACES[min(turn[bar_set.zone], 1 + (turn[bar_set.zone] - 1) % (len(PLACES) - 1))], h
+        )
 
 
-def _bar_set(each: BarSet, place: tuple[float, float], h: float) -> Iterator[Shape]:
+def _bar_set(bar_set: BarSet, place: tuple[float, float], h: float) -> Iterator[Shape]:
     """Yield one bar of a set, what it says, and the line across over which all of them are distributed."""
-    if not len(each.ends):
+    if not len(bar_set.ends):
         return
-    layer, axis = f"BARS_{each.layer.upper()}", each.axis
-    bar = _shown_bar(each, place[0])
+    layer = f"BARS_{bar_set.layer.upper()}"
+    axis = bar_set.axis
+    bar = _shown_bar(bar_set, place[0])
     yield Line(layer, bar)
     crossing = bar[0] + place[1] * (bar[1] - bar[0])
-    across = _across(each, crossing)
+    across = _across(bar_set, crossing)
     yield Line(layer, across)
     yield Circle(layer, (float(crossing[0]), float(crossing[1])), 0.3 * h)
     slash = 0.5 * h * np.array([1.0, 1.0])
@@ -136,31 +139,31 @@ def _bar_set(each: BarSet, place: tuple[float, float], h: float) -> Iterator[Sha
     # above the bar, read from the right where it runs upwards
     off = np.array([0.6 * h, 0.5 * h]) if axis == 0 else np.array([-0.5 * h, 0.6 * h])
     start = bar[0] + off
-    yield Text(layer, (float(start[0]), float(start[1])), h, label_of(each), 90.0 * axis)
+    yield Text(layer, (float(start[0]), float(start[1])), h, label_of(bar_set), 90.0 * axis)
 
 
-def label_of(each: BarSet) -> str:
-    """Return what is written at a set of bars: how many of which diameter, how far apart, how long; what mesh."""
-    shortest, longest = f"{each.lengths.min():.2f}", f"{each.lengths.max():.2f}"
+def label_of(bar_set: BarSet) -> str:
+    """Return the label of a set of bars: number, diameter, spacing and length, or the welded mesh."""
+    shortest, longest = f"{bar_set.lengths.min():.2f}", f"{bar_set.lengths.max():.2f}"
     long = longest if shortest == longest else f"{shortest} to {longest}"
-    phi, spacing = (format_number(1e3 * value, 4, trim=True) for value in (each.bars.diameter, each.bars.spacing))
-    mesh = f"{each.mesh}: " if each.mesh else ""
-    return f"{mesh}{len(each.ends)} \N{LATIN SMALL LETTER O WITH STROKE}{phi} / {spacing}, l = {long} m"
+    phi, spacing = (format_number(1e3 * value, 4, trim=True) for value in (bar_set.bars.diameter, bar_set.bars.spacing))
+    mesh = f"{bar_set.mesh}: " if bar_set.mesh else ""
+    return f"{mesh}{len(bar_set.ends)} \N{LATIN SMALL LETTER O WITH STROKE}{phi} / {spacing}, l = {long} m"
 
 
-def _shown_bar(each: BarSet, part: float) -> Array:
+def _shown_bar(bar_set: BarSet, part: float) -> Array:
     """Return the ends (2, 2) of the bar of a set that is drawn: of the long ones that nearest to a part of all."""
-    across = each.ends[:, 0, 1 - each.axis]
-    long = np.flatnonzero(each.lengths >= LONG * each.lengths.max())
+    across = bar_set.ends[:, 0, 1 - bar_set.axis]
+    long = np.flatnonzero(bar_set.lengths >= LONG * bar_set.lengths.max())
     wanted = across.min() + part * np.ptp(across)
-    return np.asarray(each.ends[long[np.argmin(np.abs(across[long] - wanted))]])
+    return np.asarray(bar_set.ends[long[np.argmin(np.abs(across[long] - wanted))]])
 
 
-def _across(each: BarSet, place: Array) -> Array:
+def _across(bar_set: BarSet, place: Array) -> Array:
     """Return the ends (2, 2) of the line across the bars through a place, from the first to the last bar there."""
-    axis = each.axis
-    meets = (each.ends[:, 0, axis] <= place[axis]) & (each.ends[:, 1, axis] >= place[axis])
-    across = each.ends[meets, 0, 1 - axis]
+    axis = bar_set.axis
+    meets = (bar_set.ends[:, 0, axis] <= place[axis]) & (bar_set.ends[:, 1, axis] >= place[axis])
+    across = bar_set.ends[meets, 0, 1 - axis]
     ends = np.tile(place, (2, 1))
     ends[:, 1 - axis] = across.min(), across.max()
     return ends

@@ -71,7 +71,7 @@ def unpack_results(path: Path, folder: Path) -> None:
 
 
 def _check_entries(path: Path, entries: list[zipfile.ZipInfo]) -> list[Issue]:
-    """Return what speaks against the entries of an archive."""
+    """Return the issues with the entries of an archive."""
     expected = "an archive that the workbench has saved"
     issues = []
     names = [entry.filename for entry in entries if not entry.is_dir()]

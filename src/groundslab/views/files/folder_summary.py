@@ -55,14 +55,14 @@ class Summary:
 
 @cache
 def _adapter() -> TypeAdapter[Summary]:
-    """Return what reads summary.json."""
+    """Return the type adapter that reads summary.json."""
     from pydantic import TypeAdapter
 
     return TypeAdapter(Summary)
 
 
 def read_summary(folder: Path) -> Summary | None:
-    """Return what the summary in a folder says of it, None if there is none that groundslab wrote."""
+    """Return the summary in a folder, None if there is none that groundslab wrote."""
     path = folder / FILE
     try:
         return _adapter().validate_json(bounded.read_whole(path, LARGEST), strict=True) if path.is_file() else None
@@ -72,13 +72,13 @@ def read_summary(folder: Path) -> Summary | None:
 
 def find_edited(folder: Path) -> list[str]:
     """Return the files of a folder that somebody has edited, as far as its summary knows them; raises OSError."""
-    found = read_summary(folder)
-    if found is None:
+    summary = read_summary(folder)
+    if summary is None:
         return []
-    others = {name: each for name, each in found.checksums.items() if name != FILE and manifest.is_path(name)}
+    others = {name: checksum for name, checksum in summary.checksums.items() if name != FILE and manifest.is_path(name)}
     edited = checksums.find_edited(folder, others)
-    own = found.checksums.get(FILE)
-    return [*edited, FILE] if own is not None and own != _own_checksum(read_document(folder)) else edited
+    checksum = summary.checksums.get(FILE)
+    return [*edited, FILE] if checksum is not None and checksum != _own_checksum(read_document(folder)) else edited
 
 
 def read_document(folder: Path) -> dict[str, Any]:

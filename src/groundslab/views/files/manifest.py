@@ -40,7 +40,7 @@ def is_path(name: str) -> bool:
 
 
 def _of_one(results: CombinationResult, below: str, plot: bool) -> dict[str, Writer]:
-    """Return what writes the files of one combination, by their paths; all of them begin with `below`."""
+    """Return the writers of the files of one combination by their paths, all of which begin with `below`."""
     from groundslab.views import plots
     from groundslab.views.files import npz, vtk
 
@@ -56,7 +56,7 @@ def _of_one(results: CombinationResult, below: str, plot: bool) -> dict[str, Wri
 
 
 def _of_increments(results: CombinationResult, below: str) -> dict[str, Writer]:
-    """Return what writes the states under shares of the load, and the collections that join them with the last one.
+    """Return the writers of the states under shares of the load, and of collections that join them with the last one.
 
     ParaView's time is the share.
     """
@@ -66,12 +66,14 @@ def _of_increments(results: CombinationResult, below: str) -> dict[str, Writer]:
         return {}
     writers: dict[str, Writer] = {}
     files: dict[str, dict[float, str]] = {"plate": {}, "ground": {}}
-    for number, each in enumerate(results.increments, 1):
-        state = replace(results, plate=each.plate, elements=each.elements, ground=each.ground, increments=())
+    for number, increment in enumerate(results.increments, 1):
+        state = replace(
+            results, plate=increment.plate, elements=increment.elements, ground=increment.ground, increments=()
+        )
         for part, write in (("plate", vtk.write_plate), ("ground", vtk.write_ground)):
             name = f"increments/{number:02}-{part}.vtu"
             writers[below + name] = partial(write, state)
-            files[part][each.share] = name
+            files[part][increment.share] = name
     for part, those in files.items():
         text = collection({**those, 1.0: f"{part}.vtu"})
         writers[f"{below}{part}-increments.pvd"] = partial(write_text, text=text)
@@ -79,33 +81,33 @@ def _of_increments(results: CombinationResult, below: str) -> dict[str, Writer]:
 
 
 def files_of(combined: Results, plot: bool) -> tuple[dict[str, Writer], dict[str, str]]:
-    """Return what writes the files of each combination and those that join them, and the combinations' folders.
+    """Return the writers of each combination's files and of those that join them, and the combinations' folders.
 
     ParaView's time is the number of each combination; those without a certified result are left out there.
     """
-    found = combinations.entries(combined)
-    only = combinations.only(found)
+    entries = combinations.entries(combined)
+    only = combinations.only(entries)
     if only is not None:
         return _of_one(only, "", plot), {}
     folders = {
-        each.combination.name: folder_name(each.number, each.combination.name, len(found))
-        for each in found
-        if each.results is not None
+        entry.combination.name: folder_name(entry.number, entry.combination.name, len(entries))
+        for entry in entries
+        if entry.results is not None
     }
-    certified = {each.number: folders[each.combination.name] for each in found if each.refused is None}
+    certified = {entry.number: folders[entry.combination.name] for entry in entries if entry.refused is None}
     writers: dict[str, Writer] = {}
-    for entry in found:
+    for entry in entries:
         if entry.results is not None:
             writers |= _of_one(entry.results, f"{folders[entry.combination.name]}/", plot)
     for name in ("plate", "ground"):
         text = collection({number: f"{folder}/{name}.vtu" for number, folder in certified.items()})
         writers[f"{name}.pvd"] = partial(write_text, text=text)
-    writers["combinations.csv"] = partial(write_text, text=_list_of(found, folders))
+    writers["combinations.csv"] = partial(write_text, text=_list_of(entries, folders))
     return writers, folders
 
 
 def of_all(combined: Results) -> dict[str, Writer]:
-    """Return what writes the files of all combinations together: tables, and envelopes if there is more than one."""
+    """Return the writers of the files of all combinations together: tables, and envelopes if there is more than one."""
     from groundslab.design.result_tables import tables_of
     from groundslab.views.files import vtk
 
@@ -134,18 +136,19 @@ def collection(files: Mapping[float, str]) -> str:
     return "\n".join(['<?xml version="1.0"?>', head, "  <Collection>", *sets, "  </Collection>", "</VTKFile>", ""])
 
 
-def _list_of(found: list[Entry], folders: dict[str, str]) -> str:
+def _list_of(entries: list[Entry], folders: dict[str, str]) -> str:
     """Return the combinations as comma-separated values: number, which is ParaView's time, names, factors, outcome."""
     import csv
     import io
 
-    cases = list(dict.fromkeys(case for entry in found for case, _ in entry.combination.factors))
+    cases = list(dict.fromkeys(case for entry in entries for case, _ in entry.combination.factors))
     text = io.StringIO()
     rows = csv.writer(text, lineterminator="\n")
     head = ["number", "name", "limit state", "folder", "certified", "reason"]
     rows.writerow(head + [f"factor of {case}" for case in cases])
-    for entry in found:
-        factors, name = dict(entry.combination.factors), entry.combination.name
+    for entry in entries:
+        factors = dict(entry.combination.factors)
+        name = entry.combination.name
         outcome = ["yes", ""] if entry.refused is None else ["no", refusal_words(entry.refused)]
         first = [str(entry.number), name, entry.combination.limit_state, folders.get(name, "")]
         rows.writerow([*first, *outcome, *(factors.get(case, 0.0) for case in cases)])

@@ -102,7 +102,7 @@ def write(results: CombinationResult, path: Path) -> None:
         **{name: getattr(results, name) for name in PLAIN},
         supports=tuple(support.name for support in results.supports),
         joints=tuple(joint.name for joint in results.joints),
-        increments=tuple(each.share for each in results.increments),
+        increments=tuple(increment.share for increment in results.increments),
         comparison=None if other is None else (other.energy_error, other.reduction, other.constants),
     )
     text = json.dumps(asdict(about), allow_nan=False, default=lambda number: number.item())
@@ -170,21 +170,21 @@ def _array(archive: zipfile.ZipFile, member: zipfile.ZipInfo) -> Any:
 
 @cache
 def _adapters() -> tuple[TypeAdapter[_Layout], TypeAdapter[_About]]:
-    """Return what reads the JSON text: the version of its layout alone, and all of it."""
+    """Return the type adapters that read the JSON text: the version of its layout alone, and all of it."""
     from pydantic import TypeAdapter
 
     return TypeAdapter(_Layout), TypeAdapter(_About)
 
 
 def _read_about(text: str) -> _About:
-    """Return what the JSON text says; raises ValueError, which names the first value that is wrong."""
+    """Return the metadata in the JSON text; raises ValueError, which names the first invalid value."""
     from pydantic import ValidationError
 
     layout, about = _adapters()
     try:
-        found = layout.validate_json(text, strict=True).format
-        if found != FORMAT:
-            raise ValueError(f"layout {found}, while this version reads {FORMAT}")
+        version = layout.validate_json(text, strict=True).format
+        if version != FORMAT:
+            raise ValueError(f"layout {version}, while this version reads {FORMAT}")
         return about.validate_json(text, strict=True)
     except ValidationError as error:
         first = error.errors(include_url=False, include_input=False)[0]
@@ -196,7 +196,7 @@ def _results(arrays: dict[str, Any]) -> CombinationResult:
     about = _read_about(str(arrays["about"]))
     for array in arrays.values():
         array.flags.writeable = False
-    found = CombinationResult(
+    results = CombinationResult(
         model=_read_model(str(arrays["model"])),
         solved_model=_read_model(str(arrays["solved_model" if "solved_model" in arrays else "model"])),
         **_parts("", arrays),
@@ -208,8 +208,8 @@ def _results(arrays: dict[str, Any]) -> CombinationResult:
         ),
         comparison=None if about.comparison is None else _comparison(about, arrays),
     )
-    require_sound(found)
-    return found
+    require_sound(results)
+    return results
 
 
 @lru_cache(maxsize=4)
@@ -221,7 +221,7 @@ def _read_model(text: str) -> Model:
 
 
 def _comparison(about: _About, arrays: dict[str, Any]) -> Comparison:
-    """Return what the coarser mesh gave."""
+    """Return the comparison with the coarser mesh."""
     assert about.comparison is not None
     energy_error, reduction, constants = about.comparison
     supports = _named(SupportResult, "coarser.supports", about.supports, arrays)
@@ -237,7 +237,7 @@ def _comparison(about: _About, arrays: dict[str, Any]) -> Comparison:
 
 def _arrays(below: str, state: CombinationResult | Increment | Comparison) -> dict[str, Any]:
     """Return the arrays of a state by their names, which begin with `below`; a mesh that is known stands there once."""
-    found: dict[str, Any] = {}
+    named: dict[str, Any] = {}
     parts: dict[str, Any] = {
         "plate": state.plate,
         "elements": state.elements,
@@ -249,31 +249,31 @@ def _arrays(below: str, state: CombinationResult | Increment | Comparison) -> di
             continue
         names = (item.name for item in fields(values) if item.name != "cells" and (not below or item.name not in MESH))
         arrays = {f"{below}{part}.{name}": getattr(values, name) for name in names}
-        found |= {name: array for name, array in arrays.items() if array is not None}
-    return found
+        named |= {name: array for name, array in arrays.items() if array is not None}
+    return named
 
 
 def _parts(below: str, arrays: dict[str, Any]) -> dict[str, Any]:
     """Return plate, elements and ground of a state from the arrays whose names begin with `below`."""
     kinds = {"plate": PlateResult, "elements": ElementResult, "ground": GroundResult}
-    found: dict[str, Any] = {}
+    parts: dict[str, Any] = {}
     for part, kind in kinds.items():
         names = {item.name: f"{'' if item.name in MESH else below}{part}.{item.name}" for item in fields(kind)}
         optional = {item.name for item in fields(kind) if item.default is None and names[item.name] not in arrays}
-        found[part] = kind(**{name: arrays[key] for name, key in names.items() if name not in optional})
+        parts[part] = kind(**{name: arrays[key] for name, key in names.items() if name not in optional})
     if any(name.startswith(f"{below}{CELLS}.") for name in arrays):
-        cells = {each.name: arrays[f"{below}{CELLS}.{each.name}"] for each in fields(PressedCells)}
+        cells = {field.name: arrays[f"{below}{CELLS}.{field.name}"] for field in fields(PressedCells)}
         cells |= {name: bool(cells[name]) for name in ("bonded", "piled")}
-        found["ground"] = replace(found["ground"], cells=PressedCells(**cells))
-    return found
+        parts["ground"] = replace(parts["ground"], cells=PressedCells(**cells))
+    return parts
 
 
 def _named_arrays(below: str, named: Sequence[Named]) -> dict[str, Any]:
     """Return the arrays of supports or joints by their names, which begin with `below`."""
     return {
-        f"{below}.{number}.{item.name}": getattr(each, item.name)
-        for number, each in enumerate(named)
-        for item in fields(each)
+        f"{below}.{number}.{item.name}": getattr(part, item.name)
+        for number, part in enumerate(named)
+        for item in fields(part)
         if item.name != "name"
     }
 

@@ -181,13 +181,13 @@ def load_results(folder: str | Path) -> Results:
     True
     """
     path = Path(folder)
-    found = read_summary(path)
-    if found is None or not found.files:
+    summary = read_summary(path)
+    if summary is None or not summary.files:
         raise _not_ours(path, "no summary.json that names its files")
-    if found.combinations is None:
+    if summary.combinations is None:
         return _one(path)
     try:
-        return _several(path, found.combinations)
+        return _several(path, summary.combinations)
     except (KeyError, ValueError) as error:
         raise _not_ours(path, f"a summary.json with something else ({type(error).__name__}: {error})") from error
 
@@ -260,7 +260,7 @@ def _not_ours(path: Path, found: str) -> InputError:
 
 
 def _in_the_way(target: Path) -> list[Issue]:
-    """Return what speaks against writing results into the folder."""
+    """Return the issues that prevent writing results into the folder."""
     atomic.check_name(target, manifest.DEEPEST)
     previous = atomic.previous_path(target)
     if os.path.lexists(previous):
@@ -321,8 +321,8 @@ def _fill_further(target: Path, writers: Mapping[str, manifest.Writer], folder: 
 
 def _foreign(folder: Path) -> list[str]:
     """Return the paths in a folder, and in the folders within it, that are not ours according to its summary."""
-    found = read_summary(folder)
-    return ownership.strangers(folder, set() if found is None else set(filter(manifest.is_path, found.files)))
+    summary = read_summary(folder)
+    return ownership.strangers(folder, set() if summary is None else set(filter(manifest.is_path, summary.files)))
 
 
 def _resolve(folder: str | Path) -> Path:

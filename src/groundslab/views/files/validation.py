@@ -181,7 +181,7 @@ def _of_constants(results: CombinationResult) -> Iterator[str]:
     continuous = isinstance(results.model.ground, ContinuousGround)
     if bool(constants.k0) == continuous or len(constants.k0) != len(constants.k1):
         yield "constants.k0 and constants.k1 of different lengths"
-    if any((each.ground.cells is None) == continuous for each in _states(results)):
+    if any((state.ground.cells is None) == continuous for state in _states(results)):
         yield "cells of an elastic continuum on other ground, or none on it"
     if not all(k0 > 0 for k0 in constants.k0) or not all(k1 >= 0 for k1 in constants.k1):
         yield "constants of the ground that are not positive"

@@ -77,10 +77,10 @@ def match(some: Array, among: Array) -> Integers:
         return np.arange(len(some))
     from scipy.spatial import KDTree
 
-    distance, found = KDTree(among).query(some)
+    distance, nearest = KDTree(among).query(some)
     if distance.max(initial=0.0) > 1e-9 * np.ptp(among, axis=0).max():
         raise GroundslabError("the plate has nodes that the ground below it lacks")
-    return np.asarray(found, dtype=np.int64)
+    return np.asarray(nearest, dtype=np.int64)
 
 
 def _mesh(

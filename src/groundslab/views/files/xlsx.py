@@ -132,6 +132,6 @@ def _is_unchanged(path: Path) -> bool:
 
 
 def _properties(book: zipfile.ZipFile) -> bytes:
-    """Return what a workbook says of itself, of much the beginning."""
+    """Return the beginning of a workbook's core properties."""
     with book.open("docProps/core.xml") as file:
         return file.read(LOOK)

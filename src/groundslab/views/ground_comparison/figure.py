@@ -82,14 +82,15 @@ def draw_comparison(comparison: GroundComparison, titled: bool = True) -> Figure
 
 def _draw_curves(axes: Axes, comparison: GroundComparison, axis: str, field: str) -> dict[str, Any]:
     """Draw a field of all grounds along a line; return the entries in the legend."""
-    about, along = PLATE_FIELDS[field], np.array(comparison.lines[axis])
+    about = PLATE_FIELDS[field]
+    along = np.array(comparison.lines[axis])
     axes.axhline(0.0, color=style.GREY, linewidth=0.6, zorder=1)
     entries = {}
-    for name, each, color, stroke in zip(
+    for name, ground, color, stroke in zip(
         headings(comparison), comparison.grounds, style.CYCLE, style.STROKES, strict=False
     ):
         # beside the plate there is nothing, which breaks the curve
-        values = np.array(each.curves[axis][field], dtype=float) * about.scale
+        values = np.array(ground.curves[axis][field], dtype=float) * about.scale
         (entries[name],) = axes.plot(along, values, color=color, linestyle=stroke, linewidth=1.1)
     axes.set(xlim=(along[0], along[-1]), ylabel=QUANTITIES[field].label)
     axes.margins(y=0.08)

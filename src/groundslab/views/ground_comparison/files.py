@@ -103,7 +103,7 @@ def json_text(comparison: GroundComparison) -> str:
 
 @cache
 def _adapter() -> TypeAdapter[GroundComparison]:
-    """Return what writes and reads a comparison."""
+    """Return the type adapter that writes and reads a comparison."""
     from pydantic import TypeAdapter
 
     return TypeAdapter(GroundComparison)

@@ -45,8 +45,8 @@ class ComparisonRow:
 
 
 def headings(comparison: GroundComparison) -> tuple[str, ...]:
-    """Return what each ground is called, and whether its constants were fitted."""
-    return tuple(f"{each.name}, fitted" if each.fitted else each.name for each in comparison.grounds)
+    """Return the name of each ground, and whether its constants were fitted."""
+    return tuple(f"{ground.name}, fitted" if ground.fitted else ground.name for ground in comparison.grounds)
 
 
 def figure_rows(comparison: GroundComparison) -> list[ComparisonRow]:
@@ -54,13 +54,13 @@ def figure_rows(comparison: GroundComparison) -> list[ComparisonRow]:
     rows = []
     for name, figure in FIGURES.items():
         unit, scale = figure.unit
-        known = tuple(each.figures[name] * scale for each in comparison.grounds)
-        others = [comparison.difference(each.name, name) for each in comparison.grounds[1:]]
-        differences = (None, *(None if each is None else 100 * each for each in others))
+        known = tuple(ground.figures[name] * scale for ground in comparison.grounds)
+        others = [comparison.difference(ground.name, name) for ground in comparison.grounds[1:]]
+        differences = (None, *(None if other is None else 100 * other for other in others))
         rows.append(ComparisonRow(name, figure.label, unit, known, differences))
     for field in COMPARED_FIELDS:
         label = f"rms difference of {PLATE_FIELDS[field].symbol}"
-        values: tuple[float | None, ...] = (None, *(100 * each.rms[field] for each in comparison.grounds[1:]))
+        values: tuple[float | None, ...] = (None, *(100 * ground.rms[field] for ground in comparison.grounds[1:]))
         rows.append(ComparisonRow(f"rms_{field}", label, "%", values, (None,) * len(comparison.grounds)))
     return rows
 
@@ -70,7 +70,9 @@ def constant_rows(comparison: GroundComparison) -> list[ComparisonRow]:
     rows = []
     for name, unit in CONSTANTS.items():
         scale = UNITS[unit].scale if unit else 1.0
-        values = tuple(each.constants[name] * scale if name in each.constants else None for each in comparison.grounds)
+        values = tuple(
+            ground.constants[name] * scale if name in ground.constants else None for ground in comparison.grounds
+        )
         rows.append(ComparisonRow(name, name, unit, values, (None,) * len(values)))
     return [row for row in rows if any(value is not None for value in row.values)]
 
@@ -82,14 +84,14 @@ RMS_NOTE = (
 
 
 def notes(comparison: GroundComparison) -> tuple[str, ...]:
-    """Return what a reader must know."""
+    """Return the notes on a comparison."""
     about = f'Combination "{comparison.combination}" ({comparison.limit_state}).'
     return (about, "Differences are those to the continuum, in percent of its value.", RMS_NOTE, *comparison.notes)
 
 
 def comparison_table(comparison: GroundComparison) -> Table:
     """Return the comparison as a table of numbers: a column for each ground, then one for each difference."""
-    names = [each.name for each in comparison.grounds]
+    names = [ground.name for ground in comparison.grounds]
     heads = [("quantity", ""), ("unit", ""), *((name, "") for name in names)]
     heads += [(f"difference of {name}", "%") for name in names[1:]]
     rows = [
@@ -104,10 +106,12 @@ def curve_table(comparison: GroundComparison) -> Table:
     x, y = comparison.place
     fields = {field: PLATE_FIELDS[field] for field in next(iter(comparison.grounds[0].curves.values()))}
     heads = [("line", ""), ("x", "m"), ("y", "m")]
-    heads += [(f"{about.label} on {each.name}", about.unit) for about in fields.values() for each in comparison.grounds]
+    heads += [
+        (f"{about.label} on {ground.name}", about.unit) for about in fields.values() for ground in comparison.grounds
+    ]
     rows = []
     for axis, along in comparison.lines.items():
-        columns = [each.curves[axis][field] for field in fields for each in comparison.grounds]
+        columns = [ground.curves[axis][field] for field in fields for ground in comparison.grounds]
         scales = [about.scale for about in fields.values() for _ in comparison.grounds]
         for s, *values in zip(along, *columns, strict=True):
             place = (s, y) if axis == "x" else (x, s)

@@ -47,9 +47,9 @@ class LabelPlacement:
 
     def place_best(self, middles: Iterable[Point], half: Point) -> Point:
         """Return the middle of those given whose box covers least, and take it; of equal ones the first."""
-        found = min(enumerate(middles), key=lambda each: self._cost(each[1], half) + ORDER * each[0])[1]
-        self.reserve(found, half)
-        return found
+        best = min(enumerate(middles), key=lambda numbered: self._cost(numbered[1], half) + ORDER * numbered[0])[1]
+        self.reserve(best, half)
+        return best
 
     def _cost(self, middle: Point, half: Point) -> float:
         """Return how much a box covers [mm2], with a high price for what leaves the drawing."""
@@ -86,9 +86,9 @@ def panel_title(panel: Panel, width: float, *, with_source: bool) -> list[TitleL
         facts.append(f"edge line force up to {number(panel.line_force[0])} kN/m at {place_words(panel.line_force[1])}")
     if panel.quantity.name in ("pressure", "gap") and panel.share is not None:
         facts.append(f"{number(100 * panel.share)} % of the plate in contact")
-    lines = [TitleLine(each, BASE, GREY, "bold") for each in (_wrapped(panel.source, width) if with_source else [])]
-    lines += [TitleLine(each, BASE, INK, "bold") for each in _wrapped(panel.quantity.title, width)]
-    return [*lines, *(TitleLine(each, SMALL, GREY, "normal") for each in _joined(facts, width))]
+    lines = [TitleLine(text, BASE, GREY, "bold") for text in (_wrapped(panel.source, width) if with_source else [])]
+    lines += [TitleLine(text, BASE, INK, "bold") for text in _wrapped(panel.quantity.title, width)]
+    return [*lines, *(TitleLine(text, SMALL, GREY, "normal") for text in _joined(facts, width))]
 
 
 def title_height(head: Sequence[TitleLine]) -> float:
@@ -145,8 +145,8 @@ def draw_labels(axes: Axes, model: Model, panel: Panel, per_meter: float) -> Non
     x0, x1, y0, y1 = (per_meter * bound for bound in model.bounds)
     placement = LabelPlacement((x0, x1, y0, y1))
     extremes = find_extremes(panel)
-    for each in extremes:
-        placement.reserve((each.place[0] * per_meter, each.place[1] * per_meter), (1.0, 1.0))
+    for extreme in extremes:
+        placement.reserve((extreme.place[0] * per_meter, extreme.place[1] * per_meter), (1.0, 1.0))
     named = per_meter >= LEAST_SCALE and len(model.columns) <= MOST_NAMES
     boxes = [_bounding_box(np.array(column.ring().flat(np.inf)) * per_meter) for column in model.columns]
     for middle, half in boxes:
@@ -160,17 +160,17 @@ def draw_labels(axes: Axes, model: Model, panel: Panel, per_meter: float) -> Non
         _write_label(axes, words, middle, per_meter, SMALL - 0.5, boxed=True)
     for column, ((x, y), half) in zip(model.columns if named else (), boxes, strict=False):
         words = plain_text(column.name, 12)
-        own = text_width(words, FOOT) / 2 + 0.2, 0.55 * FOOT * PT
-        corners = [(x + i * (half[0] + own[0]), y + j * (half[1] + own[1])) for i, j in BESIDE]
-        _write_label(axes, words, placement.place_best(corners, own), per_meter, FOOT, boxed=False)
-    for zone in (each for plate in model.every_plate for each in plate.zones):
+        size = text_width(words, FOOT) / 2 + 0.2, 0.55 * FOOT * PT
+        corners = [(x + i * (half[0] + size[0]), y + j * (half[1] + size[1])) for i, j in BESIDE]
+        _write_label(axes, words, placement.place_best(corners, size), per_meter, FOOT, boxed=False)
+    for zone in (zone for plate in model.every_plate for zone in plate.zones):
         if zone.thickness is not None:
             words = f"t = {zone.thickness:g} m"
-            own = text_width(words, FOOT + 0.5) / 2 + 0.4, 0.6 * (FOOT + 0.5) * PT
+            size = text_width(words, FOOT + 0.5) / 2 + 0.4, 0.6 * (FOOT + 0.5) * PT
             (x, y), half = _bounding_box(np.array(zone.shape.ring().flat(np.inf)) * per_meter)
-            inner = half[0] - own[0] - 0.6, half[1] - own[1] - 0.6
+            inner = half[0] - size[0] - 0.6, half[1] - size[1] - 0.6
             corners = [(x + i * inner[0], y + j * inner[1]) for i, j in INSIDE]
-            _write_label(axes, words, placement.place_best(corners, own), per_meter, FOOT + 0.5, boxed=False)
+            _write_label(axes, words, placement.place_best(corners, size), per_meter, FOOT + 0.5, boxed=False)
 
 
 def _bounding_box(places: Array) -> tuple[Point, Point]:

@@ -39,11 +39,11 @@ class ColorScale:
 
         if self.parts_at_zero:
             norm: Normalize = CenteredNorm(0.0, float(np.abs(self.levels).max()))
-            found = colormaps[TWO_SIGNS]
+            colors = colormaps[TWO_SIGNS]
         else:
             norm = Normalize(float(self.levels[0]), float(self.levels[-1]))
-            found = colormaps[ONE_SIGN + ("_r" if self.reversed else "")]
-        return found, norm
+            colors = colormaps[ONE_SIGN + ("_r" if self.reversed else "")]
+        return colors, norm
 
     def colors_at(self, values: Array) -> Array:
         """Return the colors (n, 4) of the bands that values (n,) lie in."""
@@ -57,7 +57,8 @@ def make_scale(values: Sequence[Array], *, signed: bool) -> ColorScale:
     """Return the scale that several fields share, in units of display."""
     from matplotlib.ticker import MaxNLocator
 
-    low, high = min(float(each.min()) for each in values), max(float(each.max()) for each in values)
+    low = min(float(value.min()) for value in values)
+    high = max(float(value.max()) for value in values)
     size = max(abs(low), abs(high))
     below = goes_below_zero(np.array([low, high]))
     if not signed and not below and low < 0.5 * high:

@@ -54,12 +54,12 @@ def _figure(request: PlotRequest, histories: Sequence[IterationHistory]) -> Figu
 
 def meshes_of(steps: Sequence[Step]) -> list[tuple[int, slice]]:
     """Return the unknowns of each mesh and its part of the steps, in their order."""
-    found, first = [], 0
+    meshes, first = [], 0
     for unknowns, group in groupby(steps, key=lambda step: step.unknowns):
         count = len(list(group))
-        found.append((unknowns, slice(first, first + count)))
+        meshes.append((unknowns, slice(first, first + count)))
         first += count
-    return found
+    return meshes
 
 
 def _numbers(part: slice) -> range:

@@ -73,23 +73,26 @@ def draw_pages(request: PlotRequest) -> list[Figure]:
     """Return the panels on pages, two on each, a combination never on the page of another."""
     surfaces = _surfaces(request)
     groups: dict[str, list[Surface]] = {}
-    for each in surfaces:
-        groups.setdefault(each.panel.source, []).append(each)
-    pages = [part for own in groups.values() for part in batch(own, 2)]
+    for surface in surfaces:
+        groups.setdefault(surface.panel.source, []).append(surface)
+    pages = [part for group in groups.values() for part in batch(group, 2)]
     return [_figure(request.combined.model, part, surfaces, 1, PAGE_WIDTH) for part in pages]
 
 
 def _surfaces(request: PlotRequest) -> list[Surface]:
     return [
-        Surface(build_panel(quantity, each, request.names_combinations, request.mesh), each.results.plate.settlement)
-        for each in request.combinations
+        Surface(
+            build_panel(quantity, combination, request.names_combinations, request.mesh),
+            combination.results.plate.settlement,
+        )
+        for combination in request.combinations
         for quantity in request.quantities
     ]
 
 
 def find_exaggeration(settlements: Sequence[Array], longest: float) -> float:
     """Return by what settlements [m] are multiplied to be seen beside a length [m]: 1, 2 or 5 times a power of ten."""
-    largest = max(float(np.abs(each).max()) for each in settlements)
+    largest = max(float(np.abs(settlement).max()) for settlement in settlements)
     if largest == 0.0:
         return 1.0
     wanted = DEPTH * longest / largest
@@ -99,15 +102,16 @@ def find_exaggeration(settlements: Sequence[Array], longest: float) -> float:
 
 def _figure(model: Model, surfaces: Sequence[Surface], among: Sequence[Surface], columns: int, width: float) -> Figure:
     """Return some panels on one sheet of some width [mm], in columns, with one exaggeration and the scales of all."""
-    page, scales = Page(width), shared_scales([each.panel for each in among])
-    panels = [each.panel for each in surfaces]
+    page = Page(width)
+    scales = shared_scales([surface.panel for surface in among])
+    panels = [surface.panel for surface in surfaces]
     alike = len({panel.source for panel in panels}) == 1
-    factor = find_exaggeration([each.settlement for each in surfaces], max(model.sides))
+    factor = find_exaggeration([surface.settlement for surface in surfaces], max(model.sides))
     caption = f"deformed plate, settlements exaggerated {number(factor)} times; dashed: level before loading"
     lines = [f"{panels[0].source}: {caption}" if alike and panels[0].source else caption[0].upper() + caption[1:]]
     top = page.write_heading(model.title, lines, "" if all(panel.certified for panel in panels) else NOT_CERTIFIED)
-    each = width / columns
-    box_width = each - RIGHT - 4
+    column_width = width / columns
+    box_width = column_width - RIGHT - 4
     wide, high = _projected_size(_sides(model, [surface.settlement for surface in surfaces], factor)[0])
     box_height = min(PART_WIDE * box_width / wide * high / PART_HIGH, PAGE_HEIGHT / 2 - 35)
     legend: dict[str, Any] = {}
@@ -115,7 +119,7 @@ def _figure(model: Model, surfaces: Sequence[Surface], among: Sequence[Surface],
         heads = [panel_title(surface.panel, box_width + RIGHT, with_source=not alike) for surface in row]
         top += max(map(title_height, heads))
         for column, (surface, head) in enumerate(zip(row, heads, strict=True)):
-            left = column * each + 4
+            left = column * column_width + 4
             frame = page.add_axes(left, top, box_width, box_height)
             frame.set_axis_off()
             draw_title(frame, head)
@@ -140,10 +144,10 @@ def facets(nodes: Array, elements: Integers, values: Sequence[Array], parts: int
     corner = first[:, None] + np.array([0, 1, parts + 2, parts + 1])
 
     def at_corners(field: Array) -> Array:
-        found: Array = np.einsum("pa,ea...->ep...", N, field[elements])
-        return found[:, corner].reshape(-1, 4, *field.shape[1:])
+        values: Array = np.einsum("pa,ea...->ep...", N, field[elements])
+        return values[:, corner].reshape(-1, 4, *field.shape[1:])
 
-    return at_corners(nodes), [at_corners(each) for each in values]
+    return at_corners(nodes), [at_corners(value) for value in values]
 
 
 def _draw_surface(
@@ -187,8 +191,8 @@ def _brightness(corners: Array) -> Array:
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
     light = LIGHT / np.linalg.norm(LIGHT)
     level = light[2]
-    found: Array = np.clip(1 + (1 - SHADE) * (normal @ light - level) / level, SHADE, 1.0)
-    return found
+    brightness: Array = np.clip(1 + (1 - SHADE) * (normal @ light - level) / level, SHADE, 1.0)
+    return brightness
 
 
 def _draw_contact_border(axes: Any, surface: Surface, factor: float) -> dict[str, Any]:
@@ -201,8 +205,8 @@ def _draw_contact_border(axes: Any, surface: Surface, factor: float) -> dict[str
     triangles = triangulation(surface.panel.nodes, surface.panel.elements)
     mesh = Mesh(surface.panel.nodes, surface.panel.elements)
     entries = {}
-    found = Figure().add_subplot().tricontour(triangles, contact, levels=[0.0])
-    for path in found.get_paths():
+    border = Figure().add_subplot().tricontour(triangles, contact, levels=[0.0])
+    for path in border.get_paths():
         for places in path.to_polygons(closed_only=False):
             w = interpolate(mesh, surface.settlement, locate_nearest(mesh, np.asarray(places)))
             (line,) = axes.plot(*np.asarray(places).T, -factor * w, color=INK, linewidth=1.2, zorder=5, clip_on=False)
@@ -224,15 +228,15 @@ def _zoom(sides: tuple[float, float, float], width: float, height: float) -> flo
 
     Without zoom Matplotlib draws the brick's diagonal about as long as the box's shorter side.
     """
-    wide, high = (each / float(np.linalg.norm(sides)) * min(width, height) for each in _projected_size(sides))
+    wide, high = (side / float(np.linalg.norm(sides)) * min(width, height) for side in _projected_size(sides))
     return min(PART_WIDE * width / wide, PART_HIGH * height / high)
 
 
 def _sides(model: Model, settlements: Sequence[Array], factor: float) -> tuple[tuple[float, float, float], float]:
     """Return the sides of the brick around deformed plates, and how far down it begins [m]."""
     x, y = model.sides
-    low = min(0.0, *(-factor * float(each.max()) for each in settlements))
-    high = max(0.0, *(-factor * float(each.min()) for each in settlements))
+    low = min(0.0, *(-factor * float(settlement.max()) for settlement in settlements))
+    high = max(0.0, *(-factor * float(settlement.min()) for settlement in settlements))
     if high - low <= 0.02 * max(x, y):
         low, high = low - 0.05 * max(x, y), high + 0.05 * max(x, y)
     return (x, y, high - low), low

@@ -106,7 +106,7 @@ def _page_attributes(element: ElementTree.Element, name: str) -> Iterator[tuple[
     for key, value in element.items():
         if key == "style":
             for declaration in filter(None, value.split(";")):
-                part, _, setting = (each.strip() for each in declaration.partition(":"))
+                part, _, setting = (text.strip() for text in declaration.partition(":"))
                 if part == "font":
                     yield from _font_attributes(setting)
                 elif part != "font-family":

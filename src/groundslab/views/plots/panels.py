@@ -50,14 +50,18 @@ def build_panels(request: PlotRequest) -> list[Panel]:
     """Return the panels of a request: by combination, then by quantity; last the fields of bars."""
     of_bars = [quantity for quantity in request.quantities if quantity.name in BAR_FIELDS]
     if of_bars:
-        others = replace(request, quantities=tuple(each for each in request.quantities if each not in of_bars))
+        others = replace(
+            request, quantities=tuple(quantity for quantity in request.quantities if quantity not in of_bars)
+        )
         return [*(build_panels(others) if others.quantities else ()), *_bar_panels(of_bars, request)]
     if request.envelope:
-        several = (_envelope_panels(each, request.combinations, request.envelope) for each in request.quantities)
+        several = (
+            _envelope_panels(quantity, request.combinations, request.envelope) for quantity in request.quantities
+        )
         return [replace(panel, mesh=request.mesh) for panel in chain.from_iterable(several)]
     return [
-        build_panel(quantity, each, request.names_combinations, request.mesh)
-        for each in request.combinations
+        build_panel(quantity, combination, request.names_combinations, request.mesh)
+        for combination in request.combinations
         for quantity in request.quantities
     ]
 
@@ -78,36 +82,41 @@ def _line_force(
     """Return the largest edge line force of several results, which is named beside their pressure, and its place."""
     if quantity.name != "pressure" or not any(map(has_line_force, several)):
         return None
-    found = []
+    largest = []
     for plate in (results.plate for results in several):
         on_edge = np.flatnonzero(plate.edge_length > 0)
-        nodes, values = plate.nodes[on_edge], plate.line_force[on_edge] * PLATE_FIELDS[LINE_FORCE].scale
-        found.append(extreme(nodes, values, 1))
-    return max(found)
+        nodes = plate.nodes[on_edge]
+        values = plate.line_force[on_edge] * PLATE_FIELDS[LINE_FORCE].scale
+        largest.append(extreme(nodes, values, 1))
+    return max(largest)
 
 
 def _envelope_panels(quantity: PlotQuantity, combinations: Sequence[PlottedCombination], state: str) -> Iterator[Panel]:
     """Yield the largest and smallest values of a quantity over combinations, but for those always zero."""
-    found = envelope({each.name: nodal_values(each.results, quantity.name) for each in combinations})
-    line_force = _line_force(quantity, [each.results for each in combinations])
-    factors = [pair for each in combinations for pair in each.results.factors if pair[1]]
+    extremes = envelope(
+        {combination.name: nodal_values(combination.results, quantity.name) for combination in combinations}
+    )
+    line_force = _line_force(quantity, [combination.results for combination in combinations])
+    factors = [pair for combination in combinations for pair in combination.results.factors if pair[1]]
     plate = combinations[0].results.plate
     takes_part = load_filter(factors)
     for word, values, by, nothing in (
-        ("Largest", found.greatest, found.greatest_by, quantity.field.sign == "not positive"),
-        ("Smallest", found.least, found.least_by, quantity.field.sign == "not negative"),
+        ("Largest", extremes.greatest, extremes.greatest_by, quantity.field.sign == "not positive"),
+        ("Smallest", extremes.least, extremes.least_by, quantity.field.sign == "not negative"),
     ):
         if not nothing:
             source = f"{word} of the {len(combinations)} {state} combination{'s' if len(combinations) > 1 else ''}"
-            force, governs = line_force if word == "Largest" else None, (found.names, by)
+            force = line_force if word == "Largest" else None
+            governs = (extremes.names, by)
             yield Panel(quantity, source, values, plate.nodes, plate.elements, takes_part, force, governs=governs)
 
 
 def _bar_panels(quantities: Sequence[PlotQuantity], request: PlotRequest) -> Iterator[Panel]:
     """Yield the fields of bars, over all ultimate combinations."""
-    results, fields = ultimate_results(request.combined), bar_fields(request.combined)
+    results = ultimate_results(request.combined)
+    fields = bar_fields(request.combined)
     plate = results[0].plate
-    takes_part = load_filter([pair for each in results for pair in each.factors if pair[1]])
+    takes_part = load_filter([pair for result in results for pair in result.factors if pair[1]])
     source = f"All {len(results)} ultimate combinations" if len(results) > 1 else results[0].combination
     for quantity in quantities:
         values = fields[quantity.name] * quantity.field.scale
@@ -116,11 +125,11 @@ def _bar_panels(quantities: Sequence[PlotQuantity], request: PlotRequest) -> Ite
 
 def shared_scales(panels: Sequence[Panel]) -> dict[str, ColorScale]:
     """Return the scale of each quantity, the same in all panels, by the quantity's name."""
-    found = {}
+    scales = {}
     for name in dict.fromkeys(panel.quantity.name for panel in panels):
-        own = [panel for panel in panels if panel.quantity.name == name]
-        found[name] = make_scale([panel.values for panel in own], signed=own[0].quantity.field.sign == "any")
-    return found
+        alike = [panel for panel in panels if panel.quantity.name == name]
+        scales[name] = make_scale([panel.values for panel in alike], signed=alike[0].quantity.field.sign == "any")
+    return scales
 
 
 class Extreme(NamedTuple):
@@ -134,14 +143,14 @@ class Extreme(NamedTuple):
 
 def find_extremes(panel: Panel) -> list[Extreme]:
     """Return the largest and the smallest value with their places, as far as they are not plain zeros."""
-    found = []
+    extremes = []
     nodes, values = panel.nodes, panel.values
     size = np.abs(values).max()
     for word, sign in (("largest", 1), ("smallest", -1)):
         node = extreme_node(nodes, values, sign)
         if abs(values[node]) > 1e-9 * size:
             whose = "" if panel.governs is None else panel.governs[0][panel.governs[1][node]]
-            found.append(Extreme(word, float(values[node]), place_of(nodes, node), whose))
-    if len(found) == 2 and found[0].value - found[1].value <= 1e-9 * size:
-        del found[1]
-    return found
+            extremes.append(Extreme(word, float(values[node]), place_of(nodes, node), whose))
+    if len(extremes) == 2 and extremes[0].value - extremes[1].value <= 1e-9 * size:
+        del extremes[1]
+    return extremes

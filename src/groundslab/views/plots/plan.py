@@ -64,16 +64,16 @@ def draw_panels(
     certified = all(panel.certified for panel in panels)
     top = page.write_heading(model.title, [panels[0].source] if alike else [], "" if certified else NOT_CERTIFIED)
     ratio = _ratio(model)
-    each = width / columns
+    column_width = width / columns
     source_height = 0.0 if alike else 1.3 * BASE * PT
-    box_width = min(each - LEFT - RIGHT, ((PAGE_HEIGHT - top) / rows - ABOVE - source_height - BELOW) / ratio)
+    box_width = min(column_width - LEFT - RIGHT, ((PAGE_HEIGHT - top) / rows - ABOVE - source_height - BELOW) / ratio)
     box_height = box_width * ratio
     legend: dict[str, Any] = {}
     for row in batch(panels, columns):
         heads = [panel_title(panel, box_width + RIGHT, with_source=not alike) for panel in row]
         top += max(map(title_height, heads))
         for column, (panel, head) in enumerate(zip(row, heads, strict=True)):
-            axes = page.add_axes(column * each + LEFT, top, box_width, box_height)
+            axes = page.add_axes(column * column_width + LEFT, top, box_width, box_height)
             legend |= draw_panel(axes, model, panel, scales[panel.quantity.name], box_width)
             draw_title(axes, head)
         top += box_height + BELOW
@@ -102,12 +102,13 @@ def draw_pages(request: PlotRequest) -> list[Figure]:
     if request.kind == "mesh":
         return [draw_mesh(request.combinations[0].results)]
     panels = build_panels(request)
-    model, scales = request.combined.solved_model, shared_scales(panels)
+    model = request.combined.solved_model
+    scales = shared_scales(panels)
     columns, rows = panels_per_page(_ratio(model))
     groups: dict[str, list[Panel]] = {}
     for panel in panels:
         groups.setdefault(panel.quantity.name if request.envelope else panel.source, []).append(panel)
-    parts = [part for own in groups.values() for part in batch(own, columns * rows)]
+    parts = [part for group in groups.values() for part in batch(group, columns * rows)]
     return [draw_panels(model, part, scales, min(columns, len(part)), PAGE_WIDTH, rows) for part in parts]
 
 
@@ -150,7 +151,7 @@ def panels_per_page(ratio: float) -> tuple[int, int]:
 
 
 def _limits(model: Model) -> tuple[float, float, float, float]:
-    """Return what a plan shows, x0, x1, y0, y1 [m]."""
+    """Return the limits of a plan, x0, x1, y0, y1 [m]."""
     x0, x1, y0, y1 = model.bounds
     around = PADDING * max(x1 - x0, y1 - y0)
     return x0 - around, x1 + around, y0 - around, y1 + around

@@ -50,7 +50,7 @@ class PlotQuantity:
 
     @property
     def title(self) -> str:
-        """Return what the quantity is, as a title."""
+        """Return the meaning of the quantity as a title."""
         return self.field.meaning[0].upper() + self.field.meaning[1:]
 
     @property
@@ -66,7 +66,11 @@ QUANTITIES = {
     if name != LINE_FORCE
 }
 #: Symbols serve as names too.
-SYMBOLS = {each.field.symbol: name for name, each in QUANTITIES.items() if each.field.symbol and name not in BAR_FIELDS}
+SYMBOLS = {
+    quantity.field.symbol: name
+    for name, quantity in QUANTITIES.items()
+    if quantity.field.symbol and name not in BAR_FIELDS
+}
 
 
 def resolve(names: Sequence[str]) -> tuple[PlotQuantity, ...]:
@@ -140,7 +144,7 @@ class PlotRequest:
     @property
     def panel_count(self) -> int:
         """Return about how many panels there are."""
-        of_bars = sum(each.name in BAR_FIELDS for each in self.quantities)
+        of_bars = sum(quantity.name in BAR_FIELDS for quantity in self.quantities)
         panels = of_bars + (len(self.quantities) - of_bars) * (2 if self.envelope else len(self.combinations))
         return {
             "convergence": len(self.histories),
@@ -168,7 +172,7 @@ def parse_request(
     chosen_kind = kind or ("lines" if lines else "plan")
     names = (combination,) if isinstance(combination, str) else tuple(dict.fromkeys(combination or ()))
     issues = _find_conflicts(chosen_kind, fields, names, envelope, bool(lines), mesh)
-    known = [each.name for each in combined.combinations]
+    known = [combination.name for combination in combined.combinations]
     unknown = [name for name in names if name not in known]
     issues += [Issue("combination", describe(name), one_of(known), suggestion(name, known)) for name in unknown]
     quantities: tuple[PlotQuantity, ...] = ()
@@ -176,7 +180,7 @@ def parse_request(
         quantities = resolve(fields or DEFAULT_QUANTITIES.get(chosen_kind, ()))
     except InputError as error:
         issues += error.issues
-    listed_lines = tuple(SectionLine(each.name, each.start, each.end) for each in combined.model.output.lines)
+    listed_lines = tuple(SectionLine(line.name, line.start, line.end) for line in combined.model.output.lines)
     if chosen_kind == "lines" and not (lines or listed_lines):
         hint = "give one as x1,y1,x2,y2 in meters, or name it under [[output.lines]] in the case"
         issues.append(Issue("line", "no section line", "at least one", hint))
@@ -188,8 +192,8 @@ def parse_request(
     if chosen_kind == "convergence":
         return PlotRequest(combined, chosen_kind, (), (), _iteration_histories(combined, names), (), "")
     combinations = _select_combinations(combined, names, envelope)
-    for each in combinations:
-        require_finite(each.results)
+    for plotted in combinations:
+        require_finite(plotted.results)
     _require_element_fields(quantities, combinations)
     _require_bar_fields(quantities, combined)
     _require_depth(chosen_kind, combinations)
@@ -223,10 +227,10 @@ def _require_element_fields(quantities: Sequence[PlotQuantity], combinations: Se
         STIFFNESS: "it belongs to cases with [cracking]",
     }
     issues = [
-        Issue("FIELD", quote(quantity.name), f"a field that {quote(each.name)} has", hints[quantity.name])
+        Issue("FIELD", quote(quantity.name), f"a field that {quote(combination.name)} has", hints[quantity.name])
         for quantity in quantities
-        for each in combinations
-        if quantity.name in SHOWN_ELEMENT_FIELDS and getattr(each.results.elements, quantity.name) is None
+        for combination in combinations
+        if quantity.name in SHOWN_ELEMENT_FIELDS and getattr(combination.results.elements, quantity.name) is None
     ]
     if issues:
         raise InputError(issues)
@@ -242,7 +246,10 @@ def middle_line(model: Model) -> SectionLine:
 
 def _require_depth(kind: str, combinations: Sequence[PlottedCombination]) -> None:
     """Raise InputError if stresses in the depth of other ground are to be drawn than a continuum."""
-    known = [cells is not None and not cells.piled for cells in (each.results.ground.cells for each in combinations)]
+    known = [
+        cells is not None and not cells.piled
+        for cells in (combination.results.ground.cells for combination in combinations)
+    ]
     if kind == "stress" and not all(known):
         found = f"{quote(kind)} of {quote(combinations[0].results.model.ground.kind)} ground"
         hint = 'ground.kind = "continuum" or "constrained modulus" has them, below a slab without piles'
@@ -268,7 +275,7 @@ def _require_bar_fields(quantities: Sequence[PlotQuantity], combined: Results) -
 def _find_conflicts(
     kind: str, fields: Sequence[str], combinations: tuple[str, ...], envelope: str | None, lines: bool, mesh: bool
 ) -> list[Issue]:
-    """Return what does not go together."""
+    """Return an issue for each conflict between options."""
     if kind not in KINDS:
         return [Issue("kind", quote(kind), f"one of {listed(KINDS)}", suggestion(kind, KINDS))]
     issues = []
@@ -303,32 +310,32 @@ def _select_combinations(
     combined: Results, names: tuple[str, ...], envelope: str | None
 ) -> tuple[PlottedCombination, ...]:
     """Return the combinations to draw: those named, those of an envelope, or all that are certified."""
-    found = {}
+    by_name = {}
     for entry in entries(combined):
         if entry.results is not None:
             name, state = entry.combination.name, entry.combination.limit_state
-            found[name] = PlottedCombination(name, state, entry.results, entry.refused is None)
-    missing = [name for name in names if name not in found]
+            by_name[name] = PlottedCombination(name, state, entry.results, entry.refused is None)
+    missing = [name for name in names if name not in by_name]
     if missing:
         raise _without_results(combined, missing)
     if names:
-        return tuple(found[name] for name in names)
-    certified = tuple(each for each in found.values() if each.certified)
+        return tuple(by_name[name] for name in names)
+    certified = tuple(combination for combination in by_name.values() if combination.certified)
     if envelope is not None:
-        in_state = tuple(each for each in certified if each.limit_state == envelope)
+        in_state = tuple(combination for combination in certified if combination.limit_state == envelope)
         if not in_state:
             raise InputError([Issue("envelope", quote(envelope), "a limit state with a certified result")])
         return in_state
-    if not found:
+    if not by_name:
         raise _without_results(combined, list(combined.refused))
-    return certified or tuple(found.values())
+    return certified or tuple(by_name.values())
 
 
 def _without_results(combined: Results, names: Sequence[str]) -> InputError:
     """Return the error for combinations that were refused, with the reason."""
     reasons = {name: " ".join(str(combined.refused[name]).split()) for name in names}
     words = [f"{describe(name)}, which was refused: {reason}" for name, reason in reasons.items()]
-    return InputError([Issue("combination", each, "one that has results") for each in words])
+    return InputError([Issue("combination", word, "one that has results") for word in words])
 
 
 def _iteration_histories(combined: Results, names: tuple[str, ...]) -> tuple[IterationHistory, ...]:

@@ -49,27 +49,28 @@ def sample_lines(request: PlotRequest) -> list[LineCurves]:
 
     Lines that do not meet the plate, but run in an opening, are left out; raises InputError if all of them do.
     """
-    found: list[LineCurves] = []
+    curves: list[LineCurves] = []
     missed: list[Issue] = []
     for line in request.lines:
         ends = np.array([line.start, line.end])
         try:
-            sections = [cut_along(each.results.plate, ends) for each in request.combinations]
+            sections = [cut_along(combination.results.plate, ends) for combination in request.combinations]
         except InputError as error:
             missed += [replace(issue, location=f"line {line.name}".rstrip()) for issue in error.issues]
             continue
         values = [dict(zip(POINT_FIELDS, point_values(section.values), strict=True)) for section in sections]
-        names = tuple(each.name for each in request.combinations)
-        rows = {quantity.name: np.stack([each[quantity.name] for each in values]) for quantity in request.quantities}
+        names = tuple(combination.name for combination in request.combinations)
+        rows = {quantity.name: np.stack([value[quantity.name] for value in values]) for quantity in request.quantities}
         band = bool(request.envelope) or len(names) > len(style.CYCLE)
         if band:
-            rows = {name: np.stack([each.max(axis=0), each.min(axis=0)]) for name, each in rows.items()}
-            state, plural = f"{request.envelope} ".lstrip(), "s" if len(names) > 1 else ""
+            rows = {name: np.stack([values.max(axis=0), values.min(axis=0)]) for name, values in rows.items()}
+            state = f"{request.envelope} ".lstrip()
+            plural = "s" if len(names) > 1 else ""
             names = tuple(f"{word} of {len(names)} {state}combination{plural}" for word in ("largest", "smallest"))
-        found.append(LineCurves(line, sections[0], names, band, rows))
-    if not found:
+        curves.append(LineCurves(line, sections[0], names, band, rows))
+    if not curves:
         raise InputError(missed)
-    return found
+    return curves
 
 
 def draw_sheet(request: PlotRequest) -> Figure:
@@ -81,8 +82,8 @@ def draw_pages(request: PlotRequest) -> list[Figure]:
     """Return each line on a page of its own, on several if it has many amounts."""
     rows = max(1, int((style.PAGE_HEIGHT - 50 - KEY_HEIGHT) // (HIGH + ABOVE + BELOW)))
     return [
-        _figure(request, [each], quantities)
-        for each in sample_lines(request)
+        _figure(request, [line], quantities)
+        for line in sample_lines(request)
         for quantities in style.batch(request.quantities, rows)
     ]
 
@@ -92,18 +93,18 @@ def _figure(
 ) -> Figure:
     """Return lines one below the other, of each some amounts."""
     page = style.Page(style.PAGE_WIDTH)
-    certified = all(each.certified for each in request.combinations)
+    certified = all(combination.certified for combination in request.combinations)
     first = request.combinations[0]
     source = f"{first.name} ({first.limit_state})" if len(curves[0].names) == 1 and request.names_combinations else ""
     top = page.write_heading(request.combined.model.title, [source], "" if certified else NOT_CERTIFIED)
     legend: dict[str, Any] = {}
     width = style.PAGE_WIDTH - LEFT - style.MARGIN - 3
-    for each in curves:
-        top = _draw_key_plan(page, request, each.line, top)
+    for curve in curves:
+        top = _draw_key_plan(page, request, curve.line, top)
         shown = quantities or request.quantities
         for row, quantity in enumerate(shown):
             axes = page.add_axes(LEFT, top + ABOVE, width, HIGH)
-            legend |= _draw_curves(axes, quantity, each, last=row == len(shown) - 1)
+            legend |= _draw_curves(axes, quantity, curve, last=row == len(shown) - 1)
             top += ABOVE + HIGH + BELOW
         top += AXIS - BELOW + 3
     return page.finish(top, legend if len(curves[0].names) > 1 else {})

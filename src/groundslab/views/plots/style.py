@@ -223,7 +223,7 @@ class Page:
         Signed figures name the program and its version at the lower right.
         """
         words = list(legend or {})
-        widths = [SAMPLE + text_width(each, SMALL) for each in words]
+        widths = [SAMPLE + text_width(word, SMALL) for word in words]
         space = self.width - 2 * MARGIN
         columns = next((k for k in range(len(words), 1, -1) if sum(_widest(widths, k)) <= space), 1)
         rows = -(-len(words) // columns)
@@ -232,7 +232,8 @@ class Page:
         for made, left, top, wide, high in self._axes:
             made.set_position((left / self.width, 1 - (top + high) / height, wide / self.width, high / height))
         if signed:
-            corner, words_of_ours = (self.width - MARGIN, height - MARGIN - FOOT * PT), f"groundslab {__version__}"
+            corner = (self.width - MARGIN, height - MARGIN - FOOT * PT)
+            words_of_ours = f"groundslab {__version__}"
             self.write(*corner, words_of_ours, fontsize=FOOT, color=GREY, ha="right")
         for written, left, top in self._texts:
             written.set_position((left / self.width, 1 - top / height))

@@ -68,7 +68,7 @@ def _draw_one_plate(axes: Axes, plate: AnyPlate, chord: float, fill: str) -> Ent
             axes.plot(*zip(a, b, strict=True), color=INK, linewidth=0.4, zorder=4.1)
     for zone in plate.zones:
         part = zone.shape.ring().polygon(chord).intersection(outline)
-        for piece in (each for each in shapely.get_parts(part) if each.geom_type == "Polygon"):
+        for piece in (piece for piece in shapely.get_parts(part) if piece.geom_type == "Polygon"):
             look = {"edgecolor": GREY, "linewidth": 0.8, "linestyle": (0, (6, 2, 1, 2)), "zorder": 3.5}
             entries["zone"] = draw_ring(axes, np.asarray(piece.exterior.coords), **look)
     return entries
@@ -79,8 +79,8 @@ def draw_bar_zones(axes: Axes, model: Model, layer: str) -> Entries:
     import shapely
 
     entries: Entries = {}
-    for each in bar_sets(model):
-        for piece in shapely.get_parts(each.region) if each.zone and each.layer == layer else ():
+    for bar_set in bar_sets(model):
+        for piece in shapely.get_parts(bar_set.region) if bar_set.zone and bar_set.layer == layer else ():
             if piece.geom_type == "Polygon":
                 look = {"edgecolor": LOAD, "linewidth": 0.9, "linestyle": (0, (4, 2)), "zorder": 3.6}
                 entries["zone of further bars"] = draw_ring(axes, np.asarray(piece.exterior.coords), **look)

@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 
 def keys_without_use(model: Model) -> dict[str, frozenset[str]]:
     """Return the keys that have no effect, by the section of the case."""
-    found = {"cases": frozenset[str]() if _takes_psi(model.combine) else frozenset({"psi_0", "psi_1", "psi_2"})}
+    unused = {"cases": frozenset[str]() if _takes_psi(model.combine) else frozenset({"psi_0", "psi_1", "psi_2"})}
     if model.combine is not None:
-        found["combine"] = frozenset(_of_combine(model.combine))
+        unused["combine"] = frozenset(_of_combine(model.combine))
     if model.reinforcement is not None:
-        found["reinforcement"] = frozenset(keys_of_other_codes(model.reinforcement.code))
-    return found
+        unused["reinforcement"] = frozenset(keys_of_other_codes(model.reinforcement.code))
+    return unused
 
 
 def _takes_psi(combine: Combine | None) -> bool:

@@ -52,19 +52,19 @@ _CELLS = (
 def list_assumptions(combined: Results) -> list[str]:
     """Return the assumptions of a solved case, a sentence or two each."""
     model = combined.model
-    found = [_PLATE + _of_plate(model), _LOADS, _of_contact(model), _of_ground(model), *_of_supports(model)]
+    sentences = [_PLATE + _of_plate(model), _LOADS, _of_contact(model), _of_ground(model), *_of_supports(model)]
     if len(combined.combinations) > 1:
-        found.append(
+        sentences.append(
             "Each combination is solved by itself with all its loads growing together"
             + (", as contact makes the response nonlinear" if model.contact.tensionless else "")
             + ". Results of different combinations must not be added up."
         )
-    found += [_SMOOTHED, *_of_pressure(combined)]
+    sentences += [_SMOOTHED, *_of_pressure(combined)]
     if len(combined.combinations) > 1:
-        found.append(
+        sentences.append(
             "Envelopes hold the extreme of each quantity by itself; values in different rows need not act together."
         )
-    return found
+    return sentences
 
 
 def _of_plate(model: Model) -> str:
@@ -122,6 +122,6 @@ def _of_pressure(combined: Results) -> Iterator[str]:
     """Yield how pressures along the plate's edge are to be read."""
     if isinstance(combined.model.ground, ContinuousGround):
         yield _CELLS
-    elif any(any(each.constants.k1) for each in combined.results.values()):
+    elif any(any(result.constants.k1) for result in combined.results.values()):
         steel = combined.model.reinforcement
         yield _LINE_FORCE.format(unless=", but the case lets it" if steel and steel.line_force_relieves else "")

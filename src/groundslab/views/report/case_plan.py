@@ -84,23 +84,23 @@ def stands_in_plan(load: Data) -> bool:
 def nearby(plan: Data) -> Any:
     """Return the plate's corners and what lies near the plate (k, 2) [m]."""
     x0, y0, x1, y1 = plan["bounds"]
-    places = [(each["x"], each["y"]) for name in ("boreholes", "points") for each in plan[name]]
-    places += [end for name in ("lines", "strips") for each in plan[name] for end in (each["start"], each["end"])]
-    places += [place for each in plan["supports"] for place in each["points"]]
-    places += [place for each in plan["loads"] for place in each.get("ring") or each.get("points", ())]
+    places = [(point["x"], point["y"]) for name in ("boreholes", "points") for point in plan[name]]
+    places += [end for name in ("lines", "strips") for line in plan[name] for end in (line["start"], line["end"])]
+    places += [place for support in plan["supports"] for place in support["points"]]
+    places += [place for load in plan["loads"] for place in load.get("ring") or load.get("points", ())]
     far = REACH * max(x1 - x0, y1 - y0)
-    on_ground = np.array([place for each in plan["loads"] if "on" in each for place in each["ring"]]).reshape(-1, 2)
+    on_ground = np.array([place for load in plan["loads"] if "on" in load for place in load["ring"]]).reshape(-1, 2)
     places += np.clip(on_ground, (x0 - far, y0 - far), (x1 + far, y1 + far)).tolist()
-    found = np.array([(x0, y0), (x1, y1), *places], dtype=float)
-    inside = (found >= (x0 - far, y0 - far)) & (found <= (x1 + far, y1 + far))
-    return found[inside.all(axis=1)]
+    near = np.array([(x0, y0), (x1, y1), *places], dtype=float)
+    inside = (near >= (x0 - far, y0 - far)) & (near <= (x1 + far, y1 + far))
+    return near[inside.all(axis=1)]
 
 
 class Labels:
     """Labels in millimeters beside places in meters."""
 
     def __init__(self, axes: Axes, per_meter: float, limits: tuple[float, float, float, float]) -> None:
-        x0, x1, y0, y1 = self._limits = [per_meter * each for each in limits]
+        x0, x1, y0, y1 = self._limits = [per_meter * limit for limit in limits]
         self._axes, self._per_meter = axes, per_meter
         self._placement = LabelPlacement((x0 - 4, x1 + 4, y0 - 4, y1 + 4))
 
@@ -111,11 +111,13 @@ class Labels:
     def add(self, place: Sequence[float], text: str, color: str, distance: float = 2.0) -> None:
         """Write a text beside a place, or at the border of the drawing beside one outside."""
         x0, x1, y0, y1 = self._limits
-        x, y = (self._per_meter * each for each in place)
+        x, y = (self._per_meter * coordinate for coordinate in place)
         text = style.plain_text(text)
         half = style.text_width(text, style.SMALL) / 2, 0.6 * style.SMALL * style.PT
         inside = min(max(x, x0), x1), min(max(y, y0), y1)
-        u, v = (each / self._per_meter for each in self._placement.place_beside(inside, half, distance, SIDES))
+        u, v = (
+            coordinate / self._per_meter for coordinate in self._placement.place_beside(inside, half, distance, SIDES)
+        )
         self._axes.text(
             u, v, text, fontsize=style.SMALL, ha="center", va="center", color=color, parse_math=False, zorder=8,
             bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.4},
@@ -141,16 +143,16 @@ def _draw_ground(axes: Axes, plan: Data, labels: Labels) -> dict[str, Any]:
 def _draw_outputs(axes: Axes, plan: Data, labels: Labels) -> dict[str, Any]:
     """Draw points, section lines and strips with their names; return the entries in the legend."""
     entries: dict[str, Any] = {}
-    for each in (*plan["lines"], *plan["strips"]):
-        ends = np.array([each["start"], each["end"]])
+    for output in (*plan["lines"], *plan["strips"]):
+        ends = np.array([output["start"], output["end"]])
         (line,) = axes.plot(*ends.T, color=style.ACCENT, linewidth=0.9, linestyle=(0, (9, 3, 2, 3)), zorder=6)
-        if "width" in each:
+        if "width" in output:
             u = (ends[1] - ends[0]) / max(float(np.hypot(*(ends[1] - ends[0]))), 1e-9)
-            across = np.array([-u[1], u[0]]) * each["width"] / 2
+            across = np.array([-u[1], u[0]]) * output["width"] / 2
             corners = np.array([ends[0] + across, ends[1] + across, ends[1] - across, ends[0] - across])
             symbols.draw_ring(axes, corners, edgecolor=style.ACCENT, linewidth=0.5, linestyle=(0, (3, 3)), zorder=6)
-        entries["strip" if "width" in each else "section line"] = line
-        labels.add(ends.mean(axis=0) if "width" in each else ends[0], each["name"], style.ACCENT)
+        entries["strip" if "width" in output else "section line"] = line
+        labels.add(ends.mean(axis=0) if "width" in output else ends[0], output["name"], style.ACCENT)
     for point in plan["points"]:
         (entries["point"],) = axes.plot(point["x"], point["y"], "x", markersize=6, color=style.ACCENT, zorder=6)
         labels.add((point["x"], point["y"]), point["name"], style.ACCENT)
@@ -170,7 +172,7 @@ def _label_parts(plan: Data, labels: Labels) -> None:
 def _label_loads(axes: Axes, plan: Data, labels: Labels) -> None:
     """Write the numbers of the loads; those at one place share a label, those on a column have none."""
     groups: dict[tuple[Any, ...], list[int]] = {}
-    columns = {(each["x"], each["y"]) for each in plan["columns"]}
+    columns = {(column["x"], column["y"]) for column in plan["columns"]}
     for number, load in enumerate(plan["loads"], 1):
         if "footprint" in load:
             symbols.draw_ring(axes, np.array(load["footprint"]), edgecolor=style.LOAD, linewidth=0.6, zorder=5)
@@ -189,7 +191,7 @@ def _label_loads(axes: Axes, plan: Data, labels: Labels) -> None:
 def _draw_dimensions(axes: Axes, model: Model, corner: Point, per_meter: float) -> None:
     """Draw dimension lines below and at the left: from corner to corner where there is space, and of the plate."""
     x0, x1, y0, y1 = model.bounds
-    rings = [each.ring() for each in model.every_plate]
+    rings = [plate.ring() for plate in model.every_plate]
     corners = [place for ring in rings if ring.straight for place in ring.points]
     for axis, ends in enumerate(((x0, x1), (y0, y1))):
         stops = sorted({round(place[axis], 6) for place in corners} | {round(end, 6) for end in ends})

@@ -25,7 +25,7 @@ def text_of(folder: str | Path, model: Model) -> str | None:
 
 
 def changes_since(folder: str | Path, model: Model) -> str:
-    """Return what a report must say where the case in a folder of results, or that beside it, describes another model.
+    """Return the warning for a report where the case in a folder of results, or beside it, describes another model.
 
     Beside a folder such as raft-results the case is raft.toml. A file that is not there says nothing.
     """

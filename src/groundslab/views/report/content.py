@@ -74,8 +74,8 @@ def build_page(
     The chapters are those that the case asks for, unless given; that of ground models is there with a comparison only.
     """
     combinations.require_finite(combined)
-    found = combinations.entries(combined)
-    there = [entry.results for entry in found if entry.results is not None]
+    entries = combinations.entries(combined)
+    there = [entry.results for entry in entries if entry.results is not None]
     text = casefile.to_toml(combined.model) if text is None else text
     governing = drawings.find_governing(combined).get("settlement", "")
     leading = combined.results.get(governing) or (there[0] if there else None)
@@ -96,19 +96,19 @@ def build_page(
         "text": text,
         "sha256": hashlib.sha256(text.encode()).hexdigest(),
         "facts": list(_facts(combined)),
-        "verdict": dict(zip(("status", "words"), _verdict(combined, found), strict=True)),
+        "verdict": dict(zip(("status", "words"), _verdict(combined, entries), strict=True)),
         "design": check_design(combined),
         "case": input_tables(combined.model, combined.combinations),
         "assumptions": list_assumptions(combined),
         "drawings": list(_drawings(combined, leading)),
         "grounds": None if comparison is None else build_chapter(comparison),
         "loads": list(drawings.draw_loads(combined.model, combined.solved_model)),
-        "constants": list_constants(found) if any(each.constants.k0 for each in there) else None,
+        "constants": list_constants(entries) if any(results.constants.k0 for results in there) else None,
         "analysed": list(map(layout_section, list_sections(combined))) if there else [],
-        "certificates": _certificates(combined, found),
-        "extremes": list(_extremes(combined, found)),
+        "certificates": _certificates(combined, entries),
+        "extremes": list(_extremes(combined, entries)),
         "tables": list(map(_table, tables)),
-        "history": list_steps(found),
+        "history": list_steps(entries),
         "pictures": list(drawings.draw_pictures(combined)),
         "refused": [(name, refusal_words(error)) for name, error in combined.refused.items()],
     }
@@ -128,10 +128,11 @@ def _facts(combined: Results) -> Iterator[tuple[str, str]]:
     yield "Combinations", f"{total}, of which {' and '.join(parts)}" if parts else total
 
 
-def _verdict(combined: Results, found: Sequence[Entry]) -> tuple[str, str]:
+def _verdict(combined: Results, entries: Sequence[Entry]) -> tuple[str, str]:
     """Return how good the results of all combinations are (good, doubtful, bad), and that in words."""
     if not combined.refused:
-        certified, coarse = sections.certified_words(len(found)), coarse_words(combined)
+        certified = sections.certified_words(len(entries))
+        coarse = coarse_words(combined)
         return ("doubtful", f"{certified} {coarse}") if coarse else ("good", certified)
     others = ["The results of the others are certified."] if combined.results else []
     return ("bad", " ".join([*combinations.refusal_sentences(combined), *others]))
@@ -156,11 +157,11 @@ def layout_row(row: Row) -> tuple[Cell, ...]:
     return (*words, Cell(shown.figure, "number"), Cell(shown.unit), Cell(shown.error, "number"))
 
 
-def _extremes(combined: Results, found: Sequence[Entry]) -> Iterator[TableLayout]:
+def _extremes(combined: Results, entries: Sequence[Entry]) -> Iterator[TableLayout]:
     """Yield the extremes over all certified combinations with their places, those of GROUPS side by side."""
-    names = {entry.number: entry.combination.name for entry in found} if len(found) > 1 else {}
+    names = {entry.number: entry.combination.name for entry in entries} if len(entries) > 1 else {}
     groups = {
-        name: {section.key: (section, {each.row.key: each for each in rows}) for section, rows in extremes}
+        name: {section.key: (section, {row.row.key: row for row in rows}) for section, rows in extremes}
         for name, states in GROUPS.items()
         if (extremes := combinations.extremes(combined, states))
     }
@@ -205,18 +206,18 @@ def _extreme(extreme: Extreme | None, names: Mapping[int, str], label: str) -> t
     )
 
 
-def _certificates(combined: Results, found: Sequence[Entry]) -> list[TableLayout]:
+def _certificates(combined: Results, entries: Sequence[Entry]) -> list[TableLayout]:
     """Return the certificate, a figure a row: of several combinations the worst, then all of each, for the screen."""
     proofs = {
         entry.combination.name: sections.certificate_section(entry.results)
-        for entry in found
+        for entry in entries
         if entry.results is not None
     }
     if len(proofs) == 1:
         return [replace(grid, notes=CERTIFICATE_NOTES) for grid in map(_certificate, proofs.values())]
-    names = {entry.number: entry.combination.name for entry in found}
-    worst = _certificate(SummarySection("worst", "", tuple(each.row for each in combinations.worst(combined))))
-    by = tuple(Cell(names[each.number]) for each in combinations.worst(combined))
+    names = {entry.number: entry.combination.name for entry in entries}
+    worst = _certificate(SummarySection("worst", "", tuple(extreme.row for extreme in combinations.worst(combined))))
+    by = tuple(Cell(names[extreme.number]) for extreme in combinations.worst(combined))
     heads = (*worst.heads, TableHeader("combination"))
     rows = tuple((*row, cell) for row, cell in zip(worst.rows, by, strict=True))
     return [replace(worst, heads=heads, rows=rows, notes=CERTIFICATE_NOTES), *_all_certificates(proofs)]
@@ -227,9 +228,11 @@ def _all_certificates(proofs: Mapping[str, SummarySection]) -> list[TableLayout]
     known = {row.key: row for section in proofs.values() for row in section.rows}
     rows = []
     for name, section in proofs.items():
-        own = {row.key: row for row in section.rows}
+        by_key = {row.key: row for row in section.rows}
         cells = [
-            Cell(shown_row(own[key]).figure, "bad" if own[key].ok is False else "number") if key in own else Cell("")
+            Cell(shown_row(by_key[key]).figure, "bad" if by_key[key].ok is False else "number")
+            if key in by_key
+            else Cell("")
             for key in known
         ]
         rows.append((Cell(name), *cells, _holds(all(row.ok is not False for row in section.rows))))
@@ -266,16 +269,16 @@ def _table(table: Table) -> dict[str, Any]:
     return about | {"grids": grids, "digest": table_layout.summarize_table(table)}
 
 
-def list_constants(found: Sequence[Entry]) -> TableLayout:
+def list_constants(entries: Sequence[Entry]) -> TableLayout:
     """Return the constants of the ground that the combinations ended with; those with the same ones share a row."""
     heads: list[TableHeader] = []
     names: dict[tuple[Cell, ...], list[str]] = {}
-    for entry in found:
+    for entry in entries:
         if entry.results is None:
             continue
         shown = [(row, shown_row(row)) for row in sections.description_of_ground(entry.results).rows[1:]]
-        heads = heads or [TableHeader(row.label, each.unit, True, row.symbol) for row, each in shown]
-        cells = tuple(Cell(each.figure, "number") for _, each in shown)
+        heads = heads or [TableHeader(row.label, text.unit, True, row.symbol) for row, text in shown]
+        cells = tuple(Cell(text.figure, "number") for _, text in shown)
         names.setdefault(cells, []).append(entry.combination.name)
     if len(names) == 1:
         return TableLayout("", tuple(heads), tuple(names))
@@ -309,13 +312,13 @@ def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[
     yield replace(soil, caption=" ".join(notes))
 
 
-def list_steps(found: Sequence[Entry]) -> TableLayout:
+def list_steps(entries: Sequence[Entry]) -> TableLayout:
     """Return all steps of all combinations that have results."""
     numbers = ("#unknowns of the mesh", "#load increment", "#gamma", "#contact iteration", "#in contact")
     heads = headers("combination", *numbers, "#changed", "")
     rows = tuple(
         (Cell(results.combination), *(Cell(text, "number") for text in step_texts(step)), Cell("*" * step.finest))
-        for results in (entry.results for entry in found if entry.results is not None)
+        for results in (entry.results for entry in entries if entry.results is not None)
         for step in results.steps
     )
     return TableLayout(

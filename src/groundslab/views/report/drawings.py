@@ -91,13 +91,13 @@ def find_governing(combined: Results) -> dict[str, str]:
     """
     if not combined.results:
         return {}
-    found = {}
+    governing = {}
     for what, (field, _, size) in GOVERNS.items():
-        largest = {name: size(getattr(each.plate, field)).max() for name, each in combined.results.items()}
-        found[what] = max(largest, key=largest.__getitem__)
+        largest = {name: size(getattr(results.plate, field)).max() for name, results in combined.results.items()}
+        governing[what] = max(largest, key=largest.__getitem__)
     if all(results.plate.in_contact.all() for results in combined.results.values()):
-        del found["uplift"]
-    return found
+        del governing["uplift"]
+    return governing
 
 
 def draw_pictures(combined: Results) -> Iterator[Drawing]:

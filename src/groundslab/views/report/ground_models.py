@@ -46,7 +46,11 @@ def _layout(
     comparison: GroundComparison, title: str, rows: Sequence[ComparisonRow], notes: tuple[str, ...]
 ) -> TableLayout:
     """Return rows with a column for each ground, differences to the continuum under the values."""
-    heads = (TableHeader(""), TableHeader("unit"), *(TableHeader(each, number=True) for each in headings(comparison)))
+    heads = (
+        TableHeader(""),
+        TableHeader("unit"),
+        *(TableHeader(heading, number=True) for heading in headings(comparison)),
+    )
     cells = tuple(
         (Cell(row.label, "words"), Cell(row.unit), *(Cell(value, "number", under) for value, under in row.texts()))
         for row in rows

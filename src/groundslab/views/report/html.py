@@ -229,7 +229,7 @@ def _page_heads(page: Mapping[str, Any]) -> str:
         "bottom-left": f"groundslab {page['version']}, SHA-256 of the input {page['sha256'][:12]}",
     }
     boxes = "".join(
-        f'@{place} {{ content: "{re.sub(r"[^A-Za-z0-9 ,.]", lambda found: f"{chr(92)}{ord(found[0]):x} ", text)}"; '
+        f'@{place} {{ content: "{re.sub(r"[^A-Za-z0-9 ,.]", lambda match: f"{chr(92)}{ord(match[0]):x} ", text)}"; '
         "font: 9px sans-serif; }\n"
         for place, text in heads.items()
     )
@@ -245,7 +245,7 @@ def render_page(template: Path, **values: Any) -> str:
     """Return a page of a template, which may use those here: values are escaped, a missing one is an error."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-    found = Environment(
+    environment = Environment(
         loader=FileSystemLoader([template.parent, HERE / "templates"]),
         autoescape=True,
         undefined=StrictUndefined,
@@ -254,8 +254,8 @@ def render_page(template: Path, **values: Any) -> str:
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
-    found.filters |= {"pieces": split_symbol, "word_pieces": split_words}
-    return found.get_template(template.name).render(values)
+    environment.filters |= {"pieces": split_symbol, "word_pieces": split_words}
+    return environment.get_template(template.name).render(values)
 
 
 def _plain(value: object) -> object:

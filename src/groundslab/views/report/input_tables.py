@@ -79,11 +79,12 @@ class InputTable:
 
 def input_tables(model: Model, combinations: Sequence[Combination]) -> list[InputTable]:
     """Return all of a case, section by section, with what was solved; what is not there is left out."""
-    found = []
+    tables = []
     remarks = find_remarks(model, combinations)
     without_use = keys_without_use(model)
     for name, title in SECTIONS.items():
-        value, hidden = getattr(model, name), without_use.get(name, frozenset())
+        value = getattr(model, name)
+        hidden = without_use.get(name, frozenset())
         if name == "combinations":
             grids = [_combinations(combinations)] if model.cases else []
         elif isinstance(value, Section):
@@ -92,12 +93,12 @@ def input_tables(model: Model, combinations: Sequence[Combination]) -> list[Inpu
             grids = list(_list(value or (), name, "", hidden))
         if name == "cases" and model.cases:
             grids.append(_acting(model, combinations))
-        notes = [f"Remark: {each.words}." for each in remarks if each.path[0] == name]
+        notes = [f"Remark: {remark.words}." for remark in remarks if remark.path[0] == name]
         if notes and grids:
             grids[-1] = replace(grids[-1], notes=(*grids[-1].notes, *notes))
         if grids:
-            found.append(InputTable(name, title, tuple(grids)))
-    return found
+            tables.append(InputTable(name, title, tuple(grids)))
+    return tables
 
 
 def format_value(key: FieldType, value: Any) -> str:
@@ -140,13 +141,13 @@ def _places(places: Sequence[Sequence[float]]) -> str:
 
 def _several(key: ListOf, values: Sequence[Any]) -> str:
     """Return a list of values; those with one unit share it."""
-    each = key.each
-    if isinstance(each, ListOf):
+    item = key.each
+    if isinstance(item, ListOf):
         return f"{_places(values)} m"
-    if isinstance(each, Quantity):
-        texts, unit = together(values, each.dimension)
+    if isinstance(item, Quantity):
+        texts, unit = together(values, item.dimension)
         return f"{' to '.join(texts)} {unit}" if key.rising else f"({', '.join(texts)}) {unit}"
-    return ", ".join(format_value(each, value) for value in values)
+    return ", ".join(format_value(item, value) for value in values)
 
 
 def _part(part: Section, title: str, hidden: Set[str] = frozenset()) -> Iterator[TableLayout]:
@@ -189,8 +190,8 @@ def _list(parts: Sequence[Section], name: str, title: str, hidden: Set[str] = fr
         kinds.setdefault(type(part), []).append((number, part))
     for kind, numbered in kinds.items():
         tag = kind.model_fields.get("kind")
-        own = f"{tag.default}, {get_meaning(tag)}" if tag is not None and get_field_type(tag) is None else ""
-        yield _columns(kind, numbered, ": ".join(filter(None, (title, own))), hidden)
+        meaning = f"{tag.default}, {get_meaning(tag)}" if tag is not None and get_field_type(tag) is None else ""
+        yield _columns(kind, numbered, ": ".join(filter(None, (title, meaning))), hidden)
     for number, part in enumerate(parts, 1):
         called = ", ".join(filter(None, (f"{ONE.get(name, _words(name))} {number}", getattr(part, "name", ""))))
         for inner, field in type(part).model_fields.items():
@@ -241,22 +242,29 @@ def _column(name: str, key: FieldType, values: list[Any]) -> tuple[TableHeader, 
 
 
 def _combinations(combinations: Sequence[Combination]) -> TableLayout:
-    """Return what is solved: the combinations that the case lists and those made by EN 1990, or each case."""
+    """Return the table of solved combinations: those of the case and those made by EN 1990, or each load case."""
     heads = headers("#no.", "name", "limit state", "loads that act together")
     rows = tuple(
-        (Cell(str(number), "number"), Cell(each.name), Cell(each.limit_state), Cell(factors_text(each)))
-        for number, each in enumerate(combinations, 1)
+        (
+            Cell(str(number), "number"),
+            Cell(combination.name),
+            Cell(combination.limit_state),
+            Cell(factors_text(combination)),
+        )
+        for number, combination in enumerate(combinations, 1)
     )
     return TableLayout("", heads, rows, ("Each is solved by itself, with all its loads growing together.",))
 
 
 def _acting(model: Model, combinations: Sequence[Combination]) -> TableLayout:
     """Return with which factors each case acts in the combinations of each limit state, and in how many of them."""
-    states = list(dict.fromkeys(each.limit_state for each in combinations))
+    states = list(dict.fromkeys(combination.limit_state for combination in combinations))
     heads = headers("case", "action", "#loads", *states)
     rows = []
     for use in case_uses(model, combinations):
-        words = {each.limit_state: each.words().removeprefix(each.limit_state).strip() for each in use.acting}
+        words = {
+            factors.limit_state: factors.words().removeprefix(factors.limit_state).strip() for factors in use.acting
+        }
         cells = [Cell(words.get(state, "-")) for state in states]
         rows.append((Cell(use.case.name), Cell(use.case.action), Cell(str(use.loads), "number"), *cells))
     notes = ("Factors, and the number of combinations in which the case acts.",)

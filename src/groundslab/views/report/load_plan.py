@@ -85,7 +85,7 @@ def _loads_of(model: Model, placed: Model, case: LoadCase | None) -> list[tuple[
 
 
 def _on_plate(load: AnyLoad) -> str:
-    """Return what acts everywhere, such as "uniform 5 kPa", with the plate that it names."""
+    """Return the text of a load on the entire plate, such as "uniform 5 kPa", with the plate that it names."""
     name = getattr(load, "plate", "")
     return f"{load.kind} {load_text(load)}" + (f" on {name}" if name else "")
 
@@ -124,9 +124,9 @@ def _split_repeated(
 
 def _values(model: Model, placed: Model, case: LoadCase | None) -> dict[tuple[float, float], list[str]]:
     """Return how large the loads of a case are, by the places at which that is written."""
-    found: dict[tuple[float, float], list[str]] = {}
+    texts: dict[tuple[float, float], list[str]] = {}
     for load, about in _loads_of(model, placed, case):
         if stands_in_plan(about):
             place = upper_left(about["ring"]) if "ring" in about else middle(about["points"])
-            found.setdefault(place, []).append(load_text(load))
-    return found
+            texts.setdefault(place, []).append(load_text(load))
+    return texts

@@ -70,6 +70,6 @@ def _launch(playwright: Playwright) -> Browser:
 
 def _ways() -> Iterator[dict[str, Any]]:
     """Yield how browsers may be started: programs on the path, installed ones, and Playwright's own."""
-    yield from ({"executable_path": found} for found in map(shutil.which, PROGRAMS) if found)
+    yield from ({"executable_path": path} for path in map(shutil.which, PROGRAMS) if path)
     yield from ({"channel": channel} for channel in CHANNELS)
     yield {}

@@ -119,12 +119,14 @@ def summarize_table(table: Table) -> TableLayout | None:
     keys = KEYS.get(table.name, 0)
     if table.name in ELSEWHERE or table.name not in FOLDED or len(table) <= MOST_ROWS:
         return None
-    combination, name, errors = table.columns[0].values, table.columns[1].values, errors_of(table)
+    combination = table.columns[0].values
+    name = table.columns[1].values
+    errors = errors_of(table)
     along = next((column for column in table.columns[2:keys] if column.name == "s"), None)
     rows = []
     for one in dict.fromkeys(name):
-        at = [i for i, each in enumerate(name) if each == one]
-        for column in (each for each in table.columns[keys:] if each.unit != "deg" and not each.error_of):
+        at = [i for i, row_name in enumerate(name) if row_name == one]
+        for column in (column for column in table.columns[keys:] if column.unit != "deg" and not column.error_of):
             known = [(value, i) for i in at if isinstance(value := column.values[i], float)]
             if not known:
                 continue
@@ -172,21 +174,21 @@ _SYMBOL = re.compile(r"(?<![\w])([A-Za-z]+)(?:_([A-Za-z0-9]+))?(?![\w])")
 
 def split_symbol(symbol: str) -> list[tuple[str, str]]:
     """Return a symbol such as "gamma_c" or "q_x, q_y" as pairs of text and subscript, Greek letters as such."""
-    found: list[tuple[str, str]] = []
+    pieces: list[tuple[str, str]] = []
     end = 0
     for match in _SYMBOL.finditer(symbol):
-        found.append((symbol[end : match.start()] + GREEK.get(match[1], match[1]), match[2] or ""))
+        pieces.append((symbol[end : match.start()] + GREEK.get(match[1], match[1]), match[2] or ""))
         end = match.end()
-    return [*found, (symbol[end:], "")] if symbol[end:] else found
+    return [*pieces, (symbol[end:], "")] if symbol[end:] else pieces
 
 
 def split_words(words: str) -> list[tuple[str, str]]:
     """Return words in which symbols have an underscore, such as "moment m_x", as pairs of text and subscript."""
-    found: list[tuple[str, str]] = []
+    pieces: list[tuple[str, str]] = []
     for word in re.split(r"(\s+)", words):
         plain = re.fullmatch(r"([|(]?)([A-Za-z]+)_([A-Za-z0-9]+)([|),;:.]?)", word)
         if plain is None:
-            found.append((word, ""))
+            pieces.append((word, ""))
         else:
-            found += [(plain[1] + GREEK.get(plain[2], plain[2]), plain[3]), (plain[4], "")]
-    return found
+            pieces += [(plain[1] + GREEK.get(plain[2], plain[2]), plain[3]), (plain[4], "")]
+    return pieces

@@ -42,12 +42,13 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
     order; the rest is named in "left_out".
     """
     combinations.require_finite(combined)
-    found = combinations.entries(combined)
-    there = [entry.results for entry in found if entry.results is not None]
+    entries = combinations.entries(combined)
+    there = [entry.results for entry in entries if entry.results is not None]
     plates = [results.plate for results in there]
     _require_one_mesh(plates)
     names = _fields_of(there)
-    blocks, of_bars = Blocks(), _fields_of_bars(combined)
+    blocks = Blocks()
+    of_bars = _fields_of_bars(combined)
     nodes, elements, section = np.zeros((0, 2)), np.zeros((0, 9), dtype=np.int64), np.zeros(0, dtype=np.int64)
     if there:
         nodes, elements, section = plates[0].nodes, plates[0].elements, there[0].elements.section
@@ -59,7 +60,7 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
         "elements": blocks.put(elements, "u32"),
     }
     mesh["section"] = blocks.put(section, "u16")
-    kept = _kept(found, names, len(found) if most is None else most)
+    kept = _kept(entries, names, len(entries) if most is None else most)
     shared = {name: blocks.put_range(values) for name, values in of_bars.items()}
     head = {
         "format": FORMAT,
@@ -68,9 +69,9 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
         "plan": plan_of(combined.solved_model),
         "mesh": mesh,
         "fields": [_about(name, there) for name in names] + [_words(name, False) for name in of_bars] + [_CONTACT],
-        "combinations": [_combination(entry, names, blocks, entry.number in kept, shared) for entry in found],
+        "combinations": [_combination(entry, names, blocks, entry.number in kept, shared) for entry in entries],
         "left_out": [
-            entry.combination.name for entry in found if entry.results is not None and entry.number not in kept
+            entry.combination.name for entry in entries if entry.results is not None and entry.number not in kept
         ],
     }
     return Scene(head, blocks.data)
@@ -92,11 +93,11 @@ def _fields_of(there: list[CombinationResult]) -> list[str]:
     Those of elements only if all combinations have them.
     """
     absent = {
-        "penetration": not any(each.plate.penetration.any() for each in there),
+        "penetration": not any(results.plate.penetration.any() for results in there),
         LINE_FORCE: not any(map(has_line_force, there)),
     }
     of_elements = [
-        name for name in SHOWN_ELEMENT_FIELDS if all(getattr(each.elements, name) is not None for each in there)
+        name for name in SHOWN_ELEMENT_FIELDS if all(getattr(results.elements, name) is not None for results in there)
     ]
     return [name for name in SHOWN if not absent.get(name)] + (of_elements if there else [])
 
@@ -104,18 +105,18 @@ def _fields_of(there: list[CombinationResult]) -> list[str]:
 def _about(name: str, there: list[CombinationResult]) -> dict[str, Any]:
     """Return how a field is called and shown; it is signed if its sign matters."""
     sign = (PLATE_FIELDS | SHOWN_ELEMENT_FIELDS)[name].sign
-    return _words(name, sign == "any" or any(goes_below_zero(nodal_values(each, name)) for each in there))
+    return _words(name, sign == "any" or any(goes_below_zero(nodal_values(results, name)) for results in there))
 
 
 def _words(name: str, signed: bool) -> dict[str, Any]:
     """Return how a field is called and shown, signed or not."""
     about = (PLATE_FIELDS | SHOWN_ELEMENT_FIELDS | BAR_FIELDS)[name]
-    words = {each: getattr(about, each) for each in ("symbol", "unit", "meaning", "averaged")}
+    words = {key: getattr(about, key) for key in ("symbol", "unit", "meaning", "averaged")}
     return {"name": name, **words, "signed": signed}
 
 
 def _fields_of_bars(combined: Results) -> dict[str, Array]:
-    """Return what bars are required and how far they are used (n,), where any are enough; the same in all combinations.
+    """Return the required bars and their utilization (n,), where any are enough; the same in all combinations.
 
     One of them is left out where the concrete is too weak somewhere.
     """
@@ -167,12 +168,12 @@ def _range(nodes: Array, values: Array) -> dict[str, list[float]]:
     return {"min": [low + 0.0, *at_low], "max": [high + 0.0, *at_high]}
 
 
-def _kept(found: list[Entry], names: list[str], count: int) -> set[int]:
+def _kept(entries: list[Entry], names: list[str], count: int) -> set[int]:
     """Return the numbers of so many combinations with results: first the certified ones that govern an extreme."""
-    plates = {entry.number: entry.results.plate for entry in found if entry.results and entry.refused is None}
-    others = [entry.number for entry in found if entry.results is not None]
+    plates = {entry.number: entry.results.plate for entry in entries if entry.results and entry.refused is None}
+    others = [entry.number for entry in entries if entry.results is not None]
     order: dict[int, None] = {}
-    for name in (each for each in names if each in SHOWN):
+    for name in (name for name in names if name in SHOWN):
         for sign in (1, -1):
             highest = {number: float((sign * getattr(plate, name)).max()) for number, plate in plates.items()}
             if highest:

@@ -43,7 +43,7 @@ Data = dict[str, Any]
 
 
 def plan_of(model: Model) -> Data:
-    """Return what stands in plan [m]: each item with its path in the case file, which counts from 1."""
+    """Return the items in plan [m], each with its path in the case file, which counts from 1."""
     plate = model.plate
     x0, x1, y0, y1 = model.bounds
     chord = DRAWN_CHORD * max(model.sides)
@@ -74,8 +74,8 @@ def plan_of(model: Model) -> Data:
         "outline": ring(plate.ring()),
         "openings": listed("plate.openings", plate.openings, lambda hole: {"ring": ring(hole.ring())}),
         "zones": zones("plate.zones", plate),
-        "plates": [further(number, each) for number, each in enumerate(model.plates, 1)],
-        "columns": listed("columns", model.columns, lambda each: _place(each) | {"ring": ring(each.ring())}),
+        "plates": [further(number, other) for number, other in enumerate(model.plates, 1)],
+        "columns": listed("columns", model.columns, lambda column: _place(column) | {"ring": ring(column.ring())}),
         "supports": listed("supports", model.supports, _support),
         "loads": listed("loads", model.loads, lambda load: _load(load, model, chord)),
         "boreholes": listed("boreholes", model.boreholes, _place),
@@ -123,7 +123,7 @@ def _load(load: AnyLoad, model: Model, chord: float) -> Data:
 
 
 def _place_of(shape: Acting, model: Model, chord: float) -> Data:
-    """Return what a shape acts on."""
+    """Return the points, line or area that a load acts on."""
     if isinstance(shape, PointForce):
         footprint = {} if shape.ring is None else {"footprint": _rounded(shape.ring.flat(chord))}
         return {"points": _rounded([shape.place])} | footprint
@@ -179,5 +179,5 @@ def _ends(line: OutputLine | OutputStrip) -> Data:
 
 def _rounded(places: Sequence[Place] | Array) -> list[list[float]]:
     """Return places as lists, rounded to nanometers, no zero of them negative."""
-    found: list[list[float]] = (np.round(np.asarray(places, dtype=float), DIGITS) + 0.0).tolist()
-    return found
+    rounded: list[list[float]] = (np.round(np.asarray(places, dtype=float), DIGITS) + 0.0).tolist()
+    return rounded

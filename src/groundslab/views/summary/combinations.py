@@ -38,17 +38,17 @@ class Extreme:
 
 def entries(combined: Results) -> list[Entry]:
     """Return all combinations in the order in which they were solved."""
-    found = []
+    listed = []
     for number, combination in enumerate(combined.combinations, 1):
         refused = combined.refused.get(combination.name)
         results = refused.results if isinstance(refused, NotCertified) else combined.results.get(combination.name)
-        found.append(Entry(number, combination, results, refused))
-    return found
+        listed.append(Entry(number, combination, results, refused))
+    return listed
 
 
-def only(found: Sequence[Entry]) -> CombinationResult | None:
+def only(listed: Sequence[Entry]) -> CombinationResult | None:
     """Return the results of the only combination, certified or not; None if there are several, or no results."""
-    return found[0].results if len(found) == 1 else None
+    return listed[0].results if len(listed) == 1 else None
 
 
 def require_finite(combined: Results) -> None:
@@ -72,7 +72,7 @@ def case_lines(combined: Results) -> list[str]:
     remarks = find_remarks(combined.model, combined.combinations)
     return [
         *(f"{use.case.name} ({use.about()}): {use.words()}" for use in uses),
-        *(f"remark: {each.words}" for each in remarks if not each.doubtful and each.path[0] != "loads"),
+        *(f"remark: {remark.words}" for remark in remarks if not remark.doubtful and remark.path[0] != "loads"),
     ]
 
 
@@ -89,16 +89,16 @@ def refusal_sentences(combined: Results) -> Iterator[str]:
 def _some_of(combined: Results, names: Collection[str]) -> str:
     """Return which of several combinations are meant, by their numbers; nothing of an only one."""
     count = len(combined.combinations)
-    numbers = [str(number) for number, each in enumerate(combined.combinations, 1) if each.name in names]
+    numbers = [str(number) for number, combination in enumerate(combined.combinations, 1) if combination.name in names]
     which = f" in {len(numbers)} of {count} combinations, number {', '.join(numbers)}"
     return which if count > 1 else ""
 
 
 def description(combined: Results) -> list[SummarySection]:
     """Return the sections on the model; of the ground only what is the same in all combinations."""
-    found = [entry.results for entry in entries(combined) if entry.results is not None]
-    plate, mesh, ground, *cut = sections.description(found[0])
-    others = [sections.description_of_ground(results).rows for results in found[1:]]
+    solved = [entry.results for entry in entries(combined) if entry.results is not None]
+    plate, mesh, ground, *cut = sections.description(solved[0])
+    others = [sections.description_of_ground(results).rows for results in solved[1:]]
     same = tuple(row for row in ground.rows if all(row in rows for rows in others))
     notes = ground.notes
     if len(same) < len(ground.rows):
@@ -115,16 +115,16 @@ def extremes(
 
     The largest governs, of a row called smallest and of the share in contact the smallest; the first of equal ones.
     """
-    found: dict[str, tuple[SummarySection, dict[str, Extreme]]] = {}
+    by_section: dict[str, tuple[SummarySection, dict[str, Extreme]]] = {}
     for number, results in _certified(combined):
         if limit_states is not None and results.limit_state not in limit_states:
             continue
         for section in sections.figures(results):
-            known, rows = found.setdefault(section.key, (section, {}))
+            known, rows = by_section.setdefault(section.key, (section, {}))
             notes = tuple(dict.fromkeys((*known.notes, *section.notes)))
-            found[section.key] = replace(known, notes=notes), rows
+            by_section[section.key] = replace(known, notes=notes), rows
             _collect_extremes(rows, section.rows, number)
-    return [(section, tuple(rows.values())) for section, rows in found.values()]
+    return [(section, tuple(rows.values())) for section, rows in by_section.values()]
 
 
 def _certified(combined: Results) -> Iterator[tuple[int, CombinationResult]]:
@@ -134,11 +134,11 @@ def _certified(combined: Results) -> Iterator[tuple[int, CombinationResult]]:
             yield entry.number, entry.results
 
 
-def _collect_extremes(found: dict[str, Extreme], rows: Iterable[Row], number: int) -> None:
+def _collect_extremes(by_key: dict[str, Extreme], rows: Iterable[Row], number: int) -> None:
     """Put the rows of a combination among the extremes by their keys, each that governs the one there."""
     for row in rows:
-        if row.key not in found or _governs(row, found[row.key].row):
-            found[row.key] = Extreme(row, number)
+        if row.key not in by_key or _governs(row, by_key[row.key].row):
+            by_key[row.key] = Extreme(row, number)
 
 
 def _governs(row: Row, other: Row) -> bool:
@@ -151,8 +151,8 @@ def _governs(row: Row, other: Row) -> bool:
 
 def worst(combined: Results) -> tuple[Extreme, ...]:
     """Return of each figure that must vanish, and of the margin's effect, the largest over the certified ones."""
-    found: dict[str, Extreme] = {}
+    by_key: dict[str, Extreme] = {}
     for number, results in _certified(combined):
         rows = sections.certificate_section(results).rows
-        _collect_extremes(found, (row for row in rows if row.key not in ("load", "reaction")), number)
-    return tuple(found.values())
+        _collect_extremes(by_key, (row for row in rows if row.key not in ("load", "reaction")), number)
+    return tuple(by_key.values())

@@ -97,7 +97,7 @@ def coarse_words(combined: Results) -> str:
                 f"The mesh is too coarse for the footprint of {forces}: {small.footprint:.3g} m in elements of "
                 f"{small.element:.3g} m. Moments and shear forces there are too small. {remedy.capitalize()}"
             )
-    judged = [each for results in combined.values() for each in judge(results)[:1]]
+    judged = [judgment for results in combined.values() for judgment in judge(results)[:1]]
     worst = max(judged, key=attrgetter("share"), default=None)
     if worst is None or worst.share <= combined.model.mesh.largest_error:
         return next(filter(None, map(unknown_words, combined.values())), "")

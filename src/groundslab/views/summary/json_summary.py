@@ -40,7 +40,7 @@ def to_json(combined: Results, folders: Mapping[str, str] | None = None, files: 
     from groundslab.model.remarks.case_use import case_uses
     from groundslab.model.remarks.remarks import find_remarks
 
-    found = combinations.entries(combined)
+    entries = combinations.entries(combined)
     combinations.require_finite(combined)
     document: dict[str, Any] = {
         "program": "groundslab",
@@ -50,10 +50,10 @@ def to_json(combined: Results, folders: Mapping[str, str] | None = None, files: 
         "certified": not combined.refused,
         "design": design(combined),
         "cases": [_case(use) for use in case_uses(combined.model, combined.combinations)],
-        "remarks": [each.words for each in find_remarks(combined.model, combined.combinations)],
+        "remarks": [remark.words for remark in find_remarks(combined.model, combined.combinations)],
     }
-    only = combinations.only(found)
-    document |= _several(combined, found, folders or {}) if only is None else _only(only)
+    only = combinations.only(entries)
+    document |= _several(combined, entries, folders or {}) if only is None else _only(only)
     document["files"] = list(files)
     return document
 
@@ -67,19 +67,19 @@ def json_text(combined: Results, folders: Mapping[str, str] | None = None, files
 
 def _case(use: CaseUse) -> dict[str, Any]:
     """Return a load case as data for JSON: its loads, and by limit state its factors and in how many combinations."""
-    acting = {each.limit_state: asdict(each) for each in use.acting}
+    acting = {factors.limit_state: asdict(factors) for factors in use.acting}
     for about in acting.values():
         del about["limit_state"]
     return {"name": use.case.name, "action": use.case.action, "loads": use.loads, "acting": acting}
 
 
 def design(combined: Results) -> dict[str, Any]:
-    """Return what can be judged of the design as data for JSON."""
+    """Return the design checks as data for JSON."""
     from groundslab.design.checks import check_design
 
-    found = check_design(combined)
-    checks = [_check(check) for check in found.checks]
-    return {"status": found.status, "headline": found.headline, "checks": checks}
+    judged = check_design(combined)
+    checks = [_check(check) for check in judged.checks]
+    return {"status": judged.status, "headline": judged.headline, "checks": checks}
 
 
 def _check(check: DesignCheck) -> dict[str, Any]:
@@ -94,19 +94,19 @@ def _only(results: CombinationResult) -> dict[str, Any]:
     return document | _sections(sections.summary(results)) | _analysis(results)
 
 
-def _several(combined: Results, found: Sequence[Entry], folders: Mapping[str, str]) -> dict[str, Any]:
-    """Return what all combinations have in common, the extremes over them, and each by itself."""
+def _several(combined: Results, entries: Sequence[Entry], folders: Mapping[str, str]) -> dict[str, Any]:
+    """Return the description of all combinations, the extremes over them, and each by itself."""
     document: dict[str, Any] = {}
-    if any(entry.results is not None for entry in found):
+    if any(entry.results is not None for entry in entries):
         document |= _sections(combinations.description(combined))
-    names = {entry.number: entry.combination.name for entry in found}
+    names = {entry.number: entry.combination.name for entry in entries}
     document["extremes"] = {
         section.key: {extreme.row.key: _named(extreme, names) for extreme in rows}
         | ({"notes": list(section.notes)} if section.notes else {})
         for section, rows in combinations.extremes(combined)
     }
     document["certificate"] = {extreme.row.key: _named(extreme, names) for extreme in combinations.worst(combined)}
-    document["combinations"] = [_combination(entry, folders.get(entry.combination.name)) for entry in found]
+    document["combinations"] = [_combination(entry, folders.get(entry.combination.name)) for entry in entries]
     return document
 
 
@@ -169,7 +169,7 @@ def _plain(value: Any) -> Any:
     if is_dataclass(value) and not isinstance(value, type):
         value = asdict(value)
     if isinstance(value, Mapping):
-        return {str(name): _plain(each) for name, each in value.items()}
+        return {str(name): _plain(entry) for name, entry in value.items()}
     if isinstance(value, np.generic):
         value = value.item()
     return str(value) if isinstance(value, float) and not isfinite(value) else value

@@ -93,15 +93,17 @@ def figures(results: CombinationResult) -> list[SummarySection]:
 
 def _figures(results: CombinationResult) -> list[SummarySection]:
     supports = [_supports(results)] if results.supports else []
-    found = [_settlement(results), *cracking_sections(results), _contact(results), *supports, _section_forces(results)]
+    listed = [_settlement(results), *cracking_sections(results), _contact(results), *supports, _section_forces(results)]
     if results.coarser is None:
-        return found
+        return listed
     coarser = {(section.key, row.key): row for section in _figures(results.coarser) for row in section.rows}
-    found = [
-        replace(each, rows=tuple(with_error(row, coarser.get((each.key, row.key)), results) for row in each.rows))
-        for each in found
+    listed = [
+        replace(
+            section, rows=tuple(with_error(row, coarser.get((section.key, row.key)), results) for row in section.rows)
+        )
+        for section in listed
     ]
-    return [*found, discretization_section(results)]
+    return [*listed, discretization_section(results)]
 
 
 def certified_words(count: int) -> str:
@@ -233,8 +235,8 @@ def _borders(results: CombinationResult) -> tuple[Row, ...]:
 
     words = {"drawn": "{} as drawn", "meshed": "{} on the mesh", "crossed": "elements across the border of {}"}
     return tuple(
-        Row(f"{each.name}.{key}", label.format(each.name), getattr(each, key), UNITS["m2"])
-        for each in crossed_borders(results)
+        Row(f"{border.name}.{key}", label.format(border.name), getattr(border, key), UNITS["m2"])
+        for border in crossed_borders(results)
         for key, label in words.items()
     )
 
@@ -247,13 +249,13 @@ def cut_loads(model: Model) -> list[SummarySection]:
     if not clipped:
         return []
     rows = []
-    for each in clipped[:MOST_CUT]:
-        name = f"loads[{each.number}]" + (f" {each.name}" if each.name else "")
-        rows.append(Row(f"share_{each.number}", f"{name}, {each.where}", each.share, UNITS["%"]))
-        rows.append(Row(f"force_{each.number}", f"{name}, without effect", each.force, UNITS["kN"]))
+    for cut in clipped[:MOST_CUT]:
+        name = f"loads[{cut.number}]" + (f" {cut.name}" if cut.name else "")
+        rows.append(Row(f"share_{cut.number}", f"{name}, {cut.where}", cut.share, UNITS["%"]))
+        rows.append(Row(f"force_{cut.number}", f"{name}, without effect", cut.force, UNITS["kN"]))
     if len(clipped) > MOST_CUT:
         rows.append(Row("more", "more loads cut off", len(clipped) - MOST_CUT))
-    rows.append(Row("sum_of_forces", "total without effect", sum(each.force for each in clipped), UNITS["kN"]))
+    rows.append(Row("sum_of_forces", "total without effect", sum(cut.force for cut in clipped), UNITS["kN"]))
     note = (
         "Area and line loads act where they lie on the plate, loads on the ground where they lie off it. Forces "
         "exclude the factors of combinations."

@@ -45,8 +45,9 @@ def print_summary(combined: Results, console: Console) -> None:
     from groundslab.design.checks import check_design
 
     combinations.require_finite(combined)
-    found, design = combinations.entries(combined), check_design(combined)
-    only = combinations.only(found)
+    entries = combinations.entries(combined)
+    design = check_design(combined)
+    only = combinations.only(entries)
     _head(combined.model.title, design, console)
     if only is not None:
         _print_lines([f"{only.combination} ({only.limit_state})"], "dim", console)
@@ -54,7 +55,7 @@ def print_summary(combined: Results, console: Console) -> None:
         _print_only(only, console)
     else:
         _print_cases(combined, console)
-        _print_several(combined, found, console)
+        _print_several(combined, entries, console)
     console.print()
     if not combined.refused:
         _print_certified(combined, design, console)
@@ -84,15 +85,15 @@ def _print_only(results: CombinationResult, console: Console) -> None:
     print_history(results.steps, console)
 
 
-def _print_several(combined: Results, found: Sequence[Entry], console: Console) -> None:
+def _print_several(combined: Results, entries: Sequence[Entry], console: Console) -> None:
     """Print what combinations have in common, each on its lines, and the extremes over all."""
-    for section in combinations.description(combined) if any(each.results for each in found) else []:
+    for section in combinations.description(combined) if any(entry.results for entry in entries) else []:
         _print_section(section, [_line(row) for row in section.rows], console)
     console.print()
     _print_lines(["Combinations"], "bold cyan", console)
     for heading in (("load", "settlement", "uplift", "contact", "iteration"), ("kN", "mm", "mm", "%", "steps")):
         _print_lines(["   " + "".join(f"{word:>12}" for word in heading)], "dim", console)
-    for entry in found:
+    for entry in entries:
         for line in _entry(entry):
             console.print(line, soft_wrap=True)
     for section, rows in combinations.extremes(combined):
@@ -203,7 +204,9 @@ def print_history(steps: Sequence[Step], console: Console) -> None:
 def step_texts(step: Step) -> list[str]:
     """Return the numbers of a step as text: unknowns, increment, gamma, iteration, what is in contact, what changed."""
     gamma = "-" if step.gamma is None else format_number(step.gamma)
-    return [str(each) for each in (step.unknowns, step.increment, gamma, step.iteration, step.in_contact, step.changed)]
+    return [
+        str(number) for number in (step.unknowns, step.increment, gamma, step.iteration, step.in_contact, step.changed)
+    ]
 
 
 def _line(row: Row, taken: int = 0) -> Text:

@@ -68,7 +68,7 @@ class BoundedProcess:
         seconds: float,
         needed: Callable[[], bool] = lambda: True,
     ) -> Any:
-        """Return what a function returns, or raise what it raises; both must be picklable.
+        """Return the result of a function, or raise its exception; both must be picklable.
 
         Raises TimeLimit after so many seconds, MemoryLimit, Interrupted soon after ``needed`` returns False, and
         ProcessEnded.
@@ -145,7 +145,7 @@ def _main(pipe: Connection, prepare: Callable[[], object] | None, memory: int) -
 
 
 def _call(function: Callable[..., Any], arguments: tuple[Any, ...], memory: int) -> Any:
-    """Return what a function returns or raises, pickled."""
+    """Return the result or the exception of a function, pickled."""
     try:
         content = ForkingPickler.dumps((True, function(*arguments)))
         if len(content) <= MAX_RESULT:

@@ -36,8 +36,8 @@ class DrawingReader:
 
     def survey(self, path: Path) -> dict[str, Any]:
         """Return the unit and the layers of a drawing as data for the page; raises InputError."""
-        found: dict[str, Any] = self._call(survey_drawing, path)
-        return found
+        layers: dict[str, Any] = self._call(survey_drawing, path)
+        return layers
 
     def convert(
         self, path: Path, layers: Mapping[str, str], unit: str | None, centered: bool, gap: str
@@ -86,20 +86,20 @@ def survey_drawing(path: str) -> dict[str, Any]:
     """Return the unit and the layers of a drawing as data for the page, places as flat lists [m]."""
     from groundslab.case.dxf.survey import survey
 
-    found = survey(path)
+    content = survey(path)
     layers = [
         {
-            "name": each.name,
-            "role": each.role,
-            "hidden": each.hidden,
-            "kinds": dict(each.kinds.most_common()),
-            "lines": list(map(_flatten, each.lines)),
-            "curves": list(map(_flatten, each.curves)),
-            "points": _flatten(each.points),
+            "name": layer.name,
+            "role": layer.role,
+            "hidden": layer.hidden,
+            "kinds": dict(layer.kinds.most_common()),
+            "lines": list(map(_flatten, layer.lines)),
+            "curves": list(map(_flatten, layer.curves)),
+            "points": _flatten(layer.points),
         }
-        for each in found.layers
+        for layer in content.layers
     ]
-    return {"unit": found.unit, "scale": found.scale, "layers": layers, "remarks": list(found.remarks)}
+    return {"unit": content.unit, "scale": content.scale, "layers": layers, "remarks": list(content.remarks)}
 
 
 def _flatten(points: Sequence[Place]) -> list[float]:

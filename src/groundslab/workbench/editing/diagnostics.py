@@ -65,5 +65,5 @@ def _locate(location: str, layout: TomlLayout | None, is_toml: bool) -> dict[str
         place = _SYNTAX.fullmatch(location)
         line, column = (int(place[1]), int(place[2])) if place else (1, 1)
         return {"path": [], "line": line, "column": column}
-    found = None if layout is None else layout.find_line(parse_path(location))
-    return {} if found is None else {"line": found}
+    number = None if layout is None else layout.find_line(parse_path(location))
+    return {} if number is None else {"line": number}

@@ -150,9 +150,9 @@ class Document:
         parent: Any = get_value(editor.data, above)
         rest: Any
         if isinstance(parent, Mapping):
-            rest = {name: each for name, each in parent.items() if name != step}
+            rest = {name: entry for name, entry in parent.items() if name != step}
         else:
-            rest = [each for index, each in enumerate(parent) if index != step]
+            rest = [item for index, item in enumerate(parent) if index != step]
         return self._replace(editor.remove(path, rest), replace_value(editor.data, above, rest))
 
     def _rename(self, editor: TomlEditor, path: Path, name: Any) -> Document:
@@ -162,7 +162,7 @@ class Document:
             raise InputError([Issue(format_path(path), "nothing", "a key to rename")])
         if not isinstance(name, str) or name in table:
             raise InputError([Issue(format_path(path), describe(name), "a name that is free")])
-        renamed = {name if key == path[-1] else key: each for key, each in table.items()}
+        renamed = {name if key == path[-1] else key: entry for key, entry in table.items()}
         return self._replace(editor.rename(path, name), replace_value(editor.data, path[:-1], renamed))
 
     def _replace(self, replacements: Sequence[Replacement], expected: Any) -> Document:
@@ -194,8 +194,8 @@ def _get_value(edit: Edit) -> Any:
 
 def _drop_none(value: Any) -> Any:
     if isinstance(value, Mapping):
-        return {str(name): _drop_none(each) for name, each in value.items() if each is not None}
-    return [_drop_none(each) for each in value] if isinstance(value, list) else value
+        return {str(name): _drop_none(entry) for name, entry in value.items() if entry is not None}
+    return [_drop_none(item) for item in value] if isinstance(value, list) else value
 
 
 def _get_distances(edit: Edit) -> tuple[float, float]:
@@ -226,6 +226,6 @@ def _require_parent(data: Any, path: Path) -> None:
 def _drop_empty(value: Any) -> Any:
     """Return data without empty tables and lists, which leave nothing in a file of headers."""
     if isinstance(value, Mapping):
-        filled = {name: _drop_empty(each) for name, each in value.items()}
-        return {name: each for name, each in filled.items() if each != {} and each != []}
-    return [_drop_empty(each) for each in value] if isinstance(value, list) else value
+        filled = {name: _drop_empty(entry) for name, entry in value.items()}
+        return {name: entry for name, entry in filled.items() if entry != {} and entry != []}
+    return [_drop_empty(item) for item in value] if isinstance(value, list) else value

@@ -26,7 +26,7 @@ _EXACT = Context(prec=60)
 def choose_resolution(data: Mapping[str, Any]) -> float:
     """Return the resolution of a drag on a plate [m]: a millimeter, or a thousandth of a small plate's size or less."""
     plate = data.get("plate")
-    sizes = [abs(each) for each in _iterate_lengths(plate if isinstance(plate, Mapping) else {}) if each]
+    sizes = [abs(length) for length in _iterate_lengths(plate if isinstance(plate, Mapping) else {}) if length]
     size = max(sizes, default=1.0)
     return min(STEP, STEP * 10.0 ** math.floor(math.log10(size)))
 
@@ -35,9 +35,9 @@ def _iterate_lengths(table: Mapping[str, Any]) -> Iterator[float]:
     """Yield the valid sides of a plate and coordinates of its outline [m]."""
     outline = table.get("outline")
     shape = outline if isinstance(outline, Mapping) else {}
-    for each in _iterate_texts([table.get("length_x"), table.get("length_y"), *shape.values()]):
+    for text in _iterate_texts([table.get("length_x"), table.get("length_y"), *shape.values()]):
         try:
-            yield units.parse(each, "length")
+            yield units.parse(text, "length")
         except ValueError:
             continue
 
@@ -47,13 +47,13 @@ def _iterate_texts(value: Any) -> Iterator[str]:
     if isinstance(value, str):
         yield value
     elif isinstance(value, list):
-        for each in value:
-            yield from _iterate_texts(each)
+        for item in value:
+            yield from _iterate_texts(item)
 
 
 def format_lengths(old: Any, new: Any, step: float) -> Any:
     """Return a length or nested lists of lengths [m] as texts in the units of the old ones, else in meters."""
-    unit = next((found["unit"] for each in _iterate_texts(old) if (found := _split_quantity(each))), "m")
+    unit = next((parts["unit"] for text in _iterate_texts(old) if (parts := _split_quantity(text))), "m")
     return _format(old, new, unit, step)
 
 
@@ -61,15 +61,16 @@ def _format(old: Any, new: Any, unit: str, step: float) -> Any:
     if isinstance(new, list):
         olds = old if isinstance(old, list) else []
         return [
-            _format(olds[number] if number < len(olds) else None, each, unit, step) for number, each in enumerate(new)
+            _format(olds[number] if number < len(olds) else None, length, unit, step)
+            for number, length in enumerate(new)
         ]
     if isinstance(new, bool) or not isinstance(new, int | float) or not math.isfinite(new):
         raise InputError([Issue("the edit", describe(new), "a length in meters, or a list of lengths")])
     parts = _split_quantity(old)
-    blank, own = parts.group("blank", "unit") if parts else (" ", unit)
+    blank, own_unit = parts.group("blank", "unit") if parts else (" ", unit)
     if parts and abs(units.parse(str(old), "length") - new) < step / 2:
         return old  # unchanged within the step
-    return f"{_format_number(_round(new, own, step))}{blank}{own}"
+    return f"{_format_number(_round(new, own_unit, step))}{blank}{own_unit}"
 
 
 def _split_quantity(value: Any) -> re.Match[str] | None:
@@ -128,8 +129,8 @@ def _translate(item: Mapping[str, Any], by: tuple[float, float], step: float, lo
             table[name] = _translate(inner, by, step, f"{location}.{name}")
         elif isinstance(inner, list):
             table[name] = [
-                _translate(each, by, step, f"{location}.{name}[{number}]") if isinstance(each, Mapping) else each
-                for number, each in enumerate(inner, start=1)
+                _translate(part, by, step, f"{location}.{name}[{number}]") if isinstance(part, Mapping) else part
+                for number, part in enumerate(inner, start=1)
             ]
     return table
 
@@ -141,20 +142,20 @@ def _find_coordinate(item: Mapping[str, Any]) -> Any:
 
 def _shift_points(value: Any, by: tuple[float, float], step: float, location: str) -> Any:
     """Return a point, or a list of points, translated."""
-    if isinstance(value, list) and any(isinstance(each, list) for each in value):
-        return [_shift_points(each, by, step, f"{location}[{number}]") for number, each in enumerate(value, start=1)]
+    if isinstance(value, list) and any(isinstance(item, list) for item in value):
+        return [_shift_points(point, by, step, f"{location}[{number}]") for number, point in enumerate(value, start=1)]
     if not isinstance(value, list) or len(value) != 2:
         raise InputError([Issue(location, describe(value), "a point of two lengths", "correct it first")])
     return [
-        _shift(each, distance, step, f"{location}[{number}]")
-        for number, (each, distance) in enumerate(zip(value, by, strict=True), start=1)
+        _shift(coordinate, distance, step, f"{location}[{number}]")
+        for number, (coordinate, distance) in enumerate(zip(value, by, strict=True), start=1)
     ]
 
 
 def _shift(value: Any, distance: float, step: float, location: str) -> Any:
     """Return a length, or a list of lengths, shifted by a rounded distance; other digits stay."""
     if isinstance(value, list):
-        return [_shift(each, distance, step, f"{location}[{number}]") for number, each in enumerate(value, start=1)]
+        return [_shift(length, distance, step, f"{location}[{number}]") for number, length in enumerate(value, start=1)]
     parts = _split_quantity(value)
     if parts is None:
         raise InputError([Issue(location, describe(value), units.expectation("length"), "correct it first")])

@@ -47,34 +47,37 @@ class TomlEditor:
         above, step = path[:-1], path[-1]
         if not self.layout.is_inline(above):
             return self._remove_statements(path)
-        old, found = get_value(self.data, above), self.layout.find_value(above)
-        if found is None or isinstance(old, Mapping):
+        old = get_value(self.data, above)
+        value = self.layout.find_value(above)
+        if value is None or isinstance(old, Mapping):
             return self._change(above, old, rest)
         sources = [index for index in range(len(old)) if index != step]
-        return [Replacement(found.start, found.end, rewrite_list(self.text, found, old, rest, sources))]
+        return [Replacement(value.start, value.end, rewrite_list(self.text, value, old, rest, sources))]
 
     def rename(self, path: Path, name: str) -> list[Replacement]:
         """Rename the key at a path that exists, wherever it stands; what it holds stays as it is written."""
         above = path[:-1]
         if self.layout.is_inline(above):
             old = get_value(self.data, above)
-            return self._change(above, old, {name if key == path[-1] else key: each for key, each in old.items()})
+            return self._change(above, old, {name if key == path[-1] else key: entry for key, entry in old.items()})
         replacements = []
-        for each in self.layout.find_statements(path):
-            section = () if each.value is None else each.section
+        for statement in self.layout.find_statements(path):
+            section = () if statement.value is None else statement.section
             index = len(_select_keys(above)) - len(_select_keys(section))
             if index >= 0:  # else a header above it has the key
-                names = (*each.key.names[:index], name, *each.key.names[index + 1 :])
-                replacements.append(Replacement(each.key.start, each.key.end, ".".join(map(toml_writer.key, names))))
+                names = (*statement.key.names[:index], name, *statement.key.names[index + 1 :])
+                replacements.append(
+                    Replacement(statement.key.start, statement.key.end, ".".join(map(toml_writer.key, names)))
+                )
         return replacements
 
     def _change(self, path: Path, old: Any, new: Any) -> list[Replacement]:
         """Change an old value into a new one, part by part."""
         if equal_values(old, new):
             return []
-        found = self.layout.find_value(path)
-        if found is not None:
-            return [Replacement(found.start, found.end, revise_value(self.text, found, old, new))]
+        value = self.layout.find_value(path)
+        if value is not None:
+            return [Replacement(value.start, value.end, revise_value(self.text, value, old, new))]
         if self.layout.is_inline(path):
             return self._rewrite_enclosing(path, new)
         if isinstance(old, Mapping) and isinstance(new, Mapping):
@@ -88,10 +91,10 @@ class TomlEditor:
     def _change_table(self, path: Path, old: Mapping[str, Any], new: Mapping[str, Any]) -> list[Replacement]:
         """Change a table with headers or dotted keys."""
         replacements = []
-        for name, each in old.items():
+        for name, entry in old.items():
             below = (*path, name)
-            replacements += self._change(below, each, new[name]) if name in new else self._remove_statements(below)
-        missing = {name: each for name, each in new.items() if name not in old}
+            replacements += self._change(below, entry, new[name]) if name in new else self._remove_statements(below)
+        missing = {name: entry for name, entry in new.items() if name not in old}
         return replacements + (self._add_keys(path, missing) if missing else [])
 
     def _change_list_of_tables(self, path: Path, old: list[Any], new: list[Any]) -> list[Replacement]:
@@ -104,23 +107,23 @@ class TomlEditor:
             replacements += self._change((*path, index), a, b)
         for index in range(first + len(after), first + len(before)):
             replacements += self._remove_statements((*path, index))
-        for each in after[len(before) :]:
-            replacements.append(self._insert_table(path, first + len(before), each))
+        for table in after[len(before) :]:
+            replacements.append(self._insert_table(path, first + len(before), table))
         return replacements
 
     def _rewrite_enclosing(self, path: Path, new: Any) -> list[Replacement]:
         """Rewrite the smallest value that holds a path which dotted keys within it scatter."""
         for length in range(len(path) - 1, 0, -1):
-            found = self.layout.find_value(path[:length])
-            if found is not None:
+            enclosing = self.layout.find_value(path[:length])
+            if enclosing is not None:
                 value = replace_value(get_value(self.data, path[:length]), path[length:], new)
-                return [Replacement(found.start, found.end, toml_writer.value(value))]
+                return [Replacement(enclosing.start, enclosing.end, toml_writer.value(value))]
         raise AssertionError(path)  # a pair always has a value
 
     def _remove_statements(self, path: Path) -> list[Replacement]:
         """Remove all statements at and below a path, with the comments that belong to them."""
         statements = enumerate(self.layout.statements)
-        runs = groupby(statements, lambda each: each[1].path[: len(path)] == path)
+        runs = groupby(statements, lambda numbered: numbered[1].path[: len(path)] == path)
         inside = [[index for index, _ in run] for below, run in runs if below]
         return [self._delete_statements(indices[0], indices[-1], path) for indices in inside]
 
@@ -136,7 +139,7 @@ class TomlEditor:
         after_blank = layout.skip_blank_lines_down(end)
         # the heading of a list now belongs to the next table of the list
         following = statements[last + 1 : last + 2]
-        heads = path[-1] == 0 and any(each.path[: len(path) - 1] == path[:-1] for each in following)
+        heads = path[-1] == 0 and any(statement.path[: len(path) - 1] == path[:-1] for statement in following)
         blank_above = layout.is_blank_line(layout.find_previous_line(start), start)
         if start == 0 or after_blank == len(self.text) or heads or blank_above:
             end = after_blank
@@ -147,23 +150,26 @@ class TomlEditor:
     def _add_keys(self, path: Path, missing: Mapping[str, Any]) -> list[Replacement]:
         """Add keys to a table, which may have a header, dotted keys, or no statement of its own yet."""
         names = _select_keys(path)
-        sections = {name: each for name, each in missing.items() if toml_writer.is_section((*names, name), each)}
-        pairs = {name: each for name, each in missing.items() if name not in sections}
+        sections = {name: entry for name, entry in missing.items() if toml_writer.is_section((*names, name), entry)}
+        pairs = {name: entry for name, entry in missing.items() if name not in sections}
         replacements = [self._add_pairs(path, names, pairs)] if pairs else []
-        for name, each in sections.items():
+        for name, entry in sections.items():
             position = self._find_section_position(path, name)
-            replacements.append(self._place_section(position, toml_writer.section((*names, name), each)))
+            replacements.append(self._place_section(position, toml_writer.section((*names, name), entry)))
         return replacements
 
     def _add_pairs(self, path: Path, names: tuple[str, ...], pairs: Mapping[str, Any]) -> Replacement:
         """Add pairs to a table: behind its own, below its header, or under a new header."""
         inside = self.layout.find_statements(path)
-        own = [each for each in inside if each.value is not None]
-        headers = [each for each in inside if each.value is None and each.path == path]
-        direct = [each for each in own if each.section == path]
-        dotted = [each for each in own if len(each.section) < len(path)]
+        own_pairs = [statement for statement in inside if statement.value is not None]
+        headers = [statement for statement in inside if statement.value is None and statement.path == path]
+        direct = [statement for statement in own_pairs if statement.section == path]
+        dotted = [statement for statement in own_pairs if len(statement.section) < len(path)]
         neighbors = direct or headers or dotted
-        end, indent, prefix, header = len(self.text), "", "", ""
+        end = len(self.text)
+        indent = ""
+        prefix = ""
+        header = ""
         if neighbors:
             previous = neighbors[-1]
             outside = names if direct or headers else _select_keys(previous.section)
@@ -172,7 +178,7 @@ class TomlEditor:
             end = previous.end
         elif path:
             header = f"[{'.'.join(map(toml_writer.key, names))}]\n"
-        lines = (indent + toml_writer.pair(prefix + toml_writer.key(name), each) for name, each in pairs.items())
+        lines = (indent + toml_writer.pair(prefix + toml_writer.key(name), entry) for name, entry in pairs.items())
         text = header + "".join(lines)
         if neighbors or not inside:
             return Replacement(end, end, self.layout.complete_line(end) + text)
@@ -184,7 +190,7 @@ class TomlEditor:
         rank = self.order.index(name) if name in self.order else 0
         statements = self.layout.statements
         for before in [path] if path else [(other,) for other in reversed(self.order[:rank])]:
-            inside = [index for index, each in enumerate(statements) if each.path[: len(before)] == before]
+            inside = [index for index, statement in enumerate(statements) if statement.path[: len(before)] == before]
             if inside and (path or statements[inside[-1]].section):
                 last = inside[-1]
                 # a header ends the table above it, so all pairs of that one come first

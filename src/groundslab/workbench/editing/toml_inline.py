@@ -26,59 +26,61 @@ class Replacement:
 def apply_replacements(text: str, replacements: Iterable[Replacement]) -> str:
     """Return a text with some of it replaced; insertions at the same position keep their order."""
     pieces, position = [], 0
-    for each in sorted(replacements, key=lambda each: (each.start, each.end)):
-        pieces += [text[position : each.start], each.text]
-        position = max(position, each.end)
+    for replacement in sorted(replacements, key=lambda replacement: (replacement.start, replacement.end)):
+        pieces += [text[position : replacement.start], replacement.text]
+        position = max(position, replacement.end)
     return "".join([*pieces, text[position:]])
 
 
-def revise_value(text: str, found: Value, old: Any, new: Any) -> str:
+def revise_value(text: str, value: Value, old: Any, new: Any) -> str:
     """Return the text of a value changed to a new one; unchanged parts keep their text."""
     if equal_values(old, new):
-        return text[found.start : found.end]
-    if found.kind == "list" and isinstance(new, list):
+        return text[value.start : value.end]
+    if value.kind == "list" and isinstance(new, list):
         if len(old) == len(new):
-            items = zip(found.parts, old, new, strict=True)
-            return _replace_parts(text, found, [revise_value(text, *each) for each in items])
-        return rewrite_list(text, found, old, new, _align(old, new))
-    if found.kind == "table" and isinstance(new, Mapping) and all(len(key.names) == 1 for key in found.keys):
-        entries = [(key.names[0], key, part) for key, part in zip(found.keys, found.parts, strict=True)]
+            items = zip(value.parts, old, new, strict=True)
+            return _replace_parts(text, value, [revise_value(text, *item) for item in items])
+        return rewrite_list(text, value, old, new, _align(old, new))
+    if value.kind == "table" and isinstance(new, Mapping) and all(len(key.names) == 1 for key in value.keys):
+        entries = [(key.names[0], key, part) for key, part in zip(value.keys, value.parts, strict=True)]
         revised = {name: revise_value(text, part, old[name], new[name]) for name, _, part in entries if name in new}
         if new.keys() == old.keys():
-            return _replace_parts(text, found, list(revised.values()))
+            return _replace_parts(text, value, list(revised.values()))
         kept = [text[key.start : part.start] + revised[name] for name, key, part in entries if name in new]
         kept += [f"{toml_writer.key(name)} = {toml_writer.value(new[name])}" for name in new if name not in old]
-        padding = " " if text[found.start + 1] == " " and kept else ""
+        padding = " " if text[value.start + 1] == " " and kept else ""
         return f"{{{padding}{', '.join(kept)}{padding}}}"
     return toml_writer.value(new)
 
 
-def _replace_parts(text: str, found: Value, new_parts: list[str]) -> str:
+def _replace_parts(text: str, value: Value, new_parts: list[str]) -> str:
     """Return the text of a value with other texts for its parts."""
     replacements = [
-        Replacement(part.start - found.start, part.end - found.start, new)
-        for part, new in zip(found.parts, new_parts, strict=True)
+        Replacement(part.start - value.start, part.end - value.start, new)
+        for part, new in zip(value.parts, new_parts, strict=True)
     ]
-    return apply_replacements(text[found.start : found.end], replacements)
+    return apply_replacements(text[value.start : value.end], replacements)
 
 
-def rewrite_list(text: str, found: Value, old: list[Any], new: list[Any], sources: Sequence[int | None]) -> str:
+def rewrite_list(text: str, value: Value, old: list[Any], new: list[Any], sources: Sequence[int | None]) -> str:
     """Return the text of a list with other items; ``sources`` holds each new item's index in the old list, or None.
 
     Every old item keeps the comment behind it on its line and what precedes it: line ends, blanks, comments.
     """
-    parts = found.parts
+    parts = value.parts
     if not parts or not new:
         return toml_writer.value(new)
-    opening, behind, before = text[found.start + 1 : parts[0].start], list[str](), [""]
-    for part, end in zip(parts, [*(part.start for part in parts[1:]), found.end - 1], strict=True):
+    opening = text[value.start + 1 : parts[0].start]
+    behind = list[str]()
+    before = [""]
+    for part, end in zip(parts, [*(part.start for part in parts[1:]), value.end - 1], strict=True):
         tail, rest = _split_separator(text[part.end : end])
         behind.append(tail)
         before.append(rest)
     closing = before.pop()
-    ends_with_comma = "," in _COMMENT.sub("", text[parts[-1].end : found.end - 1])
+    ends_with_comma = "," in _COMMENT.sub("", text[parts[-1].end : value.end - 1])
     indent = "\n" + opening[opening.rfind("\n") + 1 :] if "\n" in opening else " "
-    between = next((each for each in before[1:] if not each.strip()), indent)
+    between = next((blank for blank in before[1:] if not blank.strip()), indent)
     leads = [between if source is None else before[source] for source in sources]
     leads[0] = opening + (leads[0].lstrip() if leads[0].strip() else "")
     pieces = ["["]
@@ -109,7 +111,7 @@ def _align(old: list[Any], new: list[Any]) -> list[int | None]:
 
 
 def _split_separator(between: str) -> tuple[str, str]:
-    """Return what stands behind an item on its line and what precedes the next one, without the comma."""
+    """Return the text after an item on its line and the text before the next one, without the comma."""
     plain = _COMMENT.sub(lambda match: " " * len(match.group()), between)
     comma = plain.find(",")
     without = between[:comma] + between[comma + 1 :] if comma >= 0 else between

@@ -19,7 +19,7 @@ class TomlLayout:
         self.text = text
         self.data = data
         self.statements = read_statements(text)
-        self.pairs = {each.path: each for each in self.statements if each.value is not None}
+        self.pairs = {statement.path: statement for statement in self.statements if statement.value is not None}
 
     def find_value(self, path: Path) -> Value | None:
         """Return where the value at a path stands, None for a table with headers or dotted keys of its own."""
@@ -35,14 +35,14 @@ class TomlLayout:
 
     def find_statements(self, path: Path) -> list[Statement]:
         """Return the statements at and below a path, from top to bottom."""
-        return [each for each in self.statements if each.path[: len(path)] == path]
+        return [statement for statement in self.statements if statement.path[: len(path)] == path]
 
     def find_line(self, path: Path) -> int | None:
         """Return the line, from 1, of the value at a path or of the nearest table around it."""
         for length in range(len(path), 0, -1):
-            found = self.find_value(path[:length]) or next(iter(self.find_statements(path[:length])), None)
-            if found is not None:
-                return self.text.count("\n", 0, found.start) + 1
+            part = self.find_value(path[:length]) or next(iter(self.find_statements(path[:length])), None)
+            if part is not None:
+                return self.text.count("\n", 0, part.start) + 1
         return None
 
     def complete_line(self, position: int) -> str:

@@ -22,8 +22,8 @@ def equal_values(a: Any, b: Any) -> bool:
 def get_value(data: Any, path: Path, default: Any = None) -> Any:
     """Return the value at a path, or a default if there is none."""
     for step in path:
-        found = step in data if isinstance(data, Mapping) else isinstance(data, list) and step in range(len(data))
-        if not found:
+        exists = step in data if isinstance(data, Mapping) else isinstance(data, list) and step in range(len(data))
+        if not exists:
             return default
         data = data[step]
     return data
@@ -35,7 +35,7 @@ def replace_value(data: Any, path: Path, new: Any) -> Any:
         return new
     step, rest = path[0], path[1:]
     if isinstance(step, int):
-        return [replace_value(each, rest, new) if index == step else each for index, each in enumerate(data)]
+        return [replace_value(item, rest, new) if index == step else item for index, item in enumerate(data)]
     table = dict(data) if isinstance(data, Mapping) else {}
     table[step] = replace_value(table.get(step), rest, new)
     return table

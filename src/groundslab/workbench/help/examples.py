@@ -34,7 +34,7 @@ def read_example(name: str) -> str:
 
 
 def _describe(path: Path) -> dict[str, Any]:
-    """Return what the page shows of an example."""
+    """Return the description of an example for the page."""
     text = path.read_text(encoding="utf-8")
     data = casefile.tables(text, path.name)
     drawn = {key: data[key] for key in _DRAWN if key in data}

@@ -112,9 +112,9 @@ class Autosave:
 
     def find_earlier(self) -> list[UnsavedWork]:
         """Return the unsaved work of earlier runs on the document, the latest first."""
-        found = [work for path in self._find_earlier_paths() if path != self.path and (work := read_unsaved(path))]
-        own = str(self.file) if self.file is not None else None
-        return sorted((work for work in found if work.file == own), key=lambda work: work.when, reverse=True)
+        unsaved = [work for path in self._find_earlier_paths() if path != self.path and (work := read_unsaved(path))]
+        own_file = str(self.file) if self.file is not None else None
+        return sorted((work for work in unsaved if work.file == own_file), key=lambda work: work.when, reverse=True)
 
     def _generate_free_paths(self) -> Iterator[Path]:
         """Yield unused paths for the work, the preferred one first."""

@@ -37,7 +37,7 @@ def list_folder(folder: Path) -> dict[str, Any]:
         folders = sorted((entry.name for entry in entries if try_check(entry.is_dir)), key=str.casefold)
         names = {
             suffix: sorted(
-                (each.name for each in entries if each.name.lower().endswith(suffix) and try_check(each.is_file)),
+                (entry.name for entry in entries if entry.name.lower().endswith(suffix) and try_check(entry.is_file)),
                 key=str.casefold,
             )
             for suffix in (".toml", ".dxf")

@@ -27,7 +27,7 @@ class Analyses:
         self._autosolve = True
 
     def to_json(self) -> dict[str, Any]:
-        """Return what is being solved as data for the page."""
+        """Return the run in progress as data for the page."""
         job = self.solver.schedule.current
         return {"autosolve": self._autosolve, "run": None if job is None else job.to_json()}
 

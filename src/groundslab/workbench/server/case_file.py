@@ -151,7 +151,7 @@ def resolve_target(name: str | None, present: CaseFile) -> Path:
 
 
 def _read_stamp(path: Path) -> tuple[int, int, int] | None:
-    """Return what identifies a version of a file: time, size, inode."""
+    """Return the time, size and inode of a file, which identify its version."""
     try:
         status = path.stat()
     except OSError:

@@ -106,9 +106,9 @@ class Editor:
         self.copy.set_document(document)
         self.publish_state()
 
-    def _set_found(self, found: Revision) -> None:
+    def _set_found(self, revision: Revision) -> None:
         """Set what has been found in a revision, unless there is a newer one."""
         with self._lock:
-            if found.version == self.revision.version:
-                self.revision = found
-                self._follow(found)
+            if revision.version == self.revision.version:
+                self.revision = revision
+                self._follow(revision)

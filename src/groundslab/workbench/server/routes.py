@@ -124,7 +124,7 @@ def add_error_handlers(app: FastAPI) -> None:
 
     @app.exception_handler(RequestValidationError)
     async def handle_validation_error(_: Request, error: RequestValidationError) -> JSONResponse:
-        messages = [f"{'.'.join(map(str, each['loc']))}: {each['msg']}" for each in error.errors()]
+        messages = [f"{'.'.join(map(str, error['loc']))}: {error['msg']}" for error in error.errors()]
         return JSONResponse({"error": {"message": "; ".join(messages), "issues": []}}, 422)
 
 

@@ -98,7 +98,7 @@ class Session:
         self._begin(document, CaseFile(None, document.to_bytes()))
 
     def survey_drawing(self, name: str) -> dict[str, Any]:
-        """Return what the layers of a drawing hold; raises InputError."""
+        """Return the contents of a drawing's layers; raises InputError."""
         return self._drawings.survey(case_file.resolve_path(name, self.file.folder))
 
     def open_drawing(

@@ -147,8 +147,8 @@ def create_view_app(view: ResultsView, tickets: Tickets, port: int, token: str, 
     def get_table(run: int, name: str) -> Response:
         from groundslab.workbench.solver.tables import table_to_json
 
-        found = run == ONLY and name in view.tables
-        return JSONResponse(table_to_json(name, view.tables[name]())) if found else respond_not_kept()
+        exists = run == ONLY and name in view.tables
+        return JSONResponse(table_to_json(name, view.tables[name]())) if exists else respond_not_kept()
 
     @app.get("/api/results/{run}/report")
     def get_report(run: int) -> Response:

@@ -131,9 +131,9 @@ def _show_preview(model: Model, progress: Progress, name: str) -> None:
     from groundslab.views.scene.fields import scene_of
 
     with suppress(GroundslabError):
-        found = solve_preview(model, name, lambda _: progress("a preview on a coarse mesh", None))
-        if len(found):
-            progress.show("on a coarse mesh, of this combination only", pack(scene_of(found)))
+        preview = solve_preview(model, name, lambda _: progress("a preview on a coarse mesh", None))
+        if len(preview):
+            progress.show("on a coarse mesh, of this combination only", pack(scene_of(preview)))
 
 
 def warm_up(progress: Progress) -> None:

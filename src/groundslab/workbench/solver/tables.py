@@ -41,16 +41,16 @@ Maker = Callable[[], TableLayout]
 
 
 def layout_makers(combined: Results) -> dict[str, Maker]:
-    """Return what makes each table by its name, in the order of the report."""
+    """Return the function for each table by the table's name, in the order of the report."""
     makers: dict[str, Maker] = {name: partial(_layout_table, make) for name, make in table_makers(combined).items()}
-    found = combinations.entries(combined)
-    there = [entry.results for entry in found if entry.results is not None]
-    if any(each.constants.k0 for each in there):
-        makers["constants"] = lambda: replace(content.list_constants(found), title="Constants of the ground")
+    entries = combinations.entries(combined)
+    there = [entry.results for entry in entries if entry.results is not None]
+    if any(results.constants.k0 for results in there):
+        makers["constants"] = lambda: replace(content.list_constants(entries), title="Constants of the ground")
     if there:
         makers["mesh"] = lambda: content.layout_section(content.list_sections(combined)[1])
-        makers["steps"] = lambda: replace(content.list_steps(found), title="Steps of the analysis")
-    if any(each.comparison is not None for each in there):
+        makers["steps"] = lambda: replace(content.list_steps(entries), title="Steps of the analysis")
+    if any(results.comparison is not None for results in there):
         makers["errors"] = partial(_list_errors, combined)
     return makers
 
@@ -78,7 +78,9 @@ def _layout_table(make: Callable[[], Table]) -> TableLayout:
 
 def _list_errors(combined: Results) -> TableLayout:
     """Return the discretization errors of all combinations."""
-    parts = {each.combination: discretization_section(each) for each in combined.values() if each.comparison}
+    parts = {
+        results.combination: discretization_section(results) for results in combined.values() if results.comparison
+    }
     rows = tuple((Cell(name), *content.layout_row(row)[:-1]) for name, section in parts.items() for row in section.rows)
     heads = table_layout.headers("combination", "value", "symbol", "#error", "unit")
     notes = dict.fromkeys(note for section in parts.values() for note in section.notes)
@@ -87,7 +89,7 @@ def _list_errors(combined: Results) -> TableLayout:
 
 
 def _head_to_json(head: TableHeader, at: int, texts: Sequence[str]) -> dict[str, Any]:
-    """Return what stands above a column, and which columns say where its values are and of which combination."""
+    """Return the header of a column, and which columns give the place and the combination of its values."""
     stem = texts[at]
     for start in ("x of the ", "y of the ", "combination of the "):
         stem = stem.removeprefix(start)
@@ -105,8 +107,8 @@ def _head_to_json(head: TableHeader, at: int, texts: Sequence[str]) -> dict[str,
 
 def _find_place(stem: str, known: Mapping[str, int]) -> list[int] | None:
     """Return the columns of x and y of what a column holds: its own, those of the row, or the last ones there are."""
-    own = [f"x of the {text.removeprefix('x of the ')}" for text in known if text.startswith("x of the ")]
-    for x in (f"x of the {stem}", "x", "x of it", *reversed(own)):
+    x_columns = [f"x of the {text.removeprefix('x of the ')}" for text in known if text.startswith("x of the ")]
+    for x in (f"x of the {stem}", "x", "x of it", *reversed(x_columns)):
         y = "y" + x[1:]
         if x in known and y in known:
             return [known[x], known[y]]

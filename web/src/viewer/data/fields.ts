@@ -105,7 +105,7 @@ export function principalMoments(mx: number, my: number, mxy: number): [number, 
   return [middle + radius, middle - radius];
 }
 
-/** Return the direction of the strips that m_1 bends, from x [degrees]. */
+/** Return the direction of m_1, from x [degrees]. */
 export function principalDirection(mx: number, my: number, mxy: number): number {
   return (Math.atan2(2 * mxy, mx - my) * 90) / Math.PI;
 }

@@ -150,7 +150,7 @@ const FORMAT = 2;
 export function decodeScene(buffer: ArrayBuffer): Scene {
   if (buffer.byteLength < 4) throw new SceneError("The results are empty.");
   const length = new DataView(buffer).getUint32(0, true);
-  if (4 + length > buffer.byteLength) throw new SceneError("The results are cut off.");
+  if (4 + length > buffer.byteLength) throw new SceneError("The results are incomplete.");
   const head = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length))) as Head;
   if (head.format !== FORMAT)
     throw new SceneError(`The results have format ${head.format}; this page reads format ${FORMAT}.`);
@@ -161,7 +161,7 @@ export function decodeScene(buffer: ArrayBuffer): Scene {
   const elements = raw instanceof Uint32Array ? raw : Uint32Array.from(raw);
   const nodeCount = nodes.length / 2;
   for (const node of elements)
-    if (node >= nodeCount) throw new SceneError("The results are damaged: an element names a node that is not there.");
+    if (node >= nodeCount) throw new SceneError("The results are damaged: an element refers to a missing node.");
   const section = head.mesh.section ? Uint16Array.from(readRaw(buffer, start, head.mesh.section)) : null;
   const mesh = { origin, nodes, elements, section, nodeCount, elementCount: elements.length / 9 };
   return { head, data: buffer, start, mesh };
@@ -171,7 +171,7 @@ export function decodeScene(buffer: ArrayBuffer): Scene {
 export async function decodeGzipBase64(text: string): Promise<Scene> {
   if (typeof DecompressionStream === "undefined")
     throw new SceneError(
-      "This browser is too old to unpack the results (it has no DecompressionStream). A version from 2023 or later can.",
+      "This browser is too old to unpack the results (no DecompressionStream). Use a version from 2023 or later.",
     );
   const bytes = decodeBase64(text);
   const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
@@ -179,7 +179,7 @@ export async function decodeGzipBase64(text: string): Promise<Scene> {
   try {
     buffer = await new Response(unpacked).arrayBuffer();
   } catch {
-    throw new SceneError("The results in this file are damaged: they cannot be unpacked.");
+    throw new SceneError("The results in this file are damaged and cannot be unpacked.");
   }
   return decodeScene(buffer);
 }
@@ -202,7 +202,8 @@ function readRaw(buffer: ArrayBuffer, start: number, of: Block): InstanceType<(t
   const count = of.shape.reduce((product, side) => product * side, 1);
   const offset = start + of.offset;
   const Numbers = ARRAYS[of.type];
-  if (offset + count * Numbers.BYTES_PER_ELEMENT > buffer.byteLength) throw new SceneError("The results are cut off.");
+  if (offset + count * Numbers.BYTES_PER_ELEMENT > buffer.byteLength)
+    throw new SceneError("The results are incomplete.");
   return new Numbers(buffer, offset, count);
 }
 

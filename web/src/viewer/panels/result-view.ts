@@ -51,8 +51,8 @@ export class ResultView {
   readonly combinations = h("select", { "aria-label": "Combination", class: "combination-choice" });
   readonly toolGroup: HTMLElement;
   readonly modeGroup: HTMLElement;
-  readonly fitButton = button("Fit", "Show the entire plate (0)", () => this.fit());
-  readonly meshButton = button("Mesh", "Draw the elements over the field", () => this.setMesh(!this.mesh));
+  readonly fitButton = button("Fit", "Zoom to the whole plate (0)", () => this.fit());
+  readonly meshButton = button("Mesh", "Show the mesh over the field", () => this.setMesh(!this.mesh));
   /** Beside the picture: the scale. */
   readonly scaleBox = h("div", { class: "gs-scale" });
   /** The picture. */
@@ -74,15 +74,15 @@ export class ResultView {
     private readonly offerRefused = false,
   ) {
     this.tools = {
-      pan: button("Pan", "Drag to move, turn the wheel or pinch to zoom", () => this.setTool("pan")),
-      pick: button("Pick", "Click on the plate to read all values there", () => this.setTool("pick")),
-      section: button("Section", "Click two points to cut a section; with Shift along x or y", () =>
+      pan: button("Pan", "Drag to pan; scroll or pinch to zoom", () => this.setTool("pan")),
+      pick: button("Pick", "Click the plate to read all values at that point", () => this.setTool("pick")),
+      section: button("Section", "Click two points to cut a section; hold Shift to align it with x or y", () =>
         this.setTool("section"),
       ),
     };
     this.modes = {
-      plan: button("Plan", "The plate seen from above", () => this.setMode("plan")),
-      space: button("3-D", "The bent plate in space", () => this.setMode("space")),
+      plan: button("Plan", "Top view of the plate", () => this.setMode("plan")),
+      space: button("3-D", "3-D view of the deflected plate", () => this.setMode("space")),
     };
     this.toolGroup = h("div", { class: "gs-group", role: "group", "aria-label": "Tool" }, ...Object.values(this.tools));
     this.modeGroup = h("div", { class: "gs-group", role: "group", "aria-label": "View" }, ...Object.values(this.modes));
@@ -157,7 +157,7 @@ export class ResultView {
     this.space?.setRange(range);
   }
 
-  /** Draw the elements over the field, in plan and in space, or not. */
+  /** Show the mesh over the field, in plan and in space, or not. */
   setMesh(mesh: boolean): void {
     this.mesh = mesh;
     this.meshButton.setAttribute("aria-pressed", String(mesh));

@@ -48,7 +48,7 @@ export class ValuePanel {
         (name) => fieldValueAt(scene, locator, choice, name, spot).value,
       ) as [number, number, number];
       const direction = formatNumber(principalDirection(mx, my, mxy), 3);
-      rows.push(makeRow("phi_1", "direction of the strips that m_1 bends, from x", direction, "°"));
+      rows.push(makeRow("phi_1", "direction of m_1, from x", direction, "°"));
     }
     fill(
       this.element,
@@ -71,7 +71,7 @@ export class ValuePanel {
   }
 
   private showHint(): void {
-    fill(this.element, h("p", { class: "gs-values-hint" }, "Click on the plate to read all values there."));
+    fill(this.element, h("p", { class: "gs-values-hint" }, "Click the plate to read all values at that point."));
   }
 }
 
@@ -84,7 +84,7 @@ function makeNotes(scene: Scene, locator: Locator, choice: Choice, spot: LocalPo
   const contact = isInContact(scene, locator, choice, spot);
   const no = isEnvelope(choice) ? "not in every combination" : "no";
   const section = sectionText(scene, spot.element);
-  const governing = "In brackets: the number of the combination that governs; hold the pointer over it for its name.";
+  const governing = "In parentheses: the number of the governing combination; hover over it for its name.";
   return [
     contact !== null && h("div", {}, `contact: ${contact ? "yes" : no}`),
     section !== "" && h("div", {}, section),

@@ -21,7 +21,7 @@ const LAYERS: readonly [keyof Layers, string][] = [
   ["zones", "zones"],
   ["ground", "ground"],
   ["output", "lines and points"],
-  ["labels", "names and sizes"],
+  ["labels", "labels"],
   ["extremes", "minimum and maximum"],
 ];
 
@@ -30,7 +30,7 @@ export class Viewer {
   private readonly view: ResultView;
   private readonly values: ValuePanel;
   private readonly section: SectionPanel;
-  private readonly enlargeButton = button("Enlarge", "Fill the window with the viewer (Escape goes back)", () =>
+  private readonly enlargeButton = button("Enlarge", "Fill the window with the viewer (Escape to exit)", () =>
     this.enlarge(),
   );
   private readonly printed = h("div", { class: "gs-print" });
@@ -117,7 +117,7 @@ export class Viewer {
       ...LAYERS.map(([name, text]) => makeBox(text, true, (on) => plan.setLayers({ [name]: on }))),
       makeBox("lines between colors", true, (lines) => plan.setOptions({ lines })),
       makeBox("contact boundary", true, (contact) => plan.setOptions({ contact })),
-      makeBox("one scale for all combinations", false, (common) => this.view.setRange(common ? "common" : "auto")),
+      makeBox("same scale for all combinations", false, (common) => this.view.setRange(common ? "common" : "auto")),
     ];
     const menu = h("details", { class: "gs-menu" }, h("summary", {}, "Show"), h("div", {}, ...boxes));
     document.addEventListener("pointerdown", (event) => {

@@ -58,7 +58,7 @@ export class PlanView extends FieldView {
   private painted: { camera: Camera; when: number } | null = null; // what the renderer drew last
 
   constructor(container: HTMLElement) {
-    const label = "Plan view. Arrow keys move it, plus and minus zoom, 0 shows all.";
+    const label = "Plan view. Use the arrow keys to pan, plus and minus to zoom, 0 to show everything.";
     super(h("div", { class: "gs-plan", tabindex: 0, role: "application", "aria-label": label }), false);
     this.element.append(this.renderer.canvas, this.overlay.element);
     container.append(this.element);

@@ -17,7 +17,7 @@ export class SpaceView extends FieldView {
     type: "range",
     min: 0,
     max: 100,
-    "aria-label": "Exaggeration of the settlement",
+    "aria-label": "Settlement exaggeration",
   });
   private readonly factor = h("output");
   private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.1, 1000);
@@ -29,7 +29,8 @@ export class SpaceView extends FieldView {
   private feet: number[] = []; // the node next to each column
 
   constructor(container: HTMLElement) {
-    const help = "View in space. Drag or arrow keys turn it, the wheel or plus and minus zoom, 0 shows all.";
+    const help =
+      "3-D view. Drag or use the arrow keys to rotate, scroll or press plus and minus to zoom, 0 to show everything.";
     super(h("div", { class: "gs-space", tabindex: 0, role: "application", "aria-label": help }), true);
     this.stage.append(this.renderer.canvas);
     const label = h("label", { class: "gs-space-factor" }, "settlement exaggerated", this.slider, this.factor);

@@ -123,7 +123,7 @@ export interface ResultTable {
 /** The connection is lost. */
 export abstract class Lost extends Error {}
 
-/** The server does not answer. */
+/** The server is not responding. */
 export class Unreachable extends Lost {}
 
 /** The server answers, but does not know this page: another server, or a restarted one. */
@@ -132,7 +132,7 @@ export class Unauthorized extends Lost {}
 /** The edit was made on an older version; `state` is the present one. */
 export class Outdated extends Error {
   constructor(readonly state: DocState) {
-    super("the document has changed meanwhile");
+    super("the document has changed in the meantime");
   }
 }
 
@@ -214,7 +214,7 @@ export type Api = Omit<HttpApi, "setToken">;
 /** Return the error of an answer. */
 async function refusal(response: Response): Promise<Error> {
   const { status } = response;
-  if ([401, 403].includes(status)) return new Unauthorized("the server does not know this page");
+  if ([401, 403].includes(status)) return new Unauthorized("the server does not recognize this page");
   if ([502, 503, 504].includes(status)) return new Unreachable(`status ${status}`);
   const body = (await response.json().catch(() => null)) as Json;
   if (status === 409 && isTable(body) && "version" in body && "text" in body)

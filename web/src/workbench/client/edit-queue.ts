@@ -68,7 +68,7 @@ export class EditQueue {
     const kept = this.waiting.filter((change) => !lost.includes(change));
     this.waiting.splice(0, this.waiting.length, ...kept);
     this.hooks.onChange();
-    for (const change of lost) this.hooks.onRefused(change, "this part was changed elsewhere meanwhile");
+    for (const change of lost) this.hooks.onRefused(change, "this part has been changed elsewhere in the meantime");
   }
 
   /** Drop what waits. */
@@ -102,7 +102,7 @@ export class EditQueue {
       const fits = arrived || this.hooks.fits(change, error.state);
       if (arrived || !fits) this.removeFirst(change);
       this.hooks.adopt(error.state, this.waiting);
-      if (!fits) this.hooks.onRefused(change, "this part was changed elsewhere meanwhile");
+      if (!fits) this.hooks.onRefused(change, "this part has been changed elsewhere in the meantime");
       this.repeated = false;
       return;
     }

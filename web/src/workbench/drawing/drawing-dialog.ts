@@ -23,8 +23,8 @@ export interface DrawingUses {
 }
 
 const ORIGINS = [
-  ["", "the drawing's own"],
-  ["centered", "the middle of the slab"],
+  ["", "same as in the drawing"],
+  ["centered", "center of the slab"],
 ] as const;
 
 /** Ask what to make of a drawing until it is made, or the dialog is closed. */
@@ -43,7 +43,7 @@ class DrawingDialog {
   private readonly gap = h("input", { id: newId("gap"), value: "1 mm", size: 7, maxlength: 20 });
   private readonly shown = h("input", { type: "checkbox", checked: true });
   private readonly message = h("p", { class: "messages", role: "alert" });
-  private readonly make = h("button", { type: "submit", class: "main" }, "Make a case");
+  private readonly make = h("button", { type: "submit", class: "main" }, "Create case");
   private readonly preview: ReturnType<typeof drawPreview>;
   private readonly dialog: HTMLDialogElement;
 
@@ -54,7 +54,7 @@ class DrawingDialog {
     private readonly resolve: () => void,
   ) {
     this.preview = drawPreview(survey);
-    const title = `Open the drawing ${name}`;
+    const title = `Open drawing ${name}`;
     const form = h(
       "form",
       { method: "dialog", class: "drawing-form" },
@@ -84,7 +84,7 @@ class DrawingDialog {
   }
 
   private layerTable(): HTMLElement {
-    const heads = ["layer", "entities", "holds"].map((text) => h("th", { scope: "col" }, text));
+    const heads = ["layer", "entities", "content"].map((text) => h("th", { scope: "col" }, text));
     const rows = this.survey.layers.map((layer) => this.layerRow(layer));
     const empty = h("tr", {}, h("td", { colspan: 3, class: "empty" }, "The drawing is empty."));
     const body = h("tbody", {}, ...(rows.length > 0 ? rows : [empty]));
@@ -93,7 +93,7 @@ class DrawingDialog {
 
   private layerRow(layer: Layer): HTMLElement {
     const options = ROLES.map(([value, text]) => h("option", { value, selected: value === (layer.role ?? "") }, text));
-    const select = h("select", { "aria-label": `what the layer ${layer.name} holds` }, ...options);
+    const select = h("select", { "aria-label": `content of layer ${layer.name}` }, ...options);
     this.roles.set(layer, select);
     const content = contentText(layer);
     const name = h("th", { scope: "row", title: layer.name }, layer.name, layer.hidden && h("small", {}, " hidden"));
@@ -111,16 +111,16 @@ class DrawingDialog {
     const { unit } = this.survey;
     const choose = h("option", { value: "" }, "choose …");
     const units = unitsFor(this.survey).map((name) => {
-      return h("option", { value: name, selected: name === unit }, name === unit ? `${name}, as it says` : name);
+      return h("option", { value: name, selected: name === unit }, name === unit ? `${name}, from the drawing` : name);
     });
     fill(this.unit, unit === null ? choose : null, ...units);
     return h(
       "div",
       { class: "drawing-settings" },
-      h("label", { for: this.unit.id }, "unit of the drawing", this.unit),
+      h("label", { for: this.unit.id }, "drawing unit", this.unit),
       h("label", { for: this.origin.id }, "origin", this.origin),
       h("label", { for: this.gap.id }, "close gaps up to", this.gap),
-      h("label", {}, this.shown, "show the drawing below the plan"),
+      h("label", {}, this.shown, "show the drawing under the plan"),
     );
   }
 
@@ -129,7 +129,7 @@ class DrawingDialog {
       this.close();
       this.uses.showBelow(this.choice);
     };
-    const underlay = button("Only show it below the plan", "Keep the present case, and show the drawing", below);
+    const underlay = button("Only show under the plan", "Keep the current case and show the drawing under it", below);
     return h(
       "div",
       { class: "answers" },

@@ -54,7 +54,7 @@ async function makeCase(
   shown: boolean,
   { api, store, leave, replace }: DrawingOpener,
 ): Promise<string> {
-  if (!(await leave())) return "The present case stays open.";
+  if (!(await leave())) return "The current case stays open.";
   let problem = "The drawing could not be read.";
   let [report, origin] = ["", [0, 0] as [number, number]];
   const isMade = await replace(
@@ -77,10 +77,10 @@ async function makeCase(
 
 /** Show what was read of a drawing and what was left. */
 function showReport(name: string, report: string): void {
-  const title = `What was read of ${name}`;
+  const title = `Imported from ${name}`;
   const close = () => closeDialog(dialog);
   const missing =
-    "What no drawing says, such as the thickness and the ground, is missing still: the list of errors says what.";
+    "Drawings do not include properties such as the thickness and the ground. The list of errors shows what is still missing.";
   const ok = button("Close", "", close, "main");
   const dialog = h(
     "dialog",

@@ -24,9 +24,9 @@ const HEADINGS: Record<string, string> = {
   plate: "Slab",
   cases: "Load cases",
   patterns: "Vehicles and racks",
-  moves: "Places and paths",
+  moves: "Positions and paths",
   floor: "Industrial floor",
-  combine: "Combinations by EN 1990",
+  combine: "Combinations to EN 1990",
   beyond: "Ground beyond the slab",
   output: "Points, lines and strips",
 };
@@ -108,7 +108,7 @@ function digestOf(field: Field, data: Table, optional: boolean): string {
   const value: Json | undefined = data[field.name];
   if (field.node.is === "list" && value === undefined) return "none";
   if (Array.isArray(value)) return value.length > 0 ? String(value.length) : "none";
-  if (!isTable(value)) return field.needed ? "missing" : optional ? "not used" : "by default";
+  if (!isTable(value)) return field.needed ? "missing" : optional ? "not used" : "default";
   if (field.name === "plate") {
     const outline = isTable(value.outline)
       ? String(value.outline.kind ?? "outline")
@@ -127,7 +127,5 @@ function digestOf(field: Field, data: Table, optional: boolean): string {
     ([key, each]) => key !== "kind" && !isTable(each) && !(Array.isArray(each) && isTable(each[0])),
   );
   const pieces = simple.slice(0, 3).map(([key, each]) => `${key.replaceAll("_", " ")} ${shortValue(each)}`);
-  return (
-    [typeof value.kind === "string" ? value.kind : "", layers, ...pieces].filter(Boolean).join(", ") || "by default"
-  );
+  return [typeof value.kind === "string" ? value.kind : "", layers, ...pieces].filter(Boolean).join(", ") || "default";
 }

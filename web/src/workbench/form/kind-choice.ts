@@ -30,7 +30,7 @@ export function kindChoice(
   const messages = h("div", { class: "messages", id: newId("issue") });
   const select = h("select", { id: newId("input"), "aria-describedby": messages.id });
   const hint = h("span", { class: "hint" });
-  const label = h("label", { class: "label needed", for: select.id }, hasKinds ? "kind" : "given by");
+  const label = h("label", { class: "label needed", for: select.id }, hasKinds ? "kind" : "defined by");
   const element = h("div", { class: "field kind", "data-path": pathKey(own) }, label, select, hint, messages);
   select.addEventListener("change", () => {
     const to = parts.find((part) => part.name === select.value);

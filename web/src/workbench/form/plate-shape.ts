@@ -22,7 +22,7 @@ export function plateShape(ctx: FormContext): Widget {
   const options = [
     h("option", { value: SIDES }, "rectangle centered on the origin"),
     ...SHAPES.map((name) =>
-      h("option", { value: name }, name === "Rectangle" ? "rectangle anywhere" : name.toLowerCase()),
+      h("option", { value: name }, name === "Rectangle" ? "rectangle at any position" : name.toLowerCase()),
     ),
   ];
   const select = h("select", { id: newId("input") }, ...options);

@@ -15,9 +15,9 @@ export function repairButtons(issue: Issue, push: Push, done: () => void): HTMLE
       push({ edits, text: `${label}${location ? ` (${location})` : ""}` });
       done();
     };
-    return button(capitalize(label), `Repair ${location}: ${label}`, choose, "small");
+    return button(capitalize(label), `Fix ${location}: ${label}`, choose, "small");
   });
-  return h("span", { class: "repairs", role: "group", "aria-label": `repairs of ${location}` }, ...buttons);
+  return h("span", { class: "repairs", role: "group", "aria-label": `fixes for ${location}` }, ...buttons);
 }
 
 /** Return a text with a capital, unless it starts with a number or a key. */

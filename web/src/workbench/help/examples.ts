@@ -22,7 +22,7 @@ export async function chooseStart(api: Pick<Api, "examples">): Promise<Start | n
     };
     const empty = button(
       "Empty case",
-      "A small slab to start from, with comments",
+      "A small slab with comments to start from",
       () => close({ example: null }),
       "main",
     );

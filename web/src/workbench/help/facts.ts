@@ -38,7 +38,7 @@ export function factsOf({ field }: FieldAt): [name: string, value: string][] {
   const { node } = field;
   const facts: [string, string][] = [[node.is === "quantity" ? "unit" : "value", kindOfValue(node)]];
   if (field.range && hintOf(field) !== field.hint) facts.push(["range", field.range]);
-  facts.push(["default", field.needed ? "none, it is needed" : writtenDefault(field.default)]);
+  facts.push(["default", field.needed ? "none (required)" : writtenDefault(field.default)]);
   return facts.filter(([, value]) => value !== "");
 }
 
@@ -54,7 +54,7 @@ function kindOfValue(node: Node): string {
     case "choice":
       return node.options.join(", ");
     case "choices":
-      return `several of ${node.options.join(", ")}`;
+      return `any of ${node.options.join(", ")}`;
     case "number":
       return ["number", ...node.options].join(" or ");
     case "integer":

@@ -13,7 +13,7 @@ const SHOWN = "groundslab-field-help";
 /** Whether the meaning of fields is shown. */
 export const showsFieldHelp = () => readStored(SHOWN) !== "off";
 
-/** Show the meaning of fields, or not, and keep that. */
+/** Show field help, or not, and keep that. */
 export function setFieldHelp(shown: boolean): void {
   writeStored(SHOWN, shown ? "on" : "off");
 }
@@ -80,7 +80,7 @@ function contents(id: string, path: Path, about: FieldAt, open: () => void, clos
     h("dl", {}, ...facts),
   );
   const figure = drawPart(part?.name ?? "", field.name);
-  const attributes = { type: "button", class: "icon", "aria-label": "hide the meaning of fields", tabindex: -1 };
+  const attributes = { type: "button", class: "icon", "aria-label": "hide field help", tabindex: -1 };
   const end = h("div", { class: "field-acts" }, h("button", { ...attributes, onclick: close }, "×"), link);
   return [text, h("div", { class: "field-figure" }, figure), end];
 }

@@ -9,31 +9,31 @@ import { setFieldHelp, showsFieldHelp } from "./field-help";
 type KeyRow = readonly [keys: string, meaning: string];
 
 const EVERYWHERE: readonly KeyRow[] = [
-  ["Ctrl+S, Ctrl+Shift+S", "save, save under another name"],
+  ["Ctrl+S, Ctrl+Shift+S", "save, save as"],
   ["Ctrl+O", "open a case file"],
   ["Ctrl+Z, Ctrl+Y", "undo, redo"],
   ["F9", "solve"],
-  ["F1", "documentation, of the field with the focus"],
-  ["?", "this list"],
+  ["F1", "documentation for the focused field"],
+  ["?", "show this list"],
 ];
 
 const DRAWING: readonly KeyRow[] = [
-  ["N, Shift+N", "select the next or the previous item"],
-  ["Arrows, with Shift", "move the selected item by a step, by ten; without one, the view"],
-  ["Ctrl+A, Shift and click", "select everything but the slab, several items"],
+  ["N, Shift+N", "select the next or previous item"],
+  ["Arrows, Shift+arrows", "move the selection by one step or by ten; with no selection, pan"],
+  ["Ctrl+A, Shift+click", "select everything except the slab; add to the selection"],
   ["Ctrl+C, Ctrl+X, Ctrl+V, Ctrl+D", "copy, cut, paste, duplicate"],
-  ...FORMS.map(({ key, label }): KeyRow => [key, `${label.toLowerCase()} the selected items by numbers`]),
-  ["Delete", "remove the selected item or corner"],
-  ["Enter, Escape", "close the shape that is drawn, drop it"],
-  ["+, -, 0, Z", "zoom in, zoom out, show all, axes and dimensions"],
+  ...FORMS.map(({ key, label }): KeyRow => [key, `${label.toLowerCase()} the selected items by entering values`]),
+  ["Delete", "delete the selected item or corner"],
+  ["Enter, Escape", "finish the shape being drawn, discard it"],
+  ["+, -, 0, Z", "zoom in, zoom out, show everything, toggle axes and dimensions"],
 ];
 
 const TABLES: readonly KeyRow[] = [
-  ["Arrows, Page Up, Page Down", "go to another cell; with Ctrl to the edge of the table"],
-  ["Tab, Shift+Tab", "next cell, the one before; after Escape, Tab leaves the table"],
-  ["Shift and arrows, Ctrl+A", "choose a block, all rows"],
-  ["F2, Enter", "edit the value; letters and digits replace it"],
-  ["Ctrl++, Ctrl+D, Ctrl+-", "add a row, duplicate and remove the chosen rows"],
+  ["Arrows, Page Up, Page Down", "move between cells; with Ctrl, jump to the edge of the table"],
+  ["Tab, Shift+Tab", "next cell, previous cell; press Escape first to leave the table with Tab"],
+  ["Shift+arrows, Ctrl+A", "select a range, select all rows"],
+  ["F2, Enter", "edit the value; typing replaces it"],
+  ["Ctrl++, Ctrl+D, Ctrl+-", "add a row, duplicate or remove the selected rows"],
 ];
 
 /** Show the keys and what else helps; `tools` are those of the drawing, `takeTour` starts the tour. */
@@ -45,21 +45,21 @@ export function showKeys(tools: readonly { key: string; label: string }[], takeT
   const dialog = h(
     "dialog",
     { class: "ask keys", "aria-labelledby": id },
-    h("h2", { id }, "Keys"),
+    h("h2", { id }, "Keyboard shortcuts"),
     helpLinks(() => {
       close();
       takeTour();
     }),
     h(
       "div",
-      { class: "key-groups", tabindex: 0, role: "group", "aria-label": "keys" },
+      { class: "key-groups", tabindex: 0, role: "group", "aria-label": "keyboard shortcuts" },
       keyTable("Everywhere", EVERYWHERE),
-      keyTable("In the plan", DRAWING),
+      keyTable("Plan", DRAWING),
       keyTable(
-        "Tools of the plan",
+        "Plan tools",
         [...tools, ...GENERATORS].map(({ key, label }) => [key, label] as const),
       ),
-      keyTable("In tables", TABLES),
+      keyTable("Tables", TABLES),
     ),
     h("div", { class: "answers" }, done),
   );
@@ -70,9 +70,9 @@ export function showKeys(tools: readonly { key: string; label: string }[], takeT
 function helpLinks(takeTour: () => void): HTMLElement {
   const onchange = () => setFieldHelp(shows.checked);
   const shows: HTMLInputElement = h("input", { type: "checkbox", checked: showsFieldHelp(), onchange });
-  const documentation = button("Documentation", "In another tab (F1)", () => openDocumentation());
-  const tour = button("Tour", "Five steps from the slab to the report", takeTour);
-  return h("div", { class: "help-links" }, documentation, tour, h("label", {}, shows, "Show the meaning of fields"));
+  const documentation = button("Documentation", "Open in a new tab (F1)", () => openDocumentation());
+  const tour = button("Tour", "From the slab to the report in five steps", takeTour);
+  return h("div", { class: "help-links" }, documentation, tour, h("label", {}, shows, "Show field help"));
 }
 
 function keyTable(title: string, rows: readonly KeyRow[]): HTMLElement {

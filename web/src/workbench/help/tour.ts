@@ -20,30 +20,30 @@ export interface Step {
 export const STEPS: readonly Step[] = [
   {
     title: "Draw the slab",
-    text: "Choose Slab and drag a rectangle, or click corner after corner. Columns, openings and zones of another thickness are drawn the same way; the properties below the drawing take exact values.",
+    text: "Choose Slab and drag a rectangle, or click the corners one by one. Draw columns, openings and zones of different thickness the same way; enter exact values in the properties below the drawing.",
     target: '.tool[data-tool="slab"]',
     view: "plan",
   },
   {
     title: "Describe the ground",
-    text: "Springs, layers of soil, a half-space: the form has one section for each part of the case. While a field has the focus, its meaning stands at the foot of the form; F1 opens its place in the documentation.",
+    text: "Springs, soil layers, a half-space: the form has one section for each part of the case. Help for the focused field appears at the bottom of the form; press F1 to open its documentation.",
     target: '.section[data-section="ground"] > summary',
     view: "form",
   },
   {
-    title: "Put loads on it",
-    text: "Point, line and area loads are placed in the plan. A load on a column moves with it; load cases and combinations stand in the form.",
+    title: "Add loads",
+    text: "Place point, line and area loads on the plan. A load on a column moves with the column. Define load cases and combinations in the form.",
     target: '.tool[data-tool="point load"]',
     view: "plan",
   },
   {
-    title: "Solve and look at the result",
-    text: "With Autosolve on, each change is solved by itself, otherwise with Solve or F9. Settlements, pressures, moments, checks and tables then stand in the right half.",
+    title: "Solve and review the results",
+    text: "With Autosolve on, every change is solved automatically; otherwise click Solve or press F9. Settlements, pressures, moments, checks and tables appear on the right.",
     target: ".solve",
   },
   {
-    title: "Report and save",
-    text: "Report saves the result as one HTML file. Save writes the case file (Ctrl+S); unsaved work is kept on its own. The button “?” has this tour, all keys and the documentation.",
+    title: "Save and report",
+    text: "Report saves the results as a single HTML file. Save (Ctrl+S) writes the case file; unsaved work is backed up automatically. Click “?” for this tour, keyboard shortcuts and the documentation.",
     target: ".top a.button",
   },
 ];
@@ -68,7 +68,7 @@ export function startTour(show: (view: "plan" | "form") => void): void {
   };
   const back = button("Back", "", () => go(now - 1));
   const next = button("Next", "", () => (now === STEPS.length - 1 ? close() : go(now + 1)), "main");
-  const skip = button("Skip the tour", "", close, "quiet");
+  const skip = button("Skip tour", "", close, "quiet");
   const answers = h("div", { class: "answers" }, skip, count, back, next);
   const box = h("div", { class: "tour-box" }, h("div", { "aria-live": "polite" }, title, text), answers);
   const attributes = { class: "tour", "aria-labelledby": titleId, "aria-describedby": textId };

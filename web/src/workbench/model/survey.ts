@@ -81,8 +81,8 @@ export function contentText({ kinds }: Layer): string {
 
 /** Return what keeps a case from being made, empty if nothing does. */
 export function findProblem({ layers, unit }: DrawingChoice): string {
-  if (unit === "") return "Choose the drawing's unit: it does not say its own.";
-  if (!Object.values(layers).includes("outline")) return "Choose the layer of the outline.";
+  if (unit === "") return "Choose the drawing's unit; the drawing does not specify one.";
+  if (!Object.values(layers).includes("outline")) return "Choose the layer with the outline.";
   return "";
 }
 

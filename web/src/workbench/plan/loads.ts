@@ -15,13 +15,13 @@ interface Part {
 
 /** The choice of the load case that stands out and that new loads belong to, and a way to add one. */
 export function caseChoice(store: Store, push: (change: Change) => void, onChoose: (name: string) => void): Part {
-  const title = "Loads of this case stand out, and new loads belong to it";
-  const select = h("select", { "aria-label": "load case shown", title, onchange: () => onChoose(select.value) });
+  const title = "Highlight the loads of this case and add new loads to it";
+  const select = h("select", { "aria-label": "highlighted load case", title, onchange: () => onChoose(select.value) });
   const ask = () => {
     add.hidden = true;
     asked.show(true);
   };
-  const add = button("+ case", "Add a load case, which new loads belong to", ask, "small");
+  const add = button("+ case", "Add a load case for new loads", ask, "small");
   const asked = newCase(store, push, (name) => {
     add.hidden = false;
     if (name === null) return;

@@ -14,7 +14,7 @@ export interface NewCase {
 
 /** The fields of a new load case; it is made as soon as all are filled in. `done` is called with its name, or without one. */
 export function newCase(store: Store, push: (change: Change) => void, done: (name: string | null) => void): NewCase {
-  const name = h("input", { "aria-label": "name of the new load case", placeholder: "name, Enter" });
+  const name = h("input", { "aria-label": "name of the new load case", placeholder: "name, then Enter" });
   const action = h("select", { "aria-label": "action of the new load case" });
   const others = h("select", { "aria-label": "loads without a case" });
   const element = h("span", { class: "new-case", hidden: true }, name, action, others);
@@ -24,11 +24,11 @@ export function newCase(store: Store, push: (change: Change) => void, done: (nam
     name.value = "";
     fillOptions(action, [["", "action?"], ...ACTIONS.map((each) => [each, each] as const)]);
     const count = countUncased(store.data);
-    const words = count === 1 ? "the load so far?" : `the ${count} loads so far?`;
+    const words = count === 1 ? "the existing load?" : `the ${count} existing loads?`;
     fillOptions(others, [
       ["", words],
       ["in it", "in this case"],
-      ["apart", "in a permanent case of their own"],
+      ["apart", "in a separate permanent case"],
     ]);
     others.hidden = count === 0;
     // options that are the same keep what was chosen for the case before

@@ -20,8 +20,8 @@ import type { Tool } from "./tools";
 import { underlayBar } from "./underlay/underlay-bar";
 import "./plan-editor.css";
 
-const EMPTY = "Draw the slab: choose Slab (B), then drag a rectangle or click corner after corner.";
-const HOW_MANY = "Drag one of them or use the arrow keys to move them; Delete removes them.";
+const EMPTY = "Draw the slab: choose Slab (B), then drag a rectangle or click the corners one by one.";
+const HOW_MANY = "Drag or use the arrow keys to move them; press Delete to remove them.";
 
 export interface PlanEditor {
   readonly element: HTMLElement;
@@ -113,7 +113,7 @@ function viewButtons(canvas: Canvas): HTMLButtonElement[] {
     canvas.showAxes(!canvas.hasAxes);
     element.setAttribute("aria-pressed", String(canvas.hasAxes));
   };
-  const element = button("Axes", "Show axes of columns, and dimensions (Z)", toggle, "small");
+  const element = button("Axes", "Show column axes and dimensions (Z)", toggle, "small");
   element.setAttribute("aria-pressed", String(canvas.hasAxes));
   element.setAttribute("aria-keyshortcuts", "Z");
   canvas.element.addEventListener("keydown", (event) => {
@@ -128,6 +128,6 @@ function describeSelection(canvas: Canvas): string | null {
   const item = canvas.selected;
   if (items.length > 1) return `${countItems(items)} selected. ${HOW_MANY}`;
   if (!item) return null;
-  const how = item.movable ? "Drag it, or move it with the arrow keys; Delete removes it." : whyFixed(item);
+  const how = item.movable ? "Drag it or use the arrow keys to move it; press Delete to remove it." : whyFixed(item);
   return `${item.title} is selected. ${how}`;
 }

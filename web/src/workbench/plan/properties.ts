@@ -31,7 +31,7 @@ export function propertyPanel(
   let widget: Widget | null = null;
   const toPolygon = button(
     "Convert to polygon",
-    "Draw the outline by its corners, so that they can be moved one by one",
+    "Define the outline by its corners, so that each can be moved",
     () => push({ edits: shapeEdits(ctx, "Polygon"), text: "convert the slab to a polygon" }),
     "small",
   );

@@ -6,29 +6,29 @@ export type ToolName = "select" | NewKind;
 /** What a tool takes from the pointer: one place, a line through places, two ends, or a closed shape. */
 export type Draws = "nothing" | "point" | "line" | "segment" | "shape";
 
-const SHAPE = "Drag a rectangle (Ctrl: a circle), or click corner after corner and close with Enter.";
-const LINE = "Drag a straight line, or click place after place and end with Enter.";
+const SHAPE = "Drag a rectangle (Ctrl: a circle), or click the corners one by one and press Enter to close.";
+const LINE = "Drag a straight line, or click points one by one and press Enter to finish.";
 const SELECT =
-  "Click to select (Shift: several), drag to move; drag on empty ground to select what lies there. Space or right button moves the view, the wheel zooms.";
+  "Click to select (Shift: several), drag to move; drag on empty space to select an area. Pan with Space or the right button, zoom with the wheel.";
 
 const ROWS: readonly [ToolName, string, string, Draws, string][] = [
   ["select", "Select", "V", "nothing", SELECT],
-  ["slab", "Slab", "B", "shape", `Draw the slab's outline again. ${SHAPE}`],
+  ["slab", "Slab", "B", "shape", `Redraw the slab's outline. ${SHAPE}`],
   ["opening", "Opening", "O", "shape", `Cut an opening. ${SHAPE}`],
-  ["zone", "Thickness", "T", "shape", `Draw a zone of another thickness. ${SHAPE}`],
-  ["column", "Column", "C", "point", "Click where columns stand. Escape ends."],
-  ["point load", "Point load", "P", "point", "Click a place or a column. Escape ends."],
+  ["zone", "Thickness", "T", "shape", `Draw a zone with a different thickness. ${SHAPE}`],
+  ["column", "Column", "C", "point", "Click to place columns. Press Escape to finish."],
+  ["point load", "Point load", "P", "point", "Click a point or a column. Press Escape to finish."],
   ["line load", "Line load", "L", "line", LINE],
   ["area load", "Area load", "A", "shape", SHAPE],
-  ["support", "Support", "S", "point", "Click where the slab is supported at a point. Escape ends."],
+  ["support", "Support", "S", "point", "Click to place point supports. Press Escape to finish."],
   ["wall", "Line support", "W", "line", LINE],
-  ["borehole", "Borehole", "H", "point", "Click where layers are known. Escape ends."],
-  ["soil zone", "Soil zone", "G", "shape", `Draw a part of the plan with other ground. ${SHAPE}`],
-  ["void", "Void", "U", "shape", `Draw where the ground lies deeper. ${SHAPE}`],
-  ["plate", "Further plate", "E", "shape", `Draw another plate beside the slab. ${SHAPE}`],
-  ["joint", "Joint", "J", "point", "Click the line that two plates share. Escape ends."],
-  ["refinement", "Finer mesh", "F", "shape", `Draw where the mesh is finer. ${SHAPE}`],
-  ["section line", "Section", "X", "segment", "Drag the line along which values are listed."],
+  ["borehole", "Borehole", "H", "point", "Click to place boreholes. Press Escape to finish."],
+  ["soil zone", "Soil zone", "G", "shape", `Draw an area with different ground. ${SHAPE}`],
+  ["void", "Void", "U", "shape", `Draw an area where there is a gap below the slab. ${SHAPE}`],
+  ["plate", "Further plate", "E", "shape", `Draw another plate next to the slab. ${SHAPE}`],
+  ["joint", "Joint", "J", "point", "Click the line shared by two plates. Press Escape to finish."],
+  ["refinement", "Finer mesh", "F", "shape", `Draw an area with a finer mesh. ${SHAPE}`],
+  ["section line", "Section", "X", "segment", "Drag a line to list values along it."],
 ];
 
 export interface Tool {

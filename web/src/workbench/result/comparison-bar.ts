@@ -4,7 +4,7 @@ import type { Api } from "../client/api";
 import type { Store } from "../client/store";
 import "./comparison-bar.css";
 
-const HINT = "The slab on the elastic continuum, and on simpler models of the same layers of soil.";
+const HINT = "Compares the slab on the elastic continuum with simpler models of the same soil layers.";
 
 export function comparisonBar(
   store: Store,
@@ -16,7 +16,7 @@ export function comparisonBar(
   });
   const cancel = button("Cancel", "Stop the comparison", () => void api.cancelComparison().catch(onError));
   for (const control of [start, cancel]) control.classList.add("small");
-  const bar = h("progress", { max: 1, "aria-label": "progress of the comparison" });
+  const bar = h("progress", { max: 1, "aria-label": "comparison progress" });
   const words = h("span", { class: "comparison-words", role: "status" });
   const element = h("div", { class: "comparison-bar" }, start, cancel, bar, words);
   const update = () => {

@@ -20,12 +20,16 @@ export function addStrip(data: Table, { start, end }: Pick<SectionLine, "start" 
 export function keepSection(store: Store, push: (change: Change) => void) {
   let section: SectionLine | null = null;
   const width = h("input", { type: "text", value: "1 m", size: 5, "aria-label": "Width of the strip" });
-  const keepLine = button("Keep in the case", "Add this section line to the case", () => {
+  const keepLine = button("Add section line", "Add this section line to the case", () => {
     if (section) push(addLine("section line", store.data, [section.start, section.end], "").change);
   });
-  const keepStrip = button("Add strip", "Add a design strip of this width along it, for moments over the width", () => {
-    if (section) push(addStrip(store.data, section, width.value.trim() || "1 m"));
-  });
+  const keepStrip = button(
+    "Add strip",
+    "Add a design strip of this width along the section, for moments over its width",
+    () => {
+      if (section) push(addStrip(store.data, section, width.value.trim() || "1 m"));
+    },
+  );
   for (const control of [keepLine, keepStrip]) control.classList.add("small");
   const element = h("div", { class: "keep-section", hidden: true }, keepLine, keepStrip, width);
   const set = (shown: SectionLine | null) => {

@@ -11,7 +11,7 @@ import { Reference } from "./reference";
 import { ResultTables } from "./result-tables";
 import { showCertificates, showSummary, verdictOf } from "./summary";
 
-const SECTION_HINT = "Choose “Section” and click two points, or choose a section line of the model.";
+const SECTION_HINT = "Choose “Section” and click two points, or choose one of the model's section lines.";
 
 export class LowerPanels {
   readonly element: HTMLElement;
@@ -46,7 +46,7 @@ export class LowerPanels {
     const { title, lines, combinations } = this.section;
     const chartBar = h("div", { class: "chart-bar" }, title, keep?.element, lines, combinations);
     const list = this.listTabs(h("div", { class: "lower-panel section-box" }, chartBar, chartPlace));
-    this.tabs = tabs(list, "about the result", (name) => void this.tables.see(name));
+    this.tabs = tabs(list, "result details", (name) => void this.tables.see(name));
     this.element = h("div", { class: "lower" }, this.tabs.bar, ...list.map(({ panel }) => panel));
     this.tabs.offer("reference", false);
   }
@@ -56,7 +56,7 @@ export class LowerPanels {
     const { view, pick, preview } = this.picture;
     showSummary(this.summaryBox, one, summary);
     if (!summary && preview.isShown)
-      fill(this.summaryBox, h("p", { class: "empty" }, "The figures follow with the result."));
+      fill(this.summaryBox, h("p", { class: "empty" }, "Figures appear when the result is ready."));
     if (one && one.refused === null) this.summaryBox.prepend(this.reference.keepButton);
     this.reference.show(summary, one?.name ?? "");
     showCertificates(this.certificateBox, summary, (n) => view.show(n, view.field));

@@ -62,11 +62,9 @@ export interface ReferenceHooks {
 
 /** The button that keeps a result as reference, and the table of both. */
 export class Reference {
-  readonly keepButton = button("Keep as reference", "Compare results of later changes with this one", () =>
-    this.keep(),
-  );
+  readonly keepButton = button("Keep as reference", "Compare later results with this one", () => this.keep());
   /** Shows the picture of the reference in place of that of the result, at the same zoom. */
-  readonly pictureButton = button("Show its picture", "The picture of the reference, at the same zoom", () =>
+  readonly pictureButton = button("Show reference", "Show the plot of the reference at the same zoom", () =>
     this.setPicture(this.pictureButton.getAttribute("aria-pressed") !== "true"),
   );
   readonly panel = h("div", { class: "lower-panel" });
@@ -101,7 +99,7 @@ export class Reference {
       h("thead", {}, h("tr", {}, ...heads)),
       h("tbody", {}, ...figures.map(makeRow)),
     );
-    const words = `Combination ${combination}: the reference has none of this name, or neither has figures.`;
+    const words = `Combination ${combination}: nothing to compare. The reference has no combination of this name, or neither has figures.`;
     fill(this.panel, this.pictureButton, figures.length > 0 ? table : h("p", { class: "empty" }, words));
   }
 

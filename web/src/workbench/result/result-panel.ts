@@ -45,7 +45,7 @@ export class ResultPanel {
     this.picture = this.makePicture();
     this.lower = this.makeLower(model);
     this.empty = emptyResult(store, model?.solve ?? null);
-    const share = splitter(this.full, "--stage-share", "y", 0.62, [0.25, 0.85], "height of the picture");
+    const share = splitter(this.full, "--stage-share", "y", 0.62, [0.25, 0.85], "plot height");
     this.full.append(this.picture.makeToolbar(), this.picture.element, share, this.lower.element);
     this.element.append(h("h2", { class: "unseen" }, "Result"), statusLine(store), this.empty.element, this.full);
     store.on(["solved"], () => void this.fetch());

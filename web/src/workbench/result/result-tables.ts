@@ -11,7 +11,7 @@ const GROUPS: readonly { name: string; label: string; tables: Record<string, str
   {
     name: "combinations",
     label: "Combinations",
-    tables: { combinations: "all combinations", extremes: "extremes of each", tilt: "tilt" },
+    tables: { combinations: "all combinations", extremes: "extremes", tilt: "tilt" },
   },
   { name: "envelope", label: "Envelope", tables: { envelope: "envelope" } },
   { name: "columns", label: "Columns", tables: { column_envelope: "extremes", columns: "all combinations" } },
@@ -21,11 +21,11 @@ const GROUPS: readonly { name: string; label: string; tables: Record<string, str
     tables: { supports: "supports", pile_punching: "punching over piles", joints: "joints" },
   },
   { name: "strips", label: "Strips", tables: { strips: "design strips", lines: "section lines", points: "points" } },
-  { name: "reinforcement", label: "Reinforcement", tables: { reinforcement: "required", bars: "laid, quantities" } },
+  { name: "reinforcement", label: "Reinforcement", tables: { reinforcement: "required", bars: "bar quantities" } },
   {
     name: "ground",
     label: "Ground",
-    tables: { comparison: "ground models compared", constants: "constants", soil: "soil below points" },
+    tables: { comparison: "ground model comparison", constants: "constants", soil: "soil below points" },
   },
   { name: "mesh", label: "Mesh and errors", tables: { errors: "errors", mesh: "mesh", steps: "steps" } },
 ];

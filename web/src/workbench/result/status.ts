@@ -21,14 +21,14 @@ export function statusText(
   autosolve: boolean,
   issues: number,
 ): string {
-  const old = fresh === "stale" ? "These results are of an earlier state of the model. " : "";
+  const old = fresh === "stale" ? "These results are for an earlier version of the model. " : "";
   switch (run.kind) {
     case "solving":
       return `${old}Solving${run.text ? `: ${run.text}` : " …"}`;
     case "refused":
       return `${old}Not solved: ${run.message || "the model has errors"}`;
     case "cancelled":
-      return `${old}Solving was cancelled.`;
+      return `${old}Solving was canceled.`;
     default:
       if (fresh === "none") return "Not solved yet.";
       if (fresh === "stale" && issues > 0) return `${old}Fix the ${issues === 1 ? "error" : "errors"} to update them.`;
@@ -39,9 +39,7 @@ export function statusText(
 
 /** Where the result is from. */
 function originText(seconds: number | null): string {
-  return seconds === null
-    ? "Results as they were kept; nothing can be changed here."
-    : `Solved in ${formatSeconds(seconds)}.`;
+  return seconds === null ? "Saved results, read-only." : `Solved in ${formatSeconds(seconds)}.`;
 }
 
 function formatSeconds(value: number): string {
@@ -51,7 +49,7 @@ function formatSeconds(value: number): string {
 /** The line, with the progress of the solver below it. */
 export function statusLine(store: Store): HTMLElement {
   const words = h("span", { class: "status-words" });
-  const bar = h("progress", { max: 1, "aria-label": "progress of the solver" });
+  const bar = h("progress", { max: 1, "aria-label": "solver progress" });
   const element = h("div", { class: "result-status", role: "status" }, words, bar);
   const update = () => {
     const { run, solved, doc } = store;
@@ -78,13 +76,13 @@ export function emptyResult(store: Store, solve: (() => void) | null): { element
   const update = () => {
     const { run, doc } = store;
     const count = doc?.issues.length ?? 0;
-    if (!solve) return show("Reading the results …", "");
-    if (run.kind === "solving") return show("Solving …", "The first result appears here.");
+    if (!solve) return show("Loading the results …", "");
+    if (run.kind === "solving") return show("Solving …", "The result will appear here.");
     if (run.kind === "refused")
       return show("Not solved", run.message, ...run.issues.map((one) => h("p", { class: "quiet" }, issueLine(one))));
     const errors = count === 1 ? "error" : `${count} errors`;
-    if (count > 0) return show("No result yet", `Fix the ${errors} listed below the model first.`);
-    const how = "Solve the model to see settlement, contact pressure and moments here, or switch on Autosolve.";
+    if (count > 0) return show("No result yet", `First fix the ${errors} listed below the model.`);
+    const how = "Solve the model to see settlement, contact pressure and moments here, or turn on Autosolve.";
     show("No result yet", how, h("button", { type: "button", class: "main", onclick: solve }, "Solve"));
   };
   store.on(["run", "doc", "solved"], update);

@@ -82,7 +82,7 @@ const TEXTS: Record<Verdict, string> = { certified: "holds", "not certified": "d
 
 /** Show the certificates of all combinations; `choose` is called with the position of one that was clicked. */
 export function showCertificates(element: HTMLElement, summary: Summary | null, choose: (n: number) => void): void {
-  const hint = "Each solved combination is checked against the equations; the verdicts stand here.";
+  const hint = "Each solved combination is checked against the equations; the verdicts appear here.";
   if (!summary) return fill(element, h("p", { class: "empty" }, hint));
   const { combinations } = summary;
   const all = new Set(combinations.flatMap((one) => Object.keys(one.certificate ?? {})));
@@ -113,8 +113,8 @@ function makeVerdict({ combinations: all, coarse = "" }: Summary): HTMLElement {
   const good = `${whose} certified: equilibrium and contact conditions are satisfied on this mesh. This is not a design approval.`;
   if (bad === 0 && coarse) return h("p", { class: "verdict doubtful" }, `${good} ${coarse}`);
   if (bad === 0) return h("p", { class: "verdict good" }, good);
-  const some = `${bad} of ${all.length} combinations have no result that may be used.`;
-  return h("p", { class: "verdict bad" }, all.length === 1 ? "This result must not be used." : some);
+  const some = `${bad} of ${all.length} combinations have no usable result.`;
+  return h("p", { class: "verdict bad" }, all.length === 1 ? "Do not use this result." : some);
 }
 
 /** A number with a power of ten: 2.7·10⁻¹³. */

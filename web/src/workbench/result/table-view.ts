@@ -30,7 +30,9 @@ export class TableView {
     choice: HTMLElement,
     private readonly onTarget: (target: Target) => void,
   ) {
-    const copy = button("Copy table", "Copy the rows shown, to paste into a spreadsheet", () => this.copy(this.order));
+    const copy = button("Copy table", "Copy the visible rows for pasting into a spreadsheet", () =>
+      this.copy(this.order),
+    );
     copy.classList.add("small");
     this.grid = h("table", { class: "result-table" }, this.columns, this.head, this.body);
     this.scroller = h("div", { class: "table-scroller", tabindex: 0, role: "group" }, this.grid, this.notes);
@@ -148,7 +150,7 @@ export class TableView {
     const { length } = positions;
     const said = (words: string) => () => setText(this.count, words);
     const done = said(`${length} ${length === 1 ? "row" : "rows"} copied`);
-    navigator.clipboard.writeText(text).then(done, said("The browser does not allow copying."));
+    navigator.clipboard.writeText(text).then(done, said("The browser blocked copying."));
   }
 }
 

@@ -9,17 +9,17 @@ export function banner(store: Store, retry: () => void): HTMLElement {
   const update = () => {
     const count = store.waitingCount;
     const edits = count === 1 ? "1 edit is" : `${count} edits are`;
-    const kept = count === 0 ? "Nothing is lost." : `${edits} kept here and sent when it answers.`;
+    const kept = count === 0 ? "Nothing is lost." : `${edits} kept here and will be sent when it responds.`;
     const show = (title: string, ...text: Child[]) =>
       fill(element, h("strong", {}, title), ...text, button("Try now", "", retry, "small"));
     element.hidden = store.connection === "ok";
     if (store.connection === "away") {
       const command = h("code", {}, startCommand(store));
-      show("The server does not answer. ", `${kept} If it has ended, start it again with `, command, ". ");
+      show("The server is not responding. ", `${kept} If it has stopped, restart it with `, command, ". ");
     } else if (store.connection === "unauthorized")
       show(
-        "Another server has been started. ",
-        `${kept} Open the address that it has printed; this page then goes on with it. `,
+        "A different server is running. ",
+        `${kept} Open the address it printed; this page will then connect to it. `,
       );
   };
   store.on(["connection", "waiting"], update);
@@ -53,7 +53,7 @@ export function notices(store: Store): HTMLElement {
       element,
       h("span", {}, notice.text),
       notice.action && button(notice.action.label, "", act, "small"),
-      h("button", { type: "button", class: "icon", "aria-label": "close this message", onclick: close }, "×"),
+      h("button", { type: "button", class: "icon", "aria-label": "dismiss message", onclick: close }, "×"),
     );
     if (notice.kind === "info") timer = setTimeout(close, NOTICE_TIME);
   });

@@ -46,14 +46,14 @@ export class Commands {
     if (done || why === "") return done;
     const words =
       why === "exists"
-        ? "A file of this name already exists."
-        : "Another program has changed the file since it was read here. Saving replaces what it has written.";
+        ? "A file with this name already exists."
+        : "Another program has changed the file since it was opened. Saving will overwrite those changes.";
     const answers = [
       { label: "Don't save", value: "no" as const, main: true },
       { label: "Save as …", value: "as" as const },
-      { label: "Replace it", value: "over" as const },
+      { label: "Replace", value: "over" as const },
     ];
-    const answer = await ask("Replace the file?", [words], answers, "no");
+    const answer = await ask("Replace file?", [words], answers, "no");
     return answer === "over" ? this.saveTo(file, true) : answer === "as" ? this.saveAs() : false;
   }
 
@@ -121,13 +121,13 @@ export class Commands {
     await this.queue.run();
     if (this.store.doc?.dirty !== true) return true;
     const words =
-      "The present case has unsaved changes. If you leave it, they are kept and offered when it is opened again.";
+      "The current case has unsaved changes. If you don't save them, you can restore them when you open the case again.";
     const answers = [
-      { label: "Stay", value: "stay" },
-      { label: "Leave", value: "leave" },
+      { label: "Cancel", value: "stay" },
+      { label: "Don't save", value: "leave" },
       { label: "Save", value: "save", main: true },
     ];
-    const answer = await ask("Save the changes first?", [words], answers, "stay");
+    const answer = await ask("Save changes?", [words], answers, "stay");
     return answer === "leave" || (answer === "save" && (await this.save()));
   }
 
@@ -164,5 +164,5 @@ function otherWorkbench(error: Refused): { action?: { label: string; run: () => 
   const { url } = error;
   // only to a workbench on this machine
   if (!/^http:\/\/(127\.0\.0\.1|localhost):\d+\//.test(url)) return {};
-  return { action: { label: "Go there", run: () => void window.open(url, "_blank", "noopener") } };
+  return { action: { label: "Go to workbench", run: () => void window.open(url, "_blank", "noopener") } };
 }

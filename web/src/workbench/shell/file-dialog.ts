@@ -24,7 +24,7 @@ class FileDialog {
   private readonly list = h("div", {
     class: "files",
     role: "listbox",
-    "aria-label": "folders and case files",
+    "aria-label": "folders and files",
     tabindex: 0,
   });
   private readonly name = h("input", {
@@ -55,7 +55,7 @@ class FileDialog {
       "form",
       { method: "dialog", class: "file-form" },
       h("h2", {}, title),
-      h("div", { class: "file-place" }, button("↑ Up", "Folder above", goUp, "small"), this.place),
+      h("div", { class: "file-place" }, button("↑ Up", "Parent folder", goUp, "small"), this.place),
       this.list,
       h("div", { class: "file-name" }, h("label", { for: this.name.id }, "Name"), this.name),
       this.message,
@@ -98,7 +98,7 @@ class FileDialog {
       if (turn !== this.turn) return false;
       this.folder = found;
     } catch (error) {
-      this.message.textContent = error instanceof Refused ? error.message : "The server does not answer.";
+      this.message.textContent = error instanceof Refused ? error.message : "The server is not responding.";
       return false;
     }
     this.message.textContent = "";
@@ -156,7 +156,7 @@ class FileDialog {
   private async accept(): Promise<void> {
     let name = this.name.value.trim();
     if (!name) {
-      this.message.textContent = "Choose a file, or write a name.";
+      this.message.textContent = "Choose a file or enter a name.";
       return;
     }
     const folder = this.place.value.trim();
@@ -166,10 +166,10 @@ class FileDialog {
     const there = this.folder?.files.includes(name) === true;
     const over = this.purpose === "save" && there && file !== this.present;
     const answers = [
-      { label: "Keep it", value: false, main: true },
-      { label: "Replace it", value: true },
+      { label: "Cancel", value: false, main: true },
+      { label: "Replace", value: true },
     ];
-    if (over && !(await ask("Replace the file?", [`${name} already exists.`], answers, false))) return;
+    if (over && !(await ask("Replace file?", [`${name} already exists.`], answers, false))) return;
     this.close({ file, over });
   }
 }

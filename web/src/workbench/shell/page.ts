@@ -29,8 +29,7 @@ import { topBar, viewBar } from "./top-bar";
 import { showWarnings } from "./unsaved-work";
 import "./page.css";
 
-const BROKEN =
-  "The text cannot be read at present; fix it under Text, or undo. Form and drawing show what was there before.";
+const BROKEN = "The text has an error. Fix it under Text, or undo. The form and the drawing show the last valid state.";
 
 export function buildPage(
   api: HttpApi,
@@ -51,7 +50,7 @@ export function buildPage(
   const page = h("main", { class: "page" });
   page.append(
     model.element,
-    splitter(page, "--model-share", "x", 0.5, [0.25, 0.75], "width of the model"),
+    splitter(page, "--model-share", "x", 0.5, [0.25, 0.75], "model panel width"),
     result.element,
   );
   const takeTour = () => startTour(model.show);

@@ -13,7 +13,7 @@ export function topBar(store: Store, api: Addresses, commands: Commands, showKey
     button("New", "Start a new case, empty or from an example", () => void commands.createCase()),
     button("Open …", "Open a case file or a drawing (Ctrl+O)", () => void commands.open()),
     button("Save", "Save the case file (Ctrl+S)", () => void commands.save()),
-    button("Save as …", "Save under another name (Ctrl+Shift+S)", () => void commands.saveAs()),
+    button("Save as …", "Save under a different name (Ctrl+Shift+S)", () => void commands.saveAs()),
   ];
   return h(
     "header",
@@ -26,7 +26,11 @@ export function topBar(store: Store, api: Addresses, commands: Commands, showKey
     reportLink(store, api),
     archiveLink(store, api),
     themeButton(),
-    h("button", { type: "button", title: "Keys (?)", "aria-label": "keys", onclick: showKeys }, "?"),
+    h(
+      "button",
+      { type: "button", title: "Keyboard shortcuts (?)", "aria-label": "keyboard shortcuts", onclick: showKeys },
+      "?",
+    ),
   );
 }
 
@@ -98,13 +102,13 @@ function solveControls(store: Store, commands: Commands): HTMLElement[] {
 }
 
 function reportLink(store: Store, api: Pick<Api, "reportAddress">): HTMLElement {
-  const title = "Save the report of the last result as one HTML file";
+  const title = "Save the report for the last result as a single HTML file";
   return resultLink(store, "Report", title, (run) => api.reportAddress(run));
 }
 
 function archiveLink(store: Store, api: Pick<Api, "archiveAddress">): HTMLElement {
-  const title = "Save case, results and report as one file (ZIP), which groundslab view opens";
-  return resultLink(store, "One file", title, (run) => api.archiveAddress(run));
+  const title = "Save case, results and report in one ZIP file for groundslab view";
+  return resultLink(store, "Archive", title, (run) => api.archiveAddress(run));
 }
 
 /** A link that saves a file about the last result. */

@@ -11,17 +11,17 @@ export async function askOffer(api: Pick<Api, "restore">, state: DocState): Prom
   const date = new Date(offer.when);
   const isDate = !Number.isNaN(date.getTime());
   const when = isDate ? date.toLocaleString(undefined, { dateStyle: "medium", timeStyle: "short" }) : offer.when;
-  const file = offer.file ?? "a case that was never saved";
-  const changed = "The file itself has been changed since by another program; saving asks before it replaces that.";
+  const file = offer.file ?? "a case that has never been saved";
+  const changed = "Another program has changed the file since then; you will be asked before saving overwrites it.";
   const take = await ask(
-    "Unsaved work was found",
+    "Restore unsaved work?",
     [
-      `An earlier run ended with changes that were not saved: ${file}, last changed ${when}.`,
-      "Restoring them is a step that can be undone; the file on the disk stays as it is until you save.",
+      `An earlier session ended with unsaved changes: ${file}, last changed ${when}.`,
+      "You can undo restoring them; the file on disk does not change until you save.",
       ...(offer.changed === true ? [changed] : []),
     ],
     [
-      { label: "Set aside", value: false },
+      { label: "Dismiss", value: false },
       { label: "Restore", value: true, main: true },
     ],
     null,
@@ -34,11 +34,11 @@ export async function askOffer(api: Pick<Api, "restore">, state: DocState): Prom
 export function askWhichText(server: DocState): Promise<"page" | "server"> {
   const file = server.file ?? "not saved yet";
   return ask(
-    "Keep which text?",
-    [`The server now holds another text (${file}) than this page, which has unsaved changes.`],
+    "Which version do you want to keep?",
+    [`The server has a different version (${file}) from this page, which has unsaved changes.`],
     [
-      { label: "Use the server's", value: "server" as const },
-      { label: "Keep the page's", value: "page" as const, main: true },
+      { label: "Use the server's version", value: "server" as const },
+      { label: "Keep this page's version", value: "page" as const, main: true },
     ],
     null,
   );
@@ -49,12 +49,12 @@ export function showWarnings(store: Store, commands: Commands): void {
   let shown = "";
   store.on(["doc"], () => {
     const { unkept = "", outside = false, file = null } = store.doc ?? {};
-    const text = unkept || (outside ? "Another program has changed the file since it was read." : "");
+    const text = unkept || (outside ? "Another program has changed the file." : "");
     if (text === shown) return;
     shown = text;
     if (unkept) store.set("notice", { kind: "bad", text: `${unkept}. Save soon.` });
     else if (text && file) {
-      const action = { label: "Read it again", run: () => void commands.openFile(file) };
+      const action = { label: "Reload", run: () => void commands.openFile(file) };
       store.set("notice", { kind: "bad", text, action });
     }
   });

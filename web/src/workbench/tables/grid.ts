@@ -63,7 +63,7 @@ export class Grid {
     const widths = [5, ...open.columns.map((column, n) => widthOf(open, column, n))];
     fill(this.columns, ...widths.map((width) => h("col", { style: `width:${width}ch` })));
     this.table.style.width = `${widths.reduce((sum, width) => sum + width, 0)}ch`;
-    const corner = h("th", { scope: "col", class: "number-of", title: "Choose all rows" }, "#");
+    const corner = h("th", { scope: "col", class: "number-of", title: "Select all rows" }, "#");
     fill(this.head, h("tr", { "aria-rowindex": 1 }, corner, ...open.columns.map(makeHead)));
     this.draw();
   }

@@ -112,7 +112,7 @@ export class OpenTable {
     );
     const refused = columns.flatMap((column) => (column && !isEditable(column) ? [headText(column)] : []));
     const isTooWide = units.length === 0 && columns.includes(null);
-    const left = [...unknown, ...refused, ...(isTooWide ? ["what lies right of the last column"] : [])];
+    const left = [...unknown, ...refused, ...(isTooWide ? ["cells beyond the last column"] : [])];
     const ends = columns.flatMap((column) => (column ? [this.columns.indexOf(column)] : [])).filter((n) => n >= 0);
     const block = {
       top: at.top,

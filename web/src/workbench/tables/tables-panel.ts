@@ -22,9 +22,7 @@ export class TablesPanel {
   readonly element: HTMLElement;
   private readonly sheets: readonly Sheet[];
   private readonly choice = h("select", { "aria-label": "table" });
-  private readonly allColumns = button("All columns", "Show the columns too that no row uses", () =>
-    this.toggleColumns(),
-  );
+  private readonly allColumns = button("All columns", "Also show columns that no row uses", () => this.toggleColumns());
   private readonly status = h("p", { class: "sheet-status", role: "status" });
   private readonly grid: Grid;
   private sheet: Sheet;
@@ -45,7 +43,7 @@ export class TablesPanel {
       () => this.selectItems(),
       () => this.edit(false),
     );
-    const way = h("p", { class: "unseen", id: newId("hint") }, "Escape, then Tab leaves the table.");
+    const way = h("p", { class: "unseen", id: newId("hint") }, "Press Escape, then Tab to leave the table.");
     this.grid.table.setAttribute("aria-describedby", way.id);
     this.element = h("div", { class: "tables" }, this.makeBar(), this.grid.element, this.status, way);
     this.choice.addEventListener("change", () => this.choose(this.choice.value));
@@ -57,11 +55,11 @@ export class TablesPanel {
   private makeBar(): HTMLElement {
     this.allColumns.setAttribute("aria-pressed", "false");
     const buttons = [
-      button("Add row", "Add a row with usual values (Ctrl and +)", () => this.add()),
+      button("Add row", "Add a row with default values (Ctrl and +)", () => this.add()),
       button("Duplicate", "Duplicate the selected rows (Ctrl+D)", () => this.duplicate()),
       button("Remove", "Remove the selected rows (Ctrl and -)", () => this.remove()),
       this.allColumns,
-      button("Copy table", "Copy all rows with their heads, to paste into a spreadsheet", () => this.copyTable()),
+      button("Copy table", "Copy all rows with headers for pasting into a spreadsheet", () => this.copyTable()),
     ];
     for (const one of buttons) one.classList.add("small");
     return h("div", { class: "sheet-bar", role: "toolbar", "aria-label": "rows" }, this.choice, ...buttons);
@@ -210,7 +208,7 @@ export class TablesPanel {
     const cell = this.grid.cellAt(active);
     if (!column || !cell || this.editor || this.store.broken) return;
     if (!isEditable(column)) {
-      this.said = `The ${nameOf(column)} is edited in the plan and in the form.`;
+      this.said = `The ${nameOf(column)} can be edited in the plan or the form.`;
       return this.tell();
     }
     const item = this.open.pathOf(active.row) ?? [this.sheet.list, this.open.positions.length];
@@ -247,7 +245,7 @@ export class TablesPanel {
     const cells = rows.flatMap((row) => columns.map((column) => ({ row, column })));
     const { change, kept } = emptyCells(this.ctx.data(), this.sheet, this.open.positions, cells);
     this.push(change);
-    this.said = kept > 0 ? `${kept} ${kept === 1 ? "value is" : "values are"} needed and stayed.` : "";
+    this.said = kept > 0 ? `${kept} required ${kept === 1 ? "value" : "values"} kept.` : "";
     this.tell();
   }
 
@@ -286,7 +284,7 @@ export class TablesPanel {
       this.tell();
     };
     const done = say(`${this.open.rows.length} rows copied.`);
-    navigator.clipboard.writeText(this.open.copyAll()).then(done, say("The browser does not allow copying."));
+    navigator.clipboard.writeText(this.open.copyAll()).then(done, say("The browser blocked copying."));
   }
 
   private paste(text: string): void {

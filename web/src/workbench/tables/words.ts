@@ -3,7 +3,7 @@ import { issueCount, issueLine } from "../model/issues";
 import type { OpenTable, Paste } from "./open-table";
 import type { Cell } from "./selection";
 
-const NO_ROWS = "No rows yet. Paste them, best below heads such as “x [m]”, or type into the last row.";
+const NO_ROWS = "No rows yet. Paste rows, preferably with headers such as “x [m]”, or type in the last row.";
 
 /** Return what is wrong with a cell, else with its row, else with the table; empty if nothing is. */
 export function issueText(open: OpenTable, cell: Cell): string {
@@ -27,7 +27,7 @@ export function pasteText({ block, left }: Paste, before: number, now: number): 
   const changed = Math.max(0, Math.min(block.bottom + 1, before) - block.top);
   const added = now - before;
   const done = [changed > 0 ? `${countRows(changed)} changed` : "", added > 0 ? `${countRows(added)} added` : ""];
-  const rest = left.length > 0 ? ` Not taken: ${left.join(", ")}.` : "";
+  const rest = left.length > 0 ? ` Skipped: ${left.join(", ")}.` : "";
   return `${done.filter(Boolean).join(", ") || "Nothing pasted"}.${rest}`;
 }
 

@@ -77,7 +77,7 @@ describe("a packed scene", () => {
 
   it("says in words what is wrong with it", () => {
     expect(() => decodeScene(new ArrayBuffer(0))).toThrow(SceneError);
-    expect(() => decodeScene(buffer.slice(0, 40))).toThrow("cut off");
+    expect(() => decodeScene(buffer.slice(0, 40))).toThrow("incomplete");
     expect(
       () =>
         decodeScene(buffer.slice(0, buffer.byteLength - 200)).mesh &&
@@ -85,7 +85,7 @@ describe("a packed scene", () => {
           decodeScene(buffer.slice(0, buffer.byteLength - 200)),
           decodeScene(buffer).head.combinations[0]!.values!.contact!,
         ),
-    ).toThrow("cut off");
+    ).toThrow("incomplete");
     expect(() => decodeScene(packedScene(mesh, [], { format: 1 }))).toThrow("format 1");
     expect(() => decodeScene(packedScene({ ...mesh, elements: mesh.elements.map((node) => node + 1) }, []))).toThrow(
       "damaged",

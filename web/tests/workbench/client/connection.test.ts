@@ -212,7 +212,7 @@ describe("words", () => {
     expect(statusText("stale", { kind: "idle" }, solved, true, 2)).toContain("Fix the errors");
     expect(
       statusText("stale", { kind: "solving", run: 2, version: 2, text: "", share: null }, solved, true, 0),
-    ).toMatch(/earlier state of the model.*Solving/);
+    ).toMatch(/earlier version of the model.*Solving/);
     expect(
       statusText("none", { kind: "refused", version: 1, message: "no equilibrium", issues: [] }, null, false, 0),
     ).toBe("Not solved: no equilibrium");

@@ -56,14 +56,14 @@ describe("a drawing", () => {
   it("needs a unit and an outline", () => {
     const choice: DrawingChoice = { layers: { SLAB: "outline" }, unit: "mm", centered: false, gap: "1 mm" };
     expect(findProblem(choice)).toBe("");
-    expect(findProblem({ ...choice, layers: { SLAB: "columns" } })).toBe("Choose the layer of the outline.");
+    expect(findProblem({ ...choice, layers: { SLAB: "columns" } })).toBe("Choose the layer with the outline.");
     expect(findProblem({ ...choice, unit: "" })).toContain("unit");
   });
 });
 
 describe("the dialog", () => {
   const choose = (label: string, value: string) => {
-    const select = document.querySelector<HTMLSelectElement>(`[aria-label="what the layer ${label} holds"]`)!;
+    const select = document.querySelector<HTMLSelectElement>(`[aria-label="content of layer ${label}"]`)!;
     select.value = value;
     select.dispatchEvent(new Event("change", { bubbles: true }));
   };

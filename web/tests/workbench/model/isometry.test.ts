@@ -46,7 +46,7 @@ describe("a transformed item", () => {
       width_y: "2 m",
     });
     expect(transformTable({ M_x: "10 kNm" }, rotation(90, [0, 0]))).toEqual({ M_x: "0 kNm", M_y: "10 kNm" });
-    expect(() => transformTable({ ...load, ...sides }, rotation(30, [0, 0]))).toThrow("right angles");
+    expect(() => transformTable({ ...load, ...sides }, rotation(30, [0, 0]))).toThrow("multiples of 90°");
     expect(() => transformTable({ ...load, M_y: "4 Nm" }, rotation(30, [0, 0]))).toThrow("different units");
   });
   it("has the same pressure at the images of the places", () => {

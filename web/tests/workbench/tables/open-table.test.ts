@@ -141,11 +141,9 @@ describe("a paste", () => {
     const { change } = table.paste("Q\n", { top: 0, bottom: 1, left: column, right: column });
     expect(listAt(apply(change), ["loads"]).map((load) => (load as Table).case)).toEqual(["Q", "Q", "Q"]);
   });
-  it("tells what lies right of the last column", () => {
+  it("reports cells beyond the last column", () => {
     const table = openTable("columns");
-    expect(table.paste("1\t2", at(0, columnOf(table, "diameter"))).left).toEqual([
-      "what lies right of the last column",
-    ]);
+    expect(table.paste("1\t2", at(0, columnOf(table, "diameter"))).left).toEqual(["cells beyond the last column"]);
   });
   it("of many rows is one edit of the list, and what was copied comes back", () => {
     const table = openTable("loads point", { ...DATA, loads: [] });

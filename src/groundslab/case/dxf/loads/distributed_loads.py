@@ -42,38 +42,38 @@ def read_line_loads(
     marks: list[labelling.PendingLoad] = []
     drawn: list[list[tuple[Place, Place, float]]] = []
     for source, piece in lines:
-        own = [
+        parts = [
             (a, b, bulge)
             for (a, b), bulge in zip(pairwise(piece.points), piece.bulges, strict=True)
             if math.dist(a, b) > tolerance
         ]
-        edges = [segment(*each) for each in own]
-        ends = [sorted((nodes.number(a), nodes.number(b))) for a, b, _ in own]
+        edges = [segment(*edge) for edge in parts]
+        ends = [sorted((nodes.number(a), nodes.number(b))) for a, b, _ in parts]
         key = frozenset((a, b, middles.number(edge.middle)) for (a, b), edge in zip(ends, edges, strict=True))
-        if not own or key in seen:
-            context.report_entity(source, False, DOUBLE if own else "it has no length")
+        if not parts or key in seen:
+            context.report_entity(source, False, DOUBLE if parts else "it has no length")
             continue
         seen.add(key)
-        drawn.append(own)
+        drawn.append(parts)
         start = edges[0].start
         marks.append(
             labelling.PendingLoad(source, start, LineString([start, *(p for edge in edges for p in divide_edge(edge))]))
         )
     labelling.assign_texts(marks, texts, "line_loads", context)
     defaults = _read_layer_values([mark.source.layer for mark in marks], "line_loads", roles, context)
-    found = []
-    for mark, own in zip(marks, drawn, strict=True):
+    loads = []
+    for mark, parts in zip(marks, drawn, strict=True):
         value, how = labelling.choose_value(mark, "line_loads", context, defaults)
         context.report_entity(mark.source, True, f"line load{how}")
-        starts, ends_of, bulges = zip(*own, strict=True)
-        closed = len(own) > 1 and math.dist(starts[0], ends_of[-1]) <= tolerance
+        starts, ends_of, bulges = zip(*parts, strict=True)
+        closed = len(parts) > 1 and math.dist(starts[0], ends_of[-1]) <= tolerance
         points = starts if closed else (*starts, ends_of[-1])
-        found.append(LineMark(points, bulges, value, labelling.join_texts(mark)))
-    return found
+        loads.append(LineMark(points, bulges, value, labelling.join_texts(mark)))
+    return loads
 
 
 def read_area_loads(
-    found: list[ClosedCurve], texts: Sequence[labelling.Label], roles: Roles, context: ReadContext
+    curves: list[ClosedCurve], texts: Sequence[labelling.Label], roles: Roles, context: ReadContext
 ) -> list[AreaMark]:
     """Return the area loads with the values that stand in or beside them or in the names of their layers.
 
@@ -81,32 +81,32 @@ def read_area_loads(
     """
     from shapely import Polygon
 
-    shapes = [_valid(Polygon([p for edge in each.curve.segments() for p in divide_edge(edge)])) for each in found]
+    shapes = [_valid(Polygon([p for edge in closed.curve.segments() for p in divide_edge(edge)])) for closed in curves]
     marks = [
-        labelling.PendingLoad(each.sources[0], each.curve.points[0], shape, each.curve.area)
-        for each, shape in zip(found, shapes, strict=True)
+        labelling.PendingLoad(closed.sources[0], closed.curve.points[0], shape, closed.curve.area)
+        for closed, shape in zip(curves, shapes, strict=True)
     ]
     labelling.assign_texts(marks, texts, "area_loads", context)
     defaults = _read_layer_values([mark.source.layer for mark in marks], "area_loads", roles, context)
-    holders = EnclosingCurves(found, context)
+    holders = EnclosingCurves(curves, context)
     hole_of: dict[int, int] = {}
-    for number in sorted(range(len(found)), key=lambda each: -found[each].curve.area):
-        outer = holders.find(found[number].curve.points, last=True)
+    for number in sorted(range(len(curves)), key=lambda index: -curves[index].curve.area):
+        outer = holders.find(curves[number].curve.points, last=True)
         if outer is not None and outer not in hole_of and not marks[number].values:
             hole_of[number] = outer
         holders.add(number)
-    order = [number for number in range(len(found)) if number not in hole_of]
+    order = [number for number in range(len(curves)) if number not in hole_of]
     loads = {number: position for position, number in enumerate(order, 1)}
     holes: dict[int, list[Ring]] = defaultdict(list)
     for hole, outer in hole_of.items():
-        holes[outer].append(found[hole].curve)
+        holes[outer].append(curves[hole].curve)
     areas = []
     for number in order:
         value, how = labelling.choose_value(marks[number], "area_loads", context, defaults)
-        report_taken(found[number], f"area load {loads[number]}{how}", context)
-        areas.append(AreaMark(found[number].curve, tuple(holes[number]), value, labelling.join_texts(marks[number])))
+        report_taken(curves[number], f"area load {loads[number]}{how}", context)
+        areas.append(AreaMark(curves[number].curve, tuple(holes[number]), value, labelling.join_texts(marks[number])))
     for hole, outer in hole_of.items():
-        report_taken(found[hole], f"hole in area load {loads[outer]}, as it has no value", context)
+        report_taken(curves[hole], f"hole in area load {loads[outer]}, as it has no value", context)
     return areas
 
 

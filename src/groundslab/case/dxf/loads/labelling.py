@@ -75,19 +75,19 @@ def _with_point(match: re.Match[str]) -> str:
 def _find_quantity(words: str, dimension: str) -> float | str | None:
     """Return the value in a text whose numbers have decimal points."""
     meant = _WITH_UNIT if dimension == "force" else _WITH_UNITS
-    found = meant.findall(words)
-    values = [each for each in found if isinstance(_quantity(each, dimension), float)]
+    texts = meant.findall(words)
+    values = [text for text in texts if isinstance(_quantity(text, dimension), float)]
     if len(values) > 1:
         return f"more than one {dimension}"
     firm = _FIRM.search(words)
     if firm:
         return _quantity(words[firm.end() :].split("\n")[0], dimension)
     read = [_quantity(words[start.end() :].split("\n")[0], dimension) for start in _STARTS.finditer(words)]
-    numbers = [each for each in read if isinstance(each, float)]
+    numbers = [value for value in read if isinstance(value, float)]
     if numbers:
         return numbers[0]
     others = {dimension} if dimension == "force" else DIMENSION.values()
-    if any(isinstance(_quantity(each, other), float) for each in found for other in others):
+    if any(isinstance(_quantity(text, other), float) for text in texts for other in others):
         return "it is not a name, a number and a unit" if values else f"it is no {dimension}"
     return None
 

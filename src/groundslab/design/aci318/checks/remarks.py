@@ -12,7 +12,7 @@ from groundslab.results.results import Results
 
 def remarks(combined: Results, _: Reinforcement) -> Iterator[DesignCheck]:
     """Yield whether combinations of strength are made by EN 1990."""
-    rules = [each.rule for each in combined.combinations if each.limit_state in STRENGTH]
+    rules = [combination.rule for combination in combined.combinations if combination.limit_state in STRENGTH]
     if any(rule.startswith("EN 1990") for rule in rules):
         words = "combinations by EN 1990 are not those of ACI 318-19 5.3, which combine.expression can select"
         yield DesignCheck("load combinations", "attention", words, clause="ACI 318-19 5.3.1")

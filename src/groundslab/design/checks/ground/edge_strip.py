@@ -43,7 +43,7 @@ def line_force_share(results: CombinationResult) -> float:
 
 def strip_width(results: CombinationResult) -> float:
     """Return the width b [m] of the strip that the line force is spread over."""
-    k0, k1 = (np.array(each) for each in (results.constants.k0, results.constants.k1))
+    k0, k1 = (np.array(constant) for constant in (results.constants.k0, results.constants.k1))
     decay = decay_length(interface_stack(k0, np.maximum(k1, LEAST_SHEAR * k1.max())))
     reach = _REACH.get(results.plate.nodes, results.plate.elements, lambda: _reach(results))
     return min(decay, reach)

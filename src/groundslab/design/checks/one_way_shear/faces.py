@@ -92,19 +92,20 @@ def _lines(model: Model) -> Iterator[Bearer]:
     from shapely import LineString, STRtree, get_parts, union_all
 
     size = max(model.sides)
-    found: list[tuple[str, LineString, tuple[float, float]]] = []
+    loaded: list[tuple[str, LineString, tuple[float, float]]] = []
     for load, shape in model.acting:
         if isinstance(shape, LineForce) and any(shape.q):
             for piece in clip_line(model.plate, shape, model.plates):
                 n = piece.edge.chords(FLAT * size)
-                found.append((load.case, LineString(piece.edge.at(np.arange(n + 1) / n)), piece.q))
-    if not found:
+                loaded.append((load.case, LineString(piece.edge.at(np.arange(n + 1) / n)), piece.q))
+    if not loaded:
         return
-    tree = STRtree([line for _, line, _ in found])
-    for part in get_parts(union_all([line for _, line, _ in found])):
-        middle, force = part.interpolate(0.5, normalized=True), dict[str, Array]()
+    tree = STRtree([line for _, line, _ in loaded])
+    for part in get_parts(union_all([line for _, line, _ in loaded])):
+        middle = part.interpolate(0.5, normalized=True)
+        force = dict[str, Array]()
         for number in tree.query(middle, predicate="dwithin", distance=SAME * size):
-            case, line, q = found[number]
+            case, line, q = loaded[number]
             force[case] = force.get(case, np.zeros(2)) + _at_ends(part, line, q)
         yield Bearer(part, force)
 

@@ -49,11 +49,11 @@ class Places:
 
     def forces(self, plate: PlateResult, elements: ElementResult) -> dict[str, Array]:
         """Return moments [N m/m] and shear forces [N/m] by the names of FORCES, (k,) each."""
-        found = {name: (self.weights * getattr(plate, name)[self.nodes]).sum(axis=1) for name in FORCES}
+        forces = {name: (self.weights * getattr(plate, name)[self.nodes]).sum(axis=1) for name in FORCES}
         inside = {name: getattr(elements, name)[self.element] for name in ("shear_x", "shear_y")}
-        size, its = (np.hypot(each["shear_x"], each["shear_y"]) for each in (found, inside))
+        size, its = (np.hypot(vector["shear_x"], vector["shear_y"]) for vector in (forces, inside))
         larger = (self.element >= 0) & (its > size)
-        return found | {name: np.where(larger, values, found[name]) for name, values in inside.items()}
+        return forces | {name: np.where(larger, values, forces[name]) for name, values in inside.items()}
 
     def of(self, counts: Flags) -> Places:
         """Return the same places with others of them that count."""
@@ -108,8 +108,8 @@ def nodes_of(
     if steel.laid:
         areas = {layer: laid_bars(steel, layer, plate.nodes).area for layer in LAYERS}
     else:
-        found = required_areas(steel, results)
-        areas = {layer: largest_areas(found, layer)[0] for layer in LAYERS}
+        required = required_areas(steel, results)
+        areas = {layer: largest_areas(required, layer)[0] for layer in LAYERS}
     least = rule.least_share * thickness
     ratios = {layer: np.minimum(np.maximum(area, least) / d, rule.most_ratio) for layer, area in areas.items()}
     numbers = np.arange(len(d))
@@ -140,14 +140,14 @@ def _on_border(
     line = pieces(mesh, np.array(legs))
     piece = np.tile(np.arange(len(line.low)), 3)
     s = np.concatenate([line.low, (line.low + line.high) / 2, line.high])
-    found, weights = interpolation(mesh, line, piece, s)
-    d, thickness = ((weights * values[found]).sum(axis=1) for values in (nodes.d, nodes.thickness))
-    ratios = {layer: (weights * rho[found]).sum(axis=1) for layer, rho in nodes.ratios.items()}
+    nearest, weights = interpolation(mesh, line, piece, s)
+    d, thickness = ((weights * values[nearest]).sum(axis=1) for values in (nodes.d, nodes.thickness))
+    ratios = {layer: (weights * rho[nearest]).sum(axis=1) for layer, rho in nodes.ratios.items()}
     xy = line.points(piece, s)
     meets = np.zeros(len(mesh.elements), dtype=bool)
     meets[STRtree(_polygons(mesh)).query(shapes, predicate="intersects")[1]] = True
     element = np.where(meets[line.element[piece]], line.element[piece], -1)
-    return Places(xy, found, weights, element, d, thickness, ratios, _counts(results, xy, d, thickness, reach))
+    return Places(xy, nearest, weights, element, d, thickness, ratios, _counts(results, xy, d, thickness, reach))
 
 
 def _legs_of(line: BaseGeometry) -> list[Array]:
@@ -162,8 +162,8 @@ def _polygons(mesh: Mesh) -> Array:
     """Return the elements as polygons of their corners (m,)."""
     from shapely import polygons
 
-    found: Array = polygons(mesh.xy[:, :4])
-    return found
+    cells: Array = polygons(mesh.xy[:, :4])
+    return cells
 
 
 def _counts(results: CombinationResult, xy: Array, d: Array, thickness: Array, reach: Mapping[str, float]) -> Flags:

@@ -40,7 +40,8 @@ from groundslab.results.results import CombinationResult, Results
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
     """Yield the check of one-way shear over all ultimate combinations."""
-    steel, results = combined.model.reinforcement, ultimate_results(combined)
+    steel = combined.model.reinforcement
+    results = ultimate_results(combined)
     if steel is None or not results:
         return
     code = code_of(steel)
@@ -50,7 +51,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     rule = code.shear
     reach = {} if rule.reach is None else rule.reach(combined)
     places = ShearPlaces(nodes_of(steel, rule, results, reach), bearers(combined.solved_model), reach)
-    demands = [demand for each in results for demand in _of_combination(each, places, steel, rule)]
+    demands = [demand for result in results for demand in _of_combination(result, places, steel, rule)]
     if rule.cuts is not None:
         demands += _across(results, places.nodes, steel, rule, rule.cuts(results[0], steel))
     if demands:
@@ -97,14 +98,14 @@ def _across(
     """Yield the means over cuts beside columns, in every combination."""
     of_state = {
         state: {layer: rule.resistance(steel, state, nodes.d, rho) for layer, rho in nodes.ratios.items()}
-        for state in {each.limit_state for each in results}
+        for state in {result.limit_state for result in results}
     }
-    plates = [(each, plate) for each in results for plate in _plates(each, steel)]
+    plates = [(result, plate) for result in results for plate in _plates(result, steel)]
     for cut in cuts:
         d, thickness = cut.mean(nodes.d), cut.mean(nodes.thickness)
-        for each, plate in plates:
-            forces = cut.forces(plate, of_state[each.limit_state])
-            yield ShearDemand(each, cut.place, *forces, d, thickness, spread=plate is not each.plate)
+        for result, plate in plates:
+            forces = cut.forces(plate, of_state[result.limit_state])
+            yield ShearDemand(result, cut.place, *forces, d, thickness, spread=plate is not result.plate)
 
 
 def _demand(results: CombinationResult, plate: PlateResult, places: Places) -> tuple[Array, Array]:

@@ -74,29 +74,31 @@ def _bars_in_tension(
     combined: Results, steel: Reinforcement, laid: dict[str, LaidBars], state: str, *, widths: bool
 ) -> list[_Bent]:
     """Return of each layer the largest stress [Pa] of its bars, or crack width [m], in the combinations of a state."""
-    results = [each for each in solved_results(combined) if each.limit_state == state]
+    results = [result for result in solved_results(combined) if result.limit_state == state]
     if not results:
         return []
     of_case = materials(steel)
-    thickness, found = results[0].elements.at_nodes(results[0].plate)[0], []
+    thickness = results[0].elements.at_nodes(results[0].plate)[0]
+    bent = []
     field = cracking.crack_width if widths else cracking.bar_stress
-    for layer, own in laid.items():
-        cover = axis_of(steel, layer) - own.diameter / 2
-        bars = cracking.Bars(own.diameter, own.spacing, cover, own.area)
+    for layer, layer_bars in laid.items():
+        cover = axis_of(steel, layer) - layer_bars.diameter / 2
+        bars = cracking.Bars(layer_bars.diameter, layer_bars.spacing, cover, layer_bars.area)
         largest = []
-        for each in results:
-            m = np.abs(getattr(design_moments(each.plate), layer))
-            largest.append((*extreme(each.plate.nodes, field(m, thickness, bars, *of_case), 1), each.combination))
-        found.append(_Bent(layer, *max(largest)))
-    return found
+        for result in results:
+            m = np.abs(getattr(design_moments(result.plate), layer))
+            largest.append((*extreme(result.plate.nodes, field(m, thickness, bars, *of_case), 1), result.combination))
+        bent.append(_Bent(layer, *max(largest)))
+    return bent
 
 
 def _stresses(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -> Iterator[DesignCheck]:
     """Yield the largest stress of bars in characteristic combinations, which may be 0.8 f_yk (7.2(5))."""
-    found = _bars_in_tension(combined, steel, laid, "characteristic", widths=False)
-    if not found:
+    bent = _bars_in_tension(combined, steel, laid, "characteristic", widths=False)
+    if not bent:
         return
-    worst, f_yk = max(found, key=lambda each: each.value), strengths(steel)[1]
+    worst = max(bent, key=lambda layer: layer.value)
+    f_yk = strengths(steel)[1]
     most = cracking.MOST_STRESS * f_yk
     if worst.value > f_yk:
         yield _yields(worst, f_yk, "stress of the bars")

@@ -28,10 +28,10 @@ def check_first_cracks(combined: Results, steel: Reinforcement, laid: dict[str, 
     plate = results[0].plate
     concrete, bars = materials(steel)
     least = cracking.minimum_area(results[0].elements.at_nodes(plate)[0], concrete, bars.f_yk)
-    moments = [design_moments(each.plate) for each in results]
+    moments = [design_moments(result.plate) for result in results]
     # (n,) by layer; 0 where its face is never in tension
     used = {
-        layer: np.where(_in_tension([getattr(each, layer) for each in moments]), least / layer_bars.area, 0.0)
+        layer: np.where(_in_tension([getattr(moment, layer) for moment in moments]), least / layer_bars.area, 0.0)
         for layer, layer_bars in laid.items()
     }
     layer = max(used, key=lambda name: float(used[name].max()))

@@ -63,7 +63,7 @@ def _demands(combined: Results, forces: tuple[PunchingForce, ...]) -> Demands:
     """Return the demands of forces that punch the plate."""
     model, steel = combined.model, combined.model.reinforcement
     results = ultimate_results(combined)
-    found: dict[tuple[str, str], Demand] = {}
+    governing: dict[tuple[str, str], Demand] = {}
     missing: dict[str, str] = {}
     reach: dict[str, float] = {}
     for punching in forces if steel is not None else ():
@@ -82,8 +82,8 @@ def _demands(combined: Results, forces: tuple[PunchingForce, ...]) -> Demands:
         # beyond d from the face, where uniform loads are, one-way shear is checked in any case (6.2.1(8))
         last = max((stress.distance for demand in of_combinations for stress in demand.around), default=0.0)
         reach[punching.name] = max(site.d, last)
-        found |= {(demand.combination, punching.name): demand for demand in of_combinations}
-    return Demands(found, missing, {punching.name: punching.place for punching in forces}, reach)
+        governing |= {(demand.combination, punching.name): demand for demand in of_combinations}
+    return Demands(governing, missing, {punching.name: punching.place for punching in forces}, reach)
 
 
 @dataclass(frozen=True, slots=True)

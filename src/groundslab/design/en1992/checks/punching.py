@@ -73,7 +73,8 @@ def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> DesignCh
     With the bars provided in tension, or with the most that count, whatever will be laid. What links can carry is
     limited at 2 d, or on all perimeters where the face has no limit of its own.
     """
-    name, which = names.within, "the bars provided" if steel.laid else "the largest ratio that counts"
+    name = names.within
+    which = "the bars provided" if steel.laid else "the largest ratio that counts"
     most: list[Judged] = []
     there: list[Judged] = []
     annex = materials(steel)[0].annex
@@ -91,7 +92,8 @@ def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> DesignCh
     if not needing:
         return without
     worst = max(needing, key=lambda judged: judged[1].v_Ed / judged[2])
-    links, reach = _links(steel, worst), _outer(worst[0], [judged for judged in there if judged[0] is worst[0]])
+    links = _links(steel, worst)
+    reach = _outer(worst[0], [judged for judged in there if judged[0] is worst[0]])
     return replace(without, words=f"punching reinforcement is needed at {without.words}; {links}, {reach}")
 
 

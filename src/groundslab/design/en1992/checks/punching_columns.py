@@ -29,12 +29,12 @@ _HEADS: Heads = (
 
 
 def at_columns(combined: Results, steel: Reinforcement) -> PunchingColumns:
-    """Return what punches at columns that push down."""
+    """Return the punching checks at columns that push down."""
     return _columns(combined, steel, demands(combined), "column")
 
 
 def over_piles(combined: Results, steel: Reinforcement) -> PunchingColumns:
-    """Return what punches the plate over piles that push up."""
+    """Return the punching checks over piles that push up."""
     return _columns(combined, steel, pile_demands(combined), "pile")
 
 

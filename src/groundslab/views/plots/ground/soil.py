@@ -70,22 +70,22 @@ def soil_columns(model: Model, combinations: Sequence[PlottedCombination]) -> li
     if model.boreholes:
         kinds = [model.ground] * len(model.boreholes)
     given = [hole.layers for hole in model.boreholes] or [getattr(ground, "layers", ()) for ground in kinds]
-    profiles = zip(*(profiles_of(each.results) for each in combinations), strict=True)
+    profiles = zip(*(profiles_of(combination.results) for combination in combinations), strict=True)
     columns = []
-    for ground, layers, own in zip(kinds, given, profiles, strict=True):
-        found = tuple(
+    for ground, layers, by_combination in zip(kinds, given, profiles, strict=True):
+        constants = tuple(
             replace(profile, name=combination.name)
-            for combination, profile in zip(combinations, own, strict=True)
+            for combination, profile in zip(combinations, by_combination, strict=True)
             if profile.gamma is not None
         )
-        if len(found) > 1 and len({each.gamma for each in found}) == 1:
-            found = (replace(found[0], name="all combinations"),)
-        columns.append(SoilColumn(own[0].name, _plotted_layers(model, ground, layers, found), found))
+        if len(constants) > 1 and len({constant.gamma for constant in constants}) == 1:
+            constants = (replace(constants[0], name="all combinations"),)
+        columns.append(SoilColumn(by_combination[0].name, _plotted_layers(model, ground, layers, constants), constants))
     return columns
 
 
 def _plotted_layers(
-    model: Model, ground: AnyGround, layers: Sequence[SoilLayer | InterfaceLayer], found: Sequence[Profile]
+    model: Model, ground: AnyGround, layers: Sequence[SoilLayer | InterfaceLayer], constants: Sequence[Profile]
 ) -> tuple[PlottedLayer, ...]:
     """Return the layers of a described ground."""
     if isinstance(ground, Winkler):
@@ -101,25 +101,25 @@ def _plotted_layers(
         if isinstance(layer, InterfaceLayer):
             plotted.append(PlottedLayer(None, None, None, (layer.k0,), (layer.k1,)))
             continue
-        own = layer_of(layer)
-        k0, k1 = _own_constants(ground, own, index, found)
-        s = np.linspace(0, 1, 41 if any(own.moduli[1:]) else 2)
-        plotted.append(PlottedLayer(layer.thickness, (s, own.E(s)), layer.nu, k0, k1))
+        stack_layer = layer_of(layer)
+        k0, k1 = _own_constants(ground, stack_layer, index, constants)
+        s = np.linspace(0, 1, 41 if any(stack_layer.moduli[1:]) else 2)
+        plotted.append(PlottedLayer(layer.thickness, (s, stack_layer.E(s)), layer.nu, k0, k1))
     below = ground.half_space if isinstance(ground, Continuum) else None
     if below is not None:
-        drawn = ENDLESS * (sum(each.thickness or 0.0 for each in plotted) or max(model.plate.sides))
+        drawn = ENDLESS * (sum(drawn_layer.thickness or 0.0 for drawn_layer in plotted) or max(model.plate.sides))
         plotted.append(PlottedLayer(drawn, (np.array([0.0, 1.0]), np.full(2, below.E)), below.nu, (), (), endless=True))
     return tuple(plotted)
 
 
 def _own_constants(
-    ground: Vlasov | Layered | ContinuousGround, layer: Layer, index: int, found: Sequence[Profile]
+    ground: Vlasov | Layered | ContinuousGround, layer: Layer, index: int, constants: Sequence[Profile]
 ) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Return k0 and k1 of a layer of a stack: of its sublayers, or in each combination; else nothing."""
     if not isinstance(ground, Layered):
         return (), ()
     if ground.coupling == "interface":
-        return tuple(each.k0[index] for each in found), tuple(each.k1[index] for each in found)
+        return tuple(constant.k0[index] for constant in constants), tuple(constant.k1[index] for constant in constants)
     alike = ground.replace(layers=(ground.layers[index],))
     k0, k1 = zip(*(part.stiffnesses for part in sublayers(alike, (layer,))), strict=True)
     return tuple(map(float, k0)), tuple(map(float, k1))
@@ -168,18 +168,18 @@ def draw_columns(
     page = style.Page(style.PAGE_WIDTH)
     top = page.write_heading(title, heading)
     high = HIGH if len(columns) <= SIDE_BY_SIDE else LOW
-    each = style.PAGE_WIDTH / min(len(columns), SIDE_BY_SIDE)
+    width = style.PAGE_WIDTH / min(len(columns), SIDE_BY_SIDE)
     legend: dict[str, Any] = {}
     places = {hole.name or f"borehole {n}": (hole.x, hole.y) for n, hole in enumerate(model.boreholes, 1)}
     for row in style.batch(columns, SIDE_BY_SIDE):
         bottoms = []
         for place, column in enumerate(row):
-            left = place * each
+            left = place * width
             where = f" at {style.place_words(places[column.name])}" if column.name in places else ""
             words = style.plain_text(column.name, 30) + where
             page.write(left + style.MARGIN, top, words, fontsize=style.BASE, fontweight="bold", color=style.INK)
-            legend |= _draw_column(page, column, columns, (left, top + 12.0, each, high), named)
-            bottoms.append(_write_tables(page, column, (left + style.MARGIN, top + 12.0 + high + 6.0), each))
+            legend |= _draw_column(page, column, columns, (left, top + 12.0, width, high), named)
+            bottoms.append(_write_tables(page, column, (left + style.MARGIN, top + 12.0 + high + 6.0), width))
         top = max(bottoms) + 6.0
     return page.finish(top, legend if len(legend) > 1 else {})
 
@@ -189,18 +189,18 @@ def _draw_column(
 ) -> dict[str, Any]:
     """Draw layers, moduli and mode of a column in a box [mm] (left, top, size); return the entries in the legend."""
     left, top, wide, high = box
-    deepest = max((each.depth or 0.0 for each in alike), default=0.0)
+    deepest = max((other.depth or 0.0 for other in alike), default=0.0)
     to_scale = column.depth is not None
     depth = deepest if to_scale else float(len(column.layers))
     band = COLUMN * wide * SIDE_BY_SIDE / style.PAGE_WIDTH
     axes = page.add_axes(left + LEFT, top, band, high)
     _draw_layers(axes, column, depth, to_scale=to_scale)
     space = wide - LEFT - band - 3 * GAP
-    with_mode = any(len(each.psi) for each in column.constants)
+    with_mode = any(len(constant.psi) for constant in column.constants)
     width = space / 2 if with_mode else 0.7 * space
     entries: dict[str, Any] = {}
     if to_scale and any(layer.E for layer in column.layers):
-        most = max(float(s.E[1].max()) for each in alike for s in each.layers if s.E is not None)
+        most = max(float(s.E[1].max()) for other in alike for s in other.layers if s.E is not None)
         _draw_moduli(page.add_axes(left + LEFT + band + GAP, top, width - GAP, high), column, depth, most)
     if with_mode:
         axes = page.add_axes(left + LEFT + band + GAP + width, top, width - GAP, high)
@@ -273,13 +273,13 @@ def _draw_moduli(axes: Axes, column: SoilColumn, depth: float, most: float) -> N
 def _draw_modes(axes: Axes, column: SoilColumn, depth: float, *, named: bool) -> dict[str, Any]:
     """Draw the mode of each combination over the depth; of many the range."""
     entries: dict[str, Any] = {}
-    found = [(each.name, each.z, each.psi) for each in column.constants if len(each.psi)]
-    if len(found) > MOST:
+    modes = [(constant.name, constant.z, constant.psi) for constant in column.constants if len(constant.psi)]
+    if len(modes) > MOST:
         z = np.linspace(0, depth, 200)
-        rows = np.stack([np.interp(z, depths, psi) for _, depths, psi in found])
+        rows = np.stack([np.interp(z, depths, psi) for _, depths, psi in modes])
         axes.fill_betweenx(z, rows.min(axis=0), rows.max(axis=0), color=style.FAINT, linewidth=0.6, edgecolor=style.INK)
     else:
-        for index, (name, depths, psi) in enumerate(found):
+        for index, (name, depths, psi) in enumerate(modes):
             (line,) = axes.plot(psi, depths, color=style.CYCLE[index], linestyle=style.STROKES[index], linewidth=1.1)
             if named:
                 entries[style.plain_text(name, 60)] = line
@@ -290,42 +290,48 @@ def _draw_modes(axes: Axes, column: SoilColumn, depth: float, *, named: bool) ->
 
 def _write_tables(page: style.Page, column: SoilColumn, corner: tuple[float, float], wide: float) -> float:
     """Write the layers and what the combinations found below a corner [mm]; return how far down that reaches."""
-    (left, top), stretch = corner, (wide * SIDE_BY_SIDE / style.PAGE_WIDTH) ** 0.5
-    own = any(layer.k0 for layer in column.layers)
+    left, top = corner
+    stretch = (wide * SIDE_BY_SIDE / style.PAGE_WIDTH) ** 0.5
+    has_constants = any(layer.k0 for layer in column.layers)
     heads = ["layer", "h [m]", "E [MPa]", "\N{GREEK SMALL LETTER NU} [-]"]
-    heads += ["k0 [MPa/m]", "k1 [MPa m]"] if own else []
-    rows = [heads, *(_row(index, layer, own=own) for index, layer in enumerate(column.layers, start=1))]
+    heads += ["k0 [MPa/m]", "k1 [MPa m]"] if has_constants else []
+    rows = [
+        heads,
+        *(_row(index, layer, with_constants=has_constants) for index, layer in enumerate(column.layers, start=1)),
+    ]
     top = _write_table(page, left, top, rows, [stretch * end for end in ENDS])
     if not column.constants:
         return top
     heads = ["combination", "\N{GREEK SMALL LETTER GAMMA} [-]"]
-    lines: list[tuple[Any, ...]] = [(each.name, each.gamma) for each in column.constants]
+    lines: list[tuple[Any, ...]] = [(constant.name, constant.gamma) for constant in column.constants]
     if len(column.constants[0].psi):
         heads += ["k0 [MPa/m]", "k1 [MPa m]"]
-        lines = [(each.name, each.gamma, each.k0[0] / 1e6, each.k1[0] / 1e6) for each in column.constants]
+        lines = [
+            (constant.name, constant.gamma, constant.k0[0] / 1e6, constant.k1[0] / 1e6) for constant in column.constants
+        ]
     if len(lines) > MOST:
         values = list(zip(*(line[1:] for line in lines), strict=True))
-        shown = [[f"{len(lines)} combinations", *(_range(each) for each in values)]]
+        shown = [[f"{len(lines)} combinations", *(_range(value) for value in values)]]
     else:
         shown = [[style.plain_text(name, 24), *(f"{value:#.4g}" for value in values)] for name, *values in lines]
     ends = [stretch * end for end in ENDS_FOUND]
     return _write_table(page, left, top + 2.5, [heads, *shown], ends, first_left=True)
 
 
-def _row(index: int, layer: PlottedLayer, *, own: bool) -> list[str]:
+def _row(index: int, layer: PlottedLayer, *, with_constants: bool) -> list[str]:
     """Return a layer as a row of the table."""
-    h, nu = (None if each is None else style.number(each) for each in (layer.thickness, layer.nu))
+    h, nu = (None if value is None else style.number(value) for value in (layer.thickness, layer.nu))
     h = "\N{INFINITY}" if layer.endless else h
     E = None if layer.E is None else _range(layer.E[1][[0, -1]] / 1e6)
-    constants = (layer.k0, layer.k1) if own else ()
+    constants = (layer.k0, layer.k1) if with_constants else ()
     stiffnesses = (_range([k / 1e6 for k in values]) if values else None for values in constants)
-    return [str(index), *(each or "\N{EN DASH}" for each in (h, E, nu, *stiffnesses))]
+    return [str(index), *(text or "\N{EN DASH}" for text in (h, E, nu, *stiffnesses))]
 
 
 def _range(values: Sequence[float] | np.ndarray[Any, Any]) -> str:
     """Return one number, or the first and the last of those that differ, in words."""
     ends = (np.min(values), np.max(values)) if len(values) > 2 else (values[0], values[-1])
-    first, last = (style.number(float(each)) for each in ends)
+    first, last = (style.number(float(end)) for end in ends)
     return first if first == last else f"{first} \N{EN DASH} {last}"
 
 

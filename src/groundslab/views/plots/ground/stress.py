@@ -35,12 +35,12 @@ SLIGHT = 0.01
 
 def draw_sheet(request: PlotRequest) -> Figure:
     """Return all sections on one sheet."""
-    return _figure(request, [(each, line) for line in request.lines for each in request.combinations])
+    return _figure(request, [(combination, line) for line in request.lines for combination in request.combinations])
 
 
 def draw_pages(request: PlotRequest) -> list[Figure]:
     """Return the sections on pages, two on each."""
-    panels = [(each, line) for line in request.lines for each in request.combinations]
+    panels = [(combination, line) for line in request.lines for combination in request.combinations]
     return [_figure(request, part) for part in style.batch(panels, 2)]
 
 
@@ -60,7 +60,7 @@ def sample_section(results: PlottedCombination, line: SectionLine) -> tuple[Arra
 def _figure(request: PlotRequest, panels: Sequence[Panel]) -> Figure:
     """Return sections one below the other, all with one scale."""
     page = style.Page(style.PAGE_WIDTH)
-    certified = all(each.certified for each, _ in panels)
+    certified = all(combination.certified for combination, _ in panels)
     words = ["Vertical stress below the plate, without the soil's own weight"]
     top = page.write_heading(request.combined.model.title, words, "" if certified else NOT_CERTIFIED)
     sampled = [sample_section(*panel) for panel in panels]

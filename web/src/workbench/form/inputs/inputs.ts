@@ -96,7 +96,7 @@ function choiceInput(ctx: FormContext, path: Path, words: readonly string[], sta
     fill(select, ...odd, ...words.map((word) => h("option", { value: word }, word)));
     select.value = chosen;
     select.classList.toggle("by-default", value === undefined);
-    select.title = value === undefined && standard !== undefined ? "by default" : "";
+    select.title = value === undefined && standard !== undefined ? "default" : "";
   };
   select.addEventListener("change", () => setValue(ctx, path, select.value === "" ? undefined : select.value));
   return { element: select, focus: select, update };

@@ -100,6 +100,6 @@ function listKindChoice(ctx: FormContext, path: Path, names: readonly string[]):
     const known = ctx.memory.get(pathKey([...path, to.name]))?.items;
     const isKnown = Array.isArray(known) && known.length === old.length;
     const value: Json = isKnown ? known : old.map(() => defaultsFor(to.name, ctx.data()));
-    ctx.change({ edits: [{ op: "set", path, value }], text: `give layers by ${kindText(to)}` });
+    ctx.change({ edits: [{ op: "set", path, value }], text: `define layers by ${kindText(to)}` });
   });
 }

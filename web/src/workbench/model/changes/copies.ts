@@ -117,7 +117,7 @@ export function transformItems(data: Table, paths: readonly Path[], isometry: Is
       throw error;
     }
   });
-  if (edits.length === 0) throw new Impossible("nothing of what is selected would change");
+  if (edits.length === 0) throw new Impossible("the selection would not change");
   return { edits, text: `${verb} ${titleOfAll(data, paths)}` };
 }
 
@@ -125,7 +125,7 @@ export function transformItems(data: Table, paths: readonly Path[], isometry: Is
 function slabEdits(data: Table, isometry: Isometry): Edit[] {
   const isTranslation = isometry.a === 1 && isometry.d === 1;
   if (!isTranslation && Object.keys(tableAt(data, ["plate", "edges"])).length > 0)
-    throw new Impossible("its edges on the left, right, bottom and top are supported and cannot be turned");
+    throw new Impossible("supports on its left, right, bottom and top edges cannot be rotated");
   const outline = valueAt(data, ["plate", "outline"]);
   const before = outline === undefined ? sidesAsRectangle(data) : tableAt(data, ["plate", "outline"]);
   const after = transformTable(before, isometry);
@@ -135,7 +135,7 @@ function slabEdits(data: Table, isometry: Isometry): Edit[] {
 function sidesAsRectangle(data: Table): Table {
   const range = (key: string): Json[] => {
     const length = parseLength(valueAt(data, ["plate", key]));
-    if (length === null) throw new Impossible("its sides are no lengths");
+    if (length === null) throw new Impossible("its side lengths are not valid");
     return [formatLength(-length / 2), formatLength(length / 2)];
   };
   return { kind: "rectangle", x: range("length_x"), y: range("length_y") };
@@ -145,6 +145,6 @@ function sidesAsRectangle(data: Table): Table {
 export function whyNotCopied(tables: readonly ListedTable[]): string {
   const columns = new Set(namesIn(tables.filter(({ list }) => list[0] === "columns").map(({ table }) => table)));
   const lonely = tables.find(({ table }) => typeof table.column === "string" && !columns.has(table.column));
-  if (lonely) return `a load stands on column ${String(lonely.table.column)}, which is not selected with it`;
-  return tables.some(({ table }) => hasPlace(table)) ? "" : "nothing of what is selected has a place in plan";
+  if (lonely) return `a load is attached to column ${String(lonely.table.column)}, which is not selected`;
+  return tables.some(({ table }) => hasPlace(table)) ? "" : "nothing in the selection has a position on the plan";
 }

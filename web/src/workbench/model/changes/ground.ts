@@ -32,8 +32,8 @@ export function switchGround(data: Table, from: Part | null, to: Part, memory: M
 /** Return what a switch put away and brought back, in a line. */
 function noticeOf({ away, back }: Mended): string {
   const list = (counts: Map<string, number>) => [...counts].map(([name, number]) => `${number} ${name}`).join(", ");
-  const put = away.size > 0 ? `Put away: ${list(away)}, to come back with a ground that has them.` : "";
-  return [put, back.size > 0 ? `Brought back: ${list(back)}.` : ""].filter(Boolean).join(" ");
+  const put = away.size > 0 ? `Set aside: ${list(away)}; restored when the ground supports them again.` : "";
+  return [put, back.size > 0 ? `Restored: ${list(back)}.` : ""].filter(Boolean).join(" ");
 }
 
 /** The edits that make the zones of the new kind, also those put away; without an end sideways there are none. */

@@ -43,7 +43,7 @@ function placeCoordinates(table: Table, by: Isometry): Table {
 /** Place a rectangle given by its ranges; one that is turned by other than right angles becomes a polygon. */
 function placeBox(table: Table, by: Isometry): Table {
   const [x, y] = [parsePoint(table.x), parsePoint(table.y)];
-  if (!x || !y) throw new Impossible("its x and y are not both ranges of lengths");
+  if (!x || !y) throw new Impossible("its x and y must both be ranges of lengths");
   const corners = rectangleCorners(x, y).map((corner) => applyTo(by, corner));
   if (!keepsAxes(by)) {
     const { x: _, y: __, ...others } = table;
@@ -81,7 +81,7 @@ function placeParts(table: Table, by: Isometry): Table {
 
 function placePoint(point: Json[], by: Isometry): Json[] {
   const place = parsePoint(point);
-  if (!place) throw new Impossible(`${JSON.stringify(point)} is no place of two lengths`);
+  if (!place) throw new Impossible(`${JSON.stringify(point)} is not a point with two lengths`);
   return applyTo(by, place).map((value, n) => formatExact(value, point[n]));
 }
 
@@ -95,7 +95,9 @@ function turnFootprint(table: Table, by: Isometry): Table {
   if (width_x === undefined || width_y === undefined || by.b === 0) return {};
   if (by.a === 0) return { width_x: width_y, width_y: width_x };
   const size = `${String(width_x)} by ${String(width_y)}`;
-  throw new Impossible(`its rectangle of ${size} lies along x and y: turn it by right angles, or give it a diameter`);
+  throw new Impossible(
+    `its ${size} rectangle is aligned with x and y; rotate by multiples of 90°, or give it a diameter`,
+  );
 }
 
 /** Return moments, slope and second derivatives of a load. */
@@ -134,14 +136,14 @@ const QUANTITY = /^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(\S.*?)\s*$/
 function combine(factors: readonly number[], values: readonly (Json | undefined)[]): Json | undefined {
   const terms = values.flatMap((value, n): [number, string, string][] => {
     const match = typeof value === "string" ? QUANTITY.exec(value) : null;
-    if (value !== undefined && !match) throw new Impossible(`${JSON.stringify(value)} is no quantity`);
+    if (value !== undefined && !match) throw new Impossible(`${JSON.stringify(value)} is not a quantity`);
     return match && factors[n] !== 0 && Number(match[1]) !== 0 ? [[factors[n]!, match[1]!, match[2]!]] : [];
   });
   const [first, ...others] = terms;
   if (!first) return undefined;
   if (others.some((term) => term[2] !== first[2])) {
     const units = terms.map((term) => term[2]).join(" and ");
-    throw new Impossible(`its components have different units (${units}); write them in the same one first`);
+    throw new Impossible(`its components have different units (${units}); use the same unit first`);
   }
   if (others.length === 0 && first[0] === 1) return `${first[1]} ${first[2]}`;
   const sum = terms.reduce((total, [factor, number]) => total + factor * Number(number), 0);

@@ -16,7 +16,7 @@ export function actionButtons(actions: Actions, dialog: ActionDialog, paths: rea
   if (isSlab) return forms;
   return [
     ...forms,
-    button("Duplicate", "Make a copy beside it (Ctrl+D)", () => actions.duplicate(), "small"),
-    button("Remove", "Remove it (Delete)", () => actions.remove(), "small"),
+    button("Duplicate", "Create a copy next to it (Ctrl+D)", () => actions.duplicate(), "small"),
+    button("Remove", "Remove (Delete)", () => actions.remove(), "small"),
   ];
 }

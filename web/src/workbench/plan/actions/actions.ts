@@ -114,7 +114,7 @@ export class Actions {
       this.make(addCopies(this.store.data, tables, [shift], text));
     } catch (error) {
       if (!(error instanceof Impossible)) throw error;
-      this.showHint(`This cannot be copied: ${error.message}.`);
+      this.showHint(`Cannot copy: ${error.message}.`);
     }
     return true;
   }

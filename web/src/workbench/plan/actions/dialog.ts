@@ -11,7 +11,7 @@ import { pickPlaces } from "../generators/picking";
 import type { Actions } from "./actions";
 import type { ActionForm } from "./forms";
 
-const PICK = "Click the place or the places on the plan, which fill in x and y";
+const PICK = "Click points on the plan to fill in x and y";
 
 export class ActionDialog {
   readonly element = h("form", { class: "action-dialog", role: "dialog", hidden: true });
@@ -46,7 +46,7 @@ export class ActionDialog {
     const message = h("p", { class: "action-message", role: "status", id: `${id}-message` });
     const apply = h("button", { type: "submit", class: "main" }, form.label);
     const cancel = button("Cancel", "", () => this.close());
-    const pick = "places" in form ? [button("Pick in plan", PICK, () => this.pick(form), "pick")] : [];
+    const pick = "places" in form ? [button("Pick on plan", PICK, () => this.pick(form), "pick")] : [];
     const answers = h("div", { class: "answers" }, apply, ...pick, cancel, message);
     fill(this.element, h("h3", { id }, form.label), ...rows, answers);
     this.element.setAttribute("aria-labelledby", id);

@@ -37,7 +37,7 @@ export const FORMS: readonly ActionForm[] = [
     name: "move",
     label: "Move",
     key: "M",
-    hint: "Move by distances along x and y",
+    hint: "Move by a distance in x and y",
     fields: [length("dx", "dx", "1 m"), length("dy", "dy", "0 m"), COPY],
     plan: (values) => ({
       isometries: [translation([lengthOf(values, "dx"), lengthOf(values, "dy")])],
@@ -48,7 +48,7 @@ export const FORMS: readonly ActionForm[] = [
     name: "rotate",
     label: "Rotate",
     key: "R",
-    hint: "Turn by an angle about a point, counter-clockwise",
+    hint: "Rotate counterclockwise about a point",
     fields: [
       angle("angle", "angle [°]", "90"),
       length("x", "about x", "center"),
@@ -79,7 +79,7 @@ export const FORMS: readonly ActionForm[] = [
     name: "array",
     label: "Array",
     key: "Y",
-    hint: "Repeat in rows and columns, or along a circle",
+    hint: "Repeat in rows and columns or around a circle",
     fields: [
       { key: "kind", label: "along", is: "choice", initial: KINDS[0]!, options: KINDS },
       { ...count("columns", "columns", "3"), shown: isGrid },
@@ -90,7 +90,7 @@ export const FORMS: readonly ActionForm[] = [
       { ...angle("angle", "angle [°]", "360"), shown: isCircle },
       { ...length("x", "center x", "0 m"), shown: isCircle },
       { ...length("y", "center y", "0 m"), shown: isCircle },
-      { key: "turned", label: "turn the copies", is: "flag", initial: "", shown: isCircle },
+      { key: "turned", label: "rotate the copies", is: "flag", initial: "", shown: isCircle },
     ],
     plan: (values, center) => ({
       isometries: isCircle(values) ? circle(values, center) : grid(values),
@@ -127,7 +127,8 @@ function grid(values: Values): Isometry[] {
   const [columns, rows] = [countOf(values, "columns"), countOf(values, "rows")];
   requireFew(columns * rows);
   const [dx, dy] = [columns > 1 ? lengthOf(values, "dx") : 0, rows > 1 ? lengthOf(values, "dy") : 0];
-  if ((columns > 1 && dx === 0) || (rows > 1 && dy === 0)) throw new Impossible("the spacing is 0, expected another");
+  if ((columns > 1 && dx === 0) || (rows > 1 && dy === 0))
+    throw new Impossible("the spacing is 0, expected another value");
   const places = Array.from(
     { length: columns * rows },
     (_, n): Point => [dx * (n % columns), dy * Math.floor(n / columns)],
@@ -152,6 +153,6 @@ function circle(values: Values, center: Point): Isometry[] {
 }
 
 function requireFew(number: number): void {
-  if (number < 2) throw new Impossible("there is only the original, expected more than one");
+  if (number < 2) throw new Impossible("found only the original, expected at least one copy");
   if (number > MOST) throw new Impossible(`${number} copies are too many, expected at most ${MOST}`);
 }

@@ -16,15 +16,15 @@ export const COLUMN_GRID: Generator = {
   name: "columns",
   label: "Columns",
   key: "D",
-  hint: "Add columns on axes, with a load each",
+  hint: "Add columns on a grid, each with a load",
   fields: [
     length("x", "first x", "-5 m"),
     length("y", "first y", "-3 m"),
-    { key: "spacing_x", label: "distances in x", is: "lengths", initial: "2x5 m" },
-    { key: "spacing_y", label: "distances in y", is: "lengths", initial: "6 m" },
+    { key: "spacing_x", label: "spacing in x", is: "lengths", initial: "2x5 m" },
+    { key: "spacing_y", label: "spacing in y", is: "lengths", initial: "6 m" },
     length("width_x", "width in x", "400 mm"),
     length("width_y", "width in y", "400 mm"),
-    force("P", "load of each", "500 kN"),
+    force("P", "load per column", "500 kN"),
     CASE,
   ],
   places: [["x", "y"]],
@@ -38,7 +38,7 @@ export const COLUMN_GRID: Generator = {
     const on = makeIsOnSlab(data);
     const all = ys.flatMap((y, row) => xs.map((x, n) => ({ name: `${letters(n)}${row + 1}`, at: [x, y] as Point })));
     const kept = all.filter(({ at }) => on(at));
-    if (kept.length === 0) throw new Impossible("no place of them lies on the slab");
+    if (kept.length === 0) throw new Impossible("none of them would be on the slab");
     const P = forceOf(values, "P");
     const found = P.value === 0 ? { edits: [], case: "" } : chosenCase(data, values, "columns");
     const size = {
@@ -64,7 +64,7 @@ export const COLUMN_GRID: Generator = {
     return {
       change: { edits, text: `add ${kept.length} columns` },
       paths: kept.map((_, n): Path => ["columns", first + n]),
-      note: `${kept.length} columns.${left > 0 ? ` ${left} that would not stand on the slab are left out.` : ""}`,
+      note: `${kept.length} columns.${left > 0 ? ` ${left} outside the slab were skipped.` : ""}`,
     };
   },
 };

@@ -11,7 +11,7 @@ const CLASSES: readonly [string, number, number][] = [
   ["FL5", 140, 1.5],
   ["FL6", 170, 1.8],
 ];
-const OTHER = "own values";
+const OTHER = "custom";
 
 export const FORKLIFT: ActionField = {
   key: "class",
@@ -40,6 +40,6 @@ function valuesOf(name: string): Values | null {
 /** Return what is to be known of the values of a class, empty for own values. */
 export function noteOnForklift(name: string | undefined): string {
   return valuesOf(name ?? "")
-    ? ` ${name} is quoted from memory of EN 1991-1-1, Tables 6.5 and 6.6: check it, and enter the dynamic factor.`
+    ? ` ${name} is quoted from memory of EN 1991-1-1, Tables 6.5 and 6.6: verify it and enter the dynamic factor.`
     : "";
 }

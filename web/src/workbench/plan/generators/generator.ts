@@ -21,7 +21,7 @@ export interface Generator {
 }
 
 /** The choice of a load case that is made with the loads. */
-export const NEW_CASE = "a new one";
+export const NEW_CASE = "new load case";
 
 export const CASE: ActionField = { key: "case", label: "load case", is: "case", initial: "" };
 

@@ -29,15 +29,15 @@ const MOST_FRAMES = 200; // of a pattern
 const hasAisle = ({ rows }: Values) => rows !== "1";
 
 const FIELDS: readonly ActionField[] = [
-  force("P", "load of a leg", "60 kN"),
+  force("P", "load per leg", "60 kN"),
   length("width_x", "base plate along", "150 mm"),
   length("width_y", "base plate across", "150 mm"),
   count("bays", "bays", "5"),
-  length("bay", "width of a bay", "2.7 m"),
-  length("depth", "depth of a frame", "1.1 m"),
+  length("bay", "bay width", "2.7 m"),
+  length("depth", "frame depth", "1.1 m"),
   { key: "racks", label: "racks", is: "choice", initial: "single", options: ["single", DOUBLE] },
-  { ...length("gap", "between the two", "0.3 m"), shown: ({ racks }) => racks === DOUBLE },
-  count("rows", "rows of racks", "1"),
+  { ...length("gap", "gap between racks", "0.3 m"), shown: ({ racks }) => racks === DOUBLE },
+  count("rows", "rack rows", "1"),
   { ...length("aisle", "aisle", "3.5 m"), shown: hasAisle },
   length("x", "first leg x", "0 m"),
   length("y", "first leg y", "0 m"),
@@ -50,7 +50,7 @@ export const RACKS: Generator = {
   name: "racks",
   label: "Racks",
   key: "K",
-  hint: "Add the legs of racks in rows",
+  hint: "Add rack legs in rows",
   fields: FIELDS,
   places: [["x", "y"]],
   generate: (data, values) => {

@@ -19,11 +19,11 @@ export const VEHICLE: Generator = {
     FORKLIFT,
     force("front", "front axle", "60 kN"),
     force("rear", "rear axle", "10 kN"),
-    length("track", "wheels apart", "1 m"),
-    length("base", "axles apart", "1.6 m"),
-    { key: "contact", label: "contact by", is: "choice", initial: "widths", options: ["widths", TIRE] },
-    { ...length("width_x", "contact along", "200 mm"), shown: hasWidths },
-    { ...length("width_y", "contact across", "200 mm"), shown: hasWidths },
+    length("track", "track width", "1 m"),
+    length("base", "wheelbase", "1.6 m"),
+    { key: "contact", label: "contact area from", is: "choice", initial: "widths", options: ["widths", TIRE] },
+    { ...length("width_x", "contact length", "200 mm"), shown: hasWidths },
+    { ...length("width_y", "contact width", "200 mm"), shown: hasWidths },
     {
       key: "pressure",
       label: "tire pressure",
@@ -50,7 +50,7 @@ export const VEHICLE: Generator = {
     const distance = Math.hypot(to[0] - from[0], to[1] - from[1]);
     const step = lengthOf(values, "step");
     if (step < 0.05) throw new Impossible(`step: found "${values.step}", expected at least 0.05 m`);
-    if (distance === 0) throw new Impossible("the path ends where it begins, expected another place");
+    if (distance === 0) throw new Impossible("the path ends where it begins, expected a different end");
     const points = [from, to].map(([x, y]) => [formatLength(x), formatLength(y)]);
     // several paths of one case need names
     const paths = namesIn(listAt(data, ["moves"]));
@@ -66,7 +66,7 @@ export const VEHICLE: Generator = {
         text: `add ${name}`,
       },
       paths: [["moves", listAt(data, ["moves"]).length]],
-      note: `${positions} positions. Drag the middle of the path for a further corner.${noteOnForklift(values.class)}`,
+      note: `${positions} positions. Drag the middle of the path to add a corner.${noteOnForklift(values.class)}`,
     };
   },
 };
@@ -84,7 +84,7 @@ function wheelsOf(values: Values): Table[] {
     { load: axleLoadOf(values, "front"), x: 0 },
     { load: axleLoadOf(values, "rear"), x: -base },
   ].filter(({ load }) => load.value !== 0);
-  if (axles.length === 0) throw new Impossible("both axles are without load, expected a force");
+  if (axles.length === 0) throw new Impossible("neither axle has a load, expected a force");
   return axles.flatMap(({ load, x }) =>
     [-half, half].map((y) => ({
       P: formatForce(load, factor / 2),

@@ -96,7 +96,7 @@ export class Keyboard {
       const isPlaced = key === "Escape" || pointer.placeTyped(this.typed);
       this.showTyped(
         "",
-        isPlaced ? "" : `Found "${this.typed}", expected a length such as 3.5 or a place such as 2;3.`,
+        isPlaced ? "" : `Found "${this.typed}", expected a length such as 3.5 or a point such as 2;3.`,
       );
       return true;
     }
@@ -108,7 +108,7 @@ export class Keyboard {
   private showTyped(typed: string, hint = ""): void {
     this.typed = typed;
     const { current } = this.tools;
-    const what = this.pointer.isMoving ? "move there" : "draw up to there";
+    const what = this.pointer.isMoving ? "move here" : "draw to here";
     this.showHint(hint || (typed ? `${typed} — Enter: ${what}` : current().hint));
   }
 

@@ -291,8 +291,8 @@ function isPlate({ kind }: Item): boolean {
 /** Return why an item cannot be moved. */
 export function whyFixed(item: Item): string {
   if (item.kind === "slab")
-    return "A rectangle given by its sides is centered on the origin: drag its edges, or convert it to a polygon to move it.";
-  if (item.kind === "joint") return "It lies where its plates meet and moves with them.";
-  if (item.kind === "load") return `It stands on column ${String(item.table.column)} and moves with it.`;
-  return "It cannot be moved at present.";
+    return "A rectangle defined by its side lengths is centered on the origin. Drag its edges, or convert it to a polygon to move it.";
+  if (item.kind === "joint") return "It is where its plates meet and moves with them.";
+  if (item.kind === "load") return `It is attached to column ${String(item.table.column)} and moves with it.`;
+  return "It cannot be moved right now.";
 }

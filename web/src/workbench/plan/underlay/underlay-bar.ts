@@ -9,7 +9,7 @@ import "./underlay.css";
 /** Return the button with its fields, hidden where there is no underlay; the canvas shows what they say. */
 export function underlayBar(store: Store, canvas: { showUnderlay(underlay: Underlay | null): void }): HTMLElement {
   const fields = h("div", { class: "underlay-fields", id: newId("underlay"), role: "group", "aria-label": "underlay" });
-  const toggle = button("Underlay", "The drawing below the plan", () => open(fields.hidden === true), "small");
+  const toggle = button("Underlay", "The drawing under the plan", () => open(fields.hidden === true), "small");
   toggle.setAttribute("aria-controls", fields.id);
   const element = h("div", { class: "underlay-bar", hidden: true }, toggle, fields);
   const open = (isOpen: boolean) => {
@@ -51,14 +51,14 @@ function makeFields(store: Store, underlay: Underlay, change: (changes: Partial<
     h("label", {}, "unit", unit),
     h("label", {}, "x", offsetInput(store, 0, change), "m"),
     h("label", {}, "y", offsetInput(store, 1, change), "m"),
-    button("Remove", "Take the drawing away", () => store.set("underlay", null), "small"),
+    button("Remove", "Remove the drawing", () => store.set("underlay", null), "small"),
   ];
 }
 
-/** Return the field of a coordinate of the drawing's origin in the plan. */
+/** Return the field of a coordinate of the drawing's origin on the plan. */
 function offsetInput(store: Store, axis: 0 | 1, change: (changes: Partial<Underlay>) => void): HTMLInputElement {
   const present = () => formatDecimals(store.underlay?.offset[axis] ?? 0, 6);
-  const title = `${axis === 0 ? "x" : "y"} of the drawing's origin in the plan`;
+  const title = `${axis === 0 ? "x" : "y"} of the drawing's origin on the plan`;
   const input = h("input", { type: "text", title, "aria-label": title, value: present(), spellcheck: "false" });
   input.addEventListener("change", () => {
     const value = parseTyped(input.value);

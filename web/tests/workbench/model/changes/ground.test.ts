@@ -64,7 +64,7 @@ describe("switching the ground", () => {
     expect(file.data.soil_zones).toBeUndefined();
     expect(file.data.beyond).toEqual({ kind: "margin", width: "3 m" });
     expect(file.data.ground).toEqual({ kind: "continuum", layers: [LAYER] });
-    expect(notice).toBe("Put away: 1 soil zone, to come back with a ground that has them.");
+    expect(notice).toBe("Set aside: 1 soil zone; restored when the ground supports them again.");
   });
 
   it.each(KINDS.flatMap((first) => KINDS.map((second) => [first, second] as const)))(
@@ -85,12 +85,12 @@ describe("switching the ground", () => {
   it("puts piles away with their settlements, boreholes, and loads that press on springs", () => {
     const file = onPiles();
     expect(file.switch("Winkler").notice).toBe(
-      "Put away: 1 borehole, 1 pile, 1 load on the ground, 1 settlement, to come back with a ground that has them.",
+      "Set aside: 1 borehole, 1 pile, 1 load on the ground, 1 settlement; restored when the ground supports them again.",
     );
     expect(file.data.supports).toEqual([PILES[0]]);
     expect(file.data.loads).toEqual([LOADS[1], LOADS[2]]);
     expect(file.data.boreholes).toBeUndefined();
-    expect(file.switch("Vlasov").notice).toBe("Brought back: 1 borehole, 1 load on the ground.");
+    expect(file.switch("Vlasov").notice).toBe("Restored: 1 borehole, 1 load on the ground.");
     expect(file.data.loads).toEqual([LOADS[0], LOADS[1], LOADS[2]]);
   });
 
@@ -179,7 +179,7 @@ describe("switching the ground", () => {
       "Winkler",
     );
     expect(file.switch("Pasternak").notice).toBe(
-      "Put away: 1 elastic joint, to come back with a ground that has them.",
+      "Set aside: 1 elastic joint; restored when the ground supports them again.",
     );
     expect(file.data.joints).toBeUndefined();
     file.switch("Winkler");

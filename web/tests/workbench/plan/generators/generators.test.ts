@@ -81,7 +81,7 @@ describe("racks", () => {
   });
   it("are in a load case of their own where none is chosen; loads that had none before get one, too", () => {
     const bare = { ...FLOOR, cases: [], loads: [{ kind: "self weight" }] };
-    const { after } = make("k", { case: "a new one" }, bare);
+    const { after } = make("k", { case: "new load case" }, bare);
     expect(tables(after, "cases").map(({ name }) => name)).toEqual(["permanent", "racks"]);
     expect([valueAt(after, ["loads", 0, "case"]), valueAt(after, ["moves", 0, "case"])]).toEqual([
       "permanent",
@@ -131,7 +131,7 @@ describe("a vehicle", () => {
   });
 });
 
-describe("columns on axes", () => {
+describe("columns on a grid", () => {
   it("are named by their axes, each with its load; those beside the slab and in openings are left out", () => {
     const data = {
       ...FLOOR,
@@ -155,7 +155,7 @@ describe("columns on axes", () => {
         .slice(1)
         .map(({ column, P }) => [column, P]),
     ).toEqual(columns.map(({ name }) => [name, "500 kN"]));
-    expect(note).toBe("5 columns. 3 that would not stand on the slab are left out.");
+    expect(note).toBe("5 columns. 3 outside the slab were skipped.");
     expect(itemsOf(after, null).filter(({ kind }) => kind === "column")).toHaveLength(5);
     expect(paths).toHaveLength(5);
   });

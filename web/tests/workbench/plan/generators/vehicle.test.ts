@@ -55,8 +55,8 @@ describe("a forklift of a class", () => {
       { P: "31.5 kN", y: "-0.5 m", width_x: "200 mm", width_y: "200 mm" },
       { P: "31.5 kN", y: "0.5 m", width_x: "200 mm", width_y: "200 mm" },
     ]);
-    expect(note).toContain("check it");
-    expect(FORKLIFT.fills!("own values")).toBeNull();
+    expect(note).toContain("verify it");
+    expect(FORKLIFT.fills!("custom")).toBeNull();
     expect(make({}).note).not.toContain("EN 1991");
   });
   it("fills in fields that there are", () => {
