@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.accuracy.singularities import find_limits
 from groundslab.accuracy.values import add_errors, error_of_contact_share, estimate_error
 from groundslab.arrays import Array, Flags, Memo
 from groundslab.results.fields import PLATE_FIELDS, extreme_node, place_of
@@ -71,6 +70,8 @@ def find_largest(combinations: Collection[CombinationResult]) -> LargestValues |
 
 def _sizes(results: CombinationResult) -> LargestValues:
     """Return the largest values of one combination."""
+    from groundslab.accuracy.singularities import find_limits
+
     plate = results.plate
     limits = find_limits(results.solved_model, plate)
     mean = (plate.moment_x + plate.moment_y) / 2
@@ -91,6 +92,8 @@ def judged_values(results: CombinationResult) -> Iterator[tuple[str, JudgedValue
 
     The places of extremes are those where they may lie if nodal values have their errors, see `error_of_largest`.
     """
+    from groundslab.accuracy.singularities import find_limits
+
     plate, coarser, comparison = results.plate, results.coarser, results.comparison
     assert coarser is not None
     assert comparison is not None

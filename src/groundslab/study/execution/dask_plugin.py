@@ -51,10 +51,17 @@ class Nanny(distributed.Nanny):  # type: ignore[misc]
     def __init__(self, *arguments: Any, exit_codes: ExitCodes, **options: Any) -> None:
         super().__init__(*arguments, **options)
         self._exit_codes = exit_codes
+        self._took_too_much = False  # whether Dask ended the process for its memory
+
+    def log_event(self, topic: Any, msg: Any) -> None:
+        """Note that the process takes too much memory: Dask ends it by SIGTERM, a busy machine soon by SIGKILL."""
+        self._took_too_much |= topic == "worker-restart-memory"
+        super().log_event(topic, msg)
 
     def _on_worker_exit_sync(self, exitcode: int) -> None:
         """Note how the process ended, and start another one."""
-        self._exit_codes.add(self.worker_address, exitcode)
+        self._exit_codes.add(self.worker_address, -signal.SIGTERM if self._took_too_much else exitcode)
+        self._took_too_much = False
         super()._on_worker_exit_sync(exitcode)
 
 

@@ -21,7 +21,7 @@ def with_error(row: Row, coarser: Row | None, results: CombinationResult) -> Row
     if coarser is None or isinstance(row.value, int | str) or isinstance(coarser.value, int | str):
         return row
     assert results.comparison is not None
-    if row.label == AREA_IN_CONTACT:
+    if row.label == "plate's area in contact":
         return replace(row, error=error_of_contact_share(results))
     if row.values is None or coarser.values is None:
         return replace(row, error=estimate_error(row.value, coarser.value, results.comparison))
