@@ -35,12 +35,15 @@ def compare(
     coarser_fields = recover_fields(coarser, coarser_frame)
     by_element = energy_errors(solution, frame, fields.forces)
     squared = float(by_element.sum())
-    before = energy_errors(coarser, coarser_frame, coarser_fields.forces).sum()
+    before_by_element = energy_errors(coarser, coarser_frame, coarser_fields.forces)
+    before = float(before_by_element.sum())
     total = energy(solution) + squared
     density = error_density(solution, frame, by_element, total)
     reduction = sqrt(squared / before) if before > 0 else 0.0
     if solution.system.problem.elastic is not None:
         reduction = max(reduction, OF_CELLS)
+    coarser_density = error_density(coarser, coarser_frame, before_by_element, total)
+    coarser_fields = replace(coarser_fields, elements=coarser_fields.elements | {ERROR: coarser_density})
     plate, elements, ground = expand(prolongation.apply(coarser_fields), frame)
     comparison = Comparison(
         plate=plate,

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.accuracy.values import add_errors, error_of_contact_share, estimate_error
+from groundslab.accuracy.values import add_errors, error_of_contact_share, estimate_error, local_reduction
 from groundslab.arrays import Array, Flags, Memo
 from groundslab.results.fields import PLATE_FIELDS, extreme_node, place_of
 from groundslab.results.record import LargestValues
@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 BOTH_SIGNS = {"settlement": "displacement", "pressure": "pressure", "moment_x": "moment", "moment_y": "moment"}
 SIZES = {"gap": "displacement", "moment_xy": "moment", "shear_x": "shear", "shear_y": "shear"}
 AGAINST = BOTH_SIGNS | SIZES
+#: What of these has the errors of the elements around it, while a displacement has those of all.
+OF_ELEMENTS_AROUND = ("moment", "shear", "pressure")
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,7 +105,8 @@ def judged_values(results: CombinationResult) -> Iterator[tuple[str, JudgedValue
         nodes = judged_at.get(name, np.ones(len(plate.nodes), dtype=bool))
         for sign in (1, -1) if name in BOTH_SIGNS else (1,):
             if nodes.any():
-                yield against, _extreme(name, sign, nodes, plate, coarser.plate, comparison)
+                reduction = local_reduction(results)[nodes] if against in OF_ELEMENTS_AROUND else None
+                yield against, _extreme(name, sign, nodes, (plate, coarser.plate), comparison, reduction)
     yield "area", JudgedValue(error_of_contact_share(results) or 0.0, plate.contact_share, "area in contact", None)
     for support, before in zip(results.supports, coarser.supports, strict=True):
         error = estimate_error(support.total, before.total, comparison)
@@ -112,13 +115,21 @@ def judged_values(results: CombinationResult) -> Iterator[tuple[str, JudgedValue
 
 
 def _extreme(
-    name: str, sign: int, judged: Flags, plate: PlateResult, coarser: PlateResult, comparison: Comparison
+    name: str,
+    sign: int,
+    judged: Flags,
+    plates: tuple[PlateResult, PlateResult],
+    comparison: Comparison,
+    reduction: Array | None,
 ) -> JudgedValue:
-    """Return the largest (sign 1) or smallest value of a field at judged nodes (n,), or the largest of its sizes."""
-    nodes = plate.nodes[judged]
-    values, before = (getattr(mesh, name)[judged] for mesh in (plate, coarser))
+    """Return the largest (sign 1) or smallest value of a field at judged nodes (n,), or the largest of its sizes.
+
+    plates are that of the finer mesh and that of the coarser one.
+    """
+    nodes = plates[0].nodes[judged]
+    values, before = (getattr(plate, name)[judged] for plate in plates)
     values, before = (np.abs(values), np.abs(before)) if name in SIZES else (sign * values, sign * before)
-    most = add_errors(values, before, comparison)
+    most = add_errors(values, before, comparison, reduction)
     node = extreme_node(nodes, most, 1)
     value = float(values.max())
     error = float(most[node]) - value
