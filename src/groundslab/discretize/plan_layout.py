@@ -29,7 +29,7 @@ from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import Place, Plan, Ring, Segment, rectangle
-from groundslab.meshing.sizing import Sources
+from groundslab.meshing.sizing import ACROSS, Sources
 from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.beside import distances_beyond
@@ -183,7 +183,8 @@ def _mesh_of(
     arcs = [edge for ring in plan.rings().values() for edge in ring.segments() if not edge.straight]
     if local is not None:
         local = local[0], local[1] * 2**coarsening
-    return (plan, size, edge_size), lambda: _make_plan_mesh(plan, size, edge_size, local), arcs
+    across = 1 if model.mesh.adaptive else ACROSS
+    return (plan, size, edge_size, across), lambda: _make_plan_mesh(plan, size, edge_size, local, across), arcs
 
 
 def uniform(model: Model, symmetry: tuple[bool, bool], width: float) -> bool:
@@ -358,11 +359,13 @@ def _size(model: Model) -> float:
     return max(min(each.sides) for each in model.every_plate) / SHORT_SIDE_ELEMENTS
 
 
-def _make_plan_mesh(plan: Plan, size: float, edge_size: float, local: Sources | None) -> tuple[Mesh, Integers]:
+def _make_plan_mesh(
+    plan: Plan, size: float, edge_size: float, local: Sources | None, across: int
+) -> tuple[Mesh, Integers]:
     """Return the mesh of a plate of any shape and its ground beyond, and each element's section, -1 beyond."""
     from groundslab import meshing
 
-    found = meshing.mesh(plan, size, edge_size=edge_size, local=local)
+    found = meshing.mesh(plan, size, edge_size=edge_size, local=local, across=across)
     return Mesh(found.nodes, found.elements), found.section
 
 

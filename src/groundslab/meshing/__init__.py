@@ -38,29 +38,31 @@ def mesh(
     maker: Maker | None = None,
     edge_size: float | None = None,
     local: LocalExtents | None = None,
+    across: int = sizing.ACROSS,
 ) -> PlanMesh:
     """Return a mesh with sides of at most about `size` [m], smaller where the plan requires it.
 
     On the ground beyond, elements grow: at `beyond_growth` [m] from the plate they are twice as large (default: half
     the plate's longer side). Along the plate's edges on this ground, on both sides, they are at most `edge_size` [m]
-    (default: `size`); near the places `local` at most of the extents there, from where they grow. Where a grid does
+    (default: `size`); near the places `local` at most of the extents there, from where they grow. Narrow places have
+    `across` elements across. Where a grid does
     not fit, or would have more elements, `maker` makes the cells (default: what `choose` returns).
     """
     if local is not None and not (local[1] < size).any():
         local = None
     if not plan.rectilinear:
-        return unstructured(plan, size, beyond_growth, maker, edge_size, local)
+        return unstructured(plan, size, beyond_growth, maker, edge_size, local, across)
     if local is None or not available():
         return rectilinear(plan, size, beyond_growth, edge_size, local)
     try:
         found = rectilinear(plan, size, beyond_growth, edge_size, local)
     except InputError:  # of too many elements
-        return unstructured(plan, size, beyond_growth, maker, edge_size, local)
-    needed = sizing.join(sizing.sources(plan, size, edge_size or size), sizing.isotropic(local))
+        return unstructured(plan, size, beyond_growth, maker, edge_size, local, across)
+    needed = sizing.join(sizing.sources(plan, size, edge_size or size, across), sizing.isotropic(local))
     if len(found.elements) <= FEW * sizing.estimate_count(plan, size, needed):
         return found
     with suppress(InputError):
-        other = unstructured(plan, size, beyond_growth, maker, edge_size, local)
+        other = unstructured(plan, size, beyond_growth, maker, edge_size, local, across)
         if len(other.elements) < len(found.elements):
             return other
     return found
@@ -73,6 +75,7 @@ def unstructured(
     maker: Maker | None = None,
     edge_size: float | None = None,
     local: LocalExtents | None = None,
+    across: int = sizing.ACROSS,
 ) -> PlanMesh:
     """Return a mesh of quadrilaterals that follows every edge of a plan, straight or arc."""
     check(plan, size)
@@ -80,7 +83,7 @@ def unstructured(
     make = choose() if maker is None else maker
     best = None
     refused = InputError([Issue("plan", "a plan of which the mesher makes nothing", "one that can be meshed")])
-    smaller = sizing.sources(plan, size, edge_size or size)
+    smaller = sizing.sources(plan, size, edge_size or size, across)
     elsewhere = None
     if local is not None:
         places, sizes = sizing.isotropic(local)

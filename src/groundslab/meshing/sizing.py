@@ -14,6 +14,8 @@ from groundslab.geometry.plan import FLAT, Plan, Ring, Segment
 
 #: An element's side turns by no more than this on an arc [rad].
 TURN = math.pi / 8
+#: Narrow places have so many elements across.
+ACROSS = 2
 #: Largest number of places along an edge at which smaller elements are required.
 MAX_SOURCES = 200
 
@@ -23,9 +25,10 @@ Sources = tuple[Array, Array]
 LocalExtents = tuple[Array, Array]
 
 
-def sources(plan: Plan, size: float, edge_size: float) -> Sources:
+def sources(plan: Plan, size: float, edge_size: float, across: int = ACROSS) -> Sources:
     """Return where a plan needs elements smaller than `size`, and how small: short edges, arcs, narrow places.
 
+    Narrow places have so many elements across.
     Along the plate's edges on ground that reaches beyond them elements are at most of `edge_size` [m].
     """
     import shapely
@@ -53,7 +56,7 @@ def sources(plan: Plan, size: float, edge_size: float) -> Sources:
         if gap > 2 * same:
             n = min(MAX_SOURCES, math.ceil(2 * edges[i].length / gap) + 1)
             where = edges[i].at(np.linspace(0, 1, n))
-            ask(where, edges[j].distance(where))
+            ask(where, edges[j].distance(where) / across)
     for ring in plan.edges_on_ground():
         where = along(ring, edge_size)
         ask(where, np.full(len(where), edge_size))

@@ -81,12 +81,14 @@ def test_errors_of_the_elements_make_up_the_error_in_energy() -> None:
     density, comparison = results.elements.discretization_error, results.comparison
     assert density is not None
     assert comparison is not None
-    assert comparison.elements.discretization_error is None
+    assert comparison.elements.discretization_error is not None
     xy = results.plate.nodes[results.plate.elements]
     share = areas(xy) / areas(xy).sum()
     assert np.sqrt((density**2 * share).sum()) == pytest.approx(comparison.energy_error, rel=1e-9)
     assert np.hypot(*(xy[density.argmax(), 8] - (1.75, -0.25))) < 1.0
     assert density.max() > 3 * np.median(density)
+    before = np.sqrt((comparison.elements.discretization_error**2 * share).sum())
+    assert comparison.energy_error / before == pytest.approx(comparison.reduction, rel=1e-9)
 
 
 def test_errors_of_the_elements_leave_out_the_ground_beyond() -> None:

@@ -139,7 +139,7 @@ def test_footprints_count_where_the_mesh_is_adaptive() -> None:
     """With a share of its side, in its middle, at its corners and between; with a size there are none."""
     model = slab({"accuracy": 0.05})
     places, extents = local_sizes(model) or pytest.fail("no places")
-    np.testing.assert_allclose(extents, np.full((27, 2), 0.075))
+    np.testing.assert_allclose(extents, np.full((27, 2), 0.06))
     for k, load in enumerate(LEGS):
         offset = places[9 * k : 9 * k + 9] - [load["x"], load["y"]]
         np.testing.assert_allclose(np.unique(np.abs(offset).round(9)), [0.0, 0.075])
@@ -227,13 +227,13 @@ def test_first_elements_are_no_larger_than_the_elastic_length() -> None:
     assert local_sizes(slab({}, loads=uniform)) is None
 
 
-def test_shear_forces_alone_are_refined_around_their_places() -> None:
-    """A moment that is off makes elements smaller all over; a shear force only where it is."""
+def test_section_forces_are_refined_around_their_places() -> None:
+    """A settlement that is off makes elements smaller all over; a moment only where it is."""
     found = solve(slab({"size": 0.5})).only
     h = sides(found)
     place = (-2.0, -1.1)
-    shear, moment = (JudgedValue(0.2, 1e4, name, place, np.array([place])) for name in ("shear q_x", "moment m_x"))
-    local, spread = (adaptivity._demand(found, [each], 0.05) for each in (shear, moment))
+    values = (JudgedValue(0.2, 1e4, name, place, np.array([place])) for name in ("moment m_x", "settlement w"))
+    local, spread = (adaptivity._demand(found, [value], 0.05) for value in values)
     smaller = local < 0.99 * h
     assert smaller.any()
     assert near(found, *place, adaptivity.AROUND * h.max())[smaller].all()
