@@ -37,7 +37,12 @@ OnCombination = Callable[[Combination], None]
 OnMesh = Callable[[Results], None]
 
 
-def solve(model: Model, on_step: OnStep | None = None, on_combination: OnCombination | None = None) -> Results:
+def solve(
+    model: Model,
+    on_step: OnStep | None = None,
+    on_combination: OnCombination | None = None,
+    on_mesh: OnMesh | None = None,
+) -> Results:
     """Solve every combination of a model, and return the certified results.
 
     Meshes, matrices and factors are kept from one combination to the next.
@@ -51,6 +56,8 @@ def solve(model: Model, on_step: OnStep | None = None, on_combination: OnCombina
         Called with every `Step` of the iteration as it ends.
     on_combination : callable, optional
         Called with every `Combination` as it begins.
+    on_mesh : callable, optional
+        Called with the `Results` on every mesh that is not the last, where the mesh is refined for an accuracy.
 
     Returns
     -------
@@ -84,7 +91,7 @@ def solve(model: Model, on_step: OnStep | None = None, on_combination: OnCombina
     >>> print(f"{1e3 * results.plate.settlement.max():.2f} mm")
     3.00 mm
     """
-    results = solve_combinations(model, on_step, on_combination)
+    results = solve_combinations(model, on_step, on_combination, on_mesh)
     if len(results.combinations) == 1:
         for refusal in results.refused.values():
             raise refusal
@@ -97,10 +104,7 @@ def solve_combinations(
     on_combination: OnCombination | None = None,
     on_mesh: OnMesh | None = None,
 ) -> Results:
-    """Solve every combination of a model as `solve` does, but keep a single one that is refused in `refused` too.
-
-    on_mesh is called with the results on each mesh that is not the last.
-    """
+    """Solve every combination of a model as `solve` does, but keep a single one that is refused in `refused` too."""
     local = move_to_center(model)
     solved_model = as_solved(local)
 

@@ -17,6 +17,7 @@ import ezdxf
 import pytest
 
 import groundslab
+from groundslab.analysis import adaptivity
 from groundslab.case import casefile
 from groundslab.cli import console, main
 from groundslab.errors import InputError, Issue, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
@@ -27,6 +28,31 @@ from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.results.results import Results, results_of
 from groundslab.views.files import npz, results_folder
 from helpers import synthetic
+
+#: A pad whose first mesh is too coarse for what is asked.
+PAD = """
+[plate]
+length_x = "4 m"
+length_y = "3 m"
+thickness = "0.4 m"
+E = "30 GPa"
+nu = 0.2
+
+[ground]
+kind = "winkler"
+k = "20 MN/m^3"
+
+[[loads]]
+kind = "point"
+P = "400 kN"
+x = "0.9 m"
+y = "0.4 m"
+width_x = "0.3 m"
+width_y = "0.3 m"
+
+[mesh]
+accuracy = "0.05 %"
+"""
 
 
 def fake(monkeypatch: pytest.MonkeyPatch, name: str, **contents: Any) -> None:
@@ -41,7 +67,7 @@ def fake(monkeypatch: pytest.MonkeyPatch, name: str, **contents: Any) -> None:
 def solver(outcome: Any) -> Any:
     """Return a stand-in for the analysis, which reports one step and then returns or raises the outcome."""
 
-    def solve(model: Any, on_step: Any = None, on_combination: Any = None) -> Any:
+    def solve(model: Any, on_step: Any = None, on_combination: Any = None, on_mesh: Any = None) -> Any:  # noqa: ARG001
         (combination,) = list_combinations(model)
         if on_combination is not None:
             on_combination(combination)
@@ -136,6 +162,30 @@ class TestSolve:
         assert "it must not be used" in err
         assert json.loads((case.parent / "raft-results" / "summary.json").read_text())["certified"] is False
 
+    @pytest.mark.slow
+    def test_a_run_that_is_interrupted_leaves_the_last_finished_mesh(
+        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """Next to the folder; a run that ends removes it, unless a file in it was edited."""
+        case = tmp_path / "pad.toml"
+        case.write_text(PAD, encoding="utf-8")
+        refine = adaptivity.extents_of
+
+        def interrupt(_: Any) -> Any:
+            raise KeyboardInterrupt
+
+        monkeypatch.setattr(adaptivity, "extents_of", interrupt)
+        assert main.main(["solve", str(case)]) == 130
+        kept = tmp_path / "pad-results-provisional"
+        assert str(kept) in capsys.readouterr().err
+        assert not (tmp_path / "pad-results").exists()
+        first = groundslab.load_results(kept).only
+        assert first.comparison is not None
+        monkeypatch.setattr(adaptivity, "extents_of", refine)
+        assert main.main(["solve", str(case), "--quiet"]) == 0
+        assert not kept.exists()
+        assert groundslab.load_results(tmp_path / "pad-results").only.unknowns > first.unknowns
+
     @pytest.mark.parametrize(
         ("outcome", "code", "words"),
         [
@@ -218,7 +268,7 @@ class TestSolve:
         """The analysis gets a callback only if standard error is a terminal and --quiet is absent."""
         found = []
 
-        def solve(model: Any, on_step: Any = None, on_combination: Any = None) -> Any:
+        def solve(model: Any, on_step: Any = None, on_combination: Any = None, on_mesh: Any = None) -> Any:  # noqa: ARG001
             assert (on_step is None) == (on_combination is None)
             found.append(on_step)
             return results_of(replace(synthetic.results(), model=model, solved_model=as_solved(model)))
@@ -537,7 +587,7 @@ class TestProgram:
         command = ["sh", "-c", 'exec "$0" -m groundslab "$@" > /dev/full', sys.executable, "solve", str(case)]
         ended = subprocess.run(command, capture_output=True, text=True, check=False)
         assert ended.returncode == 2
-        assert ended.stderr.startswith("error: ")
+        assert ended.stderr.splitlines()[-1].startswith("error: ")
         assert "Traceback" not in ended.stderr
         assert len(results_folder.load_results(case.with_name("raft-results")).results) == 1
 

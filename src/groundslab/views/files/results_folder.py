@@ -93,6 +93,28 @@ def add_files(folder: str | Path, writers: Mapping[str, manifest.Writer]) -> Pat
     return target
 
 
+def provisional(folder: str | Path) -> Path:
+    """Return where results of meshes that are not the last are kept until those of the last one are in the folder."""
+    target = _resolve(folder)
+    return target.with_name(f"{target.name}-provisional")
+
+
+def save_provisional(results: Results, folder: str | Path) -> Path | None:
+    """Write results of a mesh that is not the last next to the folder; return where, None if they cannot be written."""
+    try:
+        return save_results(results, provisional(folder))
+    except (GroundslabError, OSError, MemoryError):
+        return None
+
+
+def remove_provisional(folder: str | Path) -> None:
+    """Remove the results of meshes that were not the last, unless somebody has changed them."""
+    target = provisional(folder)
+    with suppress(OSError):
+        if target.is_dir() and not _foreign(target) and not find_edited(target):
+            shutil.rmtree(target)
+
+
 def write_elsewhere(results: CombinationResult | Results, folder: str | Path) -> Path | None:
     """Write results into another folder than the one that they were meant for, and return it.
 
