@@ -114,6 +114,7 @@ lock: $(VENV)/dev.stamp ## update the lock files from pyproject.toml
 bench:                  ## time all sizes and the other programs, one by one, and write docs/performance.md; takes hours
 	$(PYTHON) bench/run.py $(BENCH)
 	$(PYTHON) bench/time_to_accuracy.py
+	bench/.env/own/bin/python bench/default_answer.py
 	bench/.env/own/bin/python bench/report.py
 	bench/.env/own/bin/python paper/reproduce/reproduce.py --stored --write
 
