@@ -9,9 +9,17 @@ import pytest
 
 import groundslab
 from groundslab.accuracy.energy import energy_errors, error_density
+from groundslab.accuracy.judgment import judge
 from groundslab.accuracy.prolongation import make_prolongation
 from groundslab.accuracy.resolution import find_unresolved
-from groundslab.accuracy.values import SLOWEST, error_of_largest, estimate_error
+from groundslab.accuracy.values import (
+    FASTEST,
+    SLOWEST,
+    error_of_contact_share,
+    error_of_largest,
+    estimate_error,
+    local_reduction,
+)
 from groundslab.analysis import nested
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy
 from groundslab.fem.problem import BETA_X, BETA_Y, W
@@ -175,3 +183,45 @@ def test_what_is_nowhere_positive_stays_so() -> None:
     gaps, coarser = np.array([0.0, 1e-6, 2e-3]), np.array([0.0, 5e-6, 1e-3])
     assert error_of_largest(-gaps, -coarser, comparison(0.5)) == 0
     assert error_of_largest(gaps, coarser, comparison(0.5)) == pytest.approx(1e-3)
+
+
+def test_errors_are_judged_against_what_governs_over_all_combinations() -> None:
+    """A light combination beside a heavy one has small shares; an uplift counts beside the largest displacement."""
+    cases = [{"name": "heavy"}, {"name": "light"}]
+    patch = {"kind": "patch", "x": (-1.0, 1.5), "y": (-1.0, 0.5)}
+    loads = [patch | {"q": 1e6, "case": "heavy"}, patch | {"q": 1e4, "case": "light"}]
+    contact = {"tensionless": True}
+    results = groundslab.solve(slab(cases=cases, loads=loads, contact=contact))
+    heavy, light = results.values()
+    assert heavy.largest == light.largest
+    assert heavy.largest is not None
+    worst = judge(heavy)[0]
+    same = next(value for value in judge(light) if value.label == worst.label and value.value * worst.value > 0)
+    assert same.share == pytest.approx(worst.share / 100, rel=1e-6)
+    gap = next(value for value in judge(heavy) if value.label.startswith("gap"))
+    alone = error_of_largest(heavy.plate.gap, heavy.coarser.plate.gap, heavy.comparison)  # type: ignore[union-attr]
+    assert heavy.largest.displacement == max(np.abs(heavy.plate.settlement).max(), heavy.plate.gap.max())
+    assert gap.share == pytest.approx(alone / heavy.largest.displacement)
+
+
+def test_a_smooth_part_of_a_slab_converges_faster_than_a_singular_one() -> None:
+    """Around a force without a footprint elements half as large gain less than away from it."""
+    force = {"kind": "point", "P": 1e5, "x": -1.5, "y": 0.0}
+    results = groundslab.solve(slab(loads=[force])).only
+    reduction = local_reduction(results)
+    distance = np.hypot(results.plate.nodes[:, 0] + 1.5, results.plate.nodes[:, 1])
+    assert reduction[distance < 0.3].mean() > reduction[distance > 2.0].mean() + 0.1
+    assert reduction.min() >= FASTEST
+
+
+def test_the_share_in_contact_is_known_to_a_row_of_nodes() -> None:
+    """A strip that lifts off beyond a line across it: about the row of nodes at the line, over its length."""
+    plate = {"length_x": 6.0, "length_y": 1.0, "thickness": 0.25, "E": 30e9, "nu": 0.0}
+    loads = [{"kind": "patch", "x": (-3.0, -2.0), "y": (-0.5, 0.5), "q": 1e5}]
+    ground = {"kind": "winkler", "k": 2e7}
+    parts = {"contact": {"tensionless": True}, "mesh": {"size": 0.25, "symmetry": "off"}}
+    results = groundslab.solve(slab(plate=plate, loads=loads, ground=ground, **parts)).only
+    rows = np.unique(results.plate.nodes[results.plate.in_contact, 0])
+    share = (rows[-1] - rows[-2]) / 6.0
+    assert 0.1 < results.plate.contact_share < 0.9
+    assert 0.5 * share < (error_of_contact_share(results) or 0.0) < 1.1 * share

@@ -15,7 +15,7 @@ from groundslab.analysis import adaptivity
 from groundslab.analysis.driver import Variants
 from groundslab.discretize.local_sizes import local_sizes
 from groundslab.fem.shape_functions import areas
-from groundslab.model.remarks.singular_places import near_singular
+from groundslab.model.remarks.singular_places import near_singular, singular_places
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult
 from groundslab.views.summary.discretization import coarse_words
@@ -170,6 +170,18 @@ def test_where_section_forces_are_singular() -> None:
     at_the_edge = places[:, 0] == 5.0
     assert found.shear_forces.tolist() == (~singular & ~at_the_edge).tolist()
     assert found.pressures.all()
+
+
+def test_a_zone_over_the_edge_is_singular_where_its_border_meets_the_edge() -> None:
+    """Its corners off the plate count for nothing; those of the same zone drawn to the edge are the same places."""
+    plate = {"length_x": 10.0, "length_y": 6.0, "thickness": 0.2, "E": 30e9, "nu": 0.2}
+    over, to_edge = (
+        {*singular_places(slab({}, plate=plate | {"zones": [zone]}))["corners"]}
+        for zone in (
+            {"shape": {"kind": "rectangle", "x": (0.0, 2.0), "y": (1.0, high)}, "thickness": 0.4} for high in (3.5, 3.0)
+        )
+    )
+    assert over == to_edge == {(0.0, 1.0), (2.0, 1.0), (0.0, 3.0), (2.0, 3.0)}
 
 
 def test_pressures_of_ground_with_shear_jump_where_loads_begin() -> None:

@@ -74,3 +74,21 @@ def test_elements_end_at_the_borders_of_loads() -> None:
         sides = sides_along(mesh, mesh.elements, [Segment(*line)])
         covered = np.ptp(mesh.nodes[sides[:, :2]], axis=1).sum()
         assert covered == pytest.approx(np.abs(np.subtract(*line)).sum())
+
+
+def test_a_ring_near_the_edge_is_followed() -> None:
+    """A tank's wall at half a meter from the edge of a round slab, without an area load inside; its sides are arcs."""
+    outline = {"kind": "circle", "radius": 4.0}
+    wall = {"kind": "line", "q": 6e4, "shape": {"kind": "circle", "centre": (0.0, 0.0), "radius": 3.5}}
+    model = Model.model_validate(
+        {
+            "plate": {"outline": outline, "thickness": 0.3, "E": 30e9, "nu": 0.2},
+            "ground": {"kind": "winkler", "k": 5e7},
+            "loads": [wall],
+        }
+    )
+    mesh = discretize(model).mesh
+    sides = sides_along(mesh, mesh.elements, model.acting[0][1].edges)  # type: ignore[union-attr]
+    np.testing.assert_allclose(np.hypot(*mesh.nodes[sides].reshape(-1, 2).T), 3.5, rtol=1e-9)
+    chords = np.linalg.norm(mesh.nodes[sides[:, 1]] - mesh.nodes[sides[:, 0]], axis=1)
+    assert 7 * np.arcsin(chords / 7).sum() == pytest.approx(2 * np.pi * 3.5)
