@@ -78,8 +78,8 @@ _REDUCTIONS: Memo[Array] = Memo()
 def error_of_contact_share(results: CombinationResult) -> float | None:
     """Return the estimated error of the share of the plate's area that rests on the ground; None without a comparison.
 
-    Between a node that touches and one that does not the line of lift-off may lie anywhere: a row of nodes more or less,
-    half of those that touch in the elements that it crosses, is not known from the mesh, whatever the coarser one says.
+    Between a node that touches and one that does not the line of lift-off may lie anywhere: a row of nodes more or
+    less, half of those that touch in the elements that it crosses, is not known from the mesh.
     """
     if results.coarser is None or results.comparison is None:
         return None

@@ -10,17 +10,15 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.discretize.borders import add_borders, on_lines
+from groundslab.discretize.graded_lines import distances_beyond_edge, towards_edges
 from groundslab.discretize.load_borders import follow_loads
 from groundslab.discretize.symmetry import symmetries
 from groundslab.fem.foundation import Column, decay_length, edge_decay
 from groundslab.fem.mesh import (
-    GRADING,
     Mesh,
-    divide_graded,
     elimination_order,
     extrude,
     first_at_place,
-    graded_size,
     grid,
     separate,
     sides_on_boundary,
@@ -308,31 +306,14 @@ def _make_grid(
             reached.pop(-1, None)
         own = np.linspace(low, high, count + 1)
         if reached and model.mesh.counts is None:
-            own = _towards_edges(low, high, size, np.array([side * length / 2 for side in reached]), edge_size)
-        beyond = {outward: _distances_beyond(width, min(size, edge_size), size, length / 2)
+            own = towards_edges(low, high, size, np.array([side * length / 2 for side in reached]), edge_size)
+        beyond = {outward: distances_beyond_edge(width, min(size, edge_size), size, length / 2)
                   for outward, width in reached.items()}  # fmt: skip
         before = -length / 2 - beyond[-1][::-1] if -1 in reached else np.zeros(0)
         after = length / 2 + beyond[1] if 1 in reached else np.zeros(0)
         lines.append(np.concatenate([before, own, after]))
         inside.append(np.repeat([False, True, False], [len(before), len(own) - 1, len(after)]))
     return grid(lines[0], lines[1]), np.where((inside[1][:, None] & inside[0]).ravel(), 0, -1)
-
-
-def _towards_edges(low: float, high: float, size: float, edges: Array, edge_size: float) -> Array:
-    """Return lines from low to high [m], at most `size` apart, which come as close as `edge_size` at the edges (e,)."""
-    limit = graded_size(edges, edge_size)
-    return np.append(low, divide_graded(lambda x: np.minimum(size, limit(x)), low, high))
-
-
-def _distances_beyond(width: float, first: float, size: float, scale: float) -> Array:
-    """Return the distances of lines from the edge that they follow, up to the last one at `width` [m].
-
-    Intervals are at most `first` long at the edge and grow as fast as elements may, but at the distance d they are at
-    most size * (1 + d / scale). There are two at least.
-    """
-    return divide_graded(
-        lambda d: np.minimum(np.minimum(first + GRADING * d, size * (1 + d / scale)), width / 2), 0.0, width
-    )
 
 
 def _widen(model: Model, symmetry: tuple[bool, bool], narrow: Meshed, wider: float) -> tuple[Mesh, Integers]:
@@ -348,7 +329,7 @@ def _widen(model: Model, symmetry: tuple[bool, bool], narrow: Meshed, wider: flo
         across = outward * mesh.xy[:, :, axis]
         outermost = across.max(axis=1) == across.max()
         last = float(np.ptp(across[outermost], axis=1).max())
-        mesh = extrude(mesh, axis, outward, _distances_beyond(wider, last, np.inf, 1.0))
+        mesh = extrude(mesh, axis, outward, distances_beyond_edge(wider, last, np.inf, 1.0))
     return mesh, np.concatenate([section, np.full(len(mesh.elements) - len(section), -1)])
 
 
