@@ -14,21 +14,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.accuracy.values import add_errors, estimate_error, local_reduction
+from groundslab.accuracy.values import add_errors, estimate_error, reduction_of
 from groundslab.arrays import Array, Flags, Memo
 from groundslab.results.fields import PLATE_FIELDS, extreme_node, place_of
 from groundslab.results.record import LargestValues
 
 if TYPE_CHECKING:
-    from groundslab.results.mesh_results import PlateResult
-    from groundslab.results.results import CombinationResult, Comparison
+    from groundslab.results.results import CombinationResult
 
 #: Fields whose largest and smallest values are judged, or their largest size, and against what.
 BOTH_SIGNS = {"settlement": "displacement", "pressure": "pressure", "moment_x": "moment", "moment_y": "moment"}
 SIZES = {"gap": "displacement", "moment_xy": "moment", "shear_x": "shear", "shear_y": "shear"}
 AGAINST = BOTH_SIGNS | SIZES
-#: What of these has the errors of the elements around it, while a displacement has those of all.
-OF_ELEMENTS_AROUND = ("moment", "shear", "pressure")
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,8 +102,7 @@ def judged_values(results: CombinationResult) -> Iterator[tuple[str, JudgedValue
         nodes = judged_at.get(name, np.ones(len(plate.nodes), dtype=bool))
         for sign in (1, -1) if name in BOTH_SIGNS else (1,):
             if nodes.any():
-                reduction = local_reduction(results)[nodes] if against in OF_ELEMENTS_AROUND else None
-                yield against, _extreme(name, sign, nodes, (plate, coarser.plate), comparison, reduction)
+                yield against, _extreme(name, sign, nodes, (results, coarser))
     share = plate.contact_share
     error = estimate_error(share, coarser.plate.contact_share, comparison)
     yield "area", JudgedValue(error, share, "area in contact", None)
@@ -116,22 +112,17 @@ def judged_values(results: CombinationResult) -> Iterator[tuple[str, JudgedValue
         yield "support", JudgedValue(error, support.total, "force of supports", middle)
 
 
-def _extreme(
-    name: str,
-    sign: int,
-    judged: Flags,
-    plates: tuple[PlateResult, PlateResult],
-    comparison: Comparison,
-    reduction: Array | None,
-) -> JudgedValue:
+def _extreme(name: str, sign: int, judged: Flags, meshes: tuple[CombinationResult, CombinationResult]) -> JudgedValue:
     """Return the largest (sign 1) or smallest value of a field at judged nodes (n,), or the largest of its sizes.
 
-    plates are that of the finer mesh and that of the coarser one.
+    meshes are the results on the finer mesh and those on the coarser one.
     """
-    nodes = plates[0].nodes[judged]
-    values, before = (getattr(plate, name)[judged] for plate in plates)
+    finer = meshes[0]
+    assert finer.comparison is not None
+    nodes = finer.plate.nodes[judged]
+    values, before = (getattr(results.plate, name)[judged] for results in meshes)
     values, before = (np.abs(values), np.abs(before)) if name in SIZES else (sign * values, sign * before)
-    most = add_errors(values, before, comparison, reduction)
+    most = add_errors(values, before, finer.comparison, reduction_of(finer, name)[judged])
     node = extreme_node(nodes, most, 1)
     value = float(values.max())
     error = float(most[node]) - value

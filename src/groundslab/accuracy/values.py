@@ -20,6 +20,8 @@ SLOWEST = 0.75
 FASTEST = 0.25
 #: Below this error in energy the elements hold the solution, and what changes is rounding.
 EXACT = 1e-9
+#: Fields whose errors come from the whole slab.
+OF_THE_WHOLE = {"settlement", "rotation_x", "rotation_y", "gap", "penetration", "line_force"}
 #: The errors of section forces and pressures come from the elements around: so many rings of them.
 RINGS = 2
 
@@ -35,7 +37,7 @@ def estimate_error(
 
     If elements half as large reduce its error to the share q, the change between both meshes is (1 - q) / q times the
     error that is left (Richardson 1911). q is the reduction of the error in energy, which is known on both meshes: that
-    of the whole slab, or of the elements around each value (`local_reduction`). What is recovered converges faster, so
+    of the whole slab, or of the elements around each value (`reduction_of`). What is recovered converges faster, so
     that the estimate is on the safe side (docs/theory.md, discretization error).
     """
     q: Any = comparison.reduction if reduction is None else reduction
@@ -45,10 +47,12 @@ def estimate_error(
     return error if np.ndim(error) else float(error)
 
 
-def local_reduction(results: CombinationResult) -> Array:
-    """Return by what elements half as large reduce the error in energy around each node of the plate, (n,)."""
+def reduction_of(results: CombinationResult, field: str) -> Array:
+    """Return by what elements half as large reduce the error of a field at each node of the plate, (n,)."""
     plate, comparison = results.plate, results.comparison
     assert comparison is not None
+    if field in OF_THE_WHOLE:
+        return np.full(len(plate.nodes), comparison.reduction)
     return _REDUCTIONS.get(comparison, None, lambda: _local_reduction(plate, results.elements, comparison))
 
 

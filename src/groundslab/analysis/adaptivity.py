@@ -7,7 +7,8 @@ from typing import TypeVar
 
 import numpy as np
 
-from groundslab.accuracy.judgment import AGAINST, OF_ELEMENTS_AROUND, JudgedValue, judge
+from groundslab.accuracy.judgment import AGAINST, JudgedValue, judge
+from groundslab.accuracy.values import OF_THE_WHOLE
 from groundslab.arrays import Array
 from groundslab.discretize.local_sizes import local_sizes
 from groundslab.discretize.plan_layout import Meshes
@@ -39,7 +40,7 @@ SMALLER = 8.0
 #: An error that is left with more than this share of itself by smaller elements falls no more.
 PROGRESS = 0.8
 #: Errors of these come from the elements around their places.
-LOCAL = {PLATE_FIELDS[name].label for name, against in AGAINST.items() if against in OF_ELEMENTS_AROUND}
+LOCAL = {PLATE_FIELDS[name].label for name in AGAINST if name not in OF_THE_WHOLE}
 #: Smaller elements at the places of a value reach so many of their present sides around these.
 AROUND = 6.0
 #: Orders of convergence between which the one found is believed.

@@ -25,7 +25,7 @@ PLACES_PER_SIDE = 2
 SURE = 0.72
 #: Largest number of such places in one part.
 MOST_PLACES = 100_000
-#: Footprints are to have so many elements across: one of the next coarser mesh, which is halved.
+#: Footprints are to have more than so many elements across: two of the next coarser mesh, which are halved.
 ACROSS = 2.5
 #: The first of adaptive meshes has no elements larger than the elastic length, but for it at most so many on the
 #: shorter side.

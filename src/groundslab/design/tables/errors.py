@@ -7,13 +7,12 @@ from dataclasses import replace
 from itertools import repeat
 from math import isfinite
 
-from groundslab.accuracy.judgment import AGAINST
-from groundslab.accuracy.values import error_of_contact_share, error_of_largest, estimate_error, local_reduction
+from groundslab.accuracy.values import error_of_contact_share, error_of_largest, estimate_error, reduction_of
 from groundslab.arrays import Flags
 from groundslab.design.codes import CODES
 from groundslab.design.tables.quantities import nodal_values, ranged_fields
 from groundslab.design.tables.table import Cell, Column, Table
-from groundslab.results.fields import LINE_FORCE, PLATE_FIELDS, POINT_FIELDS, RANGED_FIELDS
+from groundslab.results.fields import LINE_FORCE, POINT_FIELDS, RANGED_FIELDS
 from groundslab.results.results import CombinationResult, Results
 
 _QUANTITIES = tuple(about.head[0] for about in POINT_FIELDS.values() if about.head[1] != "deg")
@@ -58,8 +57,6 @@ _ALIKE = {
     "angular distortion without tilt": "worst neighbour",
     "design moment": "governed by",
 }
-#: Fields whose errors come from the whole slab, not from the elements around.
-OF_THE_WHOLE = {name for name in PLATE_FIELDS if AGAINST.get(name, "displacement") == "displacement"}
 #: Values of the largest size, whose signs may differ between both meshes.
 _SIZES = {"largest deflection"}
 
@@ -93,8 +90,7 @@ def _error_of_extreme(results: CombinationResult, field: str, where: Flags, sign
     if results.coarser is None or results.comparison is None:
         return None
     values, coarser = (sign * nodal_values(result, field)[where] for result in (results, results.coarser))
-    reduction = None if field in OF_THE_WHOLE else local_reduction(results)[where]
-    return error_of_largest(values, coarser, results.comparison, reduction)
+    return error_of_largest(values, coarser, results.comparison, reduction_of(results, field)[where])
 
 
 def with_errors_of_envelope(envelope: Table, extremes: Table) -> Table:

@@ -26,6 +26,7 @@ class Row:
     singular: bool = False  # whether the value is a mean, as the one at its place has no limit
     error: float | None = None  # estimated discretization error, in SI
     values: Array | None = field(default=None, compare=False, repr=False)  # (n,), the value is the largest of these
+    of: str = field(default="", compare=False, repr=False)  # the field of the plate that they are of
 
 
 @dataclass(frozen=True, slots=True)

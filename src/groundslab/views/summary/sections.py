@@ -267,7 +267,7 @@ def _extreme(name: str, key: str, label: str, nodes: Array, values: Array, sign:
     """Return the largest (sign 1) or smallest (sign -1) of values (n,) of a field with its place."""
     about = PLATE_FIELDS[name]
     value, place = extreme(nodes, values, sign)
-    return Row(key, label, value, about.display, symbol.format(about.symbol), place, values=sign * values)
+    return Row(key, label, value, about.display, symbol.format(about.symbol), place, values=sign * values, of=name)
 
 
 def _settlement(results: CombinationResult) -> SummarySection:
