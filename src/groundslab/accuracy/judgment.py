@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.accuracy.values import add_errors, estimate_error, reduction_of
+from groundslab.accuracy.values import add_errors, error_of_contact_share, estimate_error, reduction_of
 from groundslab.arrays import Array, Flags, Memo
 from groundslab.results.fields import PLATE_FIELDS, extreme_node, place_of
 from groundslab.results.record import LargestValues
@@ -103,9 +103,7 @@ def judged_values(results: CombinationResult) -> Iterator[tuple[str, JudgedValue
         for sign in (1, -1) if name in BOTH_SIGNS else (1,):
             if nodes.any():
                 yield against, _extreme(name, sign, nodes, (results, coarser))
-    share = plate.contact_share
-    error = estimate_error(share, coarser.plate.contact_share, comparison)
-    yield "area", JudgedValue(error, share, "area in contact", None)
+    yield "area", JudgedValue(error_of_contact_share(results) or 0.0, plate.contact_share, "area in contact", None)
     for support, before in zip(results.supports, coarser.supports, strict=True):
         error = estimate_error(support.total, before.total, comparison)
         middle = place_of(support.nodes.mean(axis=0)[None], 0) if len(support.nodes) else None

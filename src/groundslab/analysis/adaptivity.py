@@ -35,6 +35,8 @@ AIM = 0.8
 KEPT = 1.25
 #: An error in energy is to fall by no more than this from one mesh to the next: one that is large says little.
 MOST_REDUCTION = 3.0
+#: Around a value they become at least so many times smaller: meshes hardly follow smaller changes.
+LEAST_REDUCTION = 1.5
 #: Elements become at most so many times smaller from one mesh to the next.
 SMALLER = 8.0
 #: An error that is left with more than this share of itself by smaller elements falls no more.
@@ -149,5 +151,5 @@ def _near_values(mesh: Mesh, h: Array, judged: list[JudgedValue], accuracy: floa
     for each in judged:
         if len(each.around):
             near = KDTree(each.around).query(mesh.xy[:, 8])[0] <= AROUND * h
-            found[near] = np.minimum(found[near], h[near] / _reduction(each.share, accuracy))
+            found[near] = np.minimum(found[near], h[near] / max(_reduction(each.share, accuracy), LEAST_REDUCTION))
     return found

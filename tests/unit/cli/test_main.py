@@ -51,7 +51,7 @@ width_x = "0.3 m"
 width_y = "0.3 m"
 
 [mesh]
-accuracy = "0.5 %"
+accuracy = "3 %"
 """
 
 
