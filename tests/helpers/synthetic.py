@@ -118,6 +118,13 @@ def results(n: int = 2, *, shear: bool = False, lifts: bool = True, **changes: A
     return CombinationResult(**{"elements": elements_of(values["plate"], values["model"])} | values)
 
 
+def in_contact(results: CombinationResult) -> CombinationResult:
+    """Return made-up results whose plate touches the ground all over."""
+    plate = results.plate
+    everywhere = np.ones(len(plate.nodes), dtype=bool)
+    return replace(results, plate=replace(plate, in_contact=everywhere, contact_area=plate.area))
+
+
 def compared(found: CombinationResult, plate: PlateResult | None = None) -> CombinationResult:
     """Return results with a comparison, in which the plate is the one given, and errors of elements from 0 to 3 %."""
     other = Comparison(plate or found.plate, found.elements, found.ground, found.supports, found.constants, 0.02, 0.5)

@@ -30,9 +30,7 @@ from helpers.pages import page
 def compared(share: float, **parts: Any) -> CombinationResult:
     """Return made-up results whose moments m_x are so much smaller on elements twice as large, their error halved."""
     uniform = synthetic.model().replace(loads=[{"kind": "uniform", "q": 1e4}])
-    found = synthetic.results(4, **{"model": uniform} | parts)
-    touches = np.ones(len(found.plate.nodes), dtype=bool)
-    found = replace(found, plate=replace(found.plate, in_contact=touches, contact_area=found.plate.area))
+    found = synthetic.in_contact(synthetic.results(4, **{"model": uniform} | parts))
     plate = replace(found.plate, moment_x=(1 - share) * found.plate.moment_x)
     return synthetic.compared(found, plate)
 

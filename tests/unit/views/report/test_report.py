@@ -281,7 +281,8 @@ class TestVerdict:
     def test_of_one_that_is_certified(self) -> None:
         """A good result is called so; nothing is refused."""
         uniform = synthetic.model().replace(loads=[{"kind": "uniform", "q": 1e4}])
-        found = page(render_report(synthetic.compared(synthetic.results(model=uniform))))
+        results = synthetic.in_contact(synthetic.results(model=uniform))
+        found = page(render_report(synthetic.compared(results)))
         assert found.one("p", class_="verdict good").text == sections.certified_words(1)
         assert not list(found.all("section", id="refused"))
         assert {each for row in next(grids(found.one("section", id="certificate")))[1] for each in row[4:]} == {
