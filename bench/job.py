@@ -224,7 +224,7 @@ def largest_memory() -> float:
 def no_estimates() -> Iterator[None]:
     """Make no coarser mesh to compare with, but those from which contact starts."""
     has_coarser = nested.has_coarser
-    nested.has_coarser = lambda _: False  # type: ignore[attr-defined]
+    nested.has_coarser = lambda *_: False  # type: ignore[attr-defined]
     try:
         yield
     finally:
