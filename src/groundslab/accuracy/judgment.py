@@ -81,7 +81,6 @@ def _sizes(results: CombinationResult) -> LargestValues:
         moment=float((np.abs(mean) + deviator).max()),
         shear=float(shear[limits.shear_forces].max(initial=0.0)),
         pressure=float(np.abs(plate.pressure[limits.pressures]).max(initial=0.0)),
-        area=1.0,
         support=max((abs(support.total) for support in results.supports), default=0.0),
     )
 
@@ -103,7 +102,7 @@ def judged_values(results: CombinationResult) -> Iterator[tuple[str, JudgedValue
         for sign in (1, -1) if name in BOTH_SIGNS else (1,):
             if nodes.any():
                 yield against, _extreme(name, sign, nodes, (results, coarser))
-    yield "area", JudgedValue(error_of_contact_share(results) or 0.0, plate.contact_share, "area in contact", None)
+    yield "share", JudgedValue(error_of_contact_share(results) or 0.0, plate.contact_share, "area in contact", None)
     for support, before in zip(results.supports, coarser.supports, strict=True):
         error = estimate_error(support.total, before.total, comparison)
         middle = place_of(support.nodes.mean(axis=0)[None], 0) if len(support.nodes) else None

@@ -71,8 +71,8 @@ def _local_reduction(plate: PlateResult, elements: ElementResult, comparison: Co
     known = around[:, 1] > 0
     reduction = np.full(n, comparison.reduction)
     reduction[known] = np.sqrt(around[known, 0] / around[known, 1])
-    slowest: Array = np.maximum(reduction, FASTEST)
-    return slowest
+    bounded: Array = np.maximum(reduction, FASTEST)
+    return bounded
 
 
 #: Reductions, which are asked for by every field.

@@ -57,8 +57,6 @@ class LargestValues:
         The largest shear force in any direction [N/m], where shear forces are judged.
     pressure : float
         The largest contact pressure [Pa], where pressures are judged.
-    area : float
-        The plate's area over itself, against which the error of the share in contact is judged.
     support : float
         The largest force of a support [N].
     """
@@ -67,8 +65,12 @@ class LargestValues:
     moment: float
     shear: float
     pressure: float
-    area: float
     support: float
+
+    @property
+    def share(self) -> float:
+        """The whole, against which the error of a share is judged."""
+        return 1.0
 
 
 @dataclass(frozen=True, slots=True)
