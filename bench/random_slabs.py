@@ -46,6 +46,8 @@ MOST_UNKNOWNS, MOST_RATIO = 1_500_000, 4
 INWARDS = 1e-6
 #: Of smaller errors no ratio of told and true is taken: the truth has errors of its own.
 SEEN = 1e-3
+#: The coarsest uniform mesh has about so many elements on the shorter side.
+COARSEST = 5
 #: Of uniform meshes, each has elements so many times as large as the one before.
 STEP = 2**-0.5
 
@@ -153,14 +155,13 @@ def examine(seed: int, accuracy: float) -> dict[str, Any]:
     seconds = time.perf_counter() - start
     xy = found.plate.nodes[found.plate.elements]
     factor = 4 if 16 * found.unknowns <= MOST_UNKNOWNS else 2
-    base = min(model.plate.sides) / 24
     truth = solve_on(model, (xy[:, 8], extents_of(Mesh(found.plate.nodes, found.plate.elements)) / factor))
     of_truth = [*judged_values(truth)]
     errors = true_errors(found, truth, of_truth)
     told = {each.value: each.share for each in judge(found)}
     shares = np.array([told.get(each.value, 0.0) for _, each in judged_values(found)])
     wanted = max(accuracy, float(errors.max()))
-    uniform, size = 0, 2 * base
+    uniform, size = 0, min(model.plate.sides) / COARSEST
     while not uniform:
         size *= STEP
         other = solve_on(model.replace(mesh=model.mesh.replace(size=size)), None)
