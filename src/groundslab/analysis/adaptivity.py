@@ -34,9 +34,9 @@ AIM = 0.8
 #: have, sides come out smaller, on short edges half as long.
 KEPT = 1.25
 #: An error in energy is to fall by no more than this from one mesh to the next: one that is large says little.
-MOST_REDUCTION = 3.0
+MOST_REDUCTION = 4.0
 #: Around a value they become at least so many times smaller: meshes hardly follow smaller changes.
-LEAST_REDUCTION = 1.5
+LEAST_REDUCTION = 2.0
 #: Elements become at most so many times smaller from one mesh to the next.
 SMALLER = 8.0
 #: An error that is left with more than this share of itself by smaller elements falls no more.
@@ -44,7 +44,7 @@ PROGRESS = 0.8
 #: Errors of these come from the elements around their places.
 LOCAL = {PLATE_FIELDS[name].label for name in AGAINST if name not in OF_THE_WHOLE}
 #: Smaller elements at the places of a value reach so many of their present sides around these.
-AROUND = 6.0
+AROUND = 3.0
 #: Orders of convergence between which the one found is believed.
 ORDERS = (1.0, 2.0)
 
@@ -150,6 +150,9 @@ def _near_values(mesh: Mesh, h: Array, judged: list[JudgedValue], accuracy: floa
     found = np.full(len(h), np.inf)
     for each in judged:
         if len(each.around):
-            near = KDTree(each.around).query(mesh.xy[:, 8])[0] <= AROUND * h
-            found[near] = np.minimum(found[near], h[near] / max(_reduction(each.share, accuracy), LEAST_REDUCTION))
+            away = KDTree(each.around).query(mesh.xy[:, 8])[0] / h
+            reduction = max(_reduction(each.share, accuracy), LEAST_REDUCTION)
+            for reach, less in ((AROUND, LEAST_REDUCTION), (AROUND / 2, reduction)):
+                near = away <= reach
+                found[near] = np.minimum(found[near], h[near] / less)
     return found

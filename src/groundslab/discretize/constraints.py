@@ -51,6 +51,7 @@ def ground_bearing(
     """
     by_nodes = model.contact.tensionless and not isinstance(model.ground, ContinuousGround)
     under = plan.plate_nodes if by_nodes else np.zeros(0, np.int64)
+    under = under[unknown[under, TOP] >= 0]  # hanging nodes have none
     limit = np.inf if model.contact.limit_pressure is None else model.contact.limit_pressure
     depth, area = found.shallowest[under], found.at_shallowest(found.area, under)
     bottom = np.where(np.isinf(found.depth), 0.0, found.depth)[depth]

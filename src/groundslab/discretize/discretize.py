@@ -24,6 +24,7 @@ from groundslab.discretize.serviceability.cracking import cracked_sections
 from groundslab.discretize.voids import find_depths, initial_gap
 from groundslab.fem import plate
 from groundslab.fem.assembly import number_unknowns
+from groundslab.fem.hanging import find_hanging
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.parts.contact import Bearing, ContactConditions, Depths
 from groundslab.fem.parts.plates import Plates
@@ -160,6 +161,7 @@ def _present(model: Model, plan: Layout, element: plate.PlateElement, surfaces: 
     present = np.ones((n, TOP + surfaces), dtype=bool)
     present[:, :TOP] = under[:, None]
     present[:, TOP] = model.contact.tensionless | ~under
+    present[find_hanging(mesh.elements)[:, 0]] = False
     if isinstance(model.ground, ContinuousGround):
         present[:, TOP] = False  # what it settles follows from the pressures
     if not element.center_w:

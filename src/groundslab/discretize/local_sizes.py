@@ -26,7 +26,7 @@ SURE = 0.72
 #: Largest number of such places in one part.
 MOST_PLACES = 100_000
 #: Footprints are to have more than so many elements across: two of the next coarser mesh, which are halved.
-ACROSS = 2.5
+ACROSS = 4.0
 #: The first of adaptive meshes has no elements larger than the elastic length, but for it at most so many on the
 #: shorter side.
 MOST_ON_SHORT_SIDE = 96

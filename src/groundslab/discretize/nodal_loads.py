@@ -8,6 +8,7 @@ from groundslab.arrays import Array
 from groundslab.discretize.plan_layout import Layout
 from groundslab.fem import load_vectors, plate
 from groundslab.fem.assembly import scatter
+from groundslab.fem.hanging import collect
 from groundslab.fem.problem import BETA_X, TOP, Loading, W
 from groundslab.geometry.plan import FLAT, SAME_PLACE
 from groundslab.model.ground import ContinuousGround
@@ -84,6 +85,7 @@ def _loading(acting: list[Acting], model: Model, plan: Layout, element: plate.Pl
     for axis in (0, 1):
         if couples[axis].any():
             table[:, BETA_X + axis] = scatter(mesh.elements[elements], couples[axis], n)
+    table = collect(mesh.elements, table)
     return Loading(table, np.column_stack([warp, warp]), settlement, size, np.vstack(pressing))
 
 

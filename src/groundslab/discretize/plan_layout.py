@@ -14,6 +14,7 @@ from groundslab.discretize.graded_lines import distances_beyond_edge, towards_ed
 from groundslab.discretize.load_borders import follow_loads
 from groundslab.discretize.symmetry import symmetries
 from groundslab.fem.foundation import Column, decay_length, edge_decay
+from groundslab.fem.hanging import connect
 from groundslab.fem.mesh import (
     Mesh,
     elimination_order,
@@ -27,7 +28,7 @@ from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import Place, Plan, Ring, Segment, rectangle
-from groundslab.meshing.sizing import ACROSS, Sources
+from groundslab.meshing.sizing import Sources
 from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.beside import distances_beyond
@@ -66,7 +67,8 @@ class Meshes:
         found = self.made.get(source)
         if found is None:
             mesh, section = make()
-            found = mesh, section, elimination_order(mesh)
+            moving, _, _ = connect(mesh.elements)
+            found = mesh, section, elimination_order(Mesh(mesh.nodes, moving))
             if not self.closed:
                 self.made[source] = found
         return found
@@ -181,8 +183,8 @@ def _mesh_of(
     arcs = [edge for ring in plan.rings().values() for edge in ring.segments() if not edge.straight]
     if local is not None:
         local = local[0], local[1] * 2**coarsening
-    across = 1 if model.mesh.adaptive else ACROSS
-    return (plan, size, edge_size, across), lambda: _make_plan_mesh(plan, size, edge_size, local, across), arcs
+    adaptive = model.mesh.adaptive
+    return (plan, size, edge_size, adaptive), lambda: _make_plan_mesh(plan, size, edge_size, local, adaptive), arcs
 
 
 def uniform(model: Model, symmetry: tuple[bool, bool], width: float) -> bool:
@@ -341,12 +343,15 @@ def _size(model: Model) -> float:
 
 
 def _make_plan_mesh(
-    plan: Plan, size: float, edge_size: float, local: Sources | None, across: int
+    plan: Plan, size: float, edge_size: float, local: Sources | None, adaptive: bool
 ) -> tuple[Mesh, Integers]:
     """Return the mesh of a plate of any shape and its ground beyond, and each element's section, -1 beyond."""
     from groundslab import meshing
 
-    found = meshing.mesh(plan, size, edge_size=edge_size, local=local, across=across)
+    if adaptive:
+        found = meshing.adaptable(plan, size, edge_size, local)
+    else:
+        found = meshing.mesh(plan, size, edge_size=edge_size, local=local)
     return Mesh(found.nodes, found.elements), found.section
 
 

@@ -13,6 +13,7 @@ from groundslab.discretize.plan_layout import Layout
 from groundslab.errors import InputError, Issue
 from groundslab.fem.assembly import scatter
 from groundslab.fem.foundation import Column
+from groundslab.fem.hanging import collect
 from groundslab.fem.load_vectors import integrate_over_elements
 from groundslab.fem.parts.contact import Depths, largest_share
 from groundslab.fem.problem import MIDSIDES
@@ -89,6 +90,7 @@ def _at_nodes(plan: Layout, depth: Array, share: Array, steps: bool) -> Depths:
     for k in range(len(depth) - 1, -1, -1):
         first[elements[share[:, k] > 0]] = k
     by_node = np.stack([scatter(elements, share[:, [k]] * area, len(mesh.nodes)) for k in range(len(depth))], axis=1)
+    by_node = collect(mesh.elements, by_node)
     rows, of = np.array([[1.0] + 9 * [0.0]]), np.zeros(len(mesh.elements), dtype=np.int64)
     if steps and len(depth) > 1:
         own = np.zeros((len(elements), 10))
@@ -128,11 +130,13 @@ def bottoms(plan: Layout, found: Depths, column: Column) -> tuple[Integers, Inte
         # the settlement of an element's center may hang on that of its other nodes
         own[:, MIDSIDES] += own[:, [8]] / 4
         own[:, 8] = 0.0
-        at = np.unique(elements[own > 0])
+        each = np.stack([scatter(elements, values, len(mesh.nodes)) for values in (own, k0[:, None] * own)], axis=1)
+        each = collect(mesh.elements, each)
+        at = np.flatnonzero(each[:, 0])
         nodes.append(at)
         which.append(np.full(len(at), k))
-        stiffness.append(scatter(elements, k0[:, None] * own, len(mesh.nodes))[at])
-        areas.append(scatter(elements, own, len(mesh.nodes))[at])
+        areas.append(each[at, 0])
+        stiffness.append(each[at, 1])
     none = np.zeros(0, dtype=np.int64)
     return (
         np.concatenate([none, *nodes]), np.concatenate([none, *which]),

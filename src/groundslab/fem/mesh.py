@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers, Memo
+from groundslab.arrays import Array, Flags, Integers, Memo
 from groundslab.errors import InputError, Issue
 from groundslab.fem.shape_functions import COLUMN, ROW, parallelograms, q9, unique_integers
 from groundslab.geometry.plan import SAME_PLACE, Segment, format_place
@@ -270,11 +270,21 @@ def interpolate_bilinear(mesh: Mesh, values: Array, where: MeshLocations) -> Arr
 
 
 def sides_on_boundary(elements: Integers) -> Integers:
-    """Return the sides (s, 3: end, end, middle) that belong to one element only."""
+    """Return the sides (s, 3: end, end, middle) that belong to one element only, and are no half of another one."""
     sides = elements[:, SIDES].reshape(-1, 3)
     alone = sides[np.bincount(sides[:, 2])[sides[:, 2]] == 1]
+    # the middle of a side that two halves meet is an end of theirs
+    alone = alone[~meeting_halves(elements)[alone].any(axis=1)]
     boundary: Integers = alone[np.argsort(alone[:, 2])]
     return boundary
+
+
+def meeting_halves(elements: Integers) -> Flags:
+    """Return which nodes (n,) are corners of some elements and the middle of another one's side."""
+    corner, middle = np.zeros((2, int(elements.max(initial=-1)) + 1), dtype=bool)
+    corner[elements[:, :4]] = middle[elements[:, 4:8]] = True
+    found: Flags = corner & middle
+    return found
 
 
 def sides_along(mesh: Mesh, elements: Integers, edges: Iterable[Segment]) -> Integers:
@@ -349,6 +359,8 @@ def elimination_order(mesh: Mesh) -> Integers:
     highest = np.full(len(mesh.nodes), -1)
     np.minimum.at(lowest, flat, codes)
     np.maximum.at(highest, flat, codes)
+    unused = highest < 0
+    lowest[unused] = highest[unused] = 0
     differing = lowest ^ highest
     height = np.where(differing > 0, np.floor(np.log2(np.maximum(differing, 1))).astype(np.int64) + 1, 0)
     last_of_part = highest | ((np.int64(1) << height) - 1)

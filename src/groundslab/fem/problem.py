@@ -17,6 +17,7 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem.bearings import Links, Measures
 from groundslab.fem.continuum.elastic_ground import ElasticGround
 from groundslab.fem.foundation import Column
+from groundslab.fem.hanging import find_hanging
 from groundslab.fem.mesh import Mesh
 from groundslab.fem.parts.contact import ContactConditions
 from groundslab.fem.parts.mesh_plan import MeshPlan
@@ -211,6 +212,7 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
         return _without_steps(problem, every)
     nodes, b = problem.plate.nodes, problem.contact.bearing
     fixed = problem.unknown[:, : BETA_Y + 1] < 0
+    fixed[find_hanging(problem.mesh.elements)[:, 0]] = False
     both = b.law.bilateral
     fixed[b.node[both], b.field[both]] = True
     for axis in (0, 1):

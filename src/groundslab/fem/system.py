@@ -14,6 +14,7 @@ from groundslab.fem import assembly, plate
 from groundslab.fem.assembly import Pattern, find_congruent
 from groundslab.fem.bearings import Bearings
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column, EdgeDecay, edge_decay, mass_and_slope
+from groundslab.fem.hanging import carry, connect
 from groundslab.fem.problem import TOP, Problem, W
 from groundslab.fem.sparse import Symmetric
 
@@ -49,10 +50,11 @@ def on_plate_edge(problem: Problem) -> Flags:
 
 @dataclass(frozen=True, slots=True)
 class Blocks:
-    """Element matrices of the different kinds of elements (shape, rigidity or none, voids), and the kind of each one.
+    """Element matrices of the different kinds of elements, and the kind of each one.
 
-    Elements that are alike share one matrix. Of the ground, int N N and int grad N grad N are kept, to be scaled by the
-    column; with a plate whose center w hangs on its other nodes, T makes rows and columns of w from them.
+    Elements that are alike share one matrix: of the same shape, rigidity or none, voids and hanging nodes. Of the
+    ground, int N N and int grad N grad N are kept, to be scaled by the column. All are between the element's own nodes;
+    T makes w at these from the nodes that have one, and P values of all fields from those of the nodes that move it.
     """
 
     kind: Integers  # (m,)
@@ -60,24 +62,38 @@ class Blocks:
     mass: Array  # (u, 9, 9)
     slope: Array  # (u, 9, 9)
     T: Array  # (u, 9, 9)
+    P: Array  # (u, 9, 9): see `hanging.connect`
 
     def of(self, kinds: Integers) -> Blocks:
         """Return the blocks of some kinds (k,), renumbered."""
-        return Blocks(np.arange(len(kinds)), *(each[kinds] for each in (self.plate, self.mass, self.slope, self.T)))
+        return Blocks(np.arange(len(kinds)), *(each[kinds] for each in (self.plate, self.mass, self.slope, self.T, self.P)))
 
     def between_unknowns(self, fields: int) -> Array:
         """Return the plate's matrices between unknowns of nodes, (u, 9, 9, F, F)."""
         K = np.zeros((len(self.plate), 9, 9, fields, fields))
-        K[..., :TOP, :TOP] = self.plate.reshape(-1, TOP, 9, TOP, 9).transpose(0, 2, 4, 1, 3)
+        by_field = self.plate.reshape(-1, TOP, 9, TOP, 9)
+        hangs = self.hangs
+        if hangs.any():
+            P, by_field = self.P[hangs], by_field.copy()
+            by_field[hangs] = np.einsum("eba,eibjc,ecd->eiajd", P, by_field[hangs], P, optimize=True)
+        K[..., :TOP, :TOP] = by_field.transpose(0, 2, 4, 1, 3)
         return K
+
+    @property
+    def hangs(self) -> Flags:
+        """Return which kinds have a node that hangs, (u,)."""
+        found: Flags = (np.diagonal(self.P, axis1=1, axis2=2) < 1).any(axis=1)
+        return found
 
     def ground(self, plate_rows: bool, plate_columns: bool) -> tuple[Array, Array]:
         """Return mass and slope (u, 9, 9) between fields, rows and columns being w of the plate or of the ground."""
-        mass, slope = self.mass, self.slope
-        if plate_rows:
-            mass, slope = np.swapaxes(self.T, 1, 2) @ mass, np.swapaxes(self.T, 1, 2) @ slope
-        if plate_columns:
-            mass, slope = mass @ self.T, slope @ self.T
+        mass, slope, hang = self.mass, self.slope, bool(self.hangs.any())
+        if plate_rows or hang:
+            R = self.T @ self.P if plate_rows else self.P
+            mass, slope = np.swapaxes(R, 1, 2) @ mass, np.swapaxes(R, 1, 2) @ slope
+        if plate_columns or hang:
+            C = self.T @ self.P if plate_columns else self.P
+            mass, slope = mass @ C, slope @ C
         return mass, slope
 
 
@@ -89,10 +105,12 @@ def blocks(problem: Problem) -> Blocks:
     sections = len(sheet.bending)
     masses = depths.mass_kinds
     shapes, shape = find_congruent(xy)
+    _, hanging, P = connect(problem.mesh.elements)
     section = np.full(len(xy), sections)  # none
     section[sheet.elements] = sheet.rigidity
-    all_kinds = (shape * (sections + 1) + section) * len(masses) + depths.mass_kind
+    all_kinds = ((shape * (sections + 1) + section) * len(masses) + depths.mass_kind) * len(P) + hanging
     kinds, kind = np.unique(all_kinds, return_inverse=True)
+    kinds, P = kinds // len(P), P[kinds % len(P)]
     kinds, masses = kinds // len(masses), masses[kinds % len(masses)]
     xy, section = xy[shapes[kinds // (sections + 1)]], kinds % (sections + 1)
     under = np.flatnonzero(section < sections)
@@ -102,7 +120,7 @@ def blocks(problem: Problem) -> Blocks:
     K[under] = plate.stiffness(sheet.element, xy[under], sheet.bending[section], sheet.shear[section], T[under])
     mass, slope = mass_and_slope(xy)
     on_diagonal = masses[:, 1:] * mass.sum(axis=2)
-    return Blocks(kind, K, masses[:, :1, None] * mass + on_diagonal[:, :, None] * np.eye(9), slope, T)
+    return Blocks(kind, K, masses[:, :1, None] * mass + on_diagonal[:, :, None] * np.eye(9), slope, T, P)
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,10 +134,9 @@ class System:
 
 def build_system(problem: Problem, like: System | None = None) -> System:
     """Return the system of a problem; what is the same in a similar system on the same mesh is reused."""
-    mesh, rank, unknown = problem.mesh, problem.rank, problem.unknown
-    linked = problem.links.nodes
+    mesh, unknown, linked = problem.mesh, problem.unknown, problem.links.nodes
     if like is None or like.problem.mesh is not mesh:
-        return System(problem, assembly.build_pattern(mesh.elements, rank, unknown, linked), blocks(problem))
+        return System(problem, _pattern(problem), blocks(problem))
     known = like.problem
     depths, known_depths = problem.contact.depths, known.contact.depths
     sheet, known_sheet = problem.plate, known.plate
@@ -134,8 +151,14 @@ def build_system(problem: Problem, like: System | None = None) -> System:
             (known_depths.mass_kinds, depths.mass_kinds),
         )
     )
-    pattern = like.pattern if same_unknowns else assembly.build_pattern(mesh.elements, rank, unknown, linked)
+    pattern = like.pattern if same_unknowns else _pattern(problem)
     return System(problem, pattern, like.blocks if same_plate else blocks(problem))
+
+
+def _pattern(problem: Problem) -> Pattern:
+    """Return the pattern of a problem's unknowns."""
+    moving, _, _ = connect(problem.mesh.elements)
+    return assembly.build_pattern(moving, problem.rank, problem.unknown, problem.links.nodes)
 
 
 def surface_fields(surface: int) -> tuple[int, ...]:
@@ -316,11 +339,11 @@ def right_hand_side(s: System, factor: float) -> Array:
 
 
 def nodal_table(problem: Problem, u: Array) -> Array:
-    """Return unknowns (size,) as a table (n, F), with zeros where there is no unknown."""
+    """Return unknowns (size,) as a table (n, F), with zeros where there is no unknown but at hanging nodes."""
     table = np.zeros(problem.unknown.shape)
     has = problem.unknown >= 0
     table[has] = u[problem.unknown[has]]
-    return table
+    return carry(problem.mesh.elements, table)
 
 
 def surface_settlement(s: System, U: Array) -> Array:
@@ -328,6 +351,8 @@ def surface_settlement(s: System, U: Array) -> Array:
     top = U[:, TOP].copy()
     under = s.problem.plate.nodes
     top[under] += plate_settlement(s, U)[under]
+    # beside the plate a node may hang on a side that begins at its edge
+    top = carry(s.problem.mesh.elements, top)
     return np.vstack([top, U[:, TOP + 1 : TOP + s.problem.surfaces].T])
 
 

@@ -6,8 +6,11 @@ quadrilaterals here. Nodes on arcs, midside nodes too, are put exactly on them.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from contextlib import suppress
+from itertools import islice
 
+from groundslab.arrays import Array, Integers
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import Plan, sections
 from groundslab.meshing import quadrangulation, sizing
@@ -17,8 +20,9 @@ from groundslab.meshing.grid import rectilinear
 from groundslab.meshing.plan_mesh import PlanMesh, check, check_area, finish, on_bounds
 from groundslab.meshing.quality import quality
 from groundslab.meshing.sizing import LocalExtents
+from groundslab.meshing.splitting import divide
 
-__all__ = ["available", "choose", "mesh", "quality", "unstructured", "with_netgen"]
+__all__ = ["adaptable", "available", "choose", "mesh", "quality", "unstructured", "with_netgen"]
 
 #: A mesh whose least scaled Jacobian exceeds this is good; else the next one that the maker has is looked at.
 ENOUGH = 0.35
@@ -26,6 +30,8 @@ ENOUGH = 0.35
 USABLE, SECOND = 0.2, 2
 #: Such a next mesh takes the place of the one before if its least scaled Jacobian is larger by this.
 CLEARLY = 0.05
+#: So many meshes of a maker are looked at whose cells are not cut, and used if their least exceeds this.
+WHOLE, POOR = 2, 0.12
 #: Smaller elements in places make a grid of lines through the whole plan if it has no more than this many times the
 #: elements that would do, or no more than the mesh that a maker has for them.
 FEW = 1.5
@@ -51,21 +57,38 @@ def mesh(
     if local is not None and not (local[1] < size).any():
         local = None
     if not plan.rectilinear:
-        return unstructured(plan, size, beyond_growth, maker, edge_size, local, across)
-    if local is None or not available():
-        return rectilinear(plan, size, beyond_growth, edge_size, local)
-    try:
-        found = rectilinear(plan, size, beyond_growth, edge_size, local)
-    except InputError:  # of too many elements
-        return unstructured(plan, size, beyond_growth, maker, edge_size, local, across)
-    needed = sizing.join(sizing.sources(plan, size, edge_size or size, across), sizing.isotropic(local))
-    if len(found.elements) <= FEW * sizing.estimate_count(plan, size, needed):
-        return found
-    with suppress(InputError):
-        other = unstructured(plan, size, beyond_growth, maker, edge_size, local, across)
-        if len(other.elements) < len(found.elements):
-            return other
-    return found
+        found = unstructured(plan, size, beyond_growth, maker, edge_size, across)
+    else:
+        found = rectilinear(plan, size, beyond_growth, edge_size)
+    return found if local is None else divide(plan, found, size, local)
+
+
+def adaptable(plan: Plan, size: float, edge_size: float, local: LocalExtents | None) -> PlanMesh:
+    """Return a mesh with as few elements as the plan allows, cut up where they are larger than local extents want them.
+
+    Elements have sides of at most about `size` [m], along edges on ground beyond `edge_size` [m]. Of a grid and a
+    maker's cells, of which only triangles are cut, what has fewer is taken.
+    """
+    candidates: list[PlanMesh] = []
+    if plan.rectilinear:
+        with suppress(InputError):  # of too many elements
+            candidates.append(rectilinear(plan, size, None, edge_size))
+    if available():
+        candidates += _from_whole_cells(plan, size / 2, edge_size / 2)
+    if not candidates:
+        return mesh(plan, size, edge_size=edge_size, local=local)
+    return divide(plan, min(candidates, key=lambda each: len(each.elements)), size, local)
+
+
+def _from_whole_cells(plan: Plan, size: float, edge_size: float) -> Iterator[PlanMesh]:
+    """Yield usable meshes of cells of twice a size [m], of which only the triangles are cut."""
+    check(plan, size)
+    smaller, scale = sizing.sources(plan, size, edge_size, 0.5), sizing.growth_distance(plan, None)
+    for cells in islice(choose()(plan, size, smaller, scale, None), WHOLE):
+        with suppress(InputError):
+            found = _quadrilaterals(plan, *quadrangulation.cut_triangles(cells))
+            if found.quality.worst > POOR:
+                yield found
 
 
 def unstructured(
@@ -74,7 +97,6 @@ def unstructured(
     beyond_growth: float | None = None,
     maker: Maker | None = None,
     edge_size: float | None = None,
-    local: LocalExtents | None = None,
     across: int = sizing.ACROSS,
 ) -> PlanMesh:
     """Return a mesh of quadrilaterals that follows every edge of a plan, straight or arc."""
@@ -84,13 +106,9 @@ def unstructured(
     best = None
     refused = InputError([Issue("plan", "a plan of which the mesher makes nothing", "one that can be meshed")])
     smaller = sizing.sources(plan, size, edge_size or size, across)
-    elsewhere = None
-    if local is not None:
-        places, sizes = sizing.isotropic(local)
-        elsewhere = places[sizes < size], sizes[sizes < size]
-    for tried, cells in enumerate(make(plan, size, smaller, scale, elsewhere), start=1):
+    for tried, cells in enumerate(make(plan, size, smaller, scale, None), start=1):
         try:
-            result = _quadrilaterals(plan, cells)
+            result = _quadrilaterals(plan, *quadrangulation.make_elements(cells))
         except InputError as error:
             refused = error
             continue
@@ -103,9 +121,8 @@ def unstructured(
     return best
 
 
-def _quadrilaterals(plan: Plan, cells: Cells) -> PlanMesh:
-    """Return cells cut into good nine-node quadrilaterals, or say that there are bad ones."""
-    nodes, elements = quadrangulation.make_elements(cells)
+def _quadrilaterals(plan: Plan, nodes: Array, elements: Integers) -> PlanMesh:
+    """Return nine-node quadrilaterals as a mesh, or say that there are bad ones."""
     result = finish(plan, on_bounds(plan, nodes), elements, sections(plan, nodes[elements[:, 8]]))
     check_area(plan, result)
     return result

@@ -38,6 +38,8 @@ def sides_of(cells: Integers, n: int) -> Integers:
 
 def find_sides(keys: Integers, ends: Integers, n: int) -> tuple[Integers, Flags]:
     """Return places among ascending numbers of `sides_of` of sides with these ends (e, 2), and which are there."""
+    if not len(keys):
+        return np.zeros(len(ends), dtype=np.int64), np.zeros(len(ends), dtype=bool)
     wanted = ends.min(axis=1) * n + ends.max(axis=1)
     place = np.minimum(np.searchsorted(keys, wanted), len(keys) - 1)
     return place, keys[place] == wanted

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -31,9 +32,38 @@ Polygons = dict[int, list[int]]
 def make_elements(cells: Cells) -> tuple[Array, Integers]:
     """Return nodes (n, 2) and nine-node quadrilaterals (m, 9), as good as they become, that cells are cut into."""
     nodes, quadrilaterals, drawn = split_into_quadrilaterals(split_flat_corners(cells))
-    nodes = smooth(nodes, quadrilaterals, drawn)
+    nodes = smooth(nodes, [quadrilaterals], drawn)
     improve(nodes, quadrilaterals, drawn)
     return add_midside_nodes(nodes, quadrilaterals, drawn)
+
+
+def cut_triangles(cells: Cells) -> tuple[Array, Integers]:
+    """Return nodes (n, 2) and nine-node quadrilaterals (m, 9): those among the cells, and what triangles are cut into.
+
+    Nodes hang on the sides between both.
+    """
+    cells = split_flat_corners(cells)
+    drawn, three, four = cells.drawn, cells.triangles, cells.quadrilaterals
+    nodes = smooth(cells.nodes, [three, four], drawn)
+    improve(nodes, four, drawn._replace(points=np.union1d(drawn.points, three)))
+    n = len(nodes)
+    sides, number = np.unique(sides_of(three, n), return_inverse=True)
+    number = number.reshape(three.shape)
+    places = np.concatenate([nodes, middles_of(nodes, sides, drawn), nodes[three].mean(axis=1)])
+    after, center = n + number, n + len(sides) + np.arange(len(three))
+    before = np.roll(after, 1, axis=1)
+    parts = [np.column_stack([three[:, k], after[:, k], center, before[:, k]]) for k in range(3)]
+    known = sides // n * len(places) + sides % n
+    return add_midside_nodes(places, np.concatenate([four, *parts]), _halved(drawn, sides, n), (known, n))
+
+
+def _halved(drawn: FixedSides, sides: Integers, n: int) -> FixedSides:
+    """Return what is drawn with the halves of those sides, given by ascending keys, that have a node in the middle."""
+    place, cut = find_sides(sides, drawn.ends, n)
+    middle, (start, end) = n + place[cut], drawn.ends[cut].T
+    ends = np.concatenate([drawn.ends, np.column_stack([start, middle]), np.column_stack([middle, end])])
+    twice = np.concatenate([np.arange(len(drawn.ends)), np.flatnonzero(cut), np.flatnonzero(cut)])
+    return FixedSides(ends, drawn.centre[twice], drawn.radius[twice], drawn.points)
 
 
 def split_flat_corners(cells: Cells) -> Cells:
@@ -124,12 +154,12 @@ def split_into_quadrilaterals(cells: Cells) -> tuple[Array, Integers, FixedSides
     return np.concatenate(places), np.concatenate(quadrilaterals), twice
 
 
-def smooth(nodes: Array, quadrilaterals: Integers, drawn: FixedSides) -> Array:
-    """Return the nodes after moving those inside towards the mean of their neighbors, where no element suffers."""
+def smooth(nodes: Array, kinds: Sequence[Integers], drawn: FixedSides) -> Array:
+    """Return the nodes after moving those inside towards the mean of their neighbors, where no cell suffers."""
     free = np.ones(len(nodes), dtype=bool)
     free[drawn.ends] = free[drawn.points] = False
-    after = np.roll(quadrilaterals, -1, axis=1).ravel()
-    here = quadrilaterals.ravel()
+    after = np.concatenate([np.roll(cells, -1, axis=1).ravel() for cells in kinds])
+    here = np.concatenate([cells.ravel() for cells in kinds])
     count = np.bincount(here, minlength=len(nodes)) + np.bincount(after, minlength=len(nodes))
     free &= count > 0
     for _ in range(SMOOTHING):
@@ -137,17 +167,22 @@ def smooth(nodes: Array, quadrilaterals: Integers, drawn: FixedSides) -> Array:
         for axis in (0, 1):
             total[:, axis] = np.bincount(here, nodes[after, axis], len(nodes))
             total[:, axis] += np.bincount(after, nodes[here, axis], len(nodes))
-        old = least_sine(nodes[quadrilaterals])
+        least = [np.minimum(least_sine(nodes[cells]), GOOD) - 1e-12 for cells in kinds]
         moved = np.where(free[:, None], total / np.maximum(count, 1)[:, None], nodes)
-        while (worse := least_sine(moved[quadrilaterals]) < np.minimum(old, GOOD) - 1e-12).any():
-            back = quadrilaterals[worse]
+        while len(back := _worse(moved, kinds, least)):
             moved[back] = nodes[back]
         nodes = moved
     return nodes
 
 
+def _worse(nodes: Array, kinds: Sequence[Integers], least: Sequence[Array]) -> Integers:
+    """Return the corners of cells whose least sine is below the one given."""
+    worse = [cells[least_sine(nodes[cells]) < limit].ravel() for cells, limit in zip(kinds, least, strict=True)]
+    return np.concatenate(worse)
+
+
 def least_sine(xy: Array) -> Array:
-    """Return the least sine of the four angles of quadrilaterals (q, 4, 2), negative where one is inverted."""
+    """Return the least sine of the angles of polygons (p, corners, 2), negative where one is inverted."""
     to = np.roll(xy, -1, axis=1) - xy
     back = np.roll(xy, 1, axis=1) - xy
     cross = to[..., 0] * back[..., 1] - to[..., 1] * back[..., 0]
@@ -159,9 +194,9 @@ def improve(nodes: Array, quadrilaterals: Integers, drawn: FixedSides) -> None:
     """Move corners of bad elements, one by one, to where the worst element around them is best."""
     keys, number = np.unique(sides_of(quadrilaterals, len(nodes)), return_inverse=True)
     number = number.reshape(quadrilaterals.shape)
-    place, _ = find_sides(keys, drawn.ends, len(nodes))
+    place, known = find_sides(keys, drawn.ends, len(nodes))
     centre, radius = np.zeros((len(keys), 2)), np.zeros(len(keys))
-    centre[place], radius[place] = drawn.centre, drawn.radius
+    centre[place[known]], radius[place[known]] = drawn.centre[known], drawn.radius[known]
     fixed_points = np.zeros(len(nodes), dtype=bool)
     fixed_points[drawn.ends] = fixed_points[drawn.points] = True
     angle = np.arange(16) * math.pi / 8
@@ -189,13 +224,24 @@ def improve(nodes: Array, quadrilaterals: Integers, drawn: FixedSides) -> None:
             nodes[corner] = tried[np.argmax(rated(xy, sides).min(axis=1))]
 
 
-def add_midside_nodes(nodes: Array, quadrilaterals: Integers, drawn: FixedSides) -> tuple[Array, Integers]:
-    """Return nodes and elements with nodes at the middles of sides and of elements added."""
+def add_midside_nodes(
+    nodes: Array, quadrilaterals: Integers, drawn: FixedSides, known: tuple[Integers, int] | None = None
+) -> tuple[Array, Integers]:
+    """Return nodes and elements with nodes at the middles of sides and of elements added.
+
+    Some sides, known by ascending keys, have a node in the middle already: the first of them that of a given number,
+    the others those that follow.
+    """
     n = len(nodes)
     sides = sides_of(quadrilaterals, n)
     keys, number = np.unique(sides, return_inverse=True)
-    places = np.concatenate([nodes, middles_of(nodes, keys, drawn)])
-    eight = np.column_stack([quadrilaterals, n + number.reshape(sides.shape)])
+    new, middle = np.ones(len(keys), dtype=bool), np.zeros(len(keys), dtype=np.int64)
+    if known is not None:
+        there = np.flatnonzero(np.isin(keys, known[0]))
+        new[there], middle[there] = False, known[1] + np.searchsorted(known[0], keys[there])
+    middle[new] = n + np.arange(new.sum())
+    places = np.concatenate([nodes, middles_of(nodes, keys[new], drawn)])
+    eight = np.column_stack([quadrilaterals, middle[number.reshape(sides.shape)]])
     centre = SERENDIPITY_CENTER @ places[eight]
     elements = np.column_stack([eight, len(places) + np.arange(len(eight))])
     return np.concatenate([places, centre]), elements

@@ -6,6 +6,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.fem.assembly import scatter
+from groundslab.fem.hanging import carry, find_hanging
 from groundslab.fem.problem import MIDSIDES, TOP
 from groundslab.fem.shape_functions import areas
 from groundslab.fem.system import plate_settlement
@@ -28,6 +29,11 @@ def contact_fields(solution: Solution, frame: ResultMesh) -> tuple[dict[str, Arr
         return _on_cells(solution, frame)
     problem, elements = solution.system.problem, frame.mesh.elements
     pressure, touching, gap, sunk, line_force = _at_depths(solution, frame)
+    if len(find_hanging(problem.mesh.elements)):
+        pressure, touching, gap, sunk = (carry(problem.mesh.elements, each) for each in (pressure, touching, gap, sunk))
+        touching = (touching > HALF).astype(np.float64)
+        if problem.contact.tensionless:
+            pressure, gap, sunk = (np.maximum(each, 0.0) for each in (pressure, gap, sunk))
     of = problem.mesh.elements[problem.plate.elements]
     share = frame.mean * areas(frame.mesh.xy)[:, None]
 
@@ -88,8 +94,9 @@ def _at_depths(solution: Solution, frame: ResultMesh) -> tuple[Array, Array, Arr
     below, b = problem.contact.depths, problem.contact.bearing
     pressure, touching, gap, sunk = np.zeros((4, *below.area.shape))
     if not problem.contact.tensionless:
-        resisting = ground_forces(s, U, solution.column)[under, 1] - problem.load[under, TOP]
-        pressure[under, 0] = resisting / below.area[under, 0]
+        bears = under[below.area[under, 0] > 0]  # not at hanging nodes
+        resisting = ground_forces(s, U, solution.column)[bears, 1] - problem.load[bears, TOP]
+        pressure[bears, 0] = resisting / below.area[bears, 0]
         touching[under, 0] = 1.0
         return pressure, touching, gap, sunk, _line_force(solution, frame, pressure)
     ground = np.flatnonzero(b.support < 0)

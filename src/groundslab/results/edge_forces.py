@@ -13,6 +13,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.fem.assembly import scatter
 from groundslab.fem.foundation import Column
+from groundslab.fem.hanging import collect
 from groundslab.fem.mesh import SIDES
 from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import gauss, gauss_line, jacobian, lagrange, q9
@@ -83,7 +84,7 @@ def pressure_forces(s: System, U: Array, column: Column, sides: EdgeSides, shear
         forces += A1 * apply(b.slope, b.kind[under], w[j][elements])
     at_sides = shear[sides.element[:, None], sides.local]
     across = np.einsum("bacx,bcx->ba", sides.flux, at_sides)
-    inner = scatter(elements, forces, n)
+    inner = collect(problem.mesh.elements, scatter(elements, forces, n))
     return inner - scatter(elements[sides.element[:, None], sides.local], across, n)
 
 

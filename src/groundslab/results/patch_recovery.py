@@ -14,6 +14,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem.assembly import scatter
+from groundslab.fem.hanging import find_hanging
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.shape_functions import COLUMN, ROW, gauss, unique_integers
 
@@ -26,6 +27,8 @@ _DEFINITE = 1e-4
 #: The nodes of an element that lie nearest to each corner, and which share of their value they take from it.
 _NEAR = np.array([[corner, 4 + corner, 4 + (corner - 1) % 4, 8] for corner in range(4)])
 _SHARE = np.array([1.0, 1 / 2, 1 / 2, 1 / 4])
+#: A polynomial so many times as far away as another one is not asked.
+FARTHER = 1.8
 _CHUNK = 8192
 #: Share of the values' scatter in a patch that its fit leaves over: up to the first the fit counts alone, from the
 #: second on the elements extrapolate by themselves, between them a mixture.
@@ -76,6 +79,9 @@ def make_patches(nodes: Array, elements: Integers, points: Array) -> Patches:
     vertices, corner = unique_integers(elements[:, :4])
     on_edge = np.zeros(len(nodes), dtype=bool)
     on_edge[sides_on_boundary(elements)[:, :2]] = True
+    # in the middle of a longer side the elements of a corner lie on one side only, too
+    hanging, uneven = find_hanging(elements), np.zeros(len(nodes), dtype=bool)
+    on_edge[hanging[:, 2]] = uneven[hanging[:, 1:]] = True
     inside = ~on_edge[vertices]
     V = len(inside)
     known, center, L = np.zeros(V, dtype=bool), np.zeros((V, 2)), np.ones((V, 3))
@@ -98,7 +104,7 @@ def make_patches(nodes: Array, elements: Integers, points: Array) -> Patches:
                 known[v] = sound
                 if sound.any():
                     found.append(_Alike(v[sound], own[sound], A[sound], inverse[sound]))
-    return Patches(nodes, elements, corner, center, L, tuple(found), *_sources(corner, known))
+    return Patches(nodes, elements, corner, center, L, tuple(found), *_sources(nodes[vertices], corner, known, known & ~uneven[vertices]))
 
 
 def recover_nodes(p: Patches, values: Array, sizes: Sequence[Array]) -> Array:
@@ -196,18 +202,22 @@ def _terms(x: Array, center: Array, L: Array) -> Array:
     return np.stack([powers[0][a] * powers[1][b] for a, b in _POWERS], axis=-1)
 
 
-def _sources(corner: Integers, known: Flags) -> tuple[Integers, Integers]:
+def _sources(places: Array, corner: Integers, known: Flags, even: Flags) -> tuple[Integers, Integers]:
     """Return whose polynomials each corner node takes: source[first[v]:first[v + 1]], first (V + 1,).
 
-    Its own if known; else those at the other ends of its elements' sides; else those across its elements.
+    Its own if known; else those at the other ends of its elements' sides; else those across its elements; of these
+    first such as come from elements alike in size. One much farther away than another, over larger elements, is none.
     """
     V = len(known)
     own = np.flatnonzero(known)
     pairs, served = [own * V + own], known.copy()
-    for step in ((1, 3), (2,)):
+    for step, others in (((1, 3), even), ((2,), even), ((1, 3), known), ((2,), known)):
         one = np.concatenate([corner.ravel() for _ in step])
         other = np.concatenate([np.roll(corner, -s, axis=1).ravel() for s in step])
-        new = ~served[one] & known[other]
+        new = np.flatnonzero(~served[one] & others[other])
+        distance, least = np.linalg.norm(places[one[new]] - places[other[new]], axis=1), np.full(V, np.inf)
+        np.minimum.at(least, one[new], distance)
+        new = new[distance <= FARTHER * least[one[new]]]
         pairs.append(np.unique(one[new] * V + other[new]))
         served[one[new]] = True
     all_pairs = np.sort(np.concatenate(pairs))

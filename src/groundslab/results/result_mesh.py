@@ -11,6 +11,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem import plate
 from groundslab.fem.assembly import find_congruent
+from groundslab.fem.hanging import find_hanging
 from groundslab.fem.load_vectors import nodal_area
 from groundslab.fem.mesh import SIDES, Mesh, bounding_boxes, locate, mirror, renumber_by_rows, sides_along
 from groundslab.fem.problem import Problem
@@ -359,18 +360,14 @@ def split_at(elements: Integers, creases: Integers, n: int) -> Integers:
     number[meets] = np.arange(count)
     sides = elements[:, SIDES]  # (m, 4, 3)
     owner, which = np.nonzero(on_crease[sides].any(axis=2) & ~np.isin(sides[..., 2], creases[:, 2]))
-    order = np.argsort(sides[owner, which, 2], kind="stable")
-    owner, which = owner[order], which[order]
-    one = np.flatnonzero(np.diff(sides[owner, which, 2]) == 0)
-    other = one + 1
-    pairs = [np.zeros((2, 0), dtype=np.int64)]
-    # two neighbors run along their common side in opposite directions
-    for here, there in ((0, 1), (1, 0), (2, 2)):
-        pair = np.vstack(
-            [number[owner[one], SIDES[which[one], here]], number[owner[other], SIDES[which[other], there]]]
-        )
-        pairs.append(pair[:, pair[0] >= 0])
-    links = np.concatenate(pairs, axis=1)
+    # halves of a side count as the whole one
+    whole, hanging = np.arange(n), find_hanging(elements)
+    whole[hanging[:, 0]] = hanging[:, 2]
+    nodes, own = sides[owner, which], number[owner[:, None], SIDES[which]]
+    key = (whole[nodes[:, 2:]] * n + nodes)[own >= 0]
+    order = np.argsort(key, kind="stable")
+    same, own = np.flatnonzero(np.diff(key[order]) == 0), own[own >= 0][order]
+    links = np.vstack([own[same], own[same + 1]])
     least, before = np.arange(count), np.full(count, -1)
     while (least != before).any():  # at most as often as elements meet at a node
         before = least.copy()

@@ -13,6 +13,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.fem.continuum.cells import Cells
+from groundslab.fem.hanging import connect
 from groundslab.fem.mesh import locate_nearest
 from groundslab.fem.problem import Problem, W
 from groundslab.fem.shape_functions import q9
@@ -58,8 +59,9 @@ def _press_centers(coarse: Problem, cells: Cells, size: int) -> csr_array:
     element, place = locate_nearest(mesh, cells.center, coarse.plate.elements)
     own, which = np.unique(element, return_inverse=True)
     w = coarse.plate.element.w_functions(mesh.nodes[mesh.elements[own]])[which]
-    share = np.einsum("ca,cab->cb", q9(place)[0], w)
-    unknown = coarse.unknown[mesh.elements[element], W]
+    moving, kind, P = connect(mesh.elements)
+    share = np.einsum("ca,cab,cbd->cd", q9(place)[0], w, P[kind[element]], optimize=True)
+    unknown = coarse.unknown[moving[element], W]
     cell = np.broadcast_to(np.arange(len(cells.area))[:, None], unknown.shape)
     there = unknown >= 0
     return csr_array((-share[there], (unknown[there], cell[there])), shape=(size, len(cells.area)))

@@ -19,6 +19,7 @@ from groundslab.fem.concrete.cracked_section import (
     orthotropic_rigidity,
     secant_stiffness,
 )
+from groundslab.fem.hanging import collect
 from groundslab.fem.problem import BETA_X, BETA_Y, Problem, plate_unknowns
 from groundslab.fem.shape_functions import gauss
 from groundslab.fem.system import System, blocks
@@ -45,7 +46,7 @@ def with_stiffness(s: System, B: Array) -> System:
         xy = problem.mesh.nodes[elements]
         couples = plate.free_couples(xy, D, free) - plate.free_couples(xy, before, problem.loading.free_curvature)
         for field, couple in zip((BETA_X, BETA_Y), couples, strict=True):
-            load[:, field] += scatter(elements, couple, len(load))
+            load[:, field] += collect(problem.mesh.elements, scatter(elements, couple, len(load)))
     own = replace(
         problem,
         plate=replace(problem.plate, bending=D, shear=law.shear, rigidity=np.arange(len(elements)), stiffness=B),

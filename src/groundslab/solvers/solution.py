@@ -9,6 +9,7 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.fem.bearings import Bearings, Contact
 from groundslab.fem.foundation import Column
+from groundslab.fem.hanging import carry
 from groundslab.fem.problem import TOP
 from groundslab.fem.system import System
 
@@ -43,4 +44,4 @@ class Solution:
         ground = problem.contact.bearing.field == TOP
         field = np.ones(len(problem.mesh.nodes))
         field[problem.contact.bearing.node[ground & np.isin(self.contact.state, states)]] = -1.0
-        return field
+        return carry(problem.mesh.elements, field)

@@ -59,13 +59,16 @@ def from_coarser(start: Solution, problem: Problem, at: NodeLocations) -> tuple[
     before, b = start.system.problem, problem.contact.bearing
     coarse, nodes, under = before.mesh, problem.mesh.nodes, problem.plate.nodes
     state = np.full(len(b.law), CLOSED)
-    ground = np.flatnonzero(b.field == TOP)  # none, or one at each node of the plate
+    ground = np.flatnonzero(b.field == TOP)  # none, or one at each node of the plate that does not hang
+    element, place = at.on_plate
+    own = np.searchsorted(under, b.node[ground])
+    at_own = element[own], place[own]
     state[((b.support < 0) & (b.field != TOP)) | (b.field > TOP)] = OPEN  # bottoms of voids, and play
     if len(ground):
-        touching = interpolate_bilinear(coarse, start.nodes_in(CLOSED, YIELDING), at.on_plate) <= CLOSED_AT
+        touching = interpolate_bilinear(coarse, start.nodes_in(CLOSED, YIELDING), at_own) <= CLOSED_AT
         state[ground] = np.where(touching, CLOSED, OPEN)
         if (start.contact.state == YIELDING).any():
-            yielding = interpolate_bilinear(coarse, start.nodes_in(YIELDING), at.on_plate) <= CLOSED_AT
+            yielding = interpolate_bilinear(coarse, start.nodes_in(YIELDING), at_own) <= CLOSED_AT
             limited = np.isfinite(b.law.limit_force[ground]) & ~on_plate_edge(problem)[ground]
             state[ground[yielding & limited]] = YIELDING
     for support in np.unique(b.support[b.support >= 0]):

@@ -16,6 +16,7 @@ from groundslab.errors import InputError, Issue
 from groundslab.fem.continuum.cells import Cells, Grid, cover, make_grid
 from groundslab.fem.continuum.elastic_ground import Columns, ElasticGround, Relief, make_operator
 from groundslab.fem.continuum.media import Medium
+from groundslab.fem.hanging import connect
 from groundslab.fem.parts.contact import Bearing
 from groundslab.fem.plate import PlateElement
 from groundslab.fem.problem import Loading, W
@@ -48,7 +49,10 @@ def elastic_ground(
     if grid.nx * grid.ny > MOST_CELLS:
         found = f"{grid.nx} x {grid.ny} cells of pressure"
         raise InputError([Issue("ground.cell", found, f"at most {MOST_CELLS:,} cells", "larger cells, or elements")])
-    cells = cover(grid, xy, elements, len(plan.mesh.nodes), element.w_functions(xy), plan.plate)
+    moving, kind, P = connect(plan.mesh.elements)
+    own = plan.plate_elements
+    w = element.w_functions(xy) @ P[kind[own]]
+    cells = cover(grid, xy, elements, moving[own], len(plan.mesh.nodes), w, plan.plate)
     void = _depths(model, cells.center, coarsening == 0)
     limit = math.inf if model.contact.limit_pressure is None else model.contact.limit_pressure
     load = sum(float(each.load[:, W].sum()) for each in cases)

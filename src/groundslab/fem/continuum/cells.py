@@ -73,7 +73,9 @@ class Cells:
         return found.reshape(self.grid.nx, self.grid.ny)
 
 
-def cover(grid: Grid, xy: Array, elements: Integers, nodes: int, w: Array, plate: Integers) -> Cells:
+def cover(
+    grid: Grid, xy: Array, elements: Integers, moving: Integers, nodes: int, w: Array, plate: Integers
+) -> Cells:
     """Return the cells of a grid under the elements of plates.
 
     Parameters
@@ -84,10 +86,12 @@ def cover(grid: Grid, xy: Array, elements: Integers, nodes: int, w: Array, plate
         Nodes of the elements [m].
     elements : (m, 9) array of int
         Numbers of these nodes.
+    moving : (m, 9) array of int
+        Numbers of the nodes that move them, see `hanging.connect`.
     nodes : int
         Number of all nodes, n.
     w : (m, 9, 9) array of float
-        What makes the settlement of an element's nodes from those that are unknowns.
+        What makes the settlement of an element's nodes from those of the nodes that move them.
     plate : (m,) array of int
         Number of each element's plate.
 
@@ -112,7 +116,7 @@ def cover(grid: Grid, xy: Array, elements: Integers, nodes: int, w: Array, plate
         column = np.repeat(to, len(row) // len(cell))
         return csr_array(coo_array((values, (row, column)), shape=(rows, len(on_cells))))[:, number]
 
-    spread = matrix(np.einsum("pa,pab->pb", pairs.shapes, w[element]).ravel(), elements[element].ravel(), nodes, cell)
+    spread = matrix(np.einsum("pa,pab->pb", pairs.shapes, w[element]).ravel(), moving[element].ravel(), nodes, cell)
     return Cells(
         grid,
         within,

@@ -9,6 +9,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.fem.assembly import scatter
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
+from groundslab.fem.hanging import collect
 from groundslab.fem.problem import (
     TOP,
     Problem,
@@ -79,7 +80,8 @@ def plate_forces(s: System, U: Array) -> Array:
     elements = problem.mesh.elements[problem.plate.elements]
     f = apply(b.plate, b.kind[problem.plate.elements], plate_unknowns(problem, U))
     n = len(problem.mesh.nodes)
-    return np.column_stack([scatter(elements, f[:, 9 * i : 9 * i + 9], n) for i in range(3)])
+    forces = np.column_stack([scatter(elements, f[:, 9 * i : 9 * i + 9], n) for i in range(3)])
+    return collect(problem.mesh.elements, forces)
 
 
 def ground_forces(s: System, U: Array, column: Column) -> Array:
@@ -100,8 +102,11 @@ def ground_forces(s: System, U: Array, column: Column) -> Array:
         forces[:, 1 + i] = scatter(elements, by_element, n)
         if i == 0:
             on_w = np.einsum("ea,eab->eb", by_element, b.T[b.kind])
-            under = problem.plate.nodes
-            forces[under, 0] = scatter(elements, on_w, n)[under]
+            forces[:, 0] = scatter(elements, on_w, n)
+    forces = collect(elements, forces)
+    beside = np.ones(n, dtype=bool)
+    beside[problem.plate.nodes] = False
+    forces[beside, 0] = 0.0
     if len(problem.edges):
         forces[:, 1:] += tail_forces(problem, w, column)
     if len(problem.links.joint):
