@@ -30,9 +30,6 @@ MOST_WORK = 4_000_000
 MOST_SHARE = 0.8
 #: Errors aimed at, as a share of what is asked for: estimates are no bounds.
 AIM = 0.8
-#: Elements that may stay as they are may become so many times larger: where meshes are made for the sizes that they
-#: have, sides come out smaller, on short edges half as long.
-KEPT = 1.25
 #: An error in energy is to fall by no more than this from one mesh to the next: one that is large says little.
 MOST_REDUCTION = 4.0
 #: Around a value they become at least so many times smaller: meshes hardly follow smaller changes.
@@ -95,17 +92,8 @@ def solve_adaptively(
             sizes = sizes * np.sqrt(unknowns / left)
         if on_mesh is not None:
             on_mesh(results)
-        ratio = sizes / np.sqrt(area)
-        extents = np.maximum(ratio, KEPT * ratio**2)[:, None] * extents_of(mesh)
-        results, kept = solve(Meshes(local=join((mesh.xy[:, 8], extents), start)))
+        results, kept = solve(Meshes(local=join((mesh.xy[:, 8], sizes), start)))
     return results, kept
-
-
-def extents_of(mesh: Mesh) -> Array:
-    """Return the elements' extents along x and y (m, 2) [m]: sides of rectangles, else those of squares as large."""
-    sides, area = np.ptp(mesh.xy[:, :4], axis=1), areas(mesh.xy)
-    rectangle = np.isclose(sides.prod(axis=1), area, atol=0.0)
-    return np.where(rectangle[:, None], sides, np.sqrt(area)[:, None])
 
 
 def _demand(results: CombinationResult, judged: list[JudgedValue], accuracy: float) -> Array:

@@ -12,7 +12,7 @@ from groundslab.discretize.ground import grounds_of
 from groundslab.fem.foundation import Column
 from groundslab.fem.plate import bending_rigidity
 from groundslab.geometry.plan import Ring, circle
-from groundslab.meshing.sizing import LocalExtents, along
+from groundslab.meshing.sizing import Sources, along
 from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
 from groundslab.model.loads.acting import AreaPressure, PointForce, rings_of
 from groundslab.model.model import Model
@@ -25,20 +25,20 @@ PLACES_PER_SIDE = 2
 SURE = 0.72
 #: Largest number of such places in one part.
 MOST_PLACES = 100_000
-#: Footprints are to have more than so many elements across: two of the next coarser mesh, which are halved.
-ACROSS = 4.0
+#: Footprints are to have so many elements across: two of the next coarser mesh, which are halved.
+ACROSS = 4
 #: The first of adaptive meshes has no elements larger than the elastic length, but for it at most so many on the
 #: shorter side.
 MOST_ON_SHORT_SIDE = 96
 
 
-def local_sizes(model: Model) -> LocalExtents | None:
-    """Return places (k, 2) [m] with the extents (k, 2) [m] that elements have there at most, None without such places.
+def local_sizes(model: Model) -> Sources | None:
+    """Return places (k, 2) and the size (k,) [m] that elements have there at most, None without such places.
 
     Footprints and elastic length count where the mesh is adaptive: elements that do not see them cannot tell their
     error either.
     """
-    found: list[tuple[Array, float | Array]] = []
+    found: list[tuple[Array, float]] = []
     found += [(_places(part.shape.ring(), part.size), SURE * part.size) for part in model.mesh.refine]
     if model.mesh.adaptive:
         for plate in model.every_plate:
@@ -47,10 +47,10 @@ def local_sizes(model: Model) -> LocalExtents | None:
     if not found:
         return None
     places = np.concatenate([where for where, _ in found])
-    return places, np.concatenate([np.full(where.shape, extents) for where, extents in found])
+    return places, np.concatenate([np.full(len(where), size) for where, size in found])
 
 
-def _sizes_on(plate: AnyPlate, model: Model) -> Iterator[tuple[Array, float | Array]]:
+def _sizes_on(plate: AnyPlate, model: Model) -> Iterator[tuple[Array, float]]:
     """Yield places (p, 2) on a plate with the size of elements [m] there, if it is less than usual."""
     shortest = min(plate.sides)
     least, usual = shortest / MOST_ON_SHORT_SIDE, shortest / SHORT_SIDE_ELEMENTS

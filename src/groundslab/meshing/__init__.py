@@ -19,7 +19,7 @@ from groundslab.meshing.cells import Cells
 from groundslab.meshing.grid import rectilinear
 from groundslab.meshing.plan_mesh import PlanMesh, check, check_area, finish, on_bounds
 from groundslab.meshing.quality import quality
-from groundslab.meshing.sizing import LocalExtents
+from groundslab.meshing.sizing import Sources
 from groundslab.meshing.splitting import divide
 
 __all__ = ["adaptable", "available", "choose", "mesh", "quality", "unstructured", "with_netgen"]
@@ -32,9 +32,6 @@ USABLE, SECOND = 0.2, 2
 CLEARLY = 0.05
 #: So many meshes of a maker are looked at whose cells are not cut, and used if their least exceeds this.
 WHOLE, POOR = 2, 0.12
-#: Smaller elements in places make a grid of lines through the whole plan if it has no more than this many times the
-#: elements that would do, or no more than the mesh that a maker has for them.
-FEW = 1.5
 
 
 def mesh(
@@ -43,16 +40,15 @@ def mesh(
     beyond_growth: float | None = None,
     maker: Maker | None = None,
     edge_size: float | None = None,
-    local: LocalExtents | None = None,
-    across: int = sizing.ACROSS,
+    local: Sources | None = None,
+    across: float = sizing.ACROSS,
 ) -> PlanMesh:
     """Return a mesh with sides of at most about `size` [m], smaller where the plan requires it.
 
     On the ground beyond, elements grow: at `beyond_growth` [m] from the plate they are twice as large (default: half
     the plate's longer side). Along the plate's edges on this ground, on both sides, they are at most `edge_size` [m]
-    (default: `size`); near the places `local` at most of the extents there, from where they grow. Narrow places have
-    `across` elements across. Where a grid does
-    not fit, or would have more elements, `maker` makes the cells (default: what `choose` returns).
+    (default: `size`). Where no grid fits, `maker` makes the cells (default: what `choose` returns), `across` of them
+    across narrow places. Near the places `local` elements have at most the sizes there, from where they grow.
     """
     if local is not None and not (local[1] < size).any():
         local = None
@@ -63,8 +59,8 @@ def mesh(
     return found if local is None else divide(plan, found, size, local)
 
 
-def adaptable(plan: Plan, size: float, edge_size: float, local: LocalExtents | None) -> PlanMesh:
-    """Return a mesh with as few elements as the plan allows, cut up where they are larger than local extents want them.
+def adaptable(plan: Plan, size: float, edge_size: float, local: Sources | None) -> PlanMesh:
+    """Return a mesh with as few elements as the plan allows, cut up where they are larger than local sizes allow.
 
     Elements have sides of at most about `size` [m], along edges on ground beyond `edge_size` [m]. Of a grid and a
     maker's cells, of which only triangles are cut, what has fewer is taken.
@@ -84,7 +80,7 @@ def _from_whole_cells(plan: Plan, size: float, edge_size: float) -> Iterator[Pla
     """Yield usable meshes of cells of twice a size [m], of which only the triangles are cut."""
     check(plan, size)
     smaller, scale = sizing.sources(plan, size, edge_size, 0.5), sizing.growth_distance(plan, None)
-    for cells in islice(choose()(plan, size, smaller, scale, None), WHOLE):
+    for cells in islice(choose()(plan, size, smaller, scale), WHOLE):
         with suppress(InputError):
             found = _quadrilaterals(plan, *quadrangulation.cut_triangles(cells))
             if found.quality.worst > POOR:
@@ -106,7 +102,7 @@ def unstructured(
     best = None
     refused = InputError([Issue("plan", "a plan of which the mesher makes nothing", "one that can be meshed")])
     smaller = sizing.sources(plan, size, edge_size or size, across)
-    for tried, cells in enumerate(make(plan, size, smaller, scale, None), start=1):
+    for tried, cells in enumerate(make(plan, size, smaller, scale), start=1):
         try:
             result = _quadrilaterals(plan, *quadrangulation.make_elements(cells))
         except InputError as error:

@@ -11,16 +11,15 @@ from groundslab.meshing import gmsh, netgen
 from groundslab.meshing.cells import Cells
 from groundslab.meshing.sizing import Sources
 
-#: Takes a plan, the required size [m], where the plan requires smaller ones, the distance at which sizes are doubled
-#: beyond the plate, and smaller ones elsewhere; yields cells of twice these sizes, further ones if the first do not
-#: make a good mesh.
-Maker = Callable[[Plan, float, Sources, float, Sources | None], Iterator[Cells]]
+#: Takes a plan, the required size [m], where the plan requires smaller ones, and the distance at which sizes are
+#: doubled beyond the plate; yields cells of twice these sizes, further ones if the first do not make a good mesh.
+Maker = Callable[[Plan, float, Sources, float], Iterator[Cells]]
 
 
-def with_gmsh(plan: Plan, size: float, smaller: Sources, scale: float, local: Sources | None = None) -> Iterator[Cells]:
+def with_gmsh(plan: Plan, size: float, smaller: Sources, scale: float) -> Iterator[Cells]:
     """Yield Gmsh's cells, then such as grow more gently, at last triangles."""
     for slope, triangles_alone in ((gmsh.SLOPE, False), (gmsh.GENTLE, False), (gmsh.GENTLE, True)):
-        yield gmsh.cells_of(plan, size, smaller, scale, local, slope, triangles_alone)
+        yield gmsh.cells_of(plan, size, smaller, scale, slope, triangles_alone)
 
 
 with_netgen: Maker = netgen.cells_of

@@ -15,13 +15,11 @@ from groundslab.arrays import Array, Integers
 from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import FLAT, Place, Plan, Ring, Segment
 from groundslab.meshing.cells import Cells, FixedSides, project_onto
-from groundslab.meshing.sizing import Sources, along, limit_of, quarter
+from groundslab.meshing.sizing import Sources, along
 
 #: Cells grow by so much of the distance from what the plan requires to be small; elements are a half of them, or a
 #: quarter. Where elements turn inside out, cells that grow by less are looked at.
 SLOPE, GENTLE = 0.8, 0.4
-#: From smaller ones elsewhere they grow by so much: with no edge or point there, Gmsh would step over a small place.
-LOCAL = 0.5
 #: Gmsh's algorithm for triangles; the one in its options makes such as become quadrilaterals.
 FRONTAL_DELAUNAY = 6
 #: Gmsh's geometry merges places less than 1e-7 apart, whatever the extent: plans are scaled to this extent.
@@ -104,11 +102,10 @@ def cells_of(
     size: float,
     smaller: Sources,
     scale: float,
-    local: Sources | None = None,
     slope: float = SLOPE,
     triangles_alone: bool = False,
 ) -> Cells:
-    """Return Gmsh's mesh of twice the required sizes, local ones too: mostly quadrilaterals, or triangles alone.
+    """Return Gmsh's mesh of twice the required sizes: mostly quadrilaterals, or triangles alone.
 
     Cells grow by `slope` of the distance from smaller ones.
     """
@@ -117,7 +114,7 @@ def cells_of(
         gmsh.option.setNumber("Mesh.Algorithm", FRONTAL_DELAUNAY)
         gmsh.option.setNumber("Mesh.RecombineAll", 0)
     geometry = PlanGeometry(gmsh, plan)
-    _set_sizes(geometry, plan, size, (smaller, local), scale, slope)
+    _set_sizes(geometry, plan, size, smaller, scale, slope)
     unwanted = [part for part in gmsh.model.getEntities(2) if part[1] not in geometry.faces]
     gmsh.model.removeEntities(unwanted, recursive=True)
     gmsh.model.mesh.generate(2)
@@ -199,17 +196,14 @@ class PlanGeometry:
 
 
 def _set_sizes(
-    geometry: PlanGeometry, plan: Plan, size: float, sources: tuple[Sources, Sources | None], scale: float, slope: float
+    geometry: PlanGeometry, plan: Plan, size: float, smaller: Sources, scale: float, slope: float
 ) -> None:
-    """Set the size field: twice the required sizes, since elements are halved afterwards.
-
-    The sources are those of the plan, and others in places.
-    """
+    """Set the size field: twice the required sizes, since elements are halved afterwards."""
     gmsh = geometry.gmsh
     coarse = float(2 * size * geometry.scale)
     field, far = gmsh.model.mesh.field, 4 * SCALED_EXTENT
     requested: dict[int, list[int]] = {}
-    (places, sizes), local = sources
+    places, sizes = smaller
     level = np.floor(8 * np.log2(size / sizes)).astype(np.int64)
     for k, place in sorted({(int(k), (x, y)) for k, (x, y) in zip(level, places, strict=True)}):
         requested.setdefault(k, []).append(geometry.point(place))
@@ -238,30 +232,9 @@ def _set_sizes(
         limits += [only, near(around, coarse, coarse / (scale * geometry.scale))]
     else:
         limits.append(plate)
-    if local is not None:
-        limits.append(_local_field(geometry, plan, size, local))
     least = field.add("Min")
     field.setNumbers(least, "FieldsList", limits)
     field.setAsBackgroundMesh(least)
-
-
-def _local_field(geometry: PlanGeometry, plan: Plan, size: float, local: Sources) -> int:
-    """Add a field of twice the local sizes, linear over squares about as large as these, and return its tag."""
-    gmsh = geometry.gmsh
-    limit = limit_of((local[0], 2 * local[1]), 2 * size, LOCAL)
-
-    def wanted(at: Array) -> Array:
-        return np.minimum(limit(at), 2 * size)
-
-    low, sides = quarter(plan.bounds, wanted)
-    corners = low[:, None] + sides[:, None, None] * np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
-    sizes = wanted(corners.reshape(-1, 2)).reshape(-1, 4) * geometry.scale
-    x, y = np.moveaxis((corners - geometry.middle) * geometry.scale, 2, 0)
-    view = gmsh.view.add("sizes")
-    gmsh.view.addListData(view, "SQ", len(low), np.hstack([x, y, np.zeros(x.shape), sizes]).ravel())
-    tag = int(gmsh.model.mesh.field.add("PostView"))
-    gmsh.model.mesh.field.setNumber(tag, "ViewTag", view)
-    return tag
 
 
 def _clockwise(nodes: Array, *kinds: Integers) -> bool:

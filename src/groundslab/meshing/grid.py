@@ -12,20 +12,14 @@ from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import GRADING, count_intervals, divide_graded, graded_size, grid
 from groundslab.geometry.plan import MOST_ELEMENTS, NOTHING, Plan, sections
 from groundslab.meshing.plan_mesh import PlanMesh, check, finish, too_many_elements
-from groundslab.meshing.sizing import LocalExtents, growth_distance, limit_of
+from groundslab.meshing.sizing import growth_distance
 
 #: Neighboring intervals of a grid may differ by this factor before the longer one is graded.
 SIMILAR = 1.5
-#: Intervals may grow by this share of the distance from smaller local ones: half as fast where the grid is halved.
-LOCAL = 2 * GRADING
 
 
 def rectilinear(
-    plan: Plan,
-    size: float,
-    beyond_growth: float | None = None,
-    edge_size: float | None = None,
-    local: LocalExtents | None = None,
+    plan: Plan, size: float, beyond_growth: float | None = None, edge_size: float | None = None
 ) -> PlanMesh:
     """Return a grid with lines through all corners and points of a plan in which everything runs along x or y."""
     check(plan, size)
@@ -42,9 +36,7 @@ def rectilinear(
         low, high = domain[:, axis].min(), domain[:, axis].max()
         plate = outline[:, axis].min(), outline[:, axis].max()
         edges = [np.array(ring.points)[:, axis] for ring in plan.edges_on_ground()]
-        limit = _least(
-            graded_size(np.unique(np.concatenate([np.zeros(0), *edges])), edge_size or size), local, size, axis
-        )
+        limit = graded_size(np.unique(np.concatenate([np.zeros(0), *edges])), edge_size or size)
         lines.append(_divide(breaks[(breaks >= low) & (breaks <= high)], size, plate, scale, limit))
     x, y = lines
     if (len(x) - 1) * (len(y) - 1) > 4 * MOST_ELEMENTS:
@@ -53,18 +45,6 @@ def rectilinear(
     section = sections(plan, whole.nodes[whole.elements[:, 8]])
     kept = section != NOTHING
     return finish(plan, whole.nodes, whole.elements[kept], section[kept])
-
-
-def _least(
-    limit: Callable[[Array], Array], local: LocalExtents | None, size: float, axis: int
-) -> Callable[[Array], Array]:
-    """Return a limit of sizes along an axis that holds near local sources, too: lines run through the whole plan."""
-    if local is None:
-        return limit
-    extents = local[1][:, axis]
-    small = extents < size
-    here = limit_of((local[0][small][:, [axis]], extents[small]), size, LOCAL)
-    return lambda x: np.minimum(limit(x), here(x[:, None]))
 
 
 def _apart(values: Array, extent: float) -> Array:

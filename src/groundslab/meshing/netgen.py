@@ -18,7 +18,7 @@ from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import FLAT, Place, Plan, Segment
 from groundslab.meshing.arrangement import Piece, pieces
 from groundslab.meshing.cells import Cells, FixedSides, find_sides, project_onto, sides_of, sort_by_corners
-from groundslab.meshing.sizing import Sources, cell_sizes, join, quarter
+from groundslab.meshing.sizing import Sources, cell_sizes, quarter
 
 #: Extent of plans in Netgen's coordinates: it merges places less than 1e-6 of the extent apart.
 SCALED_EXTENT = 100.0
@@ -52,9 +52,9 @@ def load() -> Any:
     return netgen.geom2d, netgen.meshing
 
 
-def cells_of(plan: Plan, size: float, smaller: Sources, scale: float, local: Sources | None = None) -> Iterator[Cells]:
+def cells_of(plan: Plan, size: float, smaller: Sources, scale: float) -> Iterator[Cells]:
     """Yield Netgen's meshes of twice the wanted sizes: mostly quadrilaterals with some triangles, at last triangles."""
-    wanted = cell_sizes(plan, size, join(smaller, local), scale)
+    wanted = cell_sizes(plan, size, smaller, scale)
     parts, points = pieces(plan)
     chords = _chords(parts, points, wanted)
     refused = []

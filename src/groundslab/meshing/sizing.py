@@ -21,11 +21,9 @@ MAX_SOURCES = 200
 
 #: Places and the largest size [m] of elements around each: (k, 2) and (k,).
 Sources = tuple[Array, Array]
-#: Places and the largest extents of elements around each along x and y [m], inf where there is no limit: (k, 2) each.
-LocalExtents = tuple[Array, Array]
 
 
-def sources(plan: Plan, size: float, edge_size: float, across: int = ACROSS) -> Sources:
+def sources(plan: Plan, size: float, edge_size: float, across: float = ACROSS) -> Sources:
     """Return where a plan needs elements smaller than `size`, and how small: short edges, arcs, narrow places.
 
     Narrow places have so many elements across.
@@ -63,12 +61,6 @@ def sources(plan: Plan, size: float, edge_size: float, across: int = ACROSS) -> 
     return np.concatenate(places), np.concatenate(sizes)
 
 
-def isotropic(local: LocalExtents) -> Sources:
-    """Return places and sizes for elements that are as long as wide: of the same area, or of the only limit's size."""
-    places, extents = local
-    return places, np.where(np.isfinite(extents).all(axis=1), np.sqrt(extents.prod(axis=1)), extents.min(axis=1))
-
-
 def join(one: Sources, other: Sources | None) -> Sources:
     """Return the places of both, and the sizes around them."""
     if other is None:
@@ -83,19 +75,6 @@ def along(ring: Ring, spacing: float) -> Array:
     return np.concatenate([edge.at(np.arange(n) / n) for edge, n in zip(edges, counts, strict=True)])
 
 
-def estimate_count(plan: Plan, size: float, local: Sources) -> float:
-    """Return about how many elements of at most a size [m], smaller near local sources, fill the plate's rectangle."""
-    limit = limit_of(local, size)
-    x0, y0, x1, y1 = plan.plate_polygon(FLAT * plan.extent).bounds
-
-    def wanted(at: Array) -> Array:
-        return np.minimum(limit(at), size)
-
-    low, sides = quarter((x0, y0, x1, y1), wanted)
-    inside = np.clip(np.minimum(low + sides[:, None], [x1, y1]) - np.maximum(low, [x0, y0]), 0, None).prod(axis=1)
-    return float((inside / wanted(low + sides[:, None] / 2) ** 2).sum())
-
-
 def growth_distance(plan: Plan, given: float | None) -> float:
     """Return the distance from the plate at which elements are twice as large [m]."""
     if given is not None and not given > 0:
@@ -107,7 +86,7 @@ def growth_distance(plan: Plan, given: float | None) -> float:
 def limit_of(smaller: Sources, size: float, slope: float = GRADING) -> Callable[[Array], Array]:
     """Return a function from places (p, d) to the largest sizes (p,) [m] of elements that grow from smaller ones.
 
-    The places of the smaller ones are (k, d), d = 1 or 2; their sizes are rounded down to `size` [m] over a power of
+    The places of the smaller ones are (k, 2); their sizes are rounded down to `size` [m] over a power of
     the eighth root of 2. They grow by `slope` of the distance.
     """
     from scipy.spatial import KDTree

@@ -10,7 +10,7 @@ from groundslab.fem.shape_functions import areas
 from groundslab.geometry.plan import Plan
 from groundslab.meshing.plan_mesh import PlanMesh, finish
 from groundslab.meshing.refinement import close, split
-from groundslab.meshing.sizing import LocalExtents, isotropic, limit_of
+from groundslab.meshing.sizing import Sources, limit_of
 
 #: Elements grow by this share of the distance from where smaller ones are required.
 SLOPE = 0.5
@@ -20,8 +20,8 @@ TOO_LARGE = 2**0.5
 MOST_TIMES = 12
 
 
-def divide(plan: Plan, found: PlanMesh, size: float, local: LocalExtents | None) -> PlanMesh:
-    """Return a mesh whose elements are cut up where they are larger than local extents want them.
+def divide(plan: Plan, found: PlanMesh, size: float, local: Sources | None) -> PlanMesh:
+    """Return a mesh whose elements are cut up where they are larger than local sizes allow.
 
     Nothing hangs on edges, lines and arcs of the plan: what lies on both sides of them is cut alike. Along lines and
     arcs, where shear forces jump, elements are all alike: where sides of different lengths meet these oscillate.
@@ -30,7 +30,7 @@ def divide(plan: Plan, found: PlanMesh, size: float, local: LocalExtents | None)
     edges = [edge for ring in plan.rings().values() for edge in ring.segments() if edge not in borders]
     arcs = [edge for edge in edges + borders if not edge.straight]
     lines = [*plan.line_segments(), *(edge for edge in borders if not edge.straight)]
-    limit = None if local is None else limit_of(isotropic(local), size, SLOPE)
+    limit = None if local is None else limit_of(local, size, SLOPE)
     mesh, section = Mesh(found.nodes, found.elements), found.section
     for _ in range(MOST_TIMES):
         marked = np.zeros(len(mesh.elements), dtype=bool)

@@ -138,8 +138,8 @@ def test_parts_beside_counts_are_refused() -> None:
 def test_footprints_count_where_the_mesh_is_adaptive() -> None:
     """With a share of its side, in its middle, at its corners and between; with a size there are none."""
     model = slab({"accuracy": 0.05})
-    places, extents = local_sizes(model) or pytest.fail("no places")
-    np.testing.assert_allclose(extents, np.full((27, 2), 0.06))
+    places, sizes = local_sizes(model) or pytest.fail("no places")
+    np.testing.assert_allclose(sizes, np.full(27, 0.0375))
     for k, load in enumerate(LEGS):
         offset = places[9 * k : 9 * k + 9] - [load["x"], load["y"]]
         np.testing.assert_allclose(np.unique(np.abs(offset).round(9)), [0.0, 0.075])

@@ -695,19 +695,19 @@ def test_a_run_that_is_interrupted_leaves_the_last_finished_mesh(
     """Next to the folder; a run that ends removes it, unless a file in it was edited."""
     case = tmp_path / "wheel.toml"
     case.write_text(WHEEL, encoding="utf-8")
-    refine = adaptivity.extents_of
+    refine = adaptivity.join
 
-    def interrupt(_: Any) -> Any:
+    def interrupt(*_: Any) -> Any:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(adaptivity, "extents_of", interrupt)
+    monkeypatch.setattr(adaptivity, "join", interrupt)
     assert main.main(["solve", str(case)]) == 130
     kept = tmp_path / "wheel-results-provisional"
     assert str(kept) in capsys.readouterr().err
     assert not (tmp_path / "wheel-results").exists()
     first = groundslab.load_results(kept).only
     assert first.comparison is not None
-    monkeypatch.setattr(adaptivity, "extents_of", refine)
+    monkeypatch.setattr(adaptivity, "join", refine)
     assert main.main(["solve", str(case), "--quiet"]) == 0
     assert not kept.exists()
     assert groundslab.load_results(tmp_path / "wheel-results").only.unknowns > first.unknowns

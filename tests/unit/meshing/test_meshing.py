@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from groundslab.errors import InputError
+from groundslab.fem.hanging import find_hanging
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.geometry.plan import GROUND, Plan, Ring, circle, rectangle
 from groundslab.meshing import mesh, quality, unstructured
@@ -270,27 +271,28 @@ def test_a_broken_pipe_stays_an_error(thread: bool) -> None:
 def test_smaller_elements_in_places(maker: Maker | None) -> None:
     """Elements near a place have the size there, others far from it the one of all; between them they grow."""
     plan = Plan(rectangle(0, 8, 0, 6)) if maker is None else Plan(circle((4, 3), 3))
-    local = np.array([(4.0 + dx, 3.0 + dy) for dx in (-0.1, 0.0, 0.1) for dy in (-0.1, 0.0, 0.1)]), np.full((9, 2), 0.1)
-    result = rectilinear(plan, 0.8, local=local) if maker is None else unstructured(plan, 0.8, maker=maker, local=local)
+    local = np.array([(4.0 + dx, 3.0 + dy) for dx in (-0.1, 0.0, 0.1) for dy in (-0.1, 0.0, 0.1)]), np.full(9, 0.1)
+    result = mesh(plan, 0.8, maker=maker, local=local)
     middle, side = result.nodes[result.elements[:, 8]], np.sqrt(areas(result))
     distance = np.hypot(*(middle - [4.0, 3.0]).T)
-    assert side[distance.argmin()] < 0.18
+    assert side[distance.argmin()] < 0.15
     assert side.max() > 0.4
-    assert (side < 1.5 * (0.1 + 0.35 * distance)).all()
+    assert (side < 1.5 * (0.1 + 0.5 * distance)).all()
 
 
-@needs_gmsh
-def test_a_grid_gives_way_to_fewer_elements() -> None:
-    """Where lines through the whole plan would make many more elements than are needed, there is no grid."""
+def test_few_elements_are_cut_for_small_places() -> None:
+    """No line runs through the whole plan for them, and from one element to the next no side is halved twice."""
     plan = Plan(rectangle(0, 20, 0, 20))
     places = np.random.default_rng(1).uniform(1, 19, (12, 2))
-    local = places, np.full((12, 2), 0.05)
-    found = mesh(plan, 1.0, local=local)
-    assert len(found.elements) < len(rectilinear(plan, 1.0, local=local).elements) / 2
-    assert quality(found.nodes[found.elements]).worst > 0.2
-    one = places[:1], np.full((1, 2), 0.5)
-    few = mesh(plan, 1.0, local=one)
-    assert len(few.elements) == len(rectilinear(plan, 1.0, local=one).elements)
+    found = mesh(plan, 1.0, local=(places, np.full(12, 0.05)))
+    assert len(found.elements) < 400 + 12 * 5 * 3 * 8
+    assert quality(found.nodes[found.elements]).worst == pytest.approx(1.0)
+    hanging = find_hanging(found.elements)
+    assert len(hanging)
+    ends, middles = found.nodes[hanging[:, [1, 3]]].mean(axis=1), found.nodes[hanging[:, 2]]
+    np.testing.assert_allclose(ends, middles, atol=1e-12)
+    np.testing.assert_allclose(found.nodes[hanging[:, 1:3]].mean(axis=1), found.nodes[hanging[:, 0]], atol=1e-12)
+    assert not np.isin(hanging[:, 0], found.elements[:, :4]).any()
 
 
 @pytest.mark.parametrize("maker", MAKERS)
@@ -305,27 +307,6 @@ def test_nodes_on_the_rim_are_exactly_there(maker: Maker) -> None:
             (sides[:, :, axis] == value).all(axis=1) for axis, value in zip((0, 0, 1, 1), rim.bounds, strict=True)
         ]
         assert np.any(on_rim, axis=0).all()
-
-
-@needs_gmsh
-def test_narrow_places_are_for_grids() -> None:
-    """A line close to an edge makes many small quadrilaterals, but a grid of long ones."""
-    plan = Plan(rectangle(0, 10, 0, 10), lines=(((0.15, 0.15), (0.15, 9.85)),))
-    local = np.array([(5.0, 5.0)]), np.full((1, 2), 0.3)
-    found = mesh(plan, 1.0, local=local)
-    assert len(found.elements) == len(rectilinear(plan, 1.0, local=local).elements)
-    assert len(found.elements) < len(unstructured(plan, 1.0, local=local).elements) / 2
-
-
-def test_places_that_limit_one_extent() -> None:
-    """Elements of a grid are as short across an edge as asked for there, and as long as elsewhere along it."""
-    places = np.column_stack([np.linspace(0, 8, 33), np.zeros(33)])
-    result = rectilinear(Plan(rectangle(0, 8, 0, 6)), 0.8, local=(places, np.tile([np.inf, 0.1], (33, 1))))
-    sides = np.ptp(result.nodes[result.elements[:, :4]], axis=1)
-    assert sides[:, 0] == pytest.approx(0.8)
-    at_edge = result.nodes[result.elements[:, 8], 1] < 0.1
-    assert sides[at_edge, 1].max() < 0.14
-    assert sides[:, 1].max() > 0.7
 
 
 @needs_gmsh

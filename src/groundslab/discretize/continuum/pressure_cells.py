@@ -52,7 +52,7 @@ def elastic_ground(
     moving, kind, P = connect(plan.mesh.elements)
     own = plan.plate_elements
     w = element.w_functions(xy) @ P[kind[own]]
-    cells = cover(grid, xy, elements, moving[own], len(plan.mesh.nodes), w, plan.plate)
+    cells = cover(grid, xy, elements, len(plan.mesh.nodes), w, plan.plate, moving[own])
     void = _depths(model, cells.center, coarsening == 0)
     limit = math.inf if model.contact.limit_pressure is None else model.contact.limit_pressure
     load = sum(float(each.load[:, W].sum()) for each in cases)

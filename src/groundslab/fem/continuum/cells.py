@@ -74,7 +74,7 @@ class Cells:
 
 
 def cover(
-    grid: Grid, xy: Array, elements: Integers, moving: Integers, nodes: int, w: Array, plate: Integers
+    grid: Grid, xy: Array, elements: Integers, nodes: int, w: Array, plate: Integers, moving: Integers | None = None
 ) -> Cells:
     """Return the cells of a grid under the elements of plates.
 
@@ -86,14 +86,14 @@ def cover(
         Nodes of the elements [m].
     elements : (m, 9) array of int
         Numbers of these nodes.
-    moving : (m, 9) array of int
-        Numbers of the nodes that move them, see `hanging.connect`.
     nodes : int
         Number of all nodes, n.
     w : (m, 9, 9) array of float
         What makes the settlement of an element's nodes from those of the nodes that move them.
     plate : (m,) array of int
         Number of each element's plate.
+    moving : (m, 9) array of int, optional
+        Numbers of the nodes that move each element, where some of its own hang, see `hanging.connect`.
 
     Returns
     -------
@@ -116,6 +116,7 @@ def cover(
         column = np.repeat(to, len(row) // len(cell))
         return csr_array(coo_array((values, (row, column)), shape=(rows, len(on_cells))))[:, number]
 
+    moving = elements if moving is None else moving
     spread = matrix(np.einsum("pa,pab->pb", pairs.shapes, w[element]).ravel(), moving[element].ravel(), nodes, cell)
     return Cells(
         grid,
