@@ -66,7 +66,9 @@ class Blocks:
 
     def of(self, kinds: Integers) -> Blocks:
         """Return the blocks of some kinds (k,), renumbered."""
-        return Blocks(np.arange(len(kinds)), *(each[kinds] for each in (self.plate, self.mass, self.slope, self.T, self.P)))
+        return Blocks(
+            np.arange(len(kinds)), *(each[kinds] for each in (self.plate, self.mass, self.slope, self.T, self.P))
+        )
 
     def between_unknowns(self, fields: int) -> Array:
         """Return the plate's matrices between unknowns of nodes, (u, 9, 9, F, F)."""
@@ -82,8 +84,7 @@ class Blocks:
     @property
     def hangs(self) -> Flags:
         """Return which kinds have a node that hangs, (u,)."""
-        found: Flags = (np.diagonal(self.P, axis1=1, axis2=2) < 1).any(axis=1)
-        return found
+        return np.asarray((np.diagonal(self.P, axis1=1, axis2=2) < 1).any(axis=1))
 
     def ground(self, plate_rows: bool, plate_columns: bool) -> tuple[Array, Array]:
         """Return mass and slope (u, 9, 9) between fields, rows and columns being w of the plate or of the ground."""

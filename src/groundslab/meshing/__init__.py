@@ -15,7 +15,6 @@ from groundslab.errors import InputError, Issue
 from groundslab.geometry.plan import Plan, sections
 from groundslab.meshing import quadrangulation, sizing
 from groundslab.meshing.backends import Maker, available, choose, with_netgen
-from groundslab.meshing.cells import Cells
 from groundslab.meshing.grid import rectilinear
 from groundslab.meshing.plan_mesh import PlanMesh, check, check_area, finish, on_bounds
 from groundslab.meshing.quality import quality
@@ -93,7 +92,7 @@ def unstructured(
     beyond_growth: float | None = None,
     maker: Maker | None = None,
     edge_size: float | None = None,
-    across: int = sizing.ACROSS,
+    across: float = sizing.ACROSS,
 ) -> PlanMesh:
     """Return a mesh of quadrilaterals that follows every edge of a plan, straight or arc."""
     check(plan, size)

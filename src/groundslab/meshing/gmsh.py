@@ -195,9 +195,7 @@ class PlanGeometry:
         return int(occ.addPlaneSurface([occ.addCurveLoop(list(curves))]))
 
 
-def _set_sizes(
-    geometry: PlanGeometry, plan: Plan, size: float, smaller: Sources, scale: float, slope: float
-) -> None:
+def _set_sizes(geometry: PlanGeometry, plan: Plan, size: float, smaller: Sources, scale: float, slope: float) -> None:
     """Set the size field: twice the required sizes, since elements are halved afterwards."""
     gmsh = geometry.gmsh
     coarse = float(2 * size * geometry.scale)

@@ -74,7 +74,7 @@ def split(mesh: Mesh, marked: Flags, arcs: Sequence[Segment] = ()) -> tuple[Mesh
 
 
 def _quarters(mesh: Mesh) -> Integers:
-    """Return the nodes that hang on each middle of a side, that near to the end of lower number first, (n, 2), or -1."""
+    """Return the nodes that hang on each middle of a side, (n, 2), that near the end of lower number first, or -1."""
     found = np.full((len(mesh.nodes), 2), -1)
     node, near, middle, far = find_hanging(mesh.elements).T
     found[middle, (near > far).astype(np.int64)] = node

@@ -1,4 +1,4 @@
-"""Smaller elements in places: those of a coarser mesh, cut into four again and again, with hanging nodes beside them."""
+"""Smaller elements in places: those of a coarser mesh, cut into four again and again; nodes hang beside them."""
 
 from __future__ import annotations
 

@@ -104,7 +104,15 @@ def make_patches(nodes: Array, elements: Integers, points: Array) -> Patches:
                 known[v] = sound
                 if sound.any():
                     found.append(_Alike(v[sound], own[sound], A[sound], inverse[sound]))
-    return Patches(nodes, elements, corner, center, L, tuple(found), *_sources(nodes[vertices], corner, known, known & ~uneven[vertices]))
+    return Patches(
+        nodes,
+        elements,
+        corner,
+        center,
+        L,
+        tuple(found),
+        *_sources(nodes[vertices], corner, known, known & ~uneven[vertices]),
+    )
 
 
 def recover_nodes(p: Patches, values: Array, sizes: Sequence[Array]) -> Array:

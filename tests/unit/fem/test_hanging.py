@@ -22,7 +22,10 @@ from groundslab.results.balance.forces import ground_forces, plate_forces
 
 NOWHERE = np.zeros(0, dtype=np.int64)
 #: Elements of 0.25 m in the middle and at a corner of a plate whose others have 1 m.
-REFINED = [{"shape": {"kind": "rectangle", "x": x, "y": y}, "size": 0.25} for x, y in (((-0.5, 0.5), (-0.4, 0.4)), ((3, 4), (2, 3)))]
+REFINED = [
+    {"shape": {"kind": "rectangle", "x": (-0.5, 0.5), "y": (-0.4, 0.4)}, "size": 0.25},
+    {"shape": {"kind": "rectangle", "x": (3.0, 4.0), "y": (2.0, 3.0)}, "size": 0.25},
+]
 PLATE = {"length_x": 8.0, "length_y": 6.0, "thickness": 0.3, "E": 30e9, "nu": 0.2}
 SPRINGS = {"kind": "winkler", "k": 20e6}
 LAYERS = [{"E": 20e6, "nu": 0.3, "thickness": 4.0}]
@@ -162,7 +165,7 @@ def test_matrix_and_forces_of_elements_agree(changes: dict[str, Any]) -> None:
     {},
     {"loads": [LOADS[0] | {"q": 500.0}, *LOADS[1:]]},
     {"loads": LOADS[:2], "mesh": {"size": 1.0, "refine": REFINED[:1]}},
-    {"ground": {"kind": "continuum", "layers": LAYERS}},
+    {"ground": {"kind": "continuum", "layers": LAYERS, "cell": 0.25}},
     {"ground": {"kind": "vlasov", "layers": LAYERS}, "beyond": {"kind": "infinite"}},
     {"supports": [{"kind": "line", "points": [(-4.0, -1.0), (4.0, -1.0)]}]},
     {"contact": {"voids": [{"x": (-1.0, 0.2), "y": (-1.0, 0.3), "depth": 1e-3}]}},
