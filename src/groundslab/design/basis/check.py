@@ -75,6 +75,13 @@ class DesignCheck:
         return low, high
 
     @property
+    def utilisation_error(self) -> float | None:
+        """Return by how much the utilisation may be larger, None without an error."""
+        if self.between is None or self.utilisation is None:
+            return None
+        return self.between[1] - self.utilisation
+
+    @property
     def hangs(self) -> bool:
         """Return whether the verdict hangs on the discretization error: a limit lies within it."""
         return self.between is not None and self.between[0] <= 1 < self.between[1] - ROUNDING

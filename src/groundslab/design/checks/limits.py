@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from groundslab.accuracy.singularities import find_limits
 from groundslab.accuracy.values import error_of_contact_share, reduction_of
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results, why_none
@@ -64,9 +65,12 @@ def _error_of_extreme(field: str, sign: int) -> Callable[[CombinationResult], fl
     """Return a function that finds the error of the largest value of a nodal field, or of its negative."""
 
     def find(results: CombinationResult) -> float | None:
-        return error_of_greatest(
+        error = error_of_greatest(
             results, lambda mesh: sign * getattr(mesh.plate, field), lambda: reduction_of(results, field)
         )
+        # what is below zero is no demand
+        most = float((sign * getattr(results.plate, field)).max())
+        return None if error is None else max(most + error, 0.0) - max(most, 0.0)
 
     return find
 
@@ -126,9 +130,14 @@ def _pressure(results: CombinationResult) -> Demand:
 
 
 def _error_of_pressure(results: CombinationResult) -> float | None:
-    """Return the error of the largest pressure."""
+    """Return the error of the largest pressure, None where it has no limit as the mesh is refined."""
+    judged = find_limits(results.solved_model, results.plate).pressures
+    if not judged[np.argmax(spread_edge_force(results).pressure)]:
+        return None
     return error_of_greatest(
-        results, lambda mesh: spread_edge_force(mesh).pressure, lambda: reduction_of(results, "pressure")
+        results,
+        lambda mesh: spread_edge_force(mesh).pressure[judged],
+        lambda: reduction_of(results, "pressure")[judged],
     )
 
 
