@@ -17,7 +17,7 @@ from groundslab.model.plate import Plate
 from groundslab.model.plates.further import AnyPlate, first_sections
 from groundslab.model.plates.region import PlateRegion
 from groundslab.results.mesh_results import ElementResult, PlateResult
-from groundslab.results.results import CombinationResult
+from groundslab.results.results import CombinationResult, Comparison
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
@@ -53,6 +53,7 @@ def split_by_plate(results: CombinationResult) -> dict[str, CombinationResult]:
             solved_model=model,
             plate=results.plate.part(those),
             elements=_part_of(results.elements, those),
+            comparison=_part_of_comparison(results.comparison, those),
         )
         for (name, those), model in parts
     }
@@ -62,6 +63,12 @@ def _part_of(elements: ElementResult, those: Flags) -> ElementResult:
     values = {field.name: getattr(elements, field.name) for field in fields(elements)}
     some: dict[str, Any] = {name: value if value is None else value[those] for name, value in values.items()}
     return ElementResult(**some)
+
+
+def _part_of_comparison(comparison: Comparison | None, those: Flags) -> Comparison | None:
+    if comparison is None:
+        return None
+    return replace(comparison, plate=comparison.plate.part(those), elements=_part_of(comparison.elements, those))
 
 
 @lru_cache(maxsize=4)

@@ -2,9 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from math import isfinite
+from operator import attrgetter
+
 from groundslab.design.checks import check_design
-from groundslab.design.tables.table import Table, table_of
+from groundslab.design.tables.table import Column, Table, table_of
 from groundslab.results.results import Results
+
+#: What is said where demands have errors.
+HANGS = (
+    'A verdict "but within the error" hangs on the discretization error: less or more by it, the demand is on the '
+    "other side of the limit."
+)
+_ERROR = attrgetter("utilisation_error")
 
 
 def checks_table(combined: Results) -> Table:
@@ -14,10 +25,17 @@ def checks_table(combined: Results) -> Table:
         ("combination", ""), ("x", "m"), ("y", "m"), ("clause", ""), ("in words", ""),
     ]  # fmt: skip
     rows = []
-    for check in check_design(combined).checks:
+    checks = check_design(combined).checks
+    for check in checks:
         x, y = check.place or (None, None)
         numbers = check.demand, check.resistance, check.unit or None, check.utilisation
-        rows.append([check.name, check.of or None, check.status, *numbers, check.combination or None, x, y,
+        rows.append([check.name, check.of or None, check.verdict, *numbers, check.combination or None, x, y,
                      check.clause or None, check.words])  # fmt: skip
     notes = ["The utilisation is demand over limit; of an area in contact, which must not be less, limit over demand."]
-    return table_of("checks", "Checks of the design", heads, rows, notes)
+    table = table_of("checks", "Checks of the design", heads, rows, notes)
+    if all(check.error is None for check in checks):
+        return table
+    of_ratios = [error if error is None or isfinite(error) else None for error in map(_ERROR, checks)]
+    errors = {"demand": [check.error for check in checks], "utilisation": of_ratios}
+    columns = (Column(f"error of {name}", "", tuple(values), error_of=name) for name, values in errors.items())
+    return replace(table, columns=(*table.columns, *columns), notes=(*table.notes, HANGS))

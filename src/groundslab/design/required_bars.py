@@ -25,12 +25,15 @@ def required_areas(steel: Reinforcement, results: list[CombinationResult]) -> di
     if not results:
         return {}
     t, _ = results[0].elements.at_nodes(results[0].plate)
-    axes = Axes(*steel.bottom_axes, *steel.top_axes)
-    bending = code_of(steel).bending
     return {
-        result.combination: slab(design_moments(result.plate), t, axes, bending(steel, result.limit_state).required)
-        for result in results
+        result.combination: areas_for(design_moments(result.plate), t, steel, result.limit_state) for result in results
     }
+
+
+def areas_for(moments: DesignMoments, thickness: Array, steel: Reinforcement, limit_state: str) -> SlabReinforcement:
+    """Return the reinforcement needs for design moments at nodes (n,) of a slab of thickness (n,) [m]."""
+    axes = Axes(*steel.bottom_axes, *steel.top_axes)
+    return slab(moments, thickness, axes, code_of(steel).bending(steel, limit_state).required)
 
 
 def largest_areas(required: dict[str, SlabReinforcement], layer: str) -> tuple[Array, Envelope]:

@@ -9,7 +9,7 @@ import pytest
 from shapely import Point
 
 from groundslab import Model, Results, solve
-from groundslab.design.by_plate import edges_of, plate_under, results_by_plate
+from groundslab.design.by_plate import edges_of, plate_under, results_by_plate, split_by_plate
 from groundslab.design.checks import check_design
 from groundslab.design.demands.perimeters import RectangularColumn, perimeter
 from groundslab.design.result_tables import tables_of
@@ -85,6 +85,20 @@ def test_tilt_and_limits_are_those_of_single_plates(results: Results) -> None:
     assert checks["differential settlement"].demand == pytest.approx(1e3 * largest)
     pressures = {name: part.contact_force.sum() / part.area.sum() for name, part in parts.items()}
     assert checks["mean pressure"].of == max(pressures, key=lambda name: pressures[name])
+
+
+def test_the_coarser_mesh_is_split_too(results: Results) -> None:
+    """What elements twice as large give stands at the nodes of each plate, so that its checks have errors."""
+    parts = split_by_plate(results.only)
+    before = results_by_plate(results.only.coarser)
+    for name, part in parts.items():
+        assert np.array_equal(part.coarser.plate.nodes, part.plate.nodes)
+        assert np.array_equal(part.coarser.plate.settlement, before[name].settlement)
+        assert len(part.coarser.elements.thickness) == len(part.plate.elements)
+        assert not np.array_equal(part.coarser.plate.settlement, part.plate.settlement)
+    limits = [check for check in check_design(results).checks if check.clause == "limits of the case"]
+    assert len(limits) == 4
+    assert all(check.error is not None for check in limits)
 
 
 def test_a_joint_is_an_edge(results: Results) -> None:

@@ -9,6 +9,8 @@ from typing import Literal
 Status = Literal["fails", "attention", "no failure found", "not checked"]
 #: Statuses in the order in which they are listed.
 ORDER: tuple[Status, ...] = ("fails", "attention", "no failure found", "not checked")
+#: What lies beyond a limit by a smaller share of it is rounding.
+ROUNDING = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +41,9 @@ class DesignCheck:
         Where it governs [m].
     foundation : bool
         Whether it is about what holds the slab, ground and supports, rather than about the slab.
+    error : float or None
+        The estimated discretization error of the demand, in `unit`, with that of a resistance which depends on the
+        results. None where none is known, and where the demand does not depend on the mesh.
     """
 
     name: str
@@ -53,13 +58,44 @@ class DesignCheck:
     combination: str = ""
     place: tuple[float, float] | None = None
     foundation: bool = False
+    error: float | None = None
 
     @property
     def utilisation(self) -> float | None:
         """Return demand over resistance, or the other way round where it must not be less; None without numbers."""
-        if self.demand is None or self.resistance is None:
+        return None if self.demand is None else self._used(self.demand)
+
+    @property
+    def between(self) -> tuple[float, float] | None:
+        """Return the least and the greatest utilisation within the error of the demand; None without an error."""
+        if self.demand is None or self.resistance is None or self.error is None:
             return None
-        over, under = (self.resistance, self.demand) if self.least else (self.demand, self.resistance)
+        used = [self._used(max(self.demand + sign * self.error, 0.0)) for sign in (-1, 1)]
+        low, high = sorted(value for value in used if value is not None)
+        return low, high
+
+    @property
+    def utilisation_error(self) -> float | None:
+        """Return by how much the utilisation may be larger, None without an error."""
+        if self.between is None or self.utilisation is None:
+            return None
+        return self.between[1] - self.utilisation
+
+    @property
+    def hangs(self) -> bool:
+        """Return whether the verdict hangs on the discretization error: a limit lies within it."""
+        return self.between is not None and self.between[0] <= 1 < self.between[1] - ROUNDING
+
+    @property
+    def verdict(self) -> str:
+        """Return how it ended, and whether that hangs on the discretization error."""
+        return f"{self.status}, but within the error" if self.hangs else self.status
+
+    def _used(self, demand: float) -> float | None:
+        """Return the utilisation by a demand."""
+        if self.resistance is None:
+            return None
+        over, under = (self.resistance, demand) if self.least else (demand, self.resistance)
         return over / under if under else float("inf") if over else 0.0
 
 

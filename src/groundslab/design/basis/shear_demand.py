@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 
 from groundslab.design.basis.check import DesignCheck, Status
+from groundslab.design.basis.demand_errors import scaled
 from groundslab.results.results import CombinationResult
 
 
@@ -20,6 +22,7 @@ class ShearDemand:
     thickness: float  # [m]
     spread: bool = False  # whether the line force along the edge is spread over a strip
     at_support: bool = False  # whether it is nearer than d to what presses there
+    error: Callable[[], float | None] = field(default=lambda: None, repr=False, compare=False)  # of v [N/m]
 
     @property
     def used(self) -> float:
@@ -36,5 +39,5 @@ class ShearDemand:
         """Return the check of this place."""
         return DesignCheck(
             "one-way shear", status, words, demand=self.v / 1e3, resistance=self.without_links / 1e3, unit="kN/m",
-            clause=clause, combination=self.results.combination, place=self.place,
+            clause=clause, combination=self.results.combination, place=self.place, error=scaled(self.error(), 1e-3),
         )  # fmt: skip

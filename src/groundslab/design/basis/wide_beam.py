@@ -45,7 +45,11 @@ class Cut:
         """Return the mean shear force, and of what needs no links (n,) by layer that of the bars in tension [N/m]."""
         letter = "xy"[self.axis]
         face = "bottom" if self.mean(getattr(plate, f"moment_{letter}")) > 0 else "top"
-        return abs(self.mean(getattr(plate, f"shear_{letter}"))), self.mean(without_links[f"{face}_{letter}"])
+        return self.shear(plate), self.mean(without_links[f"{face}_{letter}"])
+
+    def shear(self, plate: PlateResult) -> float:
+        """Return the mean shear force [N/m]."""
+        return abs(self.mean(getattr(plate, f"shear_{'xy'[self.axis]}")))
 
 
 def cuts(results: CombinationResult, steel: Reinforcement) -> Iterator[Cut]:

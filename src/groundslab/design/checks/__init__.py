@@ -71,6 +71,11 @@ class Design:
         """Return the checks that fail or need attention."""
         return tuple(check for check in self.checks if check.status in ("fails", "attention"))
 
+    @property
+    def hanging(self) -> tuple[DesignCheck, ...]:
+        """Return the checks whose verdicts hang on the discretization error."""
+        return tuple(check for check in self.checks if check.hangs)
+
 
 def check_design(combined: Results) -> Design:
     """Return the design checks of a model over its certified results.
@@ -107,14 +112,16 @@ def _check_design(combined: Results) -> Design:
     unchecked = {check.name: check.words for check in made if check.status == "not checked"}
     left = "; ".join((unchecked if "strength" in unchecked else {"anchorage": NOT_CHECKED, **unchecked}).values())
     failing, doubtful = (sum(check.status == status for check in checked) for status in ("fails", "attention"))
+    hanging = sum(check.hangs for check in checked)
+    of_them = f", {hanging} {_verb('hang', hanging)} on the discretization error" if hanging else ""
     total = f"{len(checked)} check{'s' if len(checked) > 1 else ''}"
     if failing:
-        return Design("fails", _failure(checked[0], f"{failing} of {total} {_verb('fail', failing)}"), checked)
+        return Design("fails", _failure(checked[0], f"{failing} of {total} {_verb('fail', failing)}{of_them}"), checked)
     if doubtful:
-        words = f"DESIGN NEEDS ATTENTION: {doubtful} of {total} {_verb('need', doubtful)} it."
+        words = f"DESIGN NEEDS ATTENTION: {doubtful} of {total} {_verb('need', doubtful)} it{of_them}."
         return Design("attention", words, checked)
     if checked:
-        return Design("no failure found", f"No failure found in {total}; {left}.", checked)
+        return Design("no failure found", f"No failure found in {total}{of_them}; {left}.", checked)
     return Design("not checked", f"{left[:1].upper()}{left[1:]}.")
 
 

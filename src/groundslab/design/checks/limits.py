@@ -6,13 +6,17 @@ Annex H: an angular distortion (relative rotation) of 1/500 is acceptable for ma
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
+from groundslab.accuracy.singularities import find_limits
+from groundslab.accuracy.values import error_of_contact_share, reduction_of
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results, why_none
+from groundslab.design.basis.demand_errors import error_of, error_of_greatest, scaled
 from groundslab.design.by_plate import results_by_plate
 from groundslab.design.checks.ground.edge_strip import spread_edge_force, strip_width
 from groundslab.design.tilt import deflections_between, settlement_differences, tilt
@@ -28,13 +32,23 @@ Demand = tuple[float, str, tuple[float, float] | None]
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """How a limit of the case is checked: its name, unit and scale of display, and the demand of a combination."""
+    """How a limit of the case is checked: its name, unit and scale of display, and the demand of a combination.
+
+    The error of the demand is that of a value of the whole slab, unless another function gives it.
+    """
 
     name: str
     unit: str
     scale: float
     demand: Callable[[CombinationResult], Demand | None]
     least: bool = False
+    error: Callable[[CombinationResult], float | None] | None = None
+
+    def error_of(self, results: CombinationResult) -> float | None:
+        """Return the discretization error of the demand of a combination [SI]."""
+        if self.error is not None:
+            return self.error(results)
+        return error_of(results, lambda mesh: (self.demand(mesh) or (math.nan,))[0])
 
 
 def _extreme(field: str, sign: int) -> Callable[[CombinationResult], Demand]:
@@ -43,6 +57,20 @@ def _extreme(field: str, sign: int) -> Callable[[CombinationResult], Demand]:
     def find(results: CombinationResult) -> Demand:
         value, place = extreme(results.plate.nodes, getattr(results.plate, field), sign)
         return max(sign * value, 0.0), "", place
+
+    return find
+
+
+def _error_of_extreme(field: str, sign: int) -> Callable[[CombinationResult], float | None]:
+    """Return a function that finds the error of the largest value of a nodal field, or of its negative."""
+
+    def find(results: CombinationResult) -> float | None:
+        error = error_of_greatest(
+            results, lambda mesh: sign * getattr(mesh.plate, field), lambda: reduction_of(results, field)
+        )
+        # what is below zero is no demand
+        most = float((sign * getattr(results.plate, field)).max())
+        return None if error is None else max(most + error, 0.0) - max(most, 0.0)
 
     return find
 
@@ -101,6 +129,18 @@ def _pressure(results: CombinationResult) -> Demand:
     return value, f"with {by_edge / 1e3:.4g} kPa of the edge's line force over {strip_width(results):.3g} m", place
 
 
+def _error_of_pressure(results: CombinationResult) -> float | None:
+    """Return the error of the largest pressure, None where it has no limit as the mesh is refined."""
+    judged = find_limits(results.solved_model, results.plate).pressures
+    if not judged[np.argmax(spread_edge_force(results).pressure)]:
+        return None
+    return error_of_greatest(
+        results,
+        lambda mesh: spread_edge_force(mesh).pressure[judged],
+        lambda: reduction_of(results, "pressure")[judged],
+    )
+
+
 def _mean_pressure(results: CombinationResult) -> Demand:
     """Return the ground's force over the area in contact, of several plates the largest."""
     pressures = []
@@ -115,17 +155,23 @@ def _contact(results: CombinationResult) -> Demand:
     return min((plate.contact_share, name, None) for name, plate in results_by_plate(results).items())
 
 
+def _error_of_contact(results: CombinationResult) -> float | None:
+    """Return the error of the share that is in contact; of several plates all of it may be that of one."""
+    least = min(results_by_plate(results).values(), key=lambda plate: plate.contact_share)
+    return scaled(error_of_contact_share(results), float(results.plate.area.sum() / least.area.sum()))
+
+
 #: By the keys of [limits].
 LIMITS = {
-    "settlement": Limit("settlement", "mm", 1e3, _extreme("settlement", 1)),
-    "uplift": Limit("uplift", "mm", 1e3, _extreme("settlement", -1)),
+    "settlement": Limit("settlement", "mm", 1e3, _extreme("settlement", 1), error=_error_of_extreme("settlement", 1)),
+    "uplift": Limit("uplift", "mm", 1e3, _extreme("settlement", -1), error=_error_of_extreme("settlement", -1)),
     "differential_settlement": Limit("differential settlement", "mm", 1e3, _difference),
     "tilt": Limit("tilt", "mm/m", 1e3, _tilt),
     "angular_distortion": Limit("angular distortion", "mm/m", 1e3, _distortion),
     "deflection": Limit("deflection between columns", "mm/m", 1e3, _deflection),
-    "pressure": Limit("pressure", "kPa", 1e-3, _pressure),
+    "pressure": Limit("pressure", "kPa", 1e-3, _pressure, error=_error_of_pressure),
     "mean_pressure": Limit("mean pressure", "kPa", 1e-3, _mean_pressure),
-    "contact_share": Limit("area in contact", "%", 1e2, _contact, least=True),
+    "contact_share": Limit("area in contact", "%", 1e2, _contact, least=True, error=_error_of_contact),
 }
 
 
@@ -144,11 +190,11 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
 
 def _check(limit: Limit, allowed: float, results: list[CombinationResult], missing: str) -> DesignCheck:
     """Return the check of one limit in its unit of display; `missing` says why there are no results, if so."""
-    demands = [(demand, result.combination) for result in results if (demand := limit.demand(result)) is not None]
+    demands = [(demand, result) for result in results if (demand := limit.demand(result)) is not None]
     if not demands:
         what = "there are no two columns" if results else missing
         return DesignCheck(limit.name, "attention", f"not checked: {what}", resistance=allowed, unit=limit.unit)
-    (value, of, place), combination = (min if limit.least else max)(demands, key=lambda entry: entry[0][0])
+    (value, of, place), governing = (min if limit.least else max)(demands, key=lambda entry: entry[0][0])
     value *= limit.scale
     holds = value >= allowed if limit.least else value <= allowed
     sign = (">=" if holds else "<") if limit.least else ("<=" if holds else ">")
@@ -157,13 +203,14 @@ def _check(limit: Limit, allowed: float, results: list[CombinationResult], missi
     return DesignCheck(
         limit.name,
         "no failure found" if holds else "fails",
-        f'{about}{value:.4g} {sign} {allowed:.4g} {limit.unit}{where} in "{combination}"',
+        f'{about}{value:.4g} {sign} {allowed:.4g} {limit.unit}{where} in "{governing.combination}"',
         of=of,
         demand=value,
         resistance=allowed,
         unit=limit.unit,
         least=limit.least,
         clause="limits of the case",
-        combination=combination,
+        combination=governing.combination,
         place=place,
+        error=scaled(limit.error_of(governing), limit.scale),
     )

@@ -6,12 +6,16 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from groundslab.arrays import Array
 from groundslab.design import required_bars
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results
+from groundslab.design.basis.demand_errors import greatest_moments
 from groundslab.design.basis.design_code import DesignCode, no_rule
 from groundslab.design.codes import code_of
+from groundslab.design.demands.design_moments import design_moments
 from groundslab.model.design.laid_bars import laid_bars
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import LAYERS
 from groundslab.results.results import Results
 
@@ -27,24 +31,24 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     needs = required_bars.governing_needs(combined, steel, {layer: bars.area for layer, bars in laid.items()})
     code = code_of(steel)
     for layer in LAYERS:
-        yield from _area(layer, [need for need in needs if need.layer == layer], code)
+        of_layer = [need for need in needs if need.layer == layer]
+        if of_layer:
+            worst = max(of_layer, key=lambda need: need.area / (need.laid or np.inf))
+            yield _area(worst, code, _error(combined, steel, worst, laid[layer].area))
     if code.bars is None:
         yield no_rule(code, "distance and cover of bars")
     else:
         yield from code.bars(combined, steel, laid)
 
 
-def _area(layer: str, needs: list[required_bars.Need], code: DesignCode) -> Iterator[DesignCheck]:
-    """Yield whether the bars of a layer are as much as bending and the minimum need, where it is used most."""
-    if not needs:
-        return
-    worst = max(needs, key=lambda need: need.area / (need.laid or np.inf))
-    name, clause, laid = layer.replace("_", " "), code.clauses.bars, worst.laid
+def _area(worst: required_bars.Need, code: DesignCode, error: float | None) -> DesignCheck:
+    """Return whether the bars of a layer are as much as bending and the minimum need, where it is used most."""
+    name, clause, laid = worst.layer.replace("_", " "), code.clauses.bars, worst.laid
     assert laid is not None
     enough = worst.area <= laid
     where = f" at ({worst.place[0]:.3f}, {worst.place[1]:.3f}) m" if worst.place is not None else ""
     by = f' in "{worst.combination}", by {worst.governed_by}' if worst.combination is not None else ""
-    yield DesignCheck(
+    return DesignCheck(
         f"bars at the {name}",
         "no failure found" if enough else "fails",
         f"{worst.area * CM2:.4g} {'<=' if enough else '>'} {laid * CM2:.4g} cm2/m{where}{by} ({clause})",
@@ -55,4 +59,21 @@ def _area(layer: str, needs: list[required_bars.Need], code: DesignCode) -> Iter
         clause=f"{code.name} {clause}",
         combination=worst.combination or "",
         place=worst.place,
+        error=error,
     )
+
+
+def _error(combined: Results, steel: Reinforcement, worst: required_bars.Need, laid: Array) -> float | None:
+    """Return the error of the area [cm2/m] where a layer is used most of bars laid (n,) [m2/m], by its combination."""
+    results = None if worst.combination is None else combined.results[worst.combination]
+    greatest = None if results is None else greatest_moments(results)
+    if results is None or greatest is None:
+        return None
+    assert worst.laid is not None
+    thickness, _ = results.elements.at_nodes(results.plate)
+    used, most = (
+        float((getattr(areas, worst.layer) / laid).max())
+        for moments in (design_moments(results.plate), greatest)
+        for areas in [required_bars.areas_for(moments, thickness, steel, results.limit_state)]
+    )
+    return (most - used) * worst.laid * CM2 if np.isfinite(most) else None

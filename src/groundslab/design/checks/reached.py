@@ -7,11 +7,13 @@ equilibrium then does not say that it may be so. A pile keeps F_c;d <= R_c;d (EN
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
 import numpy as np
 
 from groundslab.design.basis.check import DesignCheck, Status, some
 from groundslab.design.basis.combinations import solved_results
+from groundslab.design.basis.demand_errors import error_of, scaled
 from groundslab.design.demands.support_forces import REACHED, Utilization, idle, utilization
 from groundslab.model.loads.clipping import Clipped, find_clipped_loads
 from groundslab.model.loads.load_cases import STRENGTH
@@ -47,7 +49,9 @@ def _supports(results: list[CombinationResult]) -> Iterator[DesignCheck]:
         used = {result.combination: utilization(described, result.supports[number]) for result in results}
         limited = {combination: one for combination, one in used.items() if one is not None}
         if limited:
-            yield _resistance(described, name, limited)
+            check = _resistance(described, name, limited)
+            governing = next(result for result in results if result.combination == check.combination)
+            yield replace(check, error=_error(described, number, governing, limited[check.combination].limit))
         if described.acts != "both ways":
             yield from _one_sided(described, name, number, results)
 
@@ -80,6 +84,16 @@ def _resistance(described: AnySupport, name: str, used: Mapping[str, Utilization
         place=one.place,
         foundation=True,
     )
+
+
+def _error(described: AnySupport, number: int, results: CombinationResult, limit: float) -> float | None:
+    """Return the error of what a support carries against a limit [N], in the unit of its check."""
+
+    def used(mesh: CombinationResult) -> float:
+        one = utilization(described, mesh.supports[number])
+        return 0.0 if one is None else one.share
+
+    return scaled(error_of(results, used), limit / 1e3)
 
 
 def _one_sided(
@@ -160,6 +174,7 @@ def _ground(results: list[CombinationResult]) -> Iterator[DesignCheck]:
         unit="kPa",
         combination=governing.combination,
         foundation=True,
+        error=scaled(error_of(governing, lambda mesh: min(float(mesh.plate.pressure.max()), limit)), 1e-3),
     )
 
 

@@ -15,6 +15,7 @@ import numpy as np
 
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import ultimate_results
+from groundslab.design.basis.demand_errors import error_of, scaled
 from groundslab.design.demands.perimeters import outline
 from groundslab.design.en1997 import bearing
 from groundslab.model.design.limits import SoilStrength
@@ -31,7 +32,12 @@ class _Forces:
     V: float
     H: float
     place: tuple[float, float]
-    combination: str
+    results: CombinationResult
+
+    @property
+    def combination(self) -> str:
+        """Return the name of the combination."""
+        return self.results.combination
 
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
@@ -79,7 +85,7 @@ def _forces(results: CombinationResult) -> _Forces:
     cases = {case.name: case for case in results.solved_model.cases}
     acting = [(factor, cases[name]) for name, factor in results.factors if name in cases]
     H = math.hypot(*(sum(factor * getattr(case, axis) for factor, case in acting) for axis in ("H_x", "H_y")))
-    return _Forces(V, H, (float(place[0]), float(place[1])), results.combination)
+    return _Forces(V, H, (float(place[0]), float(place[1])), results)
 
 
 def _worst(
@@ -91,13 +97,15 @@ def _worst(
     clause: str,
 ) -> DesignCheck:
     """Return the check of the combination that uses most."""
-    ratios = []
-    for force in forces:
+
+    def ratio(force: _Forces) -> tuple[float, float, _Forces, bearing.EffectiveArea | None]:
         area = bearing.effective_area(base, *force.place)
         R = resistance(force, area) if area is not None else 0.0
-        used = demand(force) / R if R > 0 else math.inf
-        ratios.append((used, R, force, area))
-    used, R, force, area = max(ratios, key=lambda ratio: ratio[0])
+        return demand(force) / R if R > 0 else math.inf, R, force, area
+
+    used, R, force, area = max(map(ratio, forces), key=lambda ratio: ratio[0])
+    # the resistance, too, follows from where the force acts
+    error = error_of(force.results, lambda mesh: ratio(_forces(mesh))[0])
     size = "" if area is None else f" on A' = {area.area:.3g} m2 ({area.width:.3g} x {area.length:.3g} m)"
     words = f'{demand(force) / 1e3:.0f} kN is {used:.3g} times {R / 1e3:.0f} kN{size} in "{force.combination}"'
     return DesignCheck(
@@ -111,4 +119,5 @@ def _worst(
         combination=force.combination,
         place=force.place,
         foundation=True,
+        error=scaled(error, R / 1e3),
     )

@@ -14,9 +14,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from groundslab.accuracy.values import reduction_of
+from groundslab.arrays import Array
 from groundslab.design import punching
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results, ultimate_results, why_none
+from groundslab.design.basis.demand_errors import LOCAL, error_of, error_of_greatest, scaled
 from groundslab.design.by_plate import split_by_plate
 from groundslab.design.demands.design_moments import principal_moments
 from groundslab.design.demands.perimeters import surroundings
@@ -73,12 +76,13 @@ class Slab:
 
 @dataclass(frozen=True, slots=True)
 class Use:
-    """A demand and what resists it, in SI units, with its place [m] and combination."""
+    """A demand and what resists it, in SI units, with its place [m], combination and discretization error."""
 
     demand: float
     resistance: float
     place: tuple[float, float]
     combination: str
+    error: float | None = None  # of the demand; none of loads that are given
 
     @property
     def share(self) -> float:
@@ -196,8 +200,10 @@ def _punching(floor: TR34Floor, concrete: Concrete, slab: Slab, standing: Standi
         except InputError as error:
             yield DesignCheck("punching", "attention", f"{location}: not judged, {error}", of=location)
             continue
-        for name, v_Ed, v_Rd in zip(("punching at the footprint", "punching"), (at_face, around), limits, strict=True):
-            use = Use(max(v_Ed, 0.0), v_Rd, load.place, result.combination)
+        change = error_of(result, lambda mesh: punching.demand(mesh.plate, column, d, P).v_Ed)  # noqa: B023  made at once
+        rows = (("punching at the footprint", at_face, None), ("punching", around, change))
+        for (name, v_Ed, its_own), v_Rd in zip(rows, limits, strict=True):
+            use = Use(max(v_Ed, 0.0), v_Rd, load.place, result.combination, its_own)
             yield _check(name, location, use, "MPa", 1e-6, "TR34, EN 1992-1-1 6.4")
 
 
@@ -209,7 +215,9 @@ def _by_aci(floor: ACI360Floor, slab: Slab, standing: Standing) -> Iterator[Desi
     for face, sign in (("bottom", 1), ("top", -1)):
         uses = [_stress(result, sign, drag, allowed) for result in results]
         clause = "ACI 360R-10 7.2, 5.9, table 5.3"
-        yield _check("flexural stress", face, max(uses, key=lambda use: use.share), "MPa", 1e-6, clause)
+        worst = max(range(len(uses)), key=lambda number: uses[number].share)
+        use = replace(uses[worst], error=_error_of_stress(results[worst], sign))
+        yield _check("flexural stress", face, use, "MPa", 1e-6, clause)
     yield from _pressures(slab, (allowed - drag) * slab.h**2 / 6, results, f"PCA, ACI 360R-10 A1{slab.springs}")
     if floor.R_e3 is not None:
         M_0 = floor.f_r * (1 + floor.R_e3) * slab.h**2 / 6
@@ -232,11 +240,21 @@ def allowed_stress(floor: ACI360Floor) -> float:
 
 def _stress(results: CombinationResult, sign: int, drag: float, allowed: float) -> Use:
     """Return the largest tension at a face, 6 m / h^2 of principal moments and what friction adds, against a stress."""
+    stress, place = extreme(results.plate.nodes, _tension(results, sign), 1)
+    return Use(max(stress, 0.0) + drag, allowed, place, results.combination)
+
+
+def _tension(results: CombinationResult, sign: int) -> Array:
+    """Return the tension 6 m / h^2 (n,) [Pa] of principal moments at the nodes, at the bottom (sign 1) or the top."""
     plate = results.plate
     h, _ = results.elements.at_nodes(plate)
     principal = principal_moments(plate.moment_x, plate.moment_y, plate.moment_xy)
-    stress, place = extreme(plate.nodes, 6 * (principal.m_1 if sign > 0 else -principal.m_2) / h**2, 1)
-    return Use(max(stress, 0.0) + drag, allowed, place, results.combination)
+    return np.asarray(6 * (principal.m_1 if sign > 0 else -principal.m_2) / h**2)
+
+
+def _error_of_stress(results: CombinationResult, sign: int) -> float | None:
+    """Return the error of the largest tension at a face [Pa]."""
+    return error_of_greatest(results, lambda mesh: _tension(mesh, sign), lambda: reduction_of(results, LOCAL))
 
 
 #: What a group of forces fails at [N]: the forces, the sum of their distances [m], where they are.
@@ -344,4 +362,5 @@ def _check(name: str, of: str, use: Use, unit: str, scale: float, clause: str) -
         clause=clause,
         combination=use.combination,
         place=use.place if use.combination else None,
+        error=scaled(use.error, scale),
     )

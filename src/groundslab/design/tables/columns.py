@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.demands import column_loads
 from groundslab.design.tables.punching import extremes_of_punching, punching_at_columns
-from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.design.tables.table import Cell, Head, Table, table_of
 from groundslab.design.tilt import settlement_differences
 from groundslab.model.columns import Column
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
@@ -53,11 +54,15 @@ def column_table(combined: Results) -> Table:
 
 
 def column_envelope(combined: Results, columns: Table) -> Table:
-    """Return the extremes of each column over the ultimate combinations, and over those of serviceability."""
+    """Return the extremes of each column over the ultimate combinations, and over those of serviceability.
+
+    The errors of extremes are those that their values have in the table of columns.
+    """
     states = {combination.name: combination.limit_state for combination in combined.combinations}
     known = {column.name: column.values for column in columns.columns}
     of_punching = [(name, unit, 1, False) for name, unit in extremes_of_punching(combined)]
     wanted = [row for row in (*_EXTREMES, *of_punching) if row[0] in known]
+    sources, errors = _sources(wanted, columns)
     groups = {"ultimate": STRENGTH, "serviceability": SERVICEABILITY}
     rows = []
     for column in combined.model.columns:
@@ -68,24 +73,39 @@ def column_envelope(combined: Results, columns: Table) -> Table:
                 if name == column.name and states[str(combination)] in members
             ]
             if at:
-                rows.append([column.name, name, *(cell for row in wanted for cell in _extreme(known, at, *row))])
-    heads = [("column", ""), ("limit states", "")]
-    for quantity, unit, sign, named in wanted:
-        what = f"{'greatest' if sign > 0 else 'least'} {quantity}"
-        heads += [(what, unit), *([(f"combination of the {what}", "")] * named)]
+                governing = [_extreme(known[quantity], at, sign) for quantity, _, sign, _ in wanted]
+                found = [(governing[number], source) for number, _, source in (*sources, *errors)]
+                rows.append([column.name, name, *(None if i is None else known[source][i] for i, source in found)])
+    heads = [("column", ""), ("limit states", ""), *(head for _, head, _ in (*sources, *errors))]
     notes = ["Extremes of the table columns, over the combinations of each kind of limit state."]
-    return table_of("column_envelope", "Columns: extremes", heads, rows, notes)
+    table = table_of("column_envelope", "Columns: extremes", heads, rows, notes)
+    shown = len(heads) - len(errors)
+    of_values = (replace(column, error_of=column.name.removeprefix("error of ")) for column in table.columns[shown:])
+    return replace(table, columns=(*table.columns[:shown], *of_values))
 
 
-def _extreme(
-    known: Mapping[str, tuple[Cell, ...]], at: list[int], quantity: str, _: str, sign: int, named: bool
-) -> list[Cell]:
-    """Return the extreme of a quantity in some rows of the table of columns, and its combination if wanted."""
-    values = [(sign * value, i) for i in at if isinstance(value := known[quantity][i], float)]
-    if not values:
-        return [None] * (1 + named)
-    value, i = max(values, key=lambda entry: entry[0])
-    return [sign * value, *([known["combination"][i]] * named)]
+#: Of which extreme a column is, its head, and the column of the table of columns that its cells are from.
+_Source = tuple[int, Head, str]
+
+
+def _sources(wanted: list[tuple[str, str, int, bool]], columns: Table) -> tuple[list[_Source], list[_Source]]:
+    """Return the columns of extremes with their combinations, and those of their errors."""
+    errors = {column.error_of: column.name for column in columns.columns if column.error_of}
+    shown, of_shown = list[_Source](), list[_Source]()
+    for number, (quantity, unit, sign, named) in enumerate(wanted):
+        what = f"{'greatest' if sign > 0 else 'least'} {quantity}"
+        shown.append((number, (what, unit), quantity))
+        if named:
+            shown.append((number, (f"combination of the {what}", ""), "combination"))
+        if quantity in errors:
+            of_shown.append((number, (f"error of {what}", unit), errors[quantity]))
+    return shown, of_shown
+
+
+def _extreme(values: tuple[Cell, ...], at: list[int], sign: int) -> int | None:
+    """Return the row with the extreme of a quantity's values among some rows, None if there is none."""
+    known = [(sign * value, i) for i in at if isinstance(value := values[i], float)]
+    return max(known, key=lambda entry: entry[0])[1] if known else None
 
 
 def _neighbors(plate: PlateResult, columns: tuple[Column, ...]) -> Callable[[Column], list[Cell]]:

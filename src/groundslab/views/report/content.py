@@ -25,7 +25,7 @@ from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout,
 from groundslab.views.summary import combinations, sections
 from groundslab.views.summary.discretization import coarse_words
 from groundslab.views.summary.rows import SummarySection
-from groundslab.views.summary.terminal import limit_text, shown_row, step_texts, verdict_word
+from groundslab.views.summary.terminal import between_text, error_text, limit_text, shown_row, step_texts, verdict_word
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
@@ -98,6 +98,10 @@ def build_page(
         "facts": list(_facts(combined)),
         "verdict": dict(zip(("status", "words"), _verdict(combined, entries), strict=True)),
         "design": check_design(combined),
+        "within": [
+            (error_text(check.error or 0.0, check.demand or 0.0), between_text(check))
+            for check in check_design(combined).checks
+        ],
         "case": input_tables(combined.model, combined.combinations),
         "assumptions": list_assumptions(combined),
         "drawings": list(_drawings(combined, leading)),

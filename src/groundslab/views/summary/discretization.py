@@ -102,11 +102,25 @@ def coarse_words(combined: Results) -> str:
     judged = [judgment for results in combined.values() for judgment in judge(results)[:1]]
     worst = max(judged, key=attrgetter("share"), default=None)
     if worst is None or worst.share <= combined.model.mesh.largest_error:
-        return next(filter(None, map(unknown_words, combined.values())), "")
+        return _hanging_words(combined) or next(filter(None, map(unknown_words, combined.values())), "")
     return (
         f"The mesh is too coarse: the largest discretization error is {100 * worst.share:.2g} % ({worst.label}), more "
         f"than {100 * combined.model.mesh.largest_error:g} %. {remedy.capitalize()}"
     )
+
+
+def _hanging_words(combined: Results) -> str:
+    """Return in words that the verdict of a check hangs on an error above the accuracy asked for, else ""."""
+    from groundslab.design.checks import check_design
+
+    for check in check_design(combined).hanging:
+        error = check.utilisation_error or 0.0
+        if error > combined.model.mesh.largest_error:
+            return (
+                f"The mesh is too coarse for a check: {check.name} is {check.utilisation:.2f} +- {error:.2g} times its "
+                f"limit. {_remedy(combined.model).capitalize()}"
+            )
+    return ""
 
 
 def largest_error(results: CombinationResult) -> tuple[Row, ...]:

@@ -84,8 +84,9 @@ def design(combined: Results) -> dict[str, Any]:
 
 def _check(check: DesignCheck) -> dict[str, Any]:
     """Return a check as data for JSON, which knows no infinite utilisation: nothing resists there."""
-    used = check.utilisation
-    return asdict(check) | {"utilisation": used if used is not None and isfinite(used) else None}
+    numbers = (check.utilisation, *(check.between or ()))
+    used, *between = (number if number is not None and isfinite(number) else None for number in numbers)
+    return asdict(check) | {"utilisation": used, "between": between or None, "verdict": check.verdict}
 
 
 def _only(results: CombinationResult) -> dict[str, Any]:

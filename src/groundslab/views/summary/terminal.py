@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.text import Text
 
-    from groundslab.design.checks import Design, Status
+    from groundslab.design.checks import Design, DesignCheck, Status
     from groundslab.results.record import Step
     from groundslab.results.results import CombinationResult, Results
     from groundslab.views.summary.combinations import Entry, Extreme
@@ -146,13 +146,29 @@ def _extreme(extreme: Extreme) -> Text:
 
 def _head(title: str, design: Design, console: Console) -> None:
     """Print the verdict on the design, the title, the version, and the checks, utilisation before each."""
-    _print_lines(textwrap.wrap(design.headline, 78), _STYLES[design.status], console)
+    _print_lines(textwrap.wrap(design.headline, 78), _style(design.status, hangs=bool(design.hanging)), console)
     _print_lines([title or "(no title)"], "bold", console)
     _print_lines([f"groundslab {__version__}"], "dim", console)
     for check in design.checks:
         used = "" if check.utilisation is None else f"{check.utilisation:.2f}"
-        lines = textwrap.wrap(f"{used:>6} {check.name}: {check.words}", 78, subsequent_indent=" " * 7)
-        _print_lines(lines, _STYLES[check.status], console)
+        within = f" ({text.replace('±', '+-')})" if (text := between_text(check)) else ""
+        verdict = f" [{check.verdict}]" if check.hangs else ""
+        text = f"{used:>6}{within} {check.name}: {check.words}{verdict}"
+        style = _style(check.status, hangs=check.hangs)
+        _print_lines(textwrap.wrap(text, 78, subsequent_indent=" " * 7), style, console)
+
+
+def between_text(check: DesignCheck) -> str:
+    """Return between which values the utilisation is within the discretization error, empty where it has none."""
+    if check.between is None or not check.error:
+        return ""
+    used, low, high = (f"{value:.2f}" for value in (check.utilisation or 0.0, *check.between))
+    return "±<0.01" if low == used == high else f"{low} to {high}"
+
+
+def _style(status: Status, *, hangs: bool) -> str:
+    """Return the style of a verdict, which may hang on the discretization error."""
+    return _STYLES["attention" if hangs and status == "no failure found" else status]
 
 
 _STYLES: dict[Status, str] = {

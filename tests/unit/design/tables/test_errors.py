@@ -184,6 +184,21 @@ def test_governing_combination_decides() -> None:
     assert steel["error of required area"] == pytest.approx(0.04 * steel["required area"], rel=0.05)
 
 
+def test_extremes_of_columns_have_the_errors_of_their_rows(coarse: dict[str, Table]) -> None:
+    """The greatest settlement of a column has the error that it has in the combination where it is greatest."""
+    rows, extremes = coarse["columns"], coarse["column_envelope"]
+    assert len(extremes) == 2
+    for at, name in enumerate(extremes["column"]):
+        own = [i for i, other in enumerate(rows["column"]) if other == name]
+        for quantity in ("settlement", "v_Ed"):
+            most = max(own, key=lambda i: rows[quantity][i] or 0.0)
+            assert extremes[f"greatest {quantity}"][at] == rows[quantity][most]
+            assert extremes[f"error of greatest {quantity}"][at] == rows[f"error of {quantity}"][most]
+            assert (extremes[f"error of greatest {quantity}"][at] or 0.0) > 0
+    shown = [column.name for column in extremes.columns if not column.error_of]
+    assert shown == [column.name for column in extremes.columns][: len(shown)]
+
+
 def test_without_a_coarser_mesh_there_are_none() -> None:
     """No column of errors without one; where only another combination has one, the cells are empty."""
     of = two()

@@ -3,7 +3,7 @@
 import { formatNumber } from "../../viewer/data/numbers";
 import { button, fill, h } from "../../viewer/shared/dom";
 import { symbolElement } from "../../viewer/shared/symbols";
-import type { CombinationSummary, Summary, SummaryRow } from "../client/api";
+import type { CombinationSummary, DesignCheck, Summary, SummaryRow } from "../client/api";
 import type { Json } from "../model/paths";
 
 /** The checks of the design, each with its utilisation: what fails or needs attention comes first. */
@@ -11,19 +11,32 @@ function designOf(summary: Summary | null): HTMLElement[] {
   const design = summary?.design;
   if (!design) return [];
   const open = design.checks.some((check) => check.status === "fails" || check.status === "attention");
+  const hanging = design.checks.some(hangs);
   const rows = design.checks.map((check) =>
     h(
       "tr",
       { class: check.status === "fails" ? "bad" : "" },
       h("th", { scope: "row" }, check.name),
       h("td", {}, check.utilisation === null ? "" : check.utilisation.toFixed(2)),
-      h("td", { class: "note" }, check.words),
+      h("td", { class: "unit" }, betweenText(check)),
+      h("td", { class: "note" }, check.words, hangs(check) ? h("strong", {}, ` ${check.verdict}`) : ""),
     ),
   );
   return [
-    h("p", { class: open ? "verdict bad" : "quiet" }, design.headline),
+    h("p", { class: open ? "verdict bad" : hanging ? "verdict doubtful" : "quiet" }, design.headline),
     ...(rows.length ? [h("table", { class: "figures" }, h("tbody", {}, ...rows))] : []),
   ];
+}
+
+function hangs(check: DesignCheck): boolean {
+  return check.verdict !== check.status;
+}
+
+/** Return between which values the utilisation is within the discretization error, empty where it has none. */
+export function betweenText({ utilisation, between }: DesignCheck): string {
+  if (between === null || utilisation === null || between[0] === between[1]) return "";
+  const [used, low, high] = [utilisation, ...between].map((value) => (value === null ? "∞" : value.toFixed(2)));
+  return low === used && high === used ? "±<0.01" : `${low} to ${high}`;
 }
 
 /** Show what fails in the design, and the figures of one combination; null: none is chosen. */

@@ -6,7 +6,7 @@ const summary = (value: string, utilisation: number): Summary => ({
   design: {
     status: "attention",
     headline: "",
-    checks: [{ name: "punching", status: "attention", words: "", utilisation }],
+    checks: [{ name: "punching", status: "attention", words: "", utilisation, between: null, verdict: "attention" }],
   },
   combinations: [
     {

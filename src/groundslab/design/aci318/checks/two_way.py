@@ -9,6 +9,7 @@ from groundslab.design.aci318.case_materials import materials
 from groundslab.design.aci318.checks.two_way_demand import TwoWay, pile_two_way, strength, two_way
 from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.basis.check import DesignCheck, Status
+from groundslab.design.basis.demand_errors import error_of_ratio, scaled
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
@@ -36,7 +37,10 @@ def _checks(
     judged = [demand for demand in known.values() if not demand.supported]
     unjudged = sorted({demand.name for demand in known.values() if demand.supported} | missing.keys())
     if judged:
-        yield _worst(max(judged, key=lambda demand: demand.v_u / strength(demand, steel)), steel, name)
+        worst = max(judged, key=lambda demand: demand.v_u / strength(demand, steel))
+        beside = [demand for demand in judged if demand.combination == worst.combination]
+        error = error_of_ratio((demand.v_u, strength(demand, steel), demand.error) for demand in beside)
+        yield _worst(worst, steel, name, scaled(error, strength(worst, steel) / 1e6))
     elif not unjudged:
         yield DesignCheck(name, "no failure found", f"no {one} pushes {way}")
     if unjudged:
@@ -45,8 +49,8 @@ def _checks(
         yield DesignCheck(f"{name} of some {one}s", "attention", words)
 
 
-def _worst(demand: TwoWay, steel: Reinforcement, name: str) -> DesignCheck:
-    """Return the check of the column or pile that is used most."""
+def _worst(demand: TwoWay, steel: Reinforcement, name: str, error: float | None) -> DesignCheck:
+    """Return the check of the column or pile that is used most, with the error of its demand [MPa]."""
     v_u, resistance = max(demand.v_u, 0.0), strength(demand, steel)
     words = (
         f'{demand.name} in "{demand.combination}": v_u {v_u / 1e6:.3g} MPa on b_o {demand.b_o:.2f} m is '
@@ -67,4 +71,5 @@ def _worst(demand: TwoWay, steel: Reinforcement, name: str) -> DesignCheck:
     return DesignCheck(
         name, status, words, of=demand.name, demand=v_u / 1e6, resistance=resistance / 1e6, unit="MPa",
         clause="ACI 318-19 22.6.5.2, 8.4.4.2", combination=demand.combination, place=demand.place,
+        error=error,
     )  # fmt: skip

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 
 from groundslab.arrays import Array, Memo
 from groundslab.design.aci318 import punching as aci318
 from groundslab.design.aci318.case_materials import materials
 from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.basis.combinations import ultimate_results
+from groundslab.design.basis.demand_errors import error_of
 from groundslab.design.by_plate import plate_under
 from groundslab.design.demands import line_properties, perimeter_loads
-from groundslab.design.demands.perimeter_loads import PerimeterLoads, PunchingForce
+from groundslab.design.demands.perimeter_loads import PerimeterLoads, PunchingForce, PunchingShear
 from groundslab.design.demands.perimeters import Openings, Perimeter, perimeter
 from groundslab.errors import InputError
 from groundslab.model.design.reinforcement import Reinforcement
@@ -40,6 +41,7 @@ class TwoWay:
     others: float  # other loads inside [N]
     supported: bool  # whether another support stands inside, whose force is not in V_u
     place: tuple[float, float]  # of the column [m]
+    error: Callable[[], float | None] = field(repr=False, compare=False)  # of v_u [Pa]
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,10 +123,7 @@ def _demand(
     results: CombinationResult, section: CriticalSection, punching: PunchingForce, steel: Reinforcement
 ) -> TwoWay:
     """Return the demand on a critical section in a combination."""
-    shear = perimeter_loads.punching_shear(
-        results, section.loads, punching, section.center, edge_relieves=steel.line_force_relieves
-    )
-    v_u = aci318.stress(shear.V, shear.moments, section.line.legs, section.d, section.line.whole)
+    shear = _shear(results, section, punching, steel)
     return TwoWay(
         punching.name,
         results.combination,
@@ -134,13 +133,28 @@ def _demand(
         section.beta,
         section.alpha_s,
         shear.V,
-        v_u,
+        _stress(shear, section),
         shear.pressure,
         shear.edge,
         shear.others,
         section.loads.supported,
         punching.place,
+        lambda: error_of(results, lambda mesh: _stress(_shear(mesh, section, punching, steel), section)),
     )
+
+
+def _shear(
+    results: CombinationResult, section: CriticalSection, punching: PunchingForce, steel: Reinforcement
+) -> PunchingShear:
+    """Return what punches on a critical section in a combination."""
+    return perimeter_loads.punching_shear(
+        results, section.loads, punching, section.center, edge_relieves=steel.line_force_relieves
+    )
+
+
+def _stress(shear: PunchingShear, section: CriticalSection) -> float:
+    """Return v_u [Pa] on a critical section."""
+    return aci318.stress(shear.V, shear.moments, section.line.legs, section.d, section.line.whole)
 
 
 def strength(demand: TwoWay, steel: Reinforcement) -> float:

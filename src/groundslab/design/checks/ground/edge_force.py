@@ -10,6 +10,7 @@ from collections.abc import Iterator
 
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results
+from groundslab.design.basis.demand_errors import error_of, scaled
 from groundslab.design.checks.ground.edge_strip import line_force_share, strip_width
 from groundslab.results.results import Results
 
@@ -36,5 +37,5 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     )
     yield DesignCheck(
         "edge line force", "attention", words, demand=100 * share, resistance=100 * MOST, unit="%",
-        combination=worst.combination,
+        combination=worst.combination, error=scaled(error_of(worst, line_force_share), 100.0),
     )  # fmt: skip

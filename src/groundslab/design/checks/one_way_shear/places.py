@@ -49,11 +49,15 @@ class Places:
 
     def forces(self, plate: PlateResult, elements: ElementResult) -> dict[str, Array]:
         """Return moments [N m/m] and shear forces [N/m] by the names of FORCES, (k,) each."""
-        forces = {name: (self.weights * getattr(plate, name)[self.nodes]).sum(axis=1) for name in FORCES}
+        forces = {name: self.mean(getattr(plate, name)) for name in FORCES}
         inside = {name: getattr(elements, name)[self.element] for name in ("shear_x", "shear_y")}
         size, its = (np.hypot(vector["shear_x"], vector["shear_y"]) for vector in (forces, inside))
         larger = (self.element >= 0) & (its > size)
         return forces | {name: np.where(larger, values, forces[name]) for name, values in inside.items()}
+
+    def mean(self, values: Array) -> Array:
+        """Return nodal values (n,) at the places (k,)."""
+        return np.asarray((self.weights * values[self.nodes]).sum(axis=1))
 
     def of(self, counts: Flags) -> Places:
         """Return the same places with others of them that count."""

@@ -17,12 +17,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
+from groundslab.accuracy.values import reduction_of
 from groundslab.arrays import Array
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import ultimate_results
+from groundslab.design.basis.demand_errors import LOCAL, error_of_greatest, scaled
 from groundslab.design.basis.design_code import ShearRule, no_rule
 from groundslab.design.basis.shear_demand import ShearDemand
 from groundslab.design.basis.wide_beam import Cut
@@ -89,7 +92,28 @@ def _worst(
     if counts.any():
         k = int(np.argmax(np.where(counts, v / without_links, -1.0)))
         sizes = float(v[k]), float(without_links[k]), float(places.d[k]), float(places.thickness[k])
-        yield ShearDemand(results, place_of(places.xy, k), *sizes, spread=plate is not results.plate)
+        spread = plate is not results.plate
+        error = partial(_error, results, places.of(counts), without_links, k, spread=spread)
+        yield ShearDemand(results, place_of(places.xy, k), *sizes, spread=spread, error=error)
+
+
+def _error(results: CombinationResult, places: Places, without_links: Array, k: int, *, spread: bool) -> float | None:
+    """Return the error of the shear force at the place k with the largest share of what needs no links (k,) [N/m].
+
+    What needs no links is that of the finer mesh.
+    """
+    at = places.counts
+    error = error_of_greatest(
+        results,
+        lambda mesh: (_demand(mesh, _plate(mesh, spread=spread), places)[0] / without_links)[at],
+        lambda: places.mean(reduction_of(results, LOCAL))[at],
+    )
+    return scaled(error, float(without_links[k]))
+
+
+def _plate(results: CombinationResult, *, spread: bool) -> PlateResult:
+    """Return the plate, the line force along its edge spread or not."""
+    return spread_edge_force(results) if spread else results.plate
 
 
 def _across(
@@ -105,7 +129,18 @@ def _across(
         d, thickness = cut.mean(nodes.d), cut.mean(nodes.thickness)
         for result, plate in plates:
             forces = cut.forces(plate, of_state[result.limit_state])
-            yield ShearDemand(result, cut.place, *forces, d, thickness, spread=plate is not result.plate)
+            spread = plate is not result.plate
+            error = partial(_error_across, result, cut, spread=spread)
+            yield ShearDemand(result, cut.place, *forces, d, thickness, spread=spread, error=error)
+
+
+def _error_across(results: CombinationResult, cut: Cut, *, spread: bool) -> float | None:
+    """Return the error of the mean shear force over a cut [N/m]."""
+    return error_of_greatest(
+        results,
+        lambda mesh: np.array([cut.shear(_plate(mesh, spread=spread))]),
+        lambda: np.array([cut.mean(reduction_of(results, LOCAL))]),
+    )
 
 
 def _demand(results: CombinationResult, plate: PlateResult, places: Places) -> tuple[Array, Array]:

@@ -10,6 +10,7 @@ import numpy as np
 from groundslab.design.basis.bar_checks import check_cover, check_spacing
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results, why_none
+from groundslab.design.basis.demand_errors import greatest_moments, scaled
 from groundslab.design.demands.design_moments import design_moments
 from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.annex import annex_of
@@ -62,12 +63,13 @@ def _cover(steel: Reinforcement) -> DesignCheck:
 
 @dataclass(frozen=True, slots=True)
 class _Bent:
-    """The bars of a layer where a field is largest: its value, the place [m] and the combination."""
+    """The bars of a layer where a field is largest: its value, the place [m], the combination, the value's error."""
 
     layer: str
     value: float
     place: tuple[float, float]
     combination: str
+    error: float | None
 
 
 def _bars_in_tension(
@@ -88,7 +90,11 @@ def _bars_in_tension(
         for result in results:
             m = np.abs(getattr(design_moments(result.plate), layer))
             largest.append((*extreme(result.plate.nodes, field(m, thickness, bars, *of_case), 1), result.combination))
-        bent.append(_Bent(layer, *max(largest)))
+        value, place, combination = max(largest)
+        greatest, error = greatest_moments(combined.results[combination]), None
+        if greatest is not None:
+            error = float(field(np.abs(getattr(greatest, layer)), thickness, bars, *of_case).max()) - value
+        bent.append(_Bent(layer, value, place, combination, error))
     return bent
 
 
@@ -116,6 +122,7 @@ def _stresses(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]
         clause="EN 1992-1-1 7.2(5)",
         combination=worst.combination,
         place=worst.place,
+        error=scaled(worst.error, 1e-6),
     )
 
 
@@ -134,6 +141,7 @@ def _yields(bent: _Bent, f_yk: float, name: str) -> DesignCheck:
         clause="EN 1992-1-1 7.2(4)",
         combination=bent.combination,
         place=bent.place,
+        error=scaled(bent.error, 1e-6),
     )
 
 
@@ -174,4 +182,5 @@ def _crack(crack: _Bent, w_max: float, name: str) -> DesignCheck:
         clause="EN 1992-1-1 7.3.4",
         combination=crack.combination,
         place=crack.place,
+        error=scaled(crack.error, MM),
     )

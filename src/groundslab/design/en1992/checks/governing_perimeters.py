@@ -17,6 +17,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Memo
 from groundslab.design.basis.combinations import ultimate_results
+from groundslab.design.basis.demand_errors import error_of
 from groundslab.design.by_plate import plate_under
 from groundslab.design.demands import line_properties, perimeter_loads
 from groundslab.design.demands.line_properties import Course
@@ -312,7 +313,16 @@ def _stress(results: CombinationResult, site: _Site, control: ControlPerimeter) 
     applied = site.punching.pushing(results)[1:]
     beta = _beta(control, shear.moments, shear.V, applied) if shear.V > 0 else 1.0
     v_Ed = beta * shear.V / (control.u * site.d)
-    return Stress(control, shear.V, beta, v_Ed, shear.pressure, shear.edge, shear.others)
+    return Stress(
+        control,
+        shear.V,
+        beta,
+        v_Ed,
+        shear.pressure,
+        shear.edge,
+        shear.others,
+        lambda: error_of(results, lambda mesh: _stress(mesh, site, control).v_Ed),
+    )
 
 
 def _face_stress(results: CombinationResult, site: _Site, face: ControlPerimeter, outer: ControlPerimeter) -> Stress:
@@ -321,7 +331,12 @@ def _face_stress(results: CombinationResult, site: _Site, face: ControlPerimeter
     force, *applied = site.punching.pushing(results)
     moments = np.array(applied) + force * (np.array(site.punching.place) - outer.center)
     beta = _beta(outer, moments, float(force), np.array(applied))
-    return replace(stress, beta=beta, v_Ed=beta * stress.V_Ed / (face.u * site.d))
+    return replace(
+        stress,
+        beta=beta,
+        v_Ed=beta * stress.V_Ed / (face.u * site.d),
+        error=lambda: error_of(results, lambda mesh: _face_stress(mesh, site, face, outer).v_Ed),
+    )
 
 
 def _beta(control: ControlPerimeter, moments: Array, force: float, applied: Array) -> float:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from groundslab.design.basis.check import DesignCheck, Status
+from groundslab.design.basis.demand_errors import error_of_ratio, scaled
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.case_materials import materials
@@ -88,6 +89,9 @@ def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> DesignCh
     if with_links.status == "fails":
         return with_links
     without = _punching(name, names, f"v_Rd with {which}", there, punched, "attention", "6.4.4(2)")
+    if with_links.hangs:
+        low, high = with_links.between or (0.0, 0.0)
+        without = replace(without, words=f"{without.words}; {low:.3g} to {high:.3g} times {limit}, within the error")
     needing = [judged for judged in there if judged[1].v_Ed > judged[2] and not judged[1].supported]
     if not needing:
         return without
@@ -143,6 +147,8 @@ def _punching(
     numbers: dict[str, Any] = {}
     if judged:
         demand, stress, most = max(judged, key=lambda one: one[1].v_Ed / one[2])
+        beside = [one for one in judged if one[0].combination == demand.combination]
+        error = error_of_ratio((stress.v_Ed, most, stress.error) for _, stress, most in beside)
         numbers = {
             "of": demand.name,
             "demand": max(stress.v_Ed, 0.0) / 1e6,
@@ -151,6 +157,7 @@ def _punching(
             "clause": f"EN 1992-1-1 {clause}",
             "combination": demand.combination,
             "place": punched.places[demand.name],
+            "error": scaled(error, most / 1e6),
         }
     if beyond:
         count = len({judged[0].name for judged in beyond})

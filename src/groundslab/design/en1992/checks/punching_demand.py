@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 
 from groundslab.arrays import Array
 from groundslab.design.demands.line_properties import Course
@@ -41,6 +41,7 @@ class Stress:
     pressure: float  # contact pressure inside [N]
     edge: float  # line force along the plate's edge inside [N]
     others: float  # other loads inside [N]
+    error: Callable[[], float | None] = field(repr=False, compare=False)  # of v_Ed [Pa]
 
     @property
     def distance(self) -> float:

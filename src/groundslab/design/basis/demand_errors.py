@@ -1,0 +1,67 @@
+"""Discretization errors of what checks demand: the same demand, at the same place, of the results on a coarser mesh."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from math import isfinite
+
+import numpy as np
+
+from groundslab.accuracy.values import error_of_largest, estimate_error, reduction_of
+from groundslab.arrays import Array
+from groundslab.design.demands.design_moments import DesignMoments, design_moments
+from groundslab.results.fields import LAYERS
+from groundslab.results.results import CombinationResult
+
+#: Section forces and pressures have errors from the elements around: all have the same reduction.
+LOCAL = "moment_x"
+
+
+def scaled(error: float | None, scale: float) -> float | None:
+    """Return an error in another unit."""
+    return None if error is None else error * scale
+
+
+def error_of(results: CombinationResult, value: Callable[[CombinationResult], float]) -> float | None:
+    """Return the estimated error of a value of the whole slab; None without a coarser mesh, or of no number."""
+    coarser, comparison = results.coarser, results.comparison
+    if coarser is None or comparison is None:
+        return None
+    now, before = value(results), value(coarser)
+    return estimate_error(now, before, comparison) if isfinite(now) and isfinite(before) else None
+
+
+def error_of_greatest(
+    results: CombinationResult, values: Callable[[CombinationResult], Array], reduction: Callable[[], Array]
+) -> float | None:
+    """Return the estimated error of the largest of values (k,), whose own errors decide where it may lie.
+
+    Each has the reduction (k,) of its place. None without a coarser mesh, or where there are none.
+    """
+    coarser, comparison = results.coarser, results.comparison
+    if coarser is None or comparison is None:
+        return None
+    now, before = values(results), values(coarser)
+    finite = np.isfinite(now).all() and np.isfinite(before).all()
+    return error_of_largest(now, before, comparison, reduction()) if len(now) and finite else None
+
+
+def error_of_ratio(judged: Iterable[tuple[float, float, Callable[[], float | None]]]) -> float | None:
+    """Return the estimated error of the largest of demands over resistances, each demand with its error."""
+    ratios = [(demand / resistance, error(), resistance) for demand, resistance, error in judged]
+    most = [used + error / resistance for used, error, resistance in ratios if error is not None]
+    return max(most) - max(used for used, _, _ in ratios) if len(most) == len(ratios) else None
+
+
+def greatest_moments(results: CombinationResult) -> DesignMoments | None:
+    """Return the design moments at the nodes (n,) as large as their errors allow; None without a coarser mesh."""
+    if results.coarser is None or results.comparison is None:
+        return None
+    now, before = design_moments(results.plate), design_moments(results.coarser.plate)
+    local = reduction_of(results, LOCAL)
+    moments = dict[str, Array]()
+    for layer in LAYERS:
+        m, other = getattr(now, layer), getattr(before, layer)
+        sign = 1 if layer.startswith("bottom") else -1
+        moments[layer] = m + sign * estimate_error(m, other, results.comparison, local)
+    return DesignMoments(**moments)
