@@ -11,7 +11,15 @@ from groundslab.errors import GroundslabError, InputError, Issue, NoEquilibrium,
 from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-from groundslab.results.record import Certificate, Constants, JointResult, LargestValues, Step, SupportResult
+from groundslab.results.record import (
+    Certificate,
+    Constants,
+    JointResult,
+    LargestValues,
+    MeshHistory,
+    Step,
+    SupportResult,
+)
 from groundslab.schema.wording import listed, quote
 from groundslab.units import format_number
 
@@ -139,6 +147,8 @@ class CombinationResult:
         What elements twice as large give, by which discretization errors are estimated.
     largest : LargestValues or None
         The largest values over all combinations, against which these errors are judged; None before all are solved.
+    mesh_history : MeshHistory or None
+        The meshes that were made for the accuracy; None where the case says which mesh.
     """
 
     model: Model
@@ -160,11 +170,17 @@ class CombinationResult:
     increments: tuple[Increment, ...] = ()
     comparison: Comparison | None = None
     largest: LargestValues | None = None
+    mesh_history: MeshHistory | None = None
 
     @property
     def symmetry(self) -> tuple[bool, bool]:
         """Whether symmetry along x, and along y, was used."""
         return self.mesh_plan.symmetry
+
+    @property
+    def provisional(self) -> bool:
+        """Whether the mesh was still to be refined for the accuracy."""
+        return self.mesh_history is not None and self.mesh_history.end == "provisional"
 
     @property
     def coarser(self) -> CombinationResult | None:
@@ -259,6 +275,11 @@ class Results(Mapping[str, CombinationResult]):
     def __contains__(self, combination: object) -> bool:
         """Return whether a combination of that name was solved."""
         return combination in self.results
+
+    @property
+    def provisional(self) -> bool:
+        """Whether the mesh was still to be refined for the accuracy."""
+        return any(found.provisional for found in self.results.values())
 
     @property
     def solved_model(self) -> Model:
