@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from groundslab.model.model import Model
     from groundslab.results.results import Results
-    from groundslab.views.summary.progress import StatusLine
+    from groundslab.views.summary.progress import Progress
 
 
 def describe(solve: argparse.ArgumentParser) -> None:
@@ -27,7 +27,8 @@ def describe(solve: argparse.ArgumentParser) -> None:
         "each load case by itself. If the ground and supports cannot balance one of them, the foundation fails; if "
         "that or any design check fails, the exit code is 3. If nothing fails but one has no certified result, it is "
         "1. The reasons are printed, and the other results are kept. While the mesh is refined, the results on the "
-        "last finished mesh are in the folder <DIR>-provisional, which stays if the command is interrupted."
+        "last finished mesh are in the folder <DIR>-provisional, which stays if the command is interrupted. Standard "
+        "error shows the progress: on one line of a terminal, in a file on a line every ten seconds."
     )
     solve.add_argument("case", help="case file (TOML)")
     solve.add_argument("--out", metavar="DIR", help="folder for the results (default: <case>-results next to the case)")
@@ -71,15 +72,17 @@ def _solve(model: Model, folder: Path, *, quiet: bool, helper: bool) -> Results:
     from groundslab.results.results import Results, results_of
     from groundslab.views.files import results_folder
 
-    def keep(results: Results) -> None:
-        kept = None if helper else results_folder.save_provisional(results, folder)
-        if kept is not None and not quiet:
-            print_stderr(f"the mesh is refined; results on the one before are in {kept} until it is solved")
-
     combinations = list_combinations(model)
-    with _progress(quiet, len(combinations)) as status:
+    with nullcontext() if quiet else _progress(model, len(combinations)) as progress:
+
+        def keep(results: Results) -> None:
+            kept = None if helper else results_folder.save_provisional(results, folder)
+            if progress is not None:
+                progress.begin_mesh()
+                _tell_refined(results, kept)
+
         try:
-            return solve(model, status, status.begin if status is not None else None, keep)
+            return solve(model, progress, None if progress is None else progress.begin, keep)
         except NotCertified as error:
             return results_of(error.results)
         except NoEquilibrium as error:
@@ -165,10 +168,19 @@ def _print_unsolved(results: Results) -> None:
     print_stderr(f"error: {len(results.unsolved)} of {count} combinations have no certified result")
 
 
-def _progress(quiet: bool, count: int) -> AbstractContextManager[StatusLine | None]:
-    """Return a context whose value shows each step on a terminal; without a terminal it does nothing."""
-    if quiet or not sys.stderr.isatty():
-        return nullcontext()
-    from groundslab.views.summary.progress import progress
+def _tell_refined(results: Results, kept: Path | None) -> None:
+    """Print how far a mesh is off that is being refined, and where its results are kept."""
+    from groundslab.views.summary.discretization import provisional_words
 
-    return progress(count=count)
+    where = "" if kept is None else f"; its results are in {kept} until the next one is solved"
+    print_stderr(f"{provisional_words(results)}{where}")
+
+
+def _progress(model: Model, count: int) -> AbstractContextManager[Progress]:
+    """Return a context whose value shows each step of so many combinations, on a terminal or in a file."""
+    from groundslab.views.summary import progress
+
+    combinations = progress.CombinationCount(count, mesh=1 if model.mesh.adaptive else None)
+    if sys.stderr.isatty():
+        return progress.on_terminal(combinations)
+    return progress.in_file(combinations, print_stderr)

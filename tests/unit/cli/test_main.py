@@ -27,6 +27,7 @@ from groundslab.model.settings import Mesh
 from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.results.results import Results, results_of
 from groundslab.views.files import npz, results_folder
+from groundslab.views.summary import progress
 from helpers import synthetic
 
 #: A slab whose first mesh is too coarse for what is asked.
@@ -240,21 +241,33 @@ class TestSolve:
         assert [path.name for path in folder.iterdir()] == ["notes.txt"]
         synthetic.assert_same(npz.load(case.with_name("raft-results-2") / "results.npz"), synthetic.results())
 
-    def test_progress_is_for_terminals(self, case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        """The analysis gets a callback only if standard error is a terminal and --quiet is absent."""
+    def test_progress_is_told_on_terminals_and_in_files(
+        self, case: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """On one line of a terminal, else as lines on standard error; with --quiet nowhere."""
         found = []
 
         def solve(model: Any, on_step: Any = None, on_combination: Any = None, on_mesh: Any = None) -> Any:  # noqa: ARG001
             assert (on_step is None) == (on_combination is None)
             found.append(on_step)
+            if on_step is not None:
+                on_step(synthetic.results().steps[0])
             return results_of(replace(synthetic.results(), model=model, solved_model=as_solved(model)))
 
         fake(monkeypatch, "analysis.driver", solve=solve)
+        words = "340 unknowns, load 1, contact 1: 25 closed, 8 changed"
         main.main(["solve", str(case)])
+        assert words not in capsys.readouterr().err
+        monkeypatch.setattr(progress, "INTERVAL", 0.0)
+        main.main(["solve", str(case), "--json"])
+        out, err = capsys.readouterr()
+        assert f"0 s: mesh 1: {words}\n" in err
+        assert json.loads(out)["certified"]
         monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
         main.main(["solve", str(case)])
+        assert f"0 s: mesh 1: {words}\n" not in capsys.readouterr().err
         main.main(["solve", str(case), "--quiet"])
-        assert [callback is not None for callback in found] == [False, True, False]
+        assert [callback is not None for callback in found] == [True, True, True, False]
 
 
 @pytest.fixture
@@ -703,7 +716,10 @@ def test_a_run_that_is_interrupted_leaves_the_last_finished_mesh(
     monkeypatch.setattr(adaptivity, "extents_of", interrupt)
     assert main.main(["solve", str(case)]) == 130
     kept = tmp_path / "wheel-results-provisional"
-    assert str(kept) in capsys.readouterr().err
+    told = capsys.readouterr().err
+    assert told.startswith("mesh 1 (")
+    assert "3 % asked for" in told
+    assert str(kept) in told
     assert not (tmp_path / "wheel-results").exists()
     first = groundslab.load_results(kept).only
     assert first.comparison is not None

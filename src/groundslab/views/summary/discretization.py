@@ -6,7 +6,7 @@ from dataclasses import replace
 from operator import attrgetter
 from typing import TYPE_CHECKING
 
-from groundslab.accuracy.judgment import judge
+from groundslab.accuracy.judgment import JudgedValue, judge
 from groundslab.accuracy.values import error_of_contact_share, error_of_largest, estimate_error, reduction_of
 from groundslab.units import UNITS
 from groundslab.views.summary.rows import Row, SummarySection
@@ -111,6 +111,22 @@ def round_up(count: int) -> int:
     return -(-count // step) * step
 
 
+def _worst(combined: Results) -> JudgedValue | None:
+    """Return the judged value of all combinations with the largest error, None where no error is known."""
+    judged = [judgment for results in combined.values() for judgment in judge(results)[:1]]
+    return max(judged, key=attrgetter("share"), default=None)
+
+
+def provisional_words(combined: Results) -> str:
+    """Return in words which mesh provisional results are on, how far they are off, and what is asked for."""
+    first = next(iter(combined.values()))
+    assert first.mesh_history is not None
+    worst = _worst(combined)
+    error = "" if worst is None else f": largest error {100 * worst.share:.2g} % ({worst.label})"
+    asked = f"{100 * combined.model.mesh.largest_error:g} % asked for"
+    return f"mesh {len(first.mesh_history.unknowns)} ({first.unknowns:,} unknowns) is refined{error}, {asked}"
+
+
 def coarse_words(combined: Results) -> str:
     """Return in words that the mesh is too coarse for the accuracy asked for, or its error not known, else ""."""
     from groundslab.accuracy.resolution import find_unresolved
@@ -123,8 +139,7 @@ def coarse_words(combined: Results) -> str:
                 f"The mesh is too coarse for the footprint of {forces}: {small.footprint:.3g} m in elements of "
                 f"{small.element:.3g} m. Moments and shear forces there are too small. {_sentence(_remedy(results))}"
             )
-    judged = [judgment for results in combined.values() for judgment in judge(results)[:1]]
-    worst = max(judged, key=attrgetter("share"), default=None)
+    worst = _worst(combined)
     if worst is None or worst.share <= combined.model.mesh.largest_error:
         return next(filter(None, map(unknown_words, combined.values())), "")
     return (
