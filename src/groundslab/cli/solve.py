@@ -172,7 +172,7 @@ def _tell_refined(results: Results, kept: Path | None) -> None:
     """Print how far a mesh is off that is being refined, and where its results are kept."""
     from groundslab.views.summary.discretization import provisional_words
 
-    where = "" if kept is None else f"; its results are in {kept} until the next one is solved"
+    where = "" if kept is None else f" Its results are in {kept} until the next one is solved."
     print_stderr(f"{provisional_words(results)}{where}")
 
 

@@ -315,7 +315,7 @@ class Results(Mapping[str, CombinationResult]):
     def __repr__(self) -> str:
         """Return the title and the first figures of each combination, one a line."""
         count = len(self.combinations)
-        head = f"Results of {quote(self.model.title)}: {count} combination{'' if count == 1 else 's'}"
+        head = f"{'Provisional results' if self.provisional else 'Results'} of {quote(self.model.title)}: {count} combination{'' if count == 1 else 's'}"
         lines = [
             repr(self.results[each.name]) if each.name in self.results else f"{each.name}: {self._reason(each.name)}"
             for each in self.combinations[:MOST_LISTED]

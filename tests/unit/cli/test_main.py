@@ -717,13 +717,59 @@ def test_a_run_that_is_interrupted_leaves_the_last_finished_mesh(
     assert main.main(["solve", str(case)]) == 130
     kept = tmp_path / "wheel-results-provisional"
     told = capsys.readouterr().err
-    assert told.startswith("mesh 1 (")
+    assert told.startswith("Provisional: mesh 1 (")
     assert "3 % asked for" in told
     assert str(kept) in told
     assert not (tmp_path / "wheel-results").exists()
     first = groundslab.load_results(kept).only
-    assert first.comparison is not None
+    assert first.provisional
     monkeypatch.setattr(adaptivity, "extents_of", refine)
     assert main.main(["solve", str(case), "--quiet"]) == 0
     assert not kept.exists()
-    assert groundslab.load_results(tmp_path / "wheel-results").only.unknowns > first.unknowns
+    last = groundslab.load_results(tmp_path / "wheel-results").only
+    assert not last.provisional
+    assert last.unknowns > first.unknowns
+
+
+@pytest.mark.slow
+def test_a_run_that_is_killed_leaves_the_last_finished_mesh(tmp_path: Path) -> None:
+    """Killed on its second mesh without a chance to clean up, it leaves the results on the first one, marked as such."""
+    case, kept = tmp_path / "wheel.toml", tmp_path / "wheel-results-provisional"
+    case.write_text(WHEEL.replace("3 %", "0.1 %"), encoding="utf-8")
+    command = [sys.executable, "-m", "groundslab", "solve", str(case)]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stderr is not None
+        assert process.stderr.readline().startswith("Provisional: mesh 1 (")
+        process.kill()
+    assert process.returncode == (-signal.SIGKILL if hasattr(signal, "SIGKILL") else 1)
+    assert not (tmp_path / "wheel-results").exists()
+    found = groundslab.load_results(kept)
+    assert found.provisional
+    assert found.only.certificate.holds
+    assert found.only.mesh_history is not None
+    assert found.only.mesh_history.unknowns == (found.only.unknowns,)
+    assert json.loads((kept / "summary.json").read_text())["provisional"] is True
+    assert main.main(["report", str(kept), "--out", str(tmp_path / "report.html")]) == 0
+    assert "Provisional: mesh 1 (" in (tmp_path / "report.html").read_text(encoding="utf-8")
+
+
+@pytest.mark.slow
+def test_the_results_on_each_mesh_can_be_viewed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is kept after each mesh opens as any results do, and says how far that mesh is off."""
+    view = pytest.importorskip("groundslab.workbench.server.view")
+    case = tmp_path / "wheel.toml"
+    case.write_text(WHEEL.replace("3 %", "1 %"), encoding="utf-8")
+    save, shown = results_folder.save_provisional, []
+
+    def save_and_view(results: Results, folder: Path) -> Path | None:
+        path = save(results, folder)
+        assert path is not None
+        shown.append(view.ResultsView.read(path))
+        return path
+
+    monkeypatch.setattr(results_folder, "save_provisional", save_and_view)
+    assert main.main(["solve", str(case), "--quiet"]) == 0
+    assert len(shown) >= 2
+    for number, each in enumerate(shown, start=1):
+        assert each.summary["coarse"].startswith(f"Provisional: mesh {number} (")
+        assert each.scene

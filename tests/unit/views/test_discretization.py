@@ -132,7 +132,6 @@ def test_accuracy_decides() -> None:
             "because of mesh.max_unknowns = 5000; the next mesh takes mesh.max_unknowns = 130000.",
         ),
         (MeshHistory((1, 2, 3, 4, 5), "most meshes"), "5 meshes were made, and no more are."),
-        (MeshHistory((100, 900)), "It is mesh 2, and was still to be refined."),
     ],
 )
 def test_why_the_accuracy_is_missed(history: MeshHistory | None, words: str) -> None:
@@ -144,10 +143,24 @@ def test_why_the_accuracy_is_missed(history: MeshHistory | None, words: str) -> 
     section = next(each for each in sections.summary(results) if each.key == "discretization")
     assert words.lower() in section.notes[-1].lower()
     document = json.loads(json_text(results_of(results)))
-    assert document["provisional"] is (history is not None and history.end == "provisional")
+    assert document["provisional"] is False
     assert document["mesh_history"] == (
         None if history is None else {"unknowns": [*history.unknowns], "end": history.end, "needed": history.needed}
     )
+
+
+def test_provisional_results_say_so() -> None:
+    """On the terminal, in JSON, report, workbench and when printed: which mesh, how far it is off, what is asked for."""
+    results = results_of(replace(compared(0.2), mesh_history=MeshHistory((100, 1234))))
+    words = (
+        "Provisional: mesh 2 (1,234 unknowns) is still to be refined: largest error 20 % (moment m_x), 5 % asked for."
+    )
+    assert words in " ".join(shown_on_terminal(results.only).split())
+    assert page(render_report(results)).one("p", class_="verdict doubtful").text.endswith(words)
+    assert build_summary(results)["coarse"] == words
+    assert json.loads(json_text(results))["provisional"] is True
+    assert repr(results).startswith("Provisional results of ")
+    assert coarse_words(replace(results, results={})) == ""
 
 
 def test_singular_moments_are_called_so() -> None:

@@ -86,7 +86,7 @@ def _remedy(results: CombinationResult) -> str:
     if history is None:
         return "it was made for another case, and mesh.accuracy there makes it finer."
     if history.end == "provisional":
-        return f"it is mesh {len(history.unknowns)}, and was still to be refined."
+        return f"it is mesh {len(history.unknowns)} and still to be refined."
     if history.end == "max_unknowns":
         most = results.model.mesh.max_unknowns
         return (
@@ -118,19 +118,25 @@ def _worst(combined: Results) -> JudgedValue | None:
 
 
 def provisional_words(combined: Results) -> str:
-    """Return in words which mesh provisional results are on, how far they are off, and what is asked for."""
-    first = next(iter(combined.values()))
+    """Return in words that provisional results are so, how far they are off and what is asked for, "" for others."""
+    if not combined.provisional:
+        return ""
+    first, worst = next(iter(combined.values())), _worst(combined)
     assert first.mesh_history is not None
-    worst = _worst(combined)
-    error = "" if worst is None else f": largest error {100 * worst.share:.2g} % ({worst.label})"
-    asked = f"{100 * combined.model.mesh.largest_error:g} % asked for"
-    return f"mesh {len(first.mesh_history.unknowns)} ({first.unknowns:,} unknowns) is refined{error}, {asked}"
+    number, asked = len(first.mesh_history.unknowns), f"{100 * combined.model.mesh.largest_error:g} % asked for"
+    error = "" if worst is None else f": largest error {100 * worst.share:.2g} % ({worst.label}), {asked}"
+    return f"Provisional: mesh {number} ({first.unknowns:,} unknowns) is still to be refined{error}."
 
 
 def coarse_words(combined: Results) -> str:
-    """Return in words that the mesh is too coarse for the accuracy asked for, or its error not known, else ""."""
+    """Return in words that the mesh is too coarse for the accuracy asked for or provisional, or its error not known.
+
+    "" where none of these is true.
+    """
     from groundslab.accuracy.resolution import find_unresolved
 
+    if combined.provisional:
+        return provisional_words(combined)
     for results in combined.values():
         small = find_unresolved(results)
         if small is not None:
