@@ -56,18 +56,17 @@ def solve_adaptively(
     solve: Callable[[Meshes], tuple[Results, Kept]],
     share: float = 1.0,
     on_mesh: Callable[[Results], None] | None = None,
-    begin: tuple[Results, Kept] | None = None,
+    start: tuple[Results, Kept] | None = None,
 ) -> tuple[Results, Kept]:
     """Return the results of a model on meshes that are refined until the judged errors are within mesh.accuracy.
 
     Or within a share of it. Or until those that are not fall no more, another mesh would have more unknowns than
     mesh.max_unknowns, or MOST_MESHES were made: then the accuracy is missed. Where the mesh is not adaptive, the first
-    one is the only one. on_mesh is called with the results on each mesh before the next one is made, and what it is
-    called with may be what another call begins with. What `solve` returns beside the results is returned with the last
-    ones.
+    one is the only one. on_mesh is called with the results on each mesh before the next one is made; another call may
+    start from them. What `solve` returns beside the results is returned with the last ones.
     """
-    start = local_sizes(model)
-    results, kept = begin or solve(Meshes(local=start))
+    given = local_sizes(model)
+    results, kept = start or solve(Meshes(local=given))
     if not model.mesh.adaptive:
         return results, kept
     accuracy = share * model.mesh.largest_error
@@ -107,7 +106,7 @@ def solve_adaptively(
         before = {name: {each.label: each.share for each in reversed(found)} for name, found in judged.items()}
         ratio = sizes / np.sqrt(area)
         extents = np.maximum(ratio, KEPT * ratio**2)[:, None] * extents_of(mesh)
-        results, kept = solve(Meshes(local=join((mesh.xy[:, 8], extents), start)))
+        results, kept = solve(Meshes(local=join((mesh.xy[:, 8], extents), given)))
         made = (*made, *(found.unknowns for found in list(results.values())[:1]))
     return _with_history(results, MeshHistory(made, end, needed), before), kept
 

@@ -315,7 +315,8 @@ class Results(Mapping[str, CombinationResult]):
     def __repr__(self) -> str:
         """Return the title and the first figures of each combination, one a line."""
         count = len(self.combinations)
-        head = f"{'Provisional results' if self.provisional else 'Results'} of {quote(self.model.title)}: {count} combination{'' if count == 1 else 's'}"
+        what = "Provisional results" if self.provisional else "Results"
+        head = f"{what} of {quote(self.model.title)}: {count} combination{'' if count == 1 else 's'}"
         lines = [
             repr(self.results[each.name]) if each.name in self.results else f"{each.name}: {self._reason(each.name)}"
             for each in self.combinations[:MOST_LISTED]
@@ -350,6 +351,13 @@ def _figures(results: CombinationResult) -> tuple[str, str, str]:
     settlement = format_number(results.plate.settlement.max() * PLATE_FIELDS["settlement"].scale, 4, trim=True)
     contact = format_number(100 * results.plate.contact_share, 4, trim=True)
     return settlement, contact, "certified" if results.certificate.holds else "NOT CERTIFIED"
+
+
+def why_no_start(results: Results, model: Model) -> str:
+    """Return in words why the refinement of a model cannot go on from results, "" where it can."""
+    if results.model != model:
+        return "results of another case"
+    return "" if results.provisional else "results that are not provisional"
 
 
 def results_of(results: CombinationResult) -> Results:

@@ -150,7 +150,7 @@ def test_why_the_accuracy_is_missed(history: MeshHistory | None, words: str) -> 
 
 
 def test_provisional_results_say_so() -> None:
-    """On the terminal, in JSON, report, workbench and when printed: which mesh, how far it is off, what is asked for."""
+    """On the terminal, in JSON, report and workbench: which mesh, how far it is off, and what is asked for."""
     results = results_of(replace(compared(0.2), mesh_history=MeshHistory((100, 1234))))
     words = (
         "Provisional: mesh 2 (1,234 unknowns) is still to be refined: largest error 20 % (moment m_x), 5 % asked for."
