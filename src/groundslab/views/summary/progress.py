@@ -27,7 +27,7 @@ class CombinationCount:
     """
 
     def __init__(self, count: int, clock: Callable[[], float] = time.monotonic, mesh: int | None = None) -> None:
-        self._count, self._clock, self._mesh = count, clock, mesh
+        self._count, self._clock, self.mesh = count, clock, mesh
         self._number = 0
         self._name = ""
         self._begun = self._second_begun = 0.0
@@ -40,7 +40,7 @@ class CombinationCount:
     def begin_mesh(self) -> None:
         """Note that the combinations begin anew on the next mesh."""
         self._number = 0
-        self._mesh = None if self._mesh is None else self._mesh + 1
+        self.mesh = None if self.mesh is None else self.mesh + 1
 
     def begin(self, name: str) -> None:
         """Note that the next combination begins."""
@@ -58,7 +58,7 @@ class CombinationCount:
 
     def words(self) -> str:
         """Return the mesh, number and name of the combination and the time left, empty where there is only one each."""
-        mesh = "" if self._mesh is None else f"mesh {self._mesh}"
+        mesh = "" if self.mesh is None else f"mesh {self.mesh}"
         if self._count == 1:
             return f"{mesh}: " if mesh else ""
         left = self.seconds_left()
