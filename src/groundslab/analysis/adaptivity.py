@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import TypeVar
 
 import numpy as np
@@ -17,16 +19,16 @@ from groundslab.fem.shape_functions import areas
 from groundslab.meshing.sizing import join
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
+from groundslab.results.record import MeshEnd, MeshHistory
 from groundslab.results.results import CombinationResult, Results
 
 Kept = TypeVar("Kept")
 
 #: So many meshes are made at most,
 MOST_MESHES = 5
-#: of at most about so many unknowns each, and so many together, times the combinations; one with more than a share of
-#: what is left is not followed by another.
-MOST_UNKNOWNS = 300_000
-MOST_WORK = 4_000_000
+#: of at most about mesh.max_unknowns each, and together so many times that, over the combinations; one with more than
+#: a share of what is left is not followed by another.
+MOST_WORK = 40 / 3
 MOST_SHARE = 0.8
 #: Errors aimed at, as a share of what is asked for: estimates are no bounds.
 AIM = 0.8
@@ -51,20 +53,24 @@ def solve_adaptively(
     solve: Callable[[Meshes], tuple[Results, Kept]],
     share: float = 1.0,
     on_mesh: Callable[[Results], None] | None = None,
+    start: tuple[Results, Kept] | None = None,
 ) -> tuple[Results, Kept]:
     """Return the results of a model on meshes that are refined until the judged errors are within mesh.accuracy.
 
-    Or within a share of it. Or until those that are not fall no more, another mesh would have too many unknowns, or
-    MOST_MESHES were made: then the accuracy is missed. Where the mesh is not adaptive, the first one is the only one.
-    on_mesh is called with the results on each mesh before the next one is made. What `solve` returns beside the results
-    is returned with the last ones.
+    Or within a share of it. Or until those that are not fall no more, another mesh would have more unknowns than
+    mesh.max_unknowns, or MOST_MESHES were made: then the accuracy is missed. Where the mesh is not adaptive, the first
+    one is the only one. on_mesh is called with the results on each mesh before the next one is made; another call may
+    start from them. What `solve` returns beside the results is returned with the last ones.
     """
-    start = local_sizes(model)
+    given = local_sizes(model)
+    results, kept = start or solve(Meshes(local=given))
+    if not model.mesh.adaptive:
+        return results, kept
     accuracy = share * model.mesh.largest_error
-    results, kept = solve(Meshes(local=start))
-    before: dict[str, dict[str, float]] = {}
-    spent = 0
-    for count in range(1, MOST_MESHES if model.mesh.adaptive else 0):
+    made, before = _history_of(results)
+    end: MeshEnd = "most meshes"
+    needed = None
+    while len(made) < MOST_MESHES:
         judged = {name: judge(found) for name, found in results.items()}
         # on the first mesh, which may be coarser than footprints, no error says how it falls
         too_large = {
@@ -72,28 +78,48 @@ def solve_adaptively(
                 each
                 for each in found
                 if each.share > accuracy
-                and (count < 3 or each.share <= PROGRESS * before.get(name, {}).get(each.label, np.inf))
+                and (len(made) < 3 or each.share <= PROGRESS * before.get(name, {}).get(each.label, np.inf))
             ]
             for name, found in judged.items()
         }
-        before = {name: {each.label: each.share for each in reversed(found)} for name, found in judged.items()}
         demands = [_demand(results[name], found, accuracy) for name, found in too_large.items() if found]
         if not demands:
+            shares = [each.share for found in judged.values() for each in found]
+            end = "accurate" if max(shares, default=0.0) <= accuracy else "no progress"
             break
         first = next(iter(results.values()))
         mesh = Mesh(first.plate.nodes, first.plate.elements)
         area, sizes = areas(mesh.xy), np.min(demands, axis=0)
         unknowns = first.unknowns * float((area / sizes**2).sum()) / len(area)
-        spent += first.unknowns
-        left = min(MOST_UNKNOWNS, MOST_WORK / len(results) - spent)
+        work = MOST_WORK / len(results)
+        left = min(model.mesh.max_unknowns, work * model.mesh.max_unknowns - sum(made))
         if unknowns > left:
             if first.unknowns > MOST_SHARE * left:
+                end, needed = "max_unknowns", math.ceil(max(unknowns, (unknowns + sum(made)) / work))
                 break
             sizes = sizes * np.sqrt(unknowns / left)
         if on_mesh is not None:
-            on_mesh(results)
-        results, kept = solve(Meshes(local=join((mesh.xy[:, 8], sizes), start)))
-    return results, kept
+            on_mesh(_with_history(results, MeshHistory(made), before))
+        before = {name: {each.label: each.share for each in reversed(found)} for name, found in judged.items()}
+        results, kept = solve(Meshes(local=join((mesh.xy[:, 8], sizes), given)))
+        made = (*made, *(found.unknowns for found in list(results.values())[:1]))
+    return _with_history(results, MeshHistory(made, end, needed), before), kept
+
+
+def _history_of(results: Results) -> tuple[tuple[int, ...], dict[str, dict[str, float]]]:
+    """Return the unknowns of the meshes up to that of results, and errors on the one before by combination and name."""
+    histories = {name: found.mesh_history or MeshHistory((found.unknowns,)) for name, found in results.items()}
+    made = next((each.unknowns for each in histories.values()), ())
+    return made, {name: dict(each.before) for name, each in histories.items()}
+
+
+def _with_history(results: Results, history: MeshHistory, before: Mapping[str, Mapping[str, float]]) -> Results:
+    """Return results with the history of their mesh; before are errors on the one before, by combination and name."""
+    known = {
+        name: replace(found, mesh_history=replace(history, before=tuple(before.get(name, {}).items())))
+        for name, found in results.items()
+    }
+    return replace(results, results=known)
 
 
 def _demand(results: CombinationResult, judged: list[JudgedValue], accuracy: float) -> Array:

@@ -11,13 +11,13 @@ from groundslab.accuracy.judgment import find_largest
 from groundslab.analysis.adaptivity import solve_adaptively
 from groundslab.analysis.load_step import OnStep
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions
-from groundslab.analysis.moved_results import move_back
+from groundslab.analysis.moved_results import move_along, move_back
 from groundslab.analysis.tasks.run import Report, Setting, run
 from groundslab.analysis.tasks.task import Outcome, Task, solve_task, task_of
 from groundslab.arrays import Array
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes
-from groundslab.errors import GroundslabError, NotCertified
+from groundslab.errors import GroundslabError, InputError, Issue, NotCertified
 from groundslab.geometry.plan import Place
 from groundslab.model.combinations import as_solved, list_combinations
 from groundslab.model.loads.load_cases import Combination
@@ -25,7 +25,7 @@ from groundslab.model.model import Model
 from groundslab.model.plan_origin import move_to_center
 from groundslab.model.settings import Mesh
 from groundslab.results.record import Step
-from groundslab.results.results import CombinationResult, Results
+from groundslab.results.results import CombinationResult, Results, why_no_start
 from groundslab.solvers import factorization
 
 #: Variants have the mesh of the base case, made for errors of this share of the accuracy, as theirs may be larger.
@@ -42,6 +42,7 @@ def solve(
     on_step: OnStep | None = None,
     on_combination: OnCombination | None = None,
     on_mesh: OnMesh | None = None,
+    start: Results | None = None,
 ) -> Results:
     """Solve every combination of a model, and return the certified results.
 
@@ -58,6 +59,8 @@ def solve(
         Called with every `Combination` as it begins.
     on_mesh : callable, optional
         Called with the `Results` on every mesh that is not the last, where the mesh is refined for an accuracy.
+    start : Results, optional
+        Provisional results of the same model, as `on_mesh` is called with; the refinement goes on from their mesh.
 
     Returns
     -------
@@ -68,7 +71,7 @@ def solve(
     Raises
     ------
     InputError
-        If the model describes no problem that can be solved.
+        If the model describes no problem that can be solved, or `start` is not of this model or not provisional.
     NoEquilibrium
         If the foundation fails: ground and supports cannot balance the only combination.
     NotConverged
@@ -88,10 +91,8 @@ def solve(
     >>> results = groundslab.solve(model)
     >>> results.certificate.holds
     True
-    >>> print(f"{1e3 * results.plate.settlement.max():.2f} mm")
-    3.00 mm
     """
-    results = solve_combinations(model, on_step, on_combination, on_mesh)
+    results = solve_combinations(model, on_step, on_combination, on_mesh, start)
     if len(results.combinations) == 1:
         for refusal in results.refused.values():
             raise refusal
@@ -103,8 +104,11 @@ def solve_combinations(
     on_step: OnStep | None = None,
     on_combination: OnCombination | None = None,
     on_mesh: OnMesh | None = None,
+    start: Results | None = None,
 ) -> Results:
     """Solve every combination of a model as `solve` does, but keep a single one that is refused in `refused` too."""
+    if start is not None and (found := why_no_start(start, model)):
+        raise InputError([Issue("start", found, "provisional results of the same model")])
     local = move_to_center(model)
     solved_model = as_solved(local)
 
@@ -115,7 +119,8 @@ def solve_combinations(
         if on_mesh is not None:
             on_mesh(move_back(results, model))
 
-    results, _ = solve_adaptively(solved_model, solve_on, on_mesh=report_mesh)
+    begun = None if start is None else (move_along(start, local), None)
+    results, _ = solve_adaptively(solved_model, solve_on, on_mesh=report_mesh, start=begun)
     return move_back(results, model)
 
 

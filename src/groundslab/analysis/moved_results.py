@@ -1,4 +1,4 @@
-"""Results of a model that was moved for its analysis, moved back to where the plan lies."""
+"""Results of a model that is moved for its analysis: moved back to where the plan lies, or there from it."""
 
 from __future__ import annotations
 
@@ -22,15 +22,23 @@ State = TypeVar("State", CombinationResult, Comparison, Increment)
 
 def move_back(results: Results, model: Model) -> Results:
     """Return the results of the model that was analyzed as those of the model that was given, where its plan lies."""
-    if results.model is model:
-        return results
-    origin = results.model.origin
+    return results if results.model is model else _move(results, model, results.model.origin)
+
+
+def move_along(results: Results, local: Model) -> Results:
+    """Return results as those of their model about its own center."""
+    x, y = local.origin
+    return _move(results, local, (-x, -y))
+
+
+def _move(results: Results, model: Model, by: Place) -> Results:
+    """Return results of the moved model."""
     models = model, as_solved(model)
     return Results(
         model,
         results.combinations,
-        {name: _move_combination(each, models, origin) for name, each in results.results.items()},
-        {name: _move_refusal(error, models, origin) for name, error in results.refused.items()},
+        {name: _move_combination(each, models, by) for name, each in results.results.items()},
+        {name: _move_refusal(error, models, by) for name, error in results.refused.items()},
     )
 
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from groundslab.model.model import Model
     from groundslab.results.results import Results
-    from groundslab.views.summary.progress import StatusLine
+    from groundslab.views.summary.progress import Progress
 
 
 def describe(solve: argparse.ArgumentParser) -> None:
@@ -27,12 +27,17 @@ def describe(solve: argparse.ArgumentParser) -> None:
         "each load case by itself. If the ground and supports cannot balance one of them, the foundation fails; if "
         "that or any design check fails, the exit code is 3. If nothing fails but one has no certified result, it is "
         "1. The reasons are printed, and the other results are kept. While the mesh is refined, the results on the "
-        "last finished mesh are in the folder <DIR>-provisional, which stays if the command is interrupted."
+        "last finished mesh are in the folder <DIR>-provisional, which stays if the command is interrupted; --resume "
+        "goes on from there. Standard error shows the progress: on one line of a terminal, in a file on a line every "
+        "ten seconds."
     )
     solve.add_argument("case", help="case file (TOML)")
     solve.add_argument("--out", metavar="DIR", help="folder for the results (default: <case>-results next to the case)")
     solve.add_argument("--json", action="store_true", help="print only the summary, as JSON")
     solve.add_argument("--plot", action="store_true", help="add picture.png to the results of each combination")
+    solve.add_argument(
+        "--resume", action="store_true", help="go on from what an interrupted run of the same case has left"
+    )
     solve.add_argument("--quiet", action="store_true", help="print neither summary nor progress")
 
 
@@ -50,7 +55,8 @@ def run(options: argparse.Namespace) -> int:
         found = f"{folder}, which holds the case file"
         raise InputError([Issue("--out", found, "another folder", "it would be replaced")])
     helper = _is_helper(model)
-    results = _solve(model, folder, quiet=options.quiet or helper, helper=helper)
+    start = _find_start(model, folder, options)
+    results = _solve(model, folder, start, quiet=options.quiet or helper, helper=helper)
     if helper:
         return EXIT_OK
     uncertified = any(isinstance(error, NotCertified) for error in results.unsolved.values())
@@ -61,7 +67,32 @@ def run(options: argparse.Namespace) -> int:
     return _judge_design(results, options.quiet)
 
 
-def _solve(model: Model, folder: Path, *, quiet: bool, helper: bool) -> Results:
+def _find_start(model: Model, folder: Path, options: argparse.Namespace) -> Results | None:
+    """Return the results of an interrupted run of the same case if it is to be resumed, None if there are none.
+
+    Prints which they are, or why there are none; and that there are some where they are not asked for.
+    """
+    from groundslab.results.results import why_no_start
+    from groundslab.views.files import results_folder
+
+    left = results_folder.provisional(folder)
+    if not options.resume:
+        if left.is_dir() and not options.quiet:
+            print_stderr(f"{left} is of a run that was interrupted; with --resume a run goes on from it")
+        return None
+    try:
+        results_folder.recover(left)
+        results = results_folder.load_results(left)
+        why = why_no_start(results, model)
+    except InputError as error:
+        why = error.issues[0].found
+    if why:
+        print_stderr(f"nothing to resume: found {why} in {left}; the run starts anew")
+        return None
+    return results
+
+
+def _solve(model: Model, folder: Path, start: Results | None, *, quiet: bool, helper: bool) -> Results:
     """Return the results, those of an only combination that fails or is not certified among them.
 
     While the mesh is refined, results of the last finished one are kept next to the folder.
@@ -71,15 +102,17 @@ def _solve(model: Model, folder: Path, *, quiet: bool, helper: bool) -> Results:
     from groundslab.results.results import Results, results_of
     from groundslab.views.files import results_folder
 
-    def keep(results: Results) -> None:
-        kept = None if helper else results_folder.save_provisional(results, folder)
-        if kept is not None and not quiet:
-            print_stderr(f"the mesh is refined; results on the one before are in {kept} until it is solved")
-
     combinations = list_combinations(model)
-    with _progress(quiet, len(combinations)) as status:
+    with nullcontext() if quiet else _progress(model, len(combinations), start) as progress:
+
+        def keep(results: Results) -> None:
+            kept = None if helper else results_folder.save_provisional(results, folder)
+            if progress is not None:
+                progress.begin_mesh()
+                _tell_refined(results, kept)
+
         try:
-            return solve(model, status, status.begin if status is not None else None, keep)
+            return solve(model, progress, None if progress is None else progress.begin, keep, start)
         except NotCertified as error:
             return results_of(error.results)
         except NoEquilibrium as error:
@@ -165,10 +198,21 @@ def _print_unsolved(results: Results) -> None:
     print_stderr(f"error: {len(results.unsolved)} of {count} combinations have no certified result")
 
 
-def _progress(quiet: bool, count: int) -> AbstractContextManager[StatusLine | None]:
-    """Return a context whose value shows each step on a terminal; without a terminal it does nothing."""
-    if quiet or not sys.stderr.isatty():
-        return nullcontext()
-    from groundslab.views.summary.progress import progress
+def _tell_refined(results: Results, kept: Path | None) -> None:
+    """Print how far a mesh is off that is being refined, and where its results are kept."""
+    from groundslab.views.summary.discretization import provisional_words
 
-    return progress(count=count)
+    where = "" if kept is None else f" Its results are in {kept} until the next one is solved."
+    print_stderr(f"{provisional_words(results)}{where}")
+
+
+def _progress(model: Model, count: int, start: Results | None) -> AbstractContextManager[Progress]:
+    """Return a context whose value shows each step of so many combinations, on a terminal or in a file."""
+    from groundslab.views.summary import progress
+
+    history = None if start is None else next(iter(start.values())).mesh_history
+    first = 1 if history is None else len(history.unknowns)
+    combinations = progress.CombinationCount(count, mesh=first if model.mesh.adaptive else None)
+    if sys.stderr.isatty():
+        return progress.on_terminal(combinations)
+    return progress.in_file(combinations, print_stderr)

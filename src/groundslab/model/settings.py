@@ -23,9 +23,15 @@ Symmetry = Literal["auto", "off"]
 Solver = Literal["auto", "pardiso", "cholmod", "superlu", "mumps"]
 
 
-#: Of what the mesh is allowed to be off.
+Accuracy = Literal["draft", "normal", "strict"]
+
+#: Of what the mesh is allowed to be off, and what the words for it mean.
 SHARE = Range(at_least=1e-4, at_most=0.5)
-DEFAULT_ACCURACY = 0.05
+ACCURACIES: dict[str, float] = {"draft": 0.15, "normal": 0.05, "strict": 0.02}
+#: A refined mesh has at most so many unknowns by default; and the most that may be asked for, with which the factor
+#: takes about 45 GB.
+MOST_UNKNOWNS = 300_000
+LARGEST_BOUND = 10_000_000
 SIDES: tuple[Side, ...] = ("left", "right", "bottom", "top")
 
 
@@ -146,10 +152,20 @@ def _check_size(
         yield RelativeIssue(("refine",), "refine together with counts", "no refine", hint, (remove(("refine",)),))
 
 
+def _check_max_unknowns(
+    size: float | None, counts: tuple[int, int] | None, max_unknowns: int, given: set[str]
+) -> Iterator[RelativeIssue]:
+    if "max_unknowns" in given and (size is not None or counts is not None):
+        name = "size" if size is not None else "counts"
+        expected = f"no max_unknowns, as {name} says what the mesh is"
+        repairs = (remove(("max_unknowns",)), remove((name,)))
+        yield RelativeIssue(("max_unknowns",), str(max_unknowns), expected, repairs=repairs)
+
+
 class Mesh(Section):
     """The mesh of the plate; without size and counts it is refined until the results are accurate enough."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_size,)
+    checks: ClassVar[tuple[Check, ...]] = (_check_size, _check_max_unknowns)
 
     size: Annotated[
         float | None,
@@ -159,15 +175,20 @@ class Mesh(Section):
         tuple[int, int] | None, ListOf(Integer("", at_most=100_000), "n_x, n_y", "elements over the whole plate", 2)
     ] = None
     accuracy: Annotated[
-        float | None,
+        float | Accuracy,
         Quantity(
             "share",
             "",
-            "largest discretization error that a value may have without a warning, 5 % by default; without size and "
-            "counts the mesh is refined until errors are below it",
+            "largest discretization error that a value may have without a warning: draft is 15 %, normal 5 %, strict "
+            "2 %; without size and counts the mesh is refined until errors are below it",
             SHARE,
+            tuple(ACCURACIES),
         ),
-    ] = None
+    ] = "normal"
+    max_unknowns: Annotated[
+        int,
+        Integer("unknowns of a mesh beyond which it is not refined for the accuracy", 1000, LARGEST_BOUND),
+    ] = MOST_UNKNOWNS
     refine: Annotated[tuple[Refinement, ...], Table("parts of the plan with smaller elements", 1000)] = ()
     symmetry: Annotated[
         Symmetry, Choice(Symmetry, "whether a half or a quarter is computed if everything is symmetric")
@@ -181,7 +202,7 @@ class Mesh(Section):
     @property
     def largest_error(self) -> float:
         """The largest discretization error that a value may have without a warning."""
-        return DEFAULT_ACCURACY if self.accuracy is None else self.accuracy
+        return ACCURACIES[self.accuracy] if isinstance(self.accuracy, str) else self.accuracy
 
 
 class Analysis(Section):

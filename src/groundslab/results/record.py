@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
@@ -161,6 +161,33 @@ class Step:
     in_contact: int
     changed: int
     finest: bool
+
+
+#: Why a mesh was not refined: its errors are small enough, they fall no more, the next one would be too large, or
+#: meshes enough were made. One that is provisional was refined, or was to be.
+MeshEnd = Literal["provisional", "accurate", "no progress", "max_unknowns", "most meshes"]
+
+
+@dataclass(frozen=True, slots=True)
+class MeshHistory:
+    """The meshes that were made for an accuracy, of which the last one is that of the results.
+
+    Attributes
+    ----------
+    unknowns : tuple of int
+        The number of unknowns on each of them.
+    end : {"provisional", "accurate", "no progress", "max_unknowns", "most meshes"}
+        Why the last one was not refined; of provisional results it was, or was to be.
+    needed : int or None
+        The `mesh.max_unknowns` that the next mesh would take, where it was this bound that ended the refinement.
+    before : tuple of (str, float)
+        Errors of the judged values on the mesh before the last one, by their names, as shares of what governs.
+    """
+
+    unknowns: tuple[int, ...]
+    end: MeshEnd = "provisional"
+    needed: int | None = None
+    before: tuple[tuple[str, float], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

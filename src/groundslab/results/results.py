@@ -11,7 +11,15 @@ from groundslab.errors import GroundslabError, InputError, Issue, NoEquilibrium,
 from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-from groundslab.results.record import Certificate, Constants, JointResult, LargestValues, Step, SupportResult
+from groundslab.results.record import (
+    Certificate,
+    Constants,
+    JointResult,
+    LargestValues,
+    MeshHistory,
+    Step,
+    SupportResult,
+)
 from groundslab.schema.wording import listed, quote
 from groundslab.units import format_number
 
@@ -139,6 +147,8 @@ class CombinationResult:
         What elements twice as large give, by which discretization errors are estimated.
     largest : LargestValues or None
         The largest values over all combinations, against which these errors are judged; None before all are solved.
+    mesh_history : MeshHistory or None
+        The meshes that were made for the accuracy; None where the case says which mesh.
     """
 
     model: Model
@@ -160,11 +170,17 @@ class CombinationResult:
     increments: tuple[Increment, ...] = ()
     comparison: Comparison | None = None
     largest: LargestValues | None = None
+    mesh_history: MeshHistory | None = None
 
     @property
     def symmetry(self) -> tuple[bool, bool]:
         """Whether symmetry along x, and along y, was used."""
         return self.mesh_plan.symmetry
+
+    @property
+    def provisional(self) -> bool:
+        """Whether the mesh was still to be refined for the accuracy."""
+        return self.mesh_history is not None and self.mesh_history.end == "provisional"
 
     @property
     def coarser(self) -> CombinationResult | None:
@@ -261,6 +277,11 @@ class Results(Mapping[str, CombinationResult]):
         return combination in self.results
 
     @property
+    def provisional(self) -> bool:
+        """Whether the mesh was still to be refined for the accuracy."""
+        return any(found.provisional for found in self.results.values())
+
+    @property
     def solved_model(self) -> Model:
         """The case as solved, as `CombinationResult` documents it."""
         from groundslab.model.combinations import as_solved
@@ -294,7 +315,8 @@ class Results(Mapping[str, CombinationResult]):
     def __repr__(self) -> str:
         """Return the title and the first figures of each combination, one a line."""
         count = len(self.combinations)
-        head = f"Results of {quote(self.model.title)}: {count} combination{'' if count == 1 else 's'}"
+        what = "Provisional results" if self.provisional else "Results"
+        head = f"{what} of {quote(self.model.title)}: {count} combination{'' if count == 1 else 's'}"
         lines = [
             repr(self.results[each.name]) if each.name in self.results else f"{each.name}: {self._reason(each.name)}"
             for each in self.combinations[:MOST_LISTED]
@@ -329,6 +351,13 @@ def _figures(results: CombinationResult) -> tuple[str, str, str]:
     settlement = format_number(results.plate.settlement.max() * PLATE_FIELDS["settlement"].scale, 4, trim=True)
     contact = format_number(100 * results.plate.contact_share, 4, trim=True)
     return settlement, contact, "certified" if results.certificate.holds else "NOT CERTIFIED"
+
+
+def why_no_start(results: Results, model: Model) -> str:
+    """Return in words why the refinement of a model cannot go on from results, "" where it can."""
+    if results.model != model:
+        return "results of another case"
+    return "" if results.provisional else "results that are not provisional"
 
 
 def results_of(results: CombinationResult) -> Results:

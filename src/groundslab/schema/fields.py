@@ -88,21 +88,25 @@ def _number(value: Any, expected: str, hint: str = "") -> float:
 
 @dataclass(frozen=True)
 class Quantity(FieldType):
-    """A number with a unit: text in files, text or a float in SI units in Python."""
+    """A number with a unit, text in files, text or a float in SI units in Python; or a word that stands for one."""
 
     dimension: str
     symbol: str
     meaning: str
     range: ranges.Range = ranges.ANY
+    words: tuple[str, ...] = ()
 
-    def read(self, value: Any, from_file: bool) -> float:
-        """Return the quantity in SI units."""
+    def read(self, value: Any, from_file: bool) -> float | str:
+        """Return the quantity in SI units, or the word."""
+        if isinstance(value, str) and value in self.words:
+            return value
         if isinstance(value, str):
             try:
                 number = units.parse(value, self.dimension)
             except units.QuantityError as error:
-                repairs = add_unit(value, self.dimension, self.range)
-                raise field_error(value, self.expected(), error.reason, repairs) from None
+                hint, repairs = meant_word(value, self.words, None)
+                repairs = (*add_unit(value, self.dimension, self.range), *repairs)
+                raise field_error(value, self.expected(), hint or error.reason, repairs) from None
         elif from_file:
             hint = "write number and unit in quotes" if type(value) in (int, float) else ""
             raise field_error(value, self.expected(), hint, add_unit(value, self.dimension, self.range))
@@ -111,29 +115,22 @@ class Quantity(FieldType):
             number = _number(value, f"{self.expected()}, or a number in {si}")
         limits = ranges.quantity_range(self.range, self.dimension)
         if not limits.holds(number):
-            raise field_error(value, f"{units.DIMENSIONS[self.dimension].phrase} {limits.wanted(number, self._limit)}")
+            wanted = limits.wanted(number, lambda limit: ranges.limit_text(limit, self.dimension))
+            raise field_error(value, f"{units.DIMENSIONS[self.dimension].phrase} {wanted}")
         return number
 
-    def _limit(self, value: float) -> str:
-        """Return a limit for messages."""
-        if value == 0:
-            return "0"
-        known = units.DIMENSIONS[self.dimension]
-        if known.smallest < abs(value) < known.largest and abs(value) >= 1e-3:
-            return units.show(value, self.dimension)
-        return f"{ranges.short(100 * value if known.si == '%' else value)} {known.si}"
-
     def expected(self) -> str:
-        """Return an example."""
-        return units.expectation(self.dimension)
+        """Return an example, and the words."""
+        return listed([units.expectation(self.dimension), *map(quote, self.words)])
 
-    def write(self, value: float) -> str:
-        """Return the quantity with its SI unit, in quotes."""
-        return quote(units.write(value, self.dimension))
+    def write(self, value: float | str) -> str:
+        """Return the quantity with its SI unit, or the word, in quotes."""
+        return quote(value if isinstance(value, str) else units.write(value, self.dimension))
 
     def type_text(self) -> str:
-        """Return the dimension and an example of its units."""
-        return f"{self.dimension} (`{quote(units.DIMENSIONS[self.dimension].example)}`)"
+        """Return the dimension with an example of its units, and the words."""
+        example = f"{self.dimension} (`{quote(units.DIMENSIONS[self.dimension].example)}`)"
+        return listed([example, *(f"`{quote(word)}`" for word in self.words)])
 
     def range_text(self) -> str:
         """Return the range with its unit."""
@@ -141,8 +138,8 @@ class Quantity(FieldType):
         return f"{limits.signs(100 if unit == '%' else 1)} {unit}"
 
     def json_schema(self) -> dict[str, Any]:
-        """Return a string with a number at its front; the unit's dimension is left to the program."""
-        return {
+        """Return a string with a number at its front, whose dimension is left to the program, or the words."""
+        quantity = {
             "type": "string",
             "pattern": rf"^\s*{units.NUMBER}\s*(?:1/)?[A-Za-zµμ]",
             "maxLength": units.LONGEST,
@@ -150,6 +147,7 @@ class Quantity(FieldType):
             "x-dimension": self.dimension,
             "x-range": self.range_text(),
         }
+        return {"anyOf": [quantity, {"enum": list(self.words)}]} if self.words else quantity
 
 
 @dataclass(frozen=True)

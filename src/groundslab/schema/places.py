@@ -27,7 +27,7 @@ class Place(ListOf):
 
 def coordinate(axis: int, meaning: str) -> Coordinate:
     """Return the type of a coordinate along x (0) or y (1)."""
-    return Coordinate("length", "xy"[axis], meaning, ANYWHERE, axis)
+    return Coordinate("length", "xy"[axis], meaning, ANYWHERE, axis=axis)
 
 
 def extent(axis: int, meaning: str) -> ListOf:

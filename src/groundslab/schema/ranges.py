@@ -24,6 +24,16 @@ def short(value: float) -> str:
     return re.sub(r"e\+?(-?)0*([0-9])", r"e\1\2", f"{value:g}")
 
 
+def limit_text(value: float, dimension: str) -> str:
+    """Return a limit of a quantity [SI] with its unit, 0 without one."""
+    if value == 0:
+        return "0"
+    known = units.DIMENSIONS[dimension]
+    if known.smallest < abs(value) < known.largest and abs(value) >= 1e-3:
+        return units.show(value, dimension)
+    return f"{short(100 * value if known.si == '%' else value)} {known.si}"
+
+
 @dataclass(frozen=True, slots=True)
 class Range:
     """The numbers that a field may hold."""

@@ -18,7 +18,7 @@ from groundslab.fem.shape_functions import areas
 from groundslab.model.remarks.singular_places import near_singular, singular_places
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult
-from groundslab.views.summary.discretization import coarse_words
+from groundslab.views.summary.discretization import coarse_words, round_up
 
 LEGS: list[dict[str, Any]] = [
     {"kind": "point", "P": 45e3, "x": x, "y": y, "width_x": 0.15, "width_y": 0.15}
@@ -78,12 +78,35 @@ def test_a_size_is_not_changed() -> None:
     assert "mesh.accuracy" in coarse_words(results)
 
 
+def test_bounds_are_told() -> None:
+    """A mesh that may have no more unknowns is not refined, and the verdict says so, and what the next one takes."""
+    results = solve(slab({"accuracy": 0.001, "max_unknowns": 1000}))
+    history = results.only.mesh_history
+    assert history is not None
+    assert history.needed is not None
+    assert (history.unknowns, history.end) == ((results.only.unknowns,), "max_unknowns")
+    assert not results.provisional
+    assert "because of mesh.max_unknowns = 1000" in coarse_words(results)
+    assert f"takes mesh.max_unknowns = {round_up(history.needed)}." in coarse_words(results)
+
+
 @pytest.mark.slow
-def test_bounds_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A mesh that may have no more unknowns is not refined, and the verdict says so."""
-    monkeypatch.setattr(adaptivity, "MOST_UNKNOWNS", 1000)
-    results = solve(slab({"accuracy": 0.001}))
-    assert "limits on unknowns" in coarse_words(results)
+def test_what_the_next_mesh_takes_is_enough() -> None:
+    """With as many unknowns as one bound was said to lack, one mesh more is made, with about so many and no more."""
+    few = solve(slab({"accuracy": 0.001, "max_unknowns": 1000})).only.mesh_history
+    assert few is not None
+    assert few.needed is not None
+    more = solve(slab({"accuracy": 0.001, "max_unknowns": round_up(few.needed)})).only.mesh_history
+    assert more is not None
+    assert more.unknowns[0] == few.unknowns[0]
+    assert len(more.unknowns) == 2
+    assert few.needed / 2 < more.unknowns[1] < 1.5 * few.needed
+
+
+@pytest.mark.parametrize(("count", "rounded"), [(7, 7), (95, 95), (101, 110), (110, 110), (123_456, 130_000)])
+def test_counts_are_rounded_up(count: int, rounded: int) -> None:
+    """To two digits."""
+    assert round_up(count) == rounded
 
 
 @pytest.mark.slow
@@ -97,7 +120,10 @@ def test_errors_that_fall_no_more_are_given_up(monkeypatch: pytest.MonkeyPatch) 
         return [stuck]
 
     monkeypatch.setattr(adaptivity, "judge", judged)
-    solve(slab({"accuracy": 0.01}))
+    results = solve(slab({"accuracy": 0.01}))
+    history = results.only.mesh_history
+    assert history is not None
+    assert (len(history.unknowns), history.end) == (3, "no progress")
     assert stuck.share > 0.01
     assert len(set(meshes)) == 3
 

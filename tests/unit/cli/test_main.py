@@ -17,7 +17,7 @@ import ezdxf
 import pytest
 
 import groundslab
-from groundslab.analysis import adaptivity
+from groundslab.analysis import adaptivity, driver
 from groundslab.case import casefile
 from groundslab.cli import console, main
 from groundslab.errors import InputError, Issue, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
@@ -25,8 +25,10 @@ from groundslab.model.columns import Column
 from groundslab.model.combinations import as_solved, list_combinations
 from groundslab.model.settings import Mesh
 from groundslab.model.supports import LineSupport, PointSupport
+from groundslab.results.record import MeshHistory
 from groundslab.results.results import Results, results_of
 from groundslab.views.files import npz, results_folder
+from groundslab.views.summary import progress
 from helpers import synthetic
 
 #: A slab whose first mesh is too coarse for what is asked.
@@ -67,7 +69,7 @@ def fake(monkeypatch: pytest.MonkeyPatch, name: str, **contents: Any) -> None:
 def solver(outcome: Any) -> Any:
     """Return a stand-in for the analysis, which reports one step and then returns or raises the outcome."""
 
-    def solve(model: Any, on_step: Any = None, on_combination: Any = None, on_mesh: Any = None) -> Any:  # noqa: ARG001
+    def solve(model: Any, on_step: Any = None, on_combination: Any = None, *_: Any) -> Any:
         (combination,) = list_combinations(model)
         if on_combination is not None:
             on_combination(combination)
@@ -240,21 +242,33 @@ class TestSolve:
         assert [path.name for path in folder.iterdir()] == ["notes.txt"]
         synthetic.assert_same(npz.load(case.with_name("raft-results-2") / "results.npz"), synthetic.results())
 
-    def test_progress_is_for_terminals(self, case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        """The analysis gets a callback only if standard error is a terminal and --quiet is absent."""
+    def test_progress_is_told_on_terminals_and_in_files(
+        self, case: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """On one line of a terminal, else as lines on standard error; with --quiet nowhere."""
         found = []
 
-        def solve(model: Any, on_step: Any = None, on_combination: Any = None, on_mesh: Any = None) -> Any:  # noqa: ARG001
+        def solve(model: Any, on_step: Any = None, on_combination: Any = None, *_: Any) -> Any:
             assert (on_step is None) == (on_combination is None)
             found.append(on_step)
+            if on_step is not None:
+                on_step(synthetic.results().steps[0])
             return results_of(replace(synthetic.results(), model=model, solved_model=as_solved(model)))
 
         fake(monkeypatch, "analysis.driver", solve=solve)
+        words = "340 unknowns, load 1, contact 1: 25 closed, 8 changed"
         main.main(["solve", str(case)])
+        assert words not in capsys.readouterr().err
+        monkeypatch.setattr(progress, "INTERVAL", 0.0)
+        main.main(["solve", str(case), "--json"])
+        out, err = capsys.readouterr()
+        assert f"0 s: mesh 1: {words}\n" in err
+        assert json.loads(out)["certified"]
         monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
         main.main(["solve", str(case)])
+        assert f"0 s: mesh 1: {words}\n" not in capsys.readouterr().err
         main.main(["solve", str(case), "--quiet"])
-        assert [callback is not None for callback in found] == [False, True, False]
+        assert [callback is not None for callback in found] == [True, True, True, False]
 
 
 @pytest.fixture
@@ -703,11 +717,152 @@ def test_a_run_that_is_interrupted_leaves_the_last_finished_mesh(
     monkeypatch.setattr(adaptivity, "join", interrupt)
     assert main.main(["solve", str(case)]) == 130
     kept = tmp_path / "wheel-results-provisional"
-    assert str(kept) in capsys.readouterr().err
+    told = capsys.readouterr().err
+    assert told.startswith("Provisional: mesh 1 (")
+    assert "3 % asked for" in told
+    assert str(kept) in told
     assert not (tmp_path / "wheel-results").exists()
     first = groundslab.load_results(kept).only
-    assert first.comparison is not None
+    assert first.provisional
     monkeypatch.setattr(adaptivity, "join", refine)
     assert main.main(["solve", str(case), "--quiet"]) == 0
     assert not kept.exists()
-    assert groundslab.load_results(tmp_path / "wheel-results").only.unknowns > first.unknowns
+    last = groundslab.load_results(tmp_path / "wheel-results").only
+    assert not last.provisional
+    assert last.unknowns > first.unknowns
+
+
+@pytest.mark.slow
+def test_a_run_that_is_killed_leaves_the_last_finished_mesh(tmp_path: Path) -> None:
+    """Killed on its second mesh without a chance to clean up, it leaves results on the first one, marked as such."""
+    case, kept = tmp_path / "wheel.toml", tmp_path / "wheel-results-provisional"
+    case.write_text(WHEEL.replace("3 %", "0.1 %"), encoding="utf-8")
+    command = [sys.executable, "-m", "groundslab", "solve", str(case)]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stderr is not None
+        assert process.stderr.readline().startswith("Provisional: mesh 1 (")
+        process.kill()
+    assert process.returncode == (-signal.SIGKILL if hasattr(signal, "SIGKILL") else 1)
+    assert not (tmp_path / "wheel-results").exists()
+    found = groundslab.load_results(kept)
+    assert found.provisional
+    assert found.only.certificate.holds
+    assert found.only.mesh_history is not None
+    assert found.only.mesh_history.unknowns == (found.only.unknowns,)
+    assert json.loads((kept / "summary.json").read_text())["provisional"] is True
+    assert main.main(["report", str(kept), "--out", str(tmp_path / "report.html")]) == 0
+    assert "Provisional: mesh 1 (" in (tmp_path / "report.html").read_text(encoding="utf-8")
+
+
+@pytest.mark.slow
+def test_a_run_that_is_killed_is_resumed(tmp_path: Path) -> None:
+    """It goes on from the mesh that it has left, solves no mesh again, and ends as if it had never stopped."""
+    results: list[groundslab.CombinationResult] = []
+    for name in ("killed", "whole"):
+        case = tmp_path / f"{name}.toml"
+        case.write_text(WHEEL.replace("3 %", "1 %"), encoding="utf-8")
+        command = [sys.executable, "-m", "groundslab", "solve", str(case), "--resume"]
+        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+            assert process.stderr is not None
+            assert process.stderr.readline().startswith("nothing to resume: found no summary.json that names its files")
+            assert process.stderr.readline().startswith("Provisional: mesh 1 (")
+            if name == "killed":
+                process.kill()
+            process.communicate()
+        assert (tmp_path / f"{name}-results-provisional").is_dir() == (name == "killed")
+        told = run("solve", str(case), "--resume") if name == "killed" else None
+        if told is not None:
+            assert told.returncode == 0
+            assert told.stderr.startswith("Provisional: mesh 1 (")
+            assert not (tmp_path / f"{name}-results-provisional").exists()
+        results.append(groundslab.load_results(tmp_path / f"{name}-results").only)
+    resumed, whole = results
+    assert resumed.mesh_history == whole.mesh_history
+    assert whole.mesh_history is not None
+    assert len(whole.mesh_history.unknowns) > 2
+    assert (resumed.plate.nodes == whole.plate.nodes).all()
+    assert resumed.plate.moment_x == pytest.approx(whole.plate.moment_x, rel=1e-9, abs=1e-6)
+
+
+class TestResume:
+    """groundslab solve --resume, where an interrupted run has left results."""
+
+    @pytest.fixture
+    def left(self, case: Path) -> Path:
+        """Return the folder with provisional results of the case."""
+        results = replace(synthetic.results(), mesh_history=MeshHistory((1234,)))
+        path = results_folder.save_provisional(results_of(results), case.with_name("raft-results"))
+        assert path is not None
+        return path
+
+    @pytest.fixture
+    def started(self, monkeypatch: pytest.MonkeyPatch) -> list[Results | None]:
+        """Return what each analysis starts from; it returns made-up results."""
+        starts: list[Results | None] = []
+
+        def solve(model: Any, _step: Any, _combination: Any, _mesh: Any, start: Results | None) -> Any:
+            starts.append(start)
+            return results_of(replace(synthetic.results(), model=model, solved_model=as_solved(model)))
+
+        monkeypatch.setattr(driver, "solve", solve)
+        return starts
+
+    def test_starts_from_what_is_left(self, case: Path, left: Path, started: list[Results | None]) -> None:
+        """And removes it at the end."""
+        assert main.main(["solve", str(case), "--resume"]) == 0
+        assert started[0] is not None
+        assert started[0].only.mesh_history == MeshHistory((1234,))
+        assert not left.exists()
+
+    def test_is_offered(
+        self, case: Path, left: Path, started: list[Results | None], capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """Without the option nothing is taken from there, but it is said that it could be."""
+        assert main.main(["solve", str(case)]) == 0
+        assert started == [None]
+        assert f"{left} is of a run that was interrupted; with --resume" in capsys.readouterr().err
+        assert not left.exists()
+
+    def test_of_another_case_starts_anew(
+        self, case: Path, left: Path, started: list[Results | None], capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """A case that has changed is another one; that is said."""
+        text = case.read_text(encoding="utf-8")
+        case.write_text(text.replace("thickness", "thickness = '0.45 m' #"), encoding="utf-8")
+        assert main.main(["solve", str(case), "--resume"]) == 0
+        assert started == [None]
+        assert (
+            f"nothing to resume: found results of another case in {left}; the run starts anew"
+            in capsys.readouterr().err
+        )
+
+    def test_of_damaged_results_starts_anew(
+        self, case: Path, left: Path, started: list[Results | None], capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        """What cannot be read is no reason not to solve."""
+        (left / "results.npz").write_bytes(b"nothing")
+        assert main.main(["solve", str(case), "--resume"]) == 0
+        assert started == [None]
+        assert "nothing to resume: found " in capsys.readouterr().err
+
+
+@pytest.mark.slow
+def test_the_results_on_each_mesh_can_be_viewed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is kept after each mesh opens as any results do, and says how far that mesh is off."""
+    view = pytest.importorskip("groundslab.workbench.server.view")
+    case = tmp_path / "wheel.toml"
+    case.write_text(WHEEL.replace("3 %", "1 %"), encoding="utf-8")
+    save, shown = results_folder.save_provisional, []
+
+    def save_and_view(results: Results, folder: Path) -> Path | None:
+        path = save(results, folder)
+        assert path is not None
+        shown.append(view.ResultsView.read(path))
+        return path
+
+    monkeypatch.setattr(results_folder, "save_provisional", save_and_view)
+    assert main.main(["solve", str(case), "--quiet"]) == 0
+    assert len(shown) >= 2
+    for number, each in enumerate(shown, start=1):
+        assert each.summary["coarse"].startswith(f"Provisional: mesh {number} (")
+        assert each.scene

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 import groundslab
+from groundslab.case.casefile import loads, to_toml
 from groundslab.errors import InputError
 from groundslab.geometry.plan import MOST_ELEMENTS
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, Selvadurai, SoilLayer, Vlasov, Winkler
@@ -267,6 +268,20 @@ ONE_FAULT = [
     (case(loads=[{**UNIFORM, "name": 3}]), "loads[1].name", "3", "text in quotes"),
     # mesh and analysis
     (case(mesh={"size": "1 m", "counts": [2, 2]}), "mesh", "both size and counts", "at most one of size and counts"),
+    (
+        case(mesh={"accuracy": "fine"}),
+        "mesh.accuracy", '"fine"', 'a share such as "5 %", "draft", "normal" or "strict"',
+    ),
+    (case(mesh={"accuracy": "60 %"}), "mesh.accuracy", '"60 %"', "a share at most 50 %"),
+    (case(mesh={"max_unknowns": 999}), "mesh.max_unknowns", "999", "a whole number from 1000 to 10000000"),
+    (
+        case(mesh={"size": "1 m", "max_unknowns": 5000}),
+        "mesh.max_unknowns", "5000", "no max_unknowns, as size says what the mesh is",
+    ),
+    (
+        case(mesh={"counts": [2, 2], "max_unknowns": 300_000}),
+        "mesh.max_unknowns", "300000", "no max_unknowns, as counts says what the mesh is",
+    ),
     (case(mesh__size="0 m"), "mesh.size", '"0 m"', "a length above 0"),
     (case(mesh__counts=[2, 0]), "mesh.counts[2]", "0", "a whole number from 1 to 100000"),
     (case(mesh__counts=[2, 2.0]), "mesh.counts[2]", "2.0", "a whole number from 1 to 100000"),
@@ -493,6 +508,24 @@ def test_defaults() -> None:
     assert (layer.E_bottom, layer.variation, layer.sublayers) == (None, "linear", 1)
     vlasov = Vlasov(layers=[layer])
     assert (vlasov.gamma, vlasov.mode, vlasov.formulas) == ("iterate", "auto", "exact")
+
+
+@pytest.mark.parametrize(("accuracy", "share"), [("draft", 0.15), ("normal", 0.05), ("strict", 0.02), ("3 %", 0.03)])
+def test_words_and_shares_for_the_accuracy(accuracy: str, share: float) -> None:
+    """A word stands for a share, and stays a word in the file that is written; nothing is "normal"."""
+    model = from_file(case(mesh={"accuracy": accuracy}))
+    assert model.mesh.largest_error == share
+    assert model.mesh.adaptive
+    assert loads(to_toml(model)) == model
+    assert (f'accuracy = "{accuracy}"' in to_toml(model)) == (accuracy in ("draft", "strict", "3 %"))
+    assert Mesh().largest_error == 0.05
+    assert Mesh(accuracy=share).largest_error == share
+
+
+def test_a_word_for_the_accuracy_that_is_misspelled() -> None:
+    """The word that was meant is named."""
+    ((_, _, _, hint),) = issues(case(mesh={"accuracy": "darft"}))
+    assert hint == 'did you mean "draft"?'
 
 
 def test_every_kind_of_ground_is_accepted() -> None:

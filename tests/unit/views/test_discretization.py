@@ -14,6 +14,7 @@ from rich.console import Console
 
 from groundslab import Model, solve
 from groundslab.errors import InputError
+from groundslab.results.record import MeshHistory
 from groundslab.results.results import CombinationResult, Comparison, results_of
 from groundslab.views.files import npz
 from groundslab.views.files.vtk import plate_mesh
@@ -121,6 +122,47 @@ def test_accuracy_decides() -> None:
     assert coarse_words(results_of(compared(0.2, model=wide))) == ""
 
 
+@pytest.mark.parametrize(
+    ("history", "words"),
+    [
+        (None, "It was made for another case"),
+        (MeshHistory((100, 900), "no progress"), "It was refined until this error fell no more."),
+        (
+            MeshHistory((100, 900), "max_unknowns", 123_456),
+            "because of mesh.max_unknowns = 5000; the next mesh takes mesh.max_unknowns = 130000.",
+        ),
+        (MeshHistory((1, 2, 3, 4, 5), "most meshes"), "5 meshes were made, and no more are."),
+    ],
+)
+def test_why_the_accuracy_is_missed(history: MeshHistory | None, words: str) -> None:
+    """The verdict on a mesh that is too coarse says why it is no finer, and what it would take."""
+    results = compared(0.2)
+    model = results.model.replace(mesh={"max_unknowns": 5000})
+    results = replace(results, model=model, mesh_history=history)
+    assert words in coarse_words(results_of(results))
+    section = next(each for each in sections.summary(results) if each.key == "discretization")
+    assert words.lower() in section.notes[-1].lower()
+    document = json.loads(json_text(results_of(results)))
+    assert document["provisional"] is False
+    assert document["mesh_history"] == (
+        None if history is None else {"unknowns": [*history.unknowns], "end": history.end, "needed": history.needed}
+    )
+
+
+def test_provisional_results_say_so() -> None:
+    """On the terminal, in JSON, report and workbench: which mesh, how far it is off, and what is asked for."""
+    results = results_of(replace(compared(0.2), mesh_history=MeshHistory((100, 1234))))
+    words = (
+        "Provisional: mesh 2 (1,234 unknowns) is still to be refined: largest error 20 % (moment m_x), 5 % asked for."
+    )
+    assert words in " ".join(shown_on_terminal(results.only).split())
+    assert page(render_report(results)).one("p", class_="verdict doubtful").text.endswith(words)
+    assert build_summary(results)["coarse"] == words
+    assert json.loads(json_text(results))["provisional"] is True
+    assert repr(results).startswith("Provisional results of ")
+    assert coarse_words(replace(results, results={})) == ""
+
+
 def test_singular_moments_are_called_so() -> None:
     """At a force without a footprint a moment is a mean: the note, its place, JSON and workbench say so."""
     model = synthetic.model().replace(loads=[{"kind": "point", "P": 1e5, "x": 0.0, "y": 0.0}])
@@ -161,9 +203,12 @@ def test_json_has_errors_in_si_units() -> None:
 
 def test_archive_keeps_the_coarser_mesh(tmp_path: Path) -> None:
     """Its arrays and both figures come back, and so does the error of each element."""
-    results = compared(0.04)
+    results = replace(
+        compared(0.04), mesh_history=MeshHistory((100, 900), "max_unknowns", 5000, (("moment m_x", 0.2),))
+    )
     npz.write(results, tmp_path / "results.npz")
     loaded = npz.load(tmp_path / "results.npz")
+    assert loaded.mesh_history == results.mesh_history
     found = loaded.comparison
     assert found is not None
     assert results.comparison is not None

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from groundslab.views.summary.progress import CombinationCount
+from groundslab.model.loads.load_cases import Combination
+from groundslab.results.record import Step
+from groundslab.views.summary.progress import INTERVAL, CombinationCount, in_file
 
 
 def test_the_time_left_follows_from_the_combinations_that_are_done() -> None:
@@ -41,3 +43,49 @@ def test_each_mesh_begins_from_the_first() -> None:
     assert (count.share, count.seconds_left()) == (0.0, None)
     assert CombinationCount(1).words() == ""
     assert CombinationCount(1).share is None
+
+
+def test_the_number_of_the_mesh_is_told_where_there_may_be_several() -> None:
+    """It grows with each mesh, on which the combinations begin anew even if not all were solved on the one before."""
+    one, several = CombinationCount(1, mesh=1), CombinationCount(3, mesh=2)
+    assert one.words() == "mesh 1: "
+    several.begin("A")
+    several.begin("B")
+    assert several.words() == "mesh 2, 2 of 3, B: "
+    several.begin_mesh()
+    several.begin("A")
+    assert several.words() == "mesh 3, 1 of 3, A: "
+
+
+def test_a_file_gets_a_line_every_ten_seconds() -> None:
+    """None in the first ten, then none that follows another one within ten; each says what is done and what is left."""
+    now, lines = [100.0], list[str]()
+
+    def clock() -> float:
+        return now[0]
+
+    def step(at: float, iteration: int) -> None:
+        now[0] = at
+        progress(Step(2400, 1, None, iteration, 90, 3, finest=True))
+
+    def begin(at: float, name: str) -> None:
+        now[0] = at
+        progress.begin(Combination(name=name, factors={"dead": 1.0}))
+
+    with in_file(CombinationCount(4, clock, mesh=1), lines.append, clock) as progress:
+        begin(100.0, "A")
+        step(109.9, 1)
+        begin(110.0, "B")
+        step(112.0, 1)
+        begin(114.0, "C")
+        step(119.9, 1)
+        step(121.0, 2)
+        progress.begin_mesh()
+        begin(125.0, "A")
+        step(199.0, 7)
+    assert lines == [
+        "10 s: mesh 1, 2 of 4, B: begins",
+        "21 s: mesh 1, 3 of 4, C, about 1 s left on this mesh: 2400 unknowns, load 1, contact 2: 90 closed, 3 changed",
+        "99 s: mesh 2, 1 of 4, A: 2400 unknowns, load 1, contact 7: 90 closed, 3 changed",
+    ]
+    assert INTERVAL == 10.0

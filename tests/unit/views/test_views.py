@@ -16,6 +16,7 @@ import numpy as np
 import pint
 import pytest
 from rich.console import Console
+from rich.status import Status
 
 from groundslab.errors import GroundslabError, InputError
 from groundslab.results.fields import PLATE_FIELDS, POINT_FIELDS
@@ -236,7 +237,7 @@ class TestTable:
         """The line of progress changes with each step and says where the iteration is."""
         console = Console(file=io.StringIO(), width=100, force_terminal=True)
         step = synthetic.results().steps[1]
-        with progress.progress(console) as on_step:
+        with progress.on_terminal(progress.CombinationCount(1), console) as on_step:
             on_step(step)
         assert "1234 unknowns" in progress.line(step)
         assert "17 closed, 1 changed" in progress.line(step)
@@ -330,15 +331,17 @@ class TestOverview:
             with pytest.raises(GroundslabError, match="not finite"):
                 show(replace(combined, results=combined.results | {"NUL": bad}))
 
-    def test_progress_names_the_combination(self) -> None:
+    def test_progress_names_the_combination(self, monkeypatch: pytest.MonkeyPatch) -> None:
         """With several combinations the line says which one it is; with one it does not."""
         combination = synthetic.combined().combinations[0].replace(name="[bold]one")
+        texts = list[str]()
+        monkeypatch.setattr(Status, "update", lambda _, words: texts.append(words.plain))
         for count in (1, 3):
             console = Console(file=io.StringIO(), width=100, force_terminal=True)
-            with progress.progress(console, count) as shown:
+            with progress.on_terminal(progress.CombinationCount(count), console) as shown:
                 shown.begin(combination)
                 shown(synthetic.results().steps[1])
-                text = str(shown._status.status)
+            text = texts[-1]
             assert text.startswith("1 of 3, [bold]one: 1234 unknowns") is (count == 3)
             assert "1234 unknowns" in text
 

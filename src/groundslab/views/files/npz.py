@@ -17,7 +17,15 @@ from groundslab.errors import InputError, Issue
 from groundslab.fem.continuum.pressed_cells import PressedCells
 from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-from groundslab.results.record import Certificate, Constants, JointResult, LargestValues, Step, SupportResult
+from groundslab.results.record import (
+    Certificate,
+    Constants,
+    JointResult,
+    LargestValues,
+    MeshHistory,
+    Step,
+    SupportResult,
+)
 from groundslab.results.results import CombinationResult, Comparison, Increment
 from groundslab.views.files.validation import require_sound
 
@@ -30,7 +38,7 @@ if TYPE_CHECKING:
     from groundslab.model.model import Model
 
 #: The version of the archive's layout; it grows when an array changes its name, unit or meaning.
-FORMAT = 7
+FORMAT = 8
 
 
 #: Longest text of a library's reason.
@@ -70,6 +78,7 @@ class _About:
     increments: tuple[float, ...]
     comparison: tuple[float, float, Constants] | None  # error in energy, its reduction, the coarser mesh's constants
     largest: LargestValues | None
+    mesh_history: MeshHistory | None
 
 
 #: What an archive says of results as they have it themselves.

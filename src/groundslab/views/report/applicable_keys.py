@@ -1,4 +1,4 @@
-"""Which keys of a case say nothing in it, because its code or its combinations have no use for them.
+"""Which keys of a case say nothing in it, because its code, combinations or mesh have no use for them.
 
 The report leaves them out where the case does not give them: a design by ACI 318 has no factors of EN 1990.
 """
@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 def keys_without_use(model: Model) -> dict[str, frozenset[str]]:
     """Return the keys that have no effect, by the section of the case."""
     unused = {"cases": frozenset[str]() if _takes_psi(model.combine) else frozenset({"psi_0", "psi_1", "psi_2"})}
+    if not model.mesh.adaptive:
+        unused["mesh"] = frozenset({"max_unknowns"})
     if model.combine is not None:
         unused["combine"] = frozenset(_of_combine(model.combine))
     if model.reinforcement is not None:

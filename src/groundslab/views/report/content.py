@@ -23,7 +23,7 @@ from groundslab.views.report.ground_models import build_chapter
 from groundslab.views.report.input_tables import input_tables
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout, drop_empty_columns, headers
 from groundslab.views.summary import combinations, sections
-from groundslab.views.summary.discretization import coarse_words
+from groundslab.views.summary.discretization import coarse_words, provisional_words
 from groundslab.views.summary.rows import SummarySection
 from groundslab.views.summary.terminal import between_text, error_text, limit_text, shown_row, step_texts, verdict_word
 
@@ -139,7 +139,8 @@ def _verdict(combined: Results, entries: Sequence[Entry]) -> tuple[str, str]:
         coarse = coarse_words(combined)
         return ("doubtful", f"{certified} {coarse}") if coarse else ("good", certified)
     others = ["The results of the others are certified."] if combined.results else []
-    return ("bad", " ".join([*combinations.refusal_sentences(combined), *others]))
+    words = [*combinations.refusal_sentences(combined), *others, provisional_words(combined)]
+    return ("bad", " ".join(filter(None, words)))
 
 
 def list_sections(combined: Results) -> list[SummarySection]:

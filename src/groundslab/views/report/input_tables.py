@@ -13,7 +13,7 @@ from groundslab.model.remarks.case_use import case_uses
 from groundslab.model.remarks.remarks import find_remarks
 from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.schema.base import Section, get_field_type, get_meaning, get_sections
-from groundslab.schema.fields import Boolean, Choice, Factors, FieldType, Integer, ListOf, Number, Quantity, Text
+from groundslab.schema.fields import Boolean, Factors, FieldType, Integer, ListOf, Number, Quantity
 from groundslab.units import format_coordinate, together
 from groundslab.views.report.applicable_keys import keys_without_use
 from groundslab.views.report.table_layout import (
@@ -103,6 +103,8 @@ def input_tables(model: Model, combinations: Sequence[Combination]) -> list[Inpu
 
 def format_value(key: FieldType, value: Any) -> str:
     """Return a value as people write it: quantities with five digits and a fitting unit, numbers with six."""
+    if isinstance(value, str):
+        return value
     if isinstance(key, Quantity):
         (text,), unit = together([value], key.dimension)
         return f"{text} {unit}"
@@ -111,10 +113,10 @@ def format_value(key: FieldType, value: Any) -> str:
     if isinstance(key, Boolean):
         return "yes" if value else "no"
     if isinstance(key, Number):
-        return value if isinstance(value, str) else f"{value:.6g}"
+        return f"{value:.6g}"
     if isinstance(key, Factors):
         return ", ".join(f"{number:.6g} {name}" for name, number in value)
-    assert isinstance(key, Integer | Choice | Text)
+    assert isinstance(key, Integer)
     return str(value)
 
 

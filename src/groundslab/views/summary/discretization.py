@@ -6,13 +6,12 @@ from dataclasses import replace
 from operator import attrgetter
 from typing import TYPE_CHECKING
 
-from groundslab.accuracy.judgment import judge
+from groundslab.accuracy.judgment import JudgedValue, judge
 from groundslab.accuracy.values import error_of_contact_share, error_of_largest, estimate_error, reduction_of
 from groundslab.units import UNITS
 from groundslab.views.summary.rows import Row, SummarySection
 
 if TYPE_CHECKING:
-    from groundslab.model.model import Model
     from groundslab.results.results import CombinationResult, Results
 
 
@@ -45,7 +44,7 @@ def discretization_section(results: CombinationResult) -> SummarySection:
         notes = (
             *notes,
             f"The mesh is too coarse for errors of {100 * results.model.mesh.largest_error:g} % (mesh.accuracy): "
-            f"{_remedy(results.model)} Errors are estimated from the same analysis on elements twice as large.",
+            f"{_remedy(results)} Errors are estimated from the same analysis on elements twice as large.",
         )
     return SummarySection("discretization", "Discretization error", tuple(rows), notes)
 
@@ -79,33 +78,79 @@ def _not_judged(results: CombinationResult) -> tuple[str, ...]:
     return (f"Not judged within a thickness: {'; '.join(left_out)}.",) if left_out else ()
 
 
-def _remedy(model: Model) -> str:
-    """Return the advice that makes the errors smaller."""
-    if model.mesh.adaptive:
-        return "it was refined until this error stopped falling, or as far as the limits on unknowns and meshes allow."
-    return "reduce mesh.size, or omit it and set mesh.accuracy."
+def _remedy(results: CombinationResult) -> str:
+    """Return the advice that makes the errors smaller, or why the mesh was not refined further."""
+    history = results.mesh_history
+    if not results.model.mesh.adaptive:
+        return "reduce mesh.size, or omit it and set mesh.accuracy."
+    if history is None:
+        return "it was made for another case, and mesh.accuracy there makes it finer."
+    if history.end == "provisional":
+        return f"it is mesh {len(history.unknowns)} and still to be refined."
+    if history.end == "max_unknowns":
+        most = results.model.mesh.max_unknowns
+        return (
+            f"it was not refined further because of mesh.max_unknowns = {most}; the next mesh takes "
+            f"mesh.max_unknowns = {round_up(history.needed or most)}."
+        )
+    if history.end == "no progress":
+        return "it was refined until this error fell no more."
+    if history.end == "accurate":
+        return "it was fine enough for all that is judged; [[mesh.refine]] makes elements smaller."
+    return f"{len(history.unknowns)} meshes were made, and no more are."
+
+
+def _sentence(words: str) -> str:
+    """Return words with a capital letter first."""
+    return words[:1].upper() + words[1:]
+
+
+def round_up(count: int) -> int:
+    """Return a count rounded up to two digits."""
+    step = int(10 ** max(len(str(count)) - 2, 0))
+    return -(-count // step) * step
+
+
+def _worst(combined: Results) -> JudgedValue | None:
+    """Return the judged value of all combinations with the largest error, None where no error is known."""
+    judged = [judgment for results in combined.values() for judgment in judge(results)[:1]]
+    return max(judged, key=attrgetter("share"), default=None)
+
+
+def provisional_words(combined: Results) -> str:
+    """Return in words that provisional results are so, how far they are off and what is asked for, "" for others."""
+    if not combined.provisional:
+        return ""
+    first, worst = next(iter(combined.values())), _worst(combined)
+    assert first.mesh_history is not None
+    number, asked = len(first.mesh_history.unknowns), f"{100 * combined.model.mesh.largest_error:g} % asked for"
+    error = "" if worst is None else f": largest error {100 * worst.share:.2g} % ({worst.label}), {asked}"
+    return f"Provisional: mesh {number} ({first.unknowns:,} unknowns) is still to be refined{error}."
 
 
 def coarse_words(combined: Results) -> str:
-    """Return in words that the mesh is too coarse for the accuracy asked for, or its error not known, else ""."""
+    """Return in words that the mesh is too coarse for the accuracy asked for or provisional, or its error not known.
+
+    "" where none of these is true.
+    """
     from groundslab.accuracy.resolution import find_unresolved
 
-    remedy = _remedy(combined.model)
+    if combined.provisional:
+        return provisional_words(combined)
     for results in combined.values():
         small = find_unresolved(results)
         if small is not None:
             forces = f"{small.count} forces" if small.count > 1 else "a force"
             return (
                 f"The mesh is too coarse for the footprint of {forces}: {small.footprint:.3g} m in elements of "
-                f"{small.element:.3g} m. Moments and shear forces there are too small. {remedy.capitalize()}"
+                f"{small.element:.3g} m. Moments and shear forces there are too small. {_sentence(_remedy(results))}"
             )
-    judged = [judgment for results in combined.values() for judgment in judge(results)[:1]]
-    worst = max(judged, key=attrgetter("share"), default=None)
+    worst = _worst(combined)
     if worst is None or worst.share <= combined.model.mesh.largest_error:
         return _hanging_words(combined) or next(filter(None, map(unknown_words, combined.values())), "")
     return (
         f"The mesh is too coarse: the largest discretization error is {100 * worst.share:.2g} % ({worst.label}), more "
-        f"than {100 * combined.model.mesh.largest_error:g} %. {remedy.capitalize()}"
+        f"than {100 * combined.model.mesh.largest_error:g} %. {_sentence(_remedy(next(iter(combined.values()))))}"
     )
 
 

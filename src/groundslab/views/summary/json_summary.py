@@ -48,6 +48,7 @@ def to_json(combined: Results, folders: Mapping[str, str] | None = None, files: 
         "format": FORMAT,
         "title": combined.model.title,
         "certified": not combined.refused,
+        "provisional": combined.provisional,
         "design": design(combined),
         "cases": [_case(use) for use in case_uses(combined.model, combined.combinations)],
         "remarks": [remark.words for remark in find_remarks(combined.model, combined.combinations)],
@@ -125,11 +126,14 @@ def _sections(sections: Sequence[SummarySection]) -> dict[str, Any]:
 
 
 def _analysis(results: CombinationResult) -> dict[str, Any]:
-    """Return the constants that an analysis ended with and its steps as data for JSON."""
+    """Return the constants that an analysis ended with, its steps and the meshes that were made as data for JSON."""
     constants = asdict(results.constants)
     for name, unit in (("k0", "MPa/m"), ("k1", "MPa m")):
         constants[name] = [_quantity(value, UNITS[unit]) for value in constants[name]]
-    return {"constants": constants, "history": [asdict(step) for step in results.steps]}
+    history = None if results.mesh_history is None else asdict(results.mesh_history)
+    if history is not None:
+        del history["before"]
+    return {"constants": constants, "history": [asdict(step) for step in results.steps], "mesh_history": history}
 
 
 def _named(extreme: Extreme, names: dict[int, str]) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""The progress of the analysis on one line of a terminal."""
+"""The progress of the analysis: on one line of a terminal, or a line every ten seconds in a file."""
 
 from __future__ import annotations
 
@@ -10,21 +10,24 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
     from rich.console import Console
-    from rich.status import Status
 
     from groundslab.model.loads.load_cases import Combination
     from groundslab.results.record import Step
+
+
+#: Shortest time between two lines in a file [s].
+INTERVAL = 10.0
 
 
 class CombinationCount:
     """Counts the combinations as they begin, from the first again on each mesh, and estimates the time that is left.
 
     The estimate is the mean time of those that are done. The first on a mesh, which takes the meshing and the first
-    factorization too, is left out of it.
+    factorization too, is left out of it. `mesh` is the number of the first mesh, None where it is the only one.
     """
 
-    def __init__(self, count: int, clock: Callable[[], float] = time.monotonic) -> None:
-        self._count, self._clock = count, clock
+    def __init__(self, count: int, clock: Callable[[], float] = time.monotonic, mesh: int | None = None) -> None:
+        self._count, self._clock, self.mesh = count, clock, mesh
         self._number = 0
         self._name = ""
         self._begun = self._second_begun = 0.0
@@ -33,6 +36,11 @@ class CombinationCount:
     def share(self) -> float | None:
         """The share of combinations that are done, None where there is only one."""
         return (self._number - 1) / self._count if self._count > 1 else None
+
+    def begin_mesh(self) -> None:
+        """Note that the combinations begin anew on the next mesh."""
+        self._number = 0
+        self.mesh = None if self.mesh is None else self.mesh + 1
 
     def begin(self, name: str) -> None:
         """Note that the next combination begins."""
@@ -49,46 +57,62 @@ class CombinationCount:
         return max(0.0, mean * (self._count - self._number + 1) - (self._clock() - self._begun))
 
     def words(self) -> str:
-        """Return number and name of the combination and the time left, empty where there is only one."""
+        """Return the mesh, number and name of the combination and the time left, empty where there is only one each."""
+        mesh = "" if self.mesh is None else f"mesh {self.mesh}"
         if self._count == 1:
-            return ""
+            return f"{mesh}: " if mesh else ""
         left = self.seconds_left()
         about = "" if left is None or left < 1.0 else f", about {left:.0f} s left on this mesh"
-        return f"{self._number} of {self._count}, {self._name}{about}: "
+        return f"{mesh}{', ' if mesh else ''}{self._number} of {self._count}, {self._name}{about}: "
 
 
-class StatusLine:
-    """A line on the terminal that shows each step, and the combination that it belongs to."""
+class Progress:
+    """Shows each step, and the mesh and the combination that it belongs to, where there are several."""
 
-    def __init__(self, status: Status, count: int) -> None:
-        self._status = status
-        self._combinations = CombinationCount(count)
+    def __init__(self, show: Callable[[str], None], combinations: CombinationCount) -> None:
+        self._show, self._combinations = show, combinations
+
+    def begin_mesh(self) -> None:
+        """Note that the next mesh begins."""
+        self._combinations.begin_mesh()
 
     def begin(self, combination: Combination) -> None:
         """Show that the next combination begins; where there is only one, it is not named."""
         self._combinations.begin(combination.name)
-        self._update("begins")
+        self._show(f"{self._combinations.words()}begins")
 
     def __call__(self, step: Step) -> None:
         """Show a step."""
-        self._update(line(step))
-
-    def _update(self, words: str) -> None:
-        from rich.text import Text
-
-        self._status.update(
-            Text(self._combinations.words() + words)
-        )  # as text, since a name may hold what rich takes for markup
+        self._show(self._combinations.words() + line(step))
 
 
 @contextmanager
-def progress(console: Console | None = None, count: int = 1) -> Iterator[StatusLine]:
-    """Show a line on standard error (or the given console) for an analysis of `count` combinations."""
+def on_terminal(combinations: CombinationCount, console: Console | None = None) -> Iterator[Progress]:
+    """Show the progress on one line of standard error, or of the given console."""
     from rich.console import Console
+    from rich.text import Text
 
     console = console or Console(stderr=True)
     with console.status("analysis begins") as status:
-        yield StatusLine(status, count)
+        # as text, since a name may hold what rich takes for markup
+        yield Progress(lambda words: status.update(Text(words)), combinations)
+
+
+@contextmanager
+def in_file(
+    combinations: CombinationCount, write: Callable[[str], None], clock: Callable[[], float] = time.monotonic
+) -> Iterator[Progress]:
+    """Write the progress as lines, the first after INTERVAL, and no further one before it has passed again."""
+    begun = last = clock()
+
+    def show(words: str) -> None:
+        nonlocal last
+        now = clock()
+        if now - last >= INTERVAL:
+            last = now
+            write(f"{now - begun:.0f} s: {words}")
+
+    yield Progress(show, combinations)
 
 
 def line(step: Step) -> str:

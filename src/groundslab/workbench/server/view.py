@@ -101,11 +101,14 @@ class ResultsView:
 
     def get_current_events(self) -> list[Event]:
         """Return the events that describe the results."""
+        from groundslab.views.summary.discretization import provisional_words
+
         design = self.summary["design"]
         headline = design["headline"] if design.get("status") in ("fails", "attention") else ""
         about = {"run": ONLY, "version": ONLY, "seconds": None, "design": headline}
         refused = {name: refusal_words(why) for name, why in self._results.refused.items()}
-        return [("solved", about | {"refused": refused})]
+        provisional = provisional_words(self._results)
+        return [("solved", about | {"refused": refused, "provisional": provisional, "update": 0})]
 
     def write_report(self) -> tuple[str, bytes]:
         """Return a name for the report on the results, and its content, which is made once."""

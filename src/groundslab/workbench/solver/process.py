@@ -2,9 +2,10 @@
 
 It receives ("solve", run, text, shown), ("report", run, file), ("archive", run, file) and ("table", run, name) from
 ``Worker`` through a pipe. It sends ("ready",) when it can receive, ("warm",) when it has warmed up, ("progress", run,
-text, share), ("preview", run, words) followed by the bytes of a scene, ("solved", run, answer) followed by the bytes of
-the scene, ("refused", run, message, issues), ("stopped", run), and ("view", message, error) in answer to the last
-three, followed by the bytes that were asked for if the error is empty.
+text, share), ("preview", run, words) followed by the bytes of a scene, ("provisional", run, answer) and ("solved", run,
+answer) followed by the bytes of the scene, ("refused", run, message, issues), ("stopped", run), and ("view", message,
+error) in answer to the last three, followed by the bytes that were asked for if the error is empty. These are answered
+between two steps of a run, too.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from __future__ import annotations
 import json
 import time
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from multiprocessing.connection import Connection
@@ -31,6 +32,8 @@ if TYPE_CHECKING:
 
 #: Shortest time between two messages about the progress [s].
 PROGRESS_INTERVAL = 0.1
+#: A run that has no results after so long shows a preview [s].
+PREVIEW_AFTER = 1.0
 #: The files about a run that can be asked for.
 FILES = ("report", "archive")
 #: A report on results whose case has changed since.
@@ -39,12 +42,16 @@ OUTDATED = "outdated report"
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """The outcome of a run without its scene: seconds, reasons of refused combinations, summary, names of tables."""
+    """The outcome of a run without its scene: seconds, reasons of refused combinations, summary, names of tables.
+
+    `provisional` says in words that the mesh is still to be refined, "" where it is not.
+    """
 
     seconds: float
     refused: dict[str, str]
     summary: dict[str, Any]
     tables: tuple[str, ...] = ()
+    provisional: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,12 +59,14 @@ class Progress:
     """Tells how a run goes on, and shows what there is before its end.
 
     `tell` is called with a text and the share of combinations that are done, `show` with words about a packed scene and
-    the scene. `shown` is the combination that is looked at, None where no preview of it is wanted.
+    the scene, `keep` with provisional results as a task returns its own. `shown` is the combination that is looked at,
+    None where no preview of it is wanted.
     """
 
     tell: Callable[[str, float | None], None]
     show: Callable[[str, bytes], None] = lambda _words, _scene: None
     shown: str | None = None
+    keep: Callable[[Answer, bytes, Any], None] = lambda _answer, _scene, _kept: None
 
     def __call__(self, text: str, share: float | None) -> None:
         """Tell how the run goes on."""
@@ -87,41 +96,57 @@ class Stopped(BaseException):
 
 
 def solve(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
-    """Return the results of the case that a text describes; raises GroundslabError."""
+    """Return the results of the case that a text describes; raises GroundslabError.
+
+    Those on each mesh that is refined are kept before: on the first one at once, and again with its checks.
+    """
     from groundslab.analysis.driver import solve_combinations
     from groundslab.case import casefile
     from groundslab.model.combinations import list_combinations
-    from groundslab.results.results import refusal_words
-    from groundslab.views.scene.binary import pack
-    from groundslab.views.scene.fields import scene_of
     from groundslab.views.summary.progress import CombinationCount, line
-    from groundslab.workbench.solver.summary import build_summary
-    from groundslab.workbench.solver.tables import layout_makers
 
     start = time.perf_counter()
     model = casefile.loads(text)
-    combinations = CombinationCount(len(list_combinations(model)))
-
-    if progress.shown is not None:
-        _show_preview(model, progress, progress.shown)
+    combinations = CombinationCount(len(list_combinations(model)), mesh=1 if model.mesh.adaptive else None)
+    nothing_shown = True
 
     def on_combination(combination: Combination) -> None:
         combinations.begin(combination.name)
         progress(f"{combinations.words()}begins", combinations.share)
 
     def on_step(step: Step) -> None:
+        nonlocal nothing_shown
         progress(combinations.words() + line(step), combinations.share)
+        if nothing_shown and progress.shown is not None and time.perf_counter() - start > PREVIEW_AFTER:
+            nothing_shown = False
+            _show_preview(model, progress, progress.shown)
 
     def on_mesh(results: Results) -> None:
-        unknowns = next(iter(results.values())).unknowns
-        progress.show(f"on a mesh of {unknowns:,} unknowns, which is being refined", pack(scene_of(results)))
+        nonlocal nothing_shown
+        nothing_shown = False
+        if combinations.mesh == 1:
+            progress.keep(*_outcome(text, results, start, with_checks=False))
+        progress.keep(*_outcome(text, results, start))
+        combinations.begin_mesh()
 
-    combined = solve_combinations(model, on_step, on_combination, on_mesh)
-    refused = {name: refusal_words(error) for name, error in combined.refused.items()}
-    summary, scene = build_summary(combined), pack(scene_of(combined))
-    tables = layout_makers(combined)
-    answer = Answer(time.perf_counter() - start, refused, summary, tuple(tables))
-    return answer, scene, Solved(text, combined, tables)
+    return _outcome(text, solve_combinations(model, on_step, on_combination, on_mesh), start)
+
+
+def _outcome(text: str, results: Results, start: float, with_checks: bool = True) -> tuple[Answer, bytes, Solved]:
+    """Return the answer, the packed scene and the data for a report of a text's results, from a run that began then."""
+    from groundslab.results.results import refusal_words
+    from groundslab.views.scene.binary import pack
+    from groundslab.views.scene.fields import scene_of
+    from groundslab.views.summary.discretization import provisional_words
+    from groundslab.workbench.solver.summary import build_summary
+    from groundslab.workbench.solver.tables import layout_makers
+
+    refused = {name: refusal_words(error) for name, error in results.refused.items()}
+    summary, scene = build_summary(results, with_checks), pack(scene_of(results))
+    tables = layout_makers(results)
+    seconds = time.perf_counter() - start
+    answer = Answer(seconds, refused, summary, tuple(tables), provisional_words(results))
+    return answer, scene, Solved(text, results, tables)
 
 
 def _show_preview(model: Model, progress: Progress, name: str) -> None:
@@ -150,14 +175,14 @@ def main(pipe: Connection, stop: Any, task: Task, prepare: Prepare | None) -> No
     if prepare is not None:
         _prepare(pipe, prepare)
     pipe.send(("warm",))
-    latest: tuple[int, Any] | None = None
+    known: Mapping[int, Any] = {}
     while True:
         try:
             kind, run, *rest = pipe.recv()
             if kind == "solve":
-                latest = _solve(pipe, stop, task, run, *rest) or latest
+                known = _solve(pipe, stop, task, (run, *rest), known)
             else:
-                _send_view(pipe, (kind, run, rest[0]), latest)
+                _send_view(pipe, (kind, run, rest[0]), known)
         except (EOFError, BrokenPipeError, ConnectionResetError):
             return
 
@@ -178,27 +203,48 @@ def _prepare(pipe: Connection, prepare: Prepare) -> None:
         traceback.print_exc()
 
 
-def _solve(pipe: Connection, stop: Any, task: Task, run: int, text: str, shown: str | None) -> tuple[int, Any] | None:
-    """Solve a text and send the outcome; return the data for a report."""
+def _solve(
+    pipe: Connection, stop: Any, task: Task, job: tuple[int, str, str | None], known: Mapping[int, Any]
+) -> Mapping[int, Any]:
+    """Solve the text of a run and send the outcome; return the data for reports and tables by run.
+
+    While it is solved, views of what is known of earlier runs and of provisional results are sent.
+    """
+    run, text, shown = job
     sent = float("-inf")
+    provisional: dict[int, Any] = {}
+
+    def listen() -> None:
+        if stop.value >= run:
+            raise Stopped
+        while pipe.poll():
+            try:
+                view = pipe.recv()
+            except EOFError:
+                raise Stopped from None
+            _send_view(pipe, view, {**known, **provisional})
 
     def tell(message: str, share: float | None) -> None:
         nonlocal sent
-        if stop.value >= run:
-            raise Stopped
+        listen()
         if time.monotonic() - sent >= PROGRESS_INTERVAL:
             pipe.send(("progress", run, message, share))
             sent = time.monotonic()
 
     def show(words: str, scene: bytes) -> None:
-        if stop.value >= run:
-            raise Stopped
+        listen()
         pipe.send(("preview", run, words))
         pipe.send_bytes(scene)
 
+    def keep(answer: Answer, scene: bytes, kept: Any) -> None:
+        provisional[run] = kept
+        pipe.send(("provisional", run, answer))
+        pipe.send_bytes(scene)
+        listen()
+
     try:
         tell("begins", None)
-        answer, scene, kept = task(text, Progress(tell, show, shown))
+        answer, scene, kept = task(text, Progress(tell, show, shown, keep))
     except Stopped:
         pipe.send(("stopped", run))
     except GroundslabError as error:
@@ -211,8 +257,8 @@ def _solve(pipe: Connection, stop: Any, task: Task, run: int, text: str, shown: 
     else:
         pipe.send(("solved", run, answer))
         pipe.send_bytes(scene)
-        return run, kept
-    return None
+        return {run: kept}
+    return provisional or known
 
 
 def _compare(model: Model) -> GroundComparison | None:
@@ -224,14 +270,14 @@ def _compare(model: Model) -> GroundComparison | None:
     return compare_grounds(model)
 
 
-def _send_view(pipe: Connection, view: View, latest: tuple[int, Any] | None) -> None:
-    """Send a report, an archive or a table of a run, if it is the latest one."""
+def _send_view(pipe: Connection, view: View, known: Mapping[int, Any]) -> None:
+    """Send a report, an archive or a table of a run, if anything is known of it."""
     kind, run, name = view
-    if latest is None or latest[0] != run:
+    if run not in known:
         pipe.send(("view", view, "the results of that run are not kept any more; solve again"))
         return
     try:
-        content = WRITERS[kind](latest[1], name)
+        content = WRITERS[kind](known[run], name)
     except Exception as error:
         traceback.print_exc()
         pipe.send(("view", view, f"it cannot be made: {error}"))

@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from concurrent.futures import Future
 from dataclasses import dataclass
-from typing import Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from groundslab.errors import InputError, Issue
 from groundslab.workbench.solver.process import Answer, View
+
+if TYPE_CHECKING:
+    from groundslab.workbench.events import Event
 
 #: Number of results that are kept, for pages that still show the previous one.
 MAX_RESULTS = 2
@@ -48,7 +51,10 @@ class Job:
 
 @dataclass(slots=True)
 class Result:
-    """The results of a run; version is the latest one with the same fingerprint."""
+    """The results of a run; version is the latest one with the same fingerprint.
+
+    Provisional ones are replaced by those on the next mesh, or with checks; `update` counts how often.
+    """
 
     run: int
     version: int
@@ -56,6 +62,17 @@ class Result:
     answer: Answer
     scene: bytes
     text: str = ""
+    update: int = 0
+
+    @property
+    def is_provisional(self) -> bool:
+        """Whether the mesh is still to be refined."""
+        return bool(self.answer.provisional)
+
+    @property
+    def event(self) -> Event:
+        """The event that announces the result to the page."""
+        return "provisional" if self.is_provisional else "solved", self.to_json()
 
     def to_json(self) -> dict[str, Any]:
         """Return the result as data for the page, with the headline of a design that fails or needs attention."""
@@ -66,6 +83,8 @@ class Result:
             "seconds": self.answer.seconds,
             "design": design["headline"] if design.get("status") in ("fails", "attention") else "",
             "refused": self.answer.refused,
+            "provisional": self.answer.provisional,
+            "update": self.update,
         }
 
 

@@ -14,6 +14,7 @@ from groundslab.workbench.solver.runs import Job, Latest, Result
 
 if TYPE_CHECKING:
     from groundslab.workbench.events import Event
+    from groundslab.workbench.solver.process import Answer
 
 Notify = Callable[[str, dict[str, Any]], None]
 
@@ -52,13 +53,17 @@ class Schedule:
         active, latest = self.active, self.results.latest
         if active is not None and not active.is_cancelled and active.job.fingerprint == fingerprint:
             active.job.version, self.waiting = version, None
+            if latest is not None and latest.run == active.job.run:
+                latest.version = version
+                self._notify(*latest.event)
             return active.job.run
-        is_solved = not force and latest is not None and latest.fingerprint == fingerprint
+        is_known = latest is not None and latest.fingerprint == fingerprint and not latest.is_provisional
+        is_solved = is_known and not force
         if active is not None:
             active.is_cancelled, active.announces_latest = True, is_solved
         if is_solved and latest is not None:
             latest.version, self.waiting = version, None
-            self._notify("solved", latest.to_json())
+            self._notify(*latest.event)
             return latest.run
         self.waiting = Job(next(self._numbers), version, text, fingerprint, time.monotonic() + delay)
         return self.waiting.run
@@ -87,7 +92,7 @@ class Schedule:
         """Return the events that describe the present state; takes the lock."""
         with self.lock:
             latest, active = self.results.latest, self.active
-            events: list[Event] = [] if latest is None else [("solved", latest.to_json())]
+            events: list[Event] = [] if latest is None else [latest.event]
             if active is not None and active.kill_at is None:
                 events.append(("solving", active.job.to_json()))
                 if active.progress is not None:
@@ -118,7 +123,7 @@ class Schedule:
         self._notify("cancelled", {"run": active.job.run})
         again, active.announces_latest = active.announces_latest, False
         if again and self.results.latest is not None:
-            self._notify("solved", self.results.latest.to_json())
+            self._notify(*self.results.latest.event)
 
     def handle(self, kind: str, run: int, rest: list[Any], content: bytes) -> None:
         """Handle the process's message about a run; of one that is being stopped only its end counts."""
@@ -134,6 +139,10 @@ class Schedule:
             if not active.is_cancelled:
                 active.preview = job.to_json() | {"words": rest[0]}, content
                 self._notify("preview", active.preview[0])
+        elif kind == "provisional":
+            if not active.is_cancelled:
+                active.preview = None
+                self._notify(*self._add(job, rest[0], content).event)
         elif active.is_cancelled:
             if not is_stopping:  # it ended before it could be stopped
                 self.stop(active, 0.0)
@@ -141,9 +150,15 @@ class Schedule:
         elif kind == "refused":
             self.finish("refused", job.to_json() | {"message": rest[0], "issues": issues_to_json(rest[1])})
         else:
-            result = Result(run, job.version, job.fingerprint, rest[0], content, job.text)
-            self.results.add(run, result)
-            self.finish("solved", result.to_json())
+            self.finish(*self._add(job, rest[0], content).event)
+
+    def _add(self, job: Job, answer: Answer, scene: bytes) -> Result:
+        """Keep the results of a job in place of earlier ones of the same run."""
+        before = self.results.get(job.run)
+        update = 0 if before is None else before.update + 1
+        result = Result(job.run, job.version, job.fingerprint, answer, scene, job.text, update)
+        self.results.add(job.run, result)
+        return result
 
     def finish(self, event: str = "", data: dict[str, Any] | None = None) -> None:
         """Finish the current run, with an event unless it was announced when the run was stopped."""

@@ -17,11 +17,14 @@ if TYPE_CHECKING:
     from groundslab.views.summary.rows import Row, SummarySection
 
 
-def build_summary(combined: Results) -> dict[str, Any]:
-    """Return the design and a summary of each combination; raises GroundslabError if a number is not finite."""
+def build_summary(combined: Results, with_checks: bool = True) -> dict[str, Any]:
+    """Return the design and a summary of each combination; raises GroundslabError if a number is not finite.
+
+    Without checks there is no design, since they may take longer than all else.
+    """
     combinations.require_finite(combined)
     return {
-        "design": json_summary.design(combined),
+        **({"design": json_summary.design(combined)} if with_checks else {}),
         "coarse": coarse_words(combined),
         "combinations": [_combination_to_json(entry) for entry in combinations.entries(combined)],
     }

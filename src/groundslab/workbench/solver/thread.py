@@ -23,8 +23,6 @@ from groundslab.workbench.solver.worker import Worker
 DELAY = 0.05
 #: A run that has not stopped after so long is killed with its process [s].
 GRACE = 0.5
-#: No preview is made where the last run took no longer than this [s].
-QUICK = 0.5
 #: A process that fails so often before it is ready is not started again until there is a new job.
 MAX_STARTS = 3
 CLOSING, STOPPED = "the server ends", "the solver was stopped; solve again"
@@ -131,12 +129,11 @@ class Solver:
             self._worker = Worker(self._task, self._prepare)
         if self._worker is None:
             self._views.fail("the solver cannot be started")
-        elif self._worker.is_ready and schedule.active is None:
+        elif self._worker.is_ready and (schedule.active is None or schedule.active.kill_at is None):
             messages: list[tuple[Any, ...]] = list(self._views.take_unsent())
-            job, latest = schedule.begin(now), schedule.results.latest
+            job = schedule.begin(now) if schedule.active is None else None
             if job is not None:
-                is_slow = latest is None or latest.answer.seconds > QUICK
-                messages.append(("solve", job.run, job.text, self.shown if is_slow else None))
+                messages.append(("solve", job.run, job.text, self.shown))
             self._worker.send(messages)
 
     def _receive(self, worker: Worker) -> None:

@@ -31,7 +31,7 @@ class Worker:
         """Return the kind of a message, what it says, and the bytes that follow it; None at the process's end."""
         try:
             kind, *rest = self.pipe.recv()
-            has_content = kind in ("preview", "solved") or (kind == "view" and not rest[1])
+            has_content = kind in ("preview", "provisional", "solved") or (kind == "view" and not rest[1])
             return kind, rest, self.pipe.recv_bytes() if has_content else b""
         except (EOFError, OSError):
             return None

@@ -55,6 +55,18 @@ class Events:
             assert self.more.wait_for(lambda: (self.events[-1][0], self.events[-1][1]["run"]) == wanted, PATIENCE)
             return self.events[-1][1]
 
+    def wait_for_update(self, run: int, update: int) -> dict[str, Any]:
+        """Return the first event that announces so late results of a run."""
+
+        def found() -> dict[str, Any] | None:
+            return next((each for _, each in self.events if (each["run"], each.get("update")) == (run, update)), None)
+
+        with self.more:
+            assert self.more.wait_for(lambda: found() is not None, PATIENCE), self.events
+            about = found()
+            assert about is not None
+            return about
+
     def names(self, run: int) -> list[str]:
         """Return the names of the events on a run, progress left out."""
         return [name for name, about in self.events if about["run"] == run and name != "progress"]
@@ -116,7 +128,7 @@ def test_a_run_is_reported_from_beginning_to_end(make: Make, events: Events) -> 
 
 
 def test_a_preview_is_there_until_the_run_ends(make: Make, events: Events, tmp_path: Path) -> None:
-    """It is of the combination that is looked at; a quick run has none, nor has one when several are looked at."""
+    """It is of the combination that is looked at, of none when several are looked at."""
     solver, release = make(), tmp_path / "release"
     solver.shown = "ULS 1"
     run = submit(solver, f"preview {release}", 7)
@@ -127,8 +139,61 @@ def test_a_preview_is_there_until_the_run_ends(make: Make, events: Events, tmp_p
     release.touch()
     events.wait("solved", run)
     assert solver.schedule.get_preview(run) is None
-    # the run before took no time
+    solver.shown = None
     assert events.wait("preview", submit(solver, f"preview {release} "))["words"] == "of nothing"
+
+
+def test_results_on_each_mesh_are_results(make: Make, events: Events, tmp_path: Path) -> None:
+    """They have summary, scene and tables while the run goes on, are replaced by those on the next mesh, and say so."""
+    solver, file = make(), tmp_path / "go"
+    run = submit(solver, f"provisional {file}", 7)
+    first = events.wait("provisional", run)
+    assert (first["version"], first["provisional"], first["update"]) == (7, "mesh 1", 0)
+    # the run goes on, and a page that comes later sees both
+    assert [name for name, _ in solver.schedule.get_current_events()][:2] == ["provisional", "solving"]
+    result = solver.schedule.results.get(run)
+    assert result is not None
+    assert (result.scene, result.answer.summary) == (b"first", {"text": "first"})
+    assert b'"first"' in solver.make_view(("table", run, "words"))
+    assert submit(solver, f"provisional {file}", 8) == run
+    assert [about["version"] for name, about in events.events if name == "provisional"] == [7, 8]
+    Path(f"{file}.first").touch()
+    second = events.wait_for_update(run, 1)
+    assert (second["provisional"], second["version"]) == ("mesh 2", 8)
+    assert b'"second"' in solver.make_view(("table", run, "words"))
+    Path(f"{file}.second").touch()
+    last = events.wait("solved", run)
+    assert (last["provisional"], last["update"]) == ("", 2)
+    assert [name for name in events.names(run) if name != "provisional"] == ["solving", "solved"]
+
+
+def test_provisional_results_stay_when_the_run_is_cancelled(make: Make, events: Events, tmp_path: Path) -> None:
+    """With their tables; but the same model is solved again, as it is not solved yet."""
+    solver, file = make(), tmp_path / "go"
+    run = submit(solver, f"provisional {file}")
+    events.wait("provisional", run)
+    solver.cancel()
+    events.wait("cancelled", run)
+    ((name, about),) = solver.schedule.get_current_events()
+    assert (name, about["run"], about["provisional"]) == ("provisional", run, "mesh 1")
+    assert b'"first"' in solver.make_view(("table", run, "words"))
+    again = submit(solver, f"provisional {file}")
+    assert again != run
+    for word in ("first", "second"):
+        Path(f"{file}.{word}").touch()
+    assert events.wait("solved", again)["provisional"] == ""
+
+
+def test_tables_of_the_results_before_are_there_while_the_next_run_goes_on(
+    make: Make, events: Events, tmp_path: Path
+) -> None:
+    """What is looked at does not wait for the end of a run."""
+    solver = make()
+    done = submit(solver, "go 1")
+    events.wait("solved", done)
+    running = submit(solver, f"wait {tmp_path / 'never'}")
+    events.wait("progress", running)
+    assert b'"go"' in solver.make_view(("table", done, "words"), PATIENCE)
 
 
 def test_the_newest_state_replaces_the_one_that_is_solved(make: Make, events: Events, tmp_path: Path) -> None:
@@ -342,28 +407,47 @@ def test_the_analysis_behind_it() -> None:
         process.solve(TWO, Progress(_stop))
 
 
-def test_a_preview_is_of_the_combination_that_is_looked_at() -> None:
+def test_a_preview_is_of_the_combination_that_is_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
     """It has that combination alone, on another mesh; of one without equilibrium there is none."""
     for shown, names in (("down", [["down"]]), ("", [["down"]]), ("up", []), (None, [])):
         previews: list[bytes] = []
         tell, show = (lambda *_: None), (lambda _, scene, previews=previews: previews.append(scene))
+        monkeypatch.setattr(process, "PREVIEW_AFTER", 0.0)
         _, scene, _ = process.solve(TWO, Progress(tell, show, shown))
         heads = [unpack(each).head for each in previews]
         assert [[one["name"] for one in head["combinations"]] for head in heads] == names
         assert all(head["mesh"]["nodes"] != unpack(scene).head["mesh"]["nodes"] for head in heads)
 
 
-def test_every_mesh_but_the_last_is_shown() -> None:
-    """Where the mesh is refined for the accuracy, all combinations are there before the results are."""
-    previews: list[tuple[str, bytes]] = []
+def test_a_quick_run_has_no_preview(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It has results before anybody could look at one."""
+    previews: list[bytes] = []
+    monkeypatch.setattr(process, "PREVIEW_AFTER", PATIENCE)
+    process.solve(TWO, Progress(lambda *_: None, lambda _, scene: previews.append(scene), "down"))
+    assert previews == []
+
+
+def test_every_mesh_but_the_last_has_provisional_results() -> None:
+    """On the first one at once and again with its checks, on the others with them; the run goes on from each."""
+    kept: list[tuple[process.Answer, bytes, process.Solved]] = []
+    said: list[str] = []
     text = TWO.replace("counts = [4, 4]", 'accuracy = "2 %"').replace(
         'kind = "uniform"', 'kind = "point"\nx = "0 m"\ny = "0 m"'
     )
     text = text.replace('q = "10 kPa"', 'P = "100 kN"').replace('q = "-10 kPa"', 'P = "10 kN"')
-    process.solve(text, Progress(lambda *_: None, lambda *words: previews.append(words)))
-    assert previews
-    assert "being refined" in previews[0][0]
-    assert [one["name"] for one in unpack(previews[0][1]).head["combinations"]] == ["down", "up"]
+    tell = lambda words, _: said.append(words)  # noqa: E731
+    last, _, _ = process.solve(text, Progress(tell, keep=lambda *outcome: kept.append(outcome)))
+    (first, scene, solved), (checked, _, _), *_ = kept
+    assert "design" not in first.summary
+    assert "checks" in checked.summary["design"]
+    assert first.provisional.startswith("Provisional: mesh 1 (")
+    assert first.summary["coarse"] == first.provisional
+    assert [one["name"] for one in unpack(scene).head["combinations"]] == ["down", "up"]
+    assert solved.results.provisional
+    assert list(solved.tables) == list(first.tables)
+    assert b"Provisional: mesh 1 (" in process._write_report(solved, "slab.toml")
+    assert last.provisional == ""
+    assert any(words.startswith("mesh 2, 1 of 2, down: ") for words in said)
 
 
 def _stop(_words: str, _share: float | None) -> None:

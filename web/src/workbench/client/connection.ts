@@ -139,9 +139,14 @@ export class Connection {
       if (now.kind === "solving" && now.run === run) setRun({ ...now, text, share });
     });
     on<Preview>("preview", ({ run, words }) => this.store.set("preview", { run, words }));
-    on<Solved>("solved", ({ run, version, seconds, design }) => {
+    const setSolved = ({ run, version, seconds, design, provisional, update }: Solved) => {
+      this.store.set("preview", null);
+      this.store.set("solved", { run, version, seconds, design, provisional, update });
+    };
+    on<Solved>("provisional", setSolved);
+    on<Solved>("solved", (solved) => {
       setRun({ kind: "idle" });
-      this.store.set("solved", { run, version, seconds, design });
+      setSolved(solved);
     });
     on<{ version: number; message: string; issues: Issue[] }>("refused", ({ version, message, issues }) =>
       setRun({ kind: "refused", version, message, issues }),

@@ -25,6 +25,10 @@ export interface Solved {
   seconds: number | null;
   /** What fails in the design, empty if nothing was found to. */
   design: string;
+  /** That the mesh is still to be refined, in words; empty where it is not. */
+  provisional: string;
+  /** How often results of this run have been replaced by such on a finer mesh, or with checks. */
+  update: number;
 }
 
 /** The picture of a run that has not ended; what it is, in words. */

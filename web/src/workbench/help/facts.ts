@@ -50,7 +50,7 @@ function writtenDefault(value: Json | undefined): string {
 function kindOfValue(node: Node): string {
   switch (node.is) {
     case "quantity":
-      return `${node.dimension}, such as ${node.example}`;
+      return [`${node.dimension}, such as ${node.example}`, ...node.options].join(" or ");
     case "choice":
       return node.options.join(", ");
     case "choices":

@@ -4,7 +4,7 @@ import { isTable, type Json, type Table } from "./paths";
 
 /** What a value is, and so which element edits it. */
 export type Node =
-  | { is: "quantity"; dimension: string; example: string }
+  | { is: "quantity"; dimension: string; example: string; options: readonly string[] }
   | { is: "number"; options: readonly string[] }
   | { is: "integer" }
   | { is: "choice"; options: readonly string[] }
@@ -109,7 +109,8 @@ function readField(name: string, source: Table, needed: boolean): Field {
   const about = text(source.description);
   const hint = symbol && about.startsWith(`${symbol}: `) ? about.slice(symbol.length + 2) : about;
   const items = isTable(source.items) ? source.items : {};
-  const range = text(source["x-range"]) || text(items["x-range"]) || rangeOf(source);
+  const own = valueSchema(source);
+  const range = text(own["x-range"]) || text(items["x-range"]) || rangeOf(own);
   return { name, node: readNode(source), symbol, hint, range, needed, default: source.default };
 }
 
@@ -126,6 +127,12 @@ function reference(value: Json | undefined): string | null {
   return target.startsWith("#/definitions/") ? target.slice("#/definitions/".length) : null;
 }
 
+/** The schema of a value that may be a word instead, else the schema itself. */
+function valueSchema(source: Table): Table {
+  const first = Array.isArray(source.anyOf) ? source.anyOf[0] : source;
+  return isTable(first) ? first : source;
+}
+
 function readNode(source: Table): Node {
   const own = reference(source) ?? (Array.isArray(source.allOf) ? reference(source.allOf[0]) : null);
   if (own !== null) return { is: "part", part: own };
@@ -135,8 +142,9 @@ function readNode(source: Table): Node {
   if (typeof source.const === "string") return { is: "tag", value: source.const };
   if (Array.isArray(source.enum)) return { is: "choice", options: strings(source.enum) };
   if (Array.isArray(source.anyOf)) {
-    const named = source.anyOf.flatMap((each) => (isTable(each) ? strings(each.enum) : []));
-    return { is: "number", options: named };
+    const options = source.anyOf.flatMap((each) => (isTable(each) ? strings(each.enum) : []));
+    const node = readNode(valueSchema(source));
+    return node.is === "quantity" || node.is === "number" ? { ...node, options } : node;
   }
   switch (source.type) {
     case "array":
@@ -151,7 +159,7 @@ function readNode(source: Table): Node {
       return { is: "number", options: [] };
     default:
       return typeof source["x-dimension"] === "string"
-        ? { is: "quantity", dimension: source["x-dimension"], example: strings(source.examples)[0] ?? "" }
+        ? { is: "quantity", dimension: source["x-dimension"], example: strings(source.examples)[0] ?? "", options: [] }
         : { is: "text" };
   }
 }

@@ -1,4 +1,4 @@
-// The picture of a run that has not ended yet: on a coarser mesh, and marked as that.
+// The picture of a run that has no results yet: on a coarser mesh, and marked as that; and the mark of provisional ones.
 import { fieldsOf, isEnvelope } from "../../viewer/data/fields";
 import { decodeScene, type Scene } from "../../viewer/data/scene";
 import type { ResultView } from "../../viewer/panels/result-view";
@@ -28,6 +28,7 @@ function hasShown(scene: Scene, view: ResultView): boolean {
 /** Shows the previews that the store names, and says over the picture what they are. */
 export class Preview {
   readonly label = h("p", { class: "preview-over", hidden: true });
+  isShown = false;
 
   constructor(
     private readonly store: Store,
@@ -42,13 +43,16 @@ export class Preview {
     });
   }
 
-  get isShown(): boolean {
-    return !this.label.hidden;
+  /** Show no preview any more, but results; say that they are provisional, in words, if they are. */
+  end(provisional = ""): void {
+    this.isShown = false;
+    this.mark(provisional);
+    this.label.classList.toggle("provisional", provisional !== "");
   }
 
-  /** Say no more that a preview is shown. */
-  end(): void {
-    this.label.hidden = true;
+  private mark(words: string): void {
+    setText(this.label, words);
+    this.label.hidden = words === "";
   }
 
   private async fetch(): Promise<void> {
@@ -57,8 +61,9 @@ export class Preview {
     try {
       const scene = decodeScene(await this.api.preview(preview.run));
       if (this.store.preview !== preview || !hasShown(scene, this.view)) return;
-      setText(this.label, `Preview ${preview.words}`);
-      this.label.hidden = false;
+      this.mark(`Preview ${preview.words}`);
+      this.label.classList.remove("provisional");
+      this.isShown = true;
       this.view.setScene(scene, this.view.field || "settlement");
       this.hooks.onShow();
     } catch (error) {

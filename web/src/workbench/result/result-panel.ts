@@ -31,6 +31,7 @@ export class ResultPanel {
   private shownName: string | null = "";
   private fetching = 0;
   private shownRun: number | null = null;
+  private shownUpdate = 0;
 
   constructor(
     private readonly store: Store,
@@ -102,11 +103,12 @@ export class ResultPanel {
     const { solved } = this.store;
     this.fetching += 1;
     const turn = this.fetching;
-    this.element.setAttribute("aria-busy", String(solved !== null && solved.run !== this.shownRun));
+    const isShown = solved?.run === this.shownRun && solved?.update === this.shownUpdate;
+    this.element.setAttribute("aria-busy", String(solved !== null && !isShown));
     if (!solved) return this.clear();
-    if (solved.run === this.shownRun) return;
+    if (isShown) return;
     try {
-      const { run } = solved;
+      const { run, update } = solved;
       const [buffer, summary, names] = await Promise.all([
         this.api.scene(run),
         this.api.summary(run),
@@ -115,10 +117,10 @@ export class ResultPanel {
       if (turn !== this.fetching) return;
       this.summary = summary;
       this.showFull(true);
-      this.picture.preview.end();
+      this.picture.preview.end(solved.provisional);
       this.lower.reference.setPicture(false);
       this.picture.setResult(decodeScene(buffer));
-      this.shownRun = run;
+      [this.shownRun, this.shownUpdate] = [run, update];
       this.offerTables(run, names);
       void this.lower.tables.see(this.lower.tabs.current());
     } catch (error) {
@@ -130,7 +132,7 @@ export class ResultPanel {
 
   /** Offer the tabs that have a table; grounds can always be compared. */
   private offerTables(run: number | null, names: readonly string[]): void {
-    this.lower.tables.set(run, names, (tab, offered) =>
+    this.lower.tables.set(run, this.shownUpdate, names, (tab, offered) =>
       this.lower.tabs.offer(tab, offered || (tab === "ground" && this.canCompare && run !== null)),
     );
   }

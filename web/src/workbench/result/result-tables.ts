@@ -34,7 +34,7 @@ class Group {
   readonly panel = h("div", { class: "lower-panel table-box" });
   readonly choice = h("select", { "aria-label": "Table" });
   readonly view: TableView;
-  shown = ""; // run and name of the table
+  shown = ""; // run, update and name of the table
   chosen = ""; // the table that was asked for
 
   constructor(
@@ -63,6 +63,7 @@ export class ResultTables {
   private readonly groups: Group[];
   private readonly kept = new Map<string, ResultTable>();
   private run: number | null = null;
+  private update = 0;
 
   constructor(
     private readonly api: Pick<Api, "table">,
@@ -90,31 +91,38 @@ export class ResultTables {
     void this.see(tab);
   }
 
-  /** Take the names of the tables of a run; `offer` is called with each tab and whether it has any. */
-  set(run: number | null, names: readonly string[], offer: (tab: string, offered: boolean) => void): void {
-    if (run !== this.run) this.kept.clear();
-    this.run = run;
+  /** Take the names of the tables of a run's results; `offer` is called with each tab and whether it has any. */
+  set(
+    run: number | null,
+    update: number,
+    names: readonly string[],
+    offer: (tab: string, offered: boolean) => void,
+  ): void {
+    if (run !== this.run || update !== this.update) this.kept.clear();
+    [this.run, this.update] = [run, update];
     for (const group of this.groups) offer(group.name, group.offer(names));
   }
 
   /** Show the chosen table of a tab that has come into view. */
   async see(tab: string): Promise<void> {
     const group = this.groups.find((one) => one.name === tab);
-    const { run } = this;
+    const { run, update } = this;
     const name = group?.choice.value;
-    if (!group || !name || run === null || group.shown === `${run} ${name}`) return;
+    const wanted = `${run} ${update} ${name}`;
+    const isCurrent = () => run === this.run && update === this.update;
+    if (!group || !name || run === null || group.shown === wanted) return;
     group.panel.setAttribute("aria-busy", "true");
     try {
       const table = this.kept.get(name) ?? (await this.api.table(run, name));
-      if (run !== this.run) return;
+      if (!isCurrent()) return;
       this.kept.set(name, table);
       if (name !== group.choice.value) return;
-      group.shown = `${run} ${name}`;
+      group.shown = wanted;
       group.view.show(table);
     } catch (error) {
-      if (run === this.run) this.onError(error);
+      if (isCurrent()) this.onError(error);
     } finally {
-      if (run === this.run) group.panel.setAttribute("aria-busy", "false");
+      if (isCurrent()) group.panel.setAttribute("aria-busy", "false");
     }
   }
 }

@@ -156,7 +156,12 @@ describe("the connection", () => {
     expect(store.run).toMatchObject({ kind: "solving", text: "mesh 1", share: 0.25 });
     events().send("preview", { run: 3, version: 1, words: "on a coarse mesh" });
     expect(store.preview).toEqual({ run: 3, words: "on a coarse mesh" });
-    events().send("solved", { run: 3, version: 1, seconds: 2 });
+    const words = "Provisional: mesh 1 is still to be refined.";
+    events().send("provisional", { run: 3, version: 1, seconds: 1, provisional: words, update: 0 });
+    expect(store.preview).toBeNull();
+    expect(store.run).toMatchObject({ kind: "solving", text: "mesh 1" });
+    expect(store.solved).toMatchObject({ run: 3, provisional: words, update: 0 });
+    events().send("solved", { run: 3, version: 1, seconds: 2, provisional: "", update: 1 });
     expect(store.preview).toBeNull();
     expect([store.run.kind, store.solved?.run]).toEqual(["idle", 3]);
     expect(freshness(store.solved, store.doc?.version, 0)).toBe("fresh");
@@ -203,7 +208,7 @@ describe("words", () => {
   });
 
   it("say whether the results are those of the model", () => {
-    const solved = { run: 1, version: 1, seconds: 12.4, design: "" };
+    const solved = { run: 1, version: 1, seconds: 12.4, design: "", provisional: "", update: 0 };
     expect(statusText("fresh", { kind: "idle" }, solved, true, 0)).toBe("Solved in 12 s.");
     const failing = { ...solved, design: "DESIGN FAILS: 1 of 4 checks by EN 1992-1-1 fails." };
     expect(statusText("fresh", { kind: "idle" }, failing, true, 0)).toBe(

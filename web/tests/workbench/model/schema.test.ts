@@ -9,7 +9,7 @@ describe("the schema", () => {
   it("says what each key is", () => {
     const plate = schema.part("Plate");
     const node = (name: string) => plate.fields.find((field) => field.name === name)?.node;
-    expect(node("thickness")).toEqual({ is: "quantity", dimension: "length", example: "0.2 m" });
+    expect(node("thickness")).toEqual({ is: "quantity", dimension: "length", example: "0.2 m", options: [] });
     expect(node("nu")).toEqual({ is: "number", options: [] });
     expect(node("outline")).toEqual({ is: "kinds", parts: ["Rectangle", "Polygon", "Circle"] });
     expect(node("zones")).toEqual({ is: "list", of: { is: "part", part: "Zone" }, least: 0 });
@@ -17,6 +17,9 @@ describe("the schema", () => {
       is: "number",
       options: ["iterate"],
     });
+    const accuracy = schema.part("Mesh").fields.find((field) => field.name === "accuracy");
+    expect(accuracy?.node).toMatchObject({ is: "quantity", options: ["draft", "normal", "strict"] });
+    expect(accuracy?.range).toBe("0.01 to 50 %");
     expect(schema.part("Beyond").fields.find((field) => field.name === "sides")?.node).toMatchObject({ is: "choices" });
     expect(schema.part("Combination").fields.find((field) => field.name === "factors")?.node).toEqual({
       is: "factors",

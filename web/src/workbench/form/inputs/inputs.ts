@@ -75,10 +75,13 @@ export function textInput(ctx: FormContext, path: Path, node: Node, options: Tex
   input.addEventListener("keydown", (event) => {
     if (event.key === "Enter") end();
   });
-  const known = referencedNames(ctx.data(), path) === null ? null : h("datalist", { id: newId("names") });
+  const words = node.is === "quantity" || node.is === "number" ? node.options : [];
+  const names = () => referencedNames(ctx.data(), path) ?? words;
+  const isNamed = words.length > 0 || referencedNames(ctx.data(), path) !== null;
+  const known = isNamed ? h("datalist", { id: newId("names") }) : null;
   if (known) input.setAttribute("list", known.id);
   const update = () => {
-    if (known) fill(known, ...(referencedNames(ctx.data(), path) ?? []).map((name) => h("option", { value: name })));
+    if (known) fill(known, ...names().map((name) => h("option", { value: name })));
     const value = valueAt(ctx.data(), path);
     if (typed || (document.activeElement === input && parseInput(node, input.value, unit) === value)) return;
     if (input.value !== inputText(value)) input.value = inputText(value);
