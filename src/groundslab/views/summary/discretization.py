@@ -163,7 +163,7 @@ def _hanging_words(combined: Results) -> str:
         if error > combined.model.mesh.largest_error:
             return (
                 f"The mesh is too coarse for a check: {check.name} is {check.utilisation:.2f} +- {error:.2g} times its "
-                f"limit. {_remedy(combined.model).capitalize()}"
+                f"limit. {_sentence(_remedy(next(iter(combined.values()))))}"
             )
     return ""
 
