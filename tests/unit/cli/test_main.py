@@ -864,5 +864,7 @@ def test_the_results_on_each_mesh_can_be_viewed(tmp_path: Path, monkeypatch: pyt
     assert main.main(["solve", str(case), "--quiet"]) == 0
     assert len(shown) >= 2
     for number, each in enumerate(shown, start=1):
-        assert each.summary["coarse"].startswith(f"Provisional: mesh {number} (")
+        ((_, about),) = each.get_current_events()
+        assert about["provisional"].startswith(f"Provisional: mesh {number} (")
+        assert each.summary["coarse"] == about["provisional"]
         assert each.scene

@@ -1,11 +1,11 @@
 """The process that solves: it is kept warm, and stops a run between two steps of the analysis.
 
-It receives ("solve", run, text, shown), ("report", run, file), ("archive", run, file) and ("table", run, name) from
-``Worker`` through a pipe. It sends ("ready",) when it can receive, ("warm",) when it has warmed up, ("progress", run,
-text, share), ("preview", run, words) followed by the bytes of a scene, ("provisional", run, answer) and ("solved", run,
-answer) followed by the bytes of the scene, ("refused", run, message, issues), ("stopped", run), and ("view", message,
-error) in answer to the last three, followed by the bytes that were asked for if the error is empty. These are answered
-between two steps of a run, too.
+It receives ("solve", run, text, shown, before), ("report", run, file), ("archive", run, file) and ("table", run, name)
+from ``Worker`` through a pipe. It sends ("ready",) when it can receive, ("warm",) when it has warmed up, ("progress",
+run, text, share), ("preview", run, words) followed by the bytes of a scene, ("provisional", run, answer) and ("solved",
+run, answer) followed by the bytes of the scene, ("refused", run, message, issues), ("stopped", run), and ("view",
+message, error) in answer to the last three, followed by the bytes that were asked for if the error is empty. These are
+answered between two steps of a run, too.
 """
 
 from __future__ import annotations
@@ -33,7 +33,10 @@ if TYPE_CHECKING:
 #: Shortest time between two messages about the progress [s].
 PROGRESS_INTERVAL = 0.1
 #: A run that has no results after so long shows a preview [s].
-PREVIEW_AFTER = 1.0
+PREVIEW_AFTER = 1.5
+#: It begins with one where the run before had no results after so long [s], or, of the first run, where there are more
+#: elements times combinations than are solved in that time.
+SLOW, MUCH_WORK = 2.0, 8000
 #: The files about a run that can be asked for.
 FILES = ("report", "archive")
 #: A report on results whose case has changed since.
@@ -44,7 +47,8 @@ OUTDATED = "outdated report"
 class Answer:
     """The outcome of a run without its scene: seconds, reasons of refused combinations, summary, names of tables.
 
-    `provisional` says in words that the mesh is still to be refined, "" where it is not.
+    `provisional` says in words that the mesh is still to be refined, "" where it is not. `first` is how long it took to
+    the first results of the run, provisional ones among them [s].
     """
 
     seconds: float
@@ -52,6 +56,7 @@ class Answer:
     summary: dict[str, Any]
     tables: tuple[str, ...] = ()
     provisional: str = ""
+    first: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,13 +65,14 @@ class Progress:
 
     `tell` is called with a text and the share of combinations that are done, `show` with words about a packed scene and
     the scene, `keep` with provisional results as a task returns its own. `shown` is the combination that is looked at,
-    None where no preview of it is wanted.
+    None where no preview of it is wanted. `before` is how long the run before took to its first results, if known [s].
     """
 
     tell: Callable[[str, float | None], None]
     show: Callable[[str, bytes], None] = lambda _words, _scene: None
     shown: str | None = None
     keep: Callable[[Answer, bytes, Any], None] = lambda _answer, _scene, _kept: None
+    before: float | None = None
 
     def __call__(self, text: str, share: float | None) -> None:
         """Tell how the run goes on."""
@@ -98,7 +104,7 @@ class Stopped(BaseException):
 def solve(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
     """Return the results of the case that a text describes; raises GroundslabError.
 
-    Those on each mesh that is refined are kept before: on the first one at once, and again with its checks.
+    Those on each mesh that is refined are kept before: on the first one at once, and again with checks and tables.
     """
     from groundslab.analysis.driver import solve_combinations
     from groundslab.case import casefile
@@ -107,33 +113,55 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
 
     start = time.perf_counter()
     model = casefile.loads(text)
-    combinations = CombinationCount(len(list_combinations(model)), mesh=1 if model.mesh.adaptive else None)
-    nothing_shown = True
+    count = len(list_combinations(model))
+    combinations = CombinationCount(count, mesh=1 if model.mesh.adaptive else None)
+    first, has_preview = 0.0, progress.shown is None
 
     def on_combination(combination: Combination) -> None:
         combinations.begin(combination.name)
         progress(f"{combinations.words()}begins", combinations.share)
 
+    def look(after: float) -> None:
+        nonlocal has_preview
+        if not (first or has_preview) and time.perf_counter() - start > after:
+            has_preview = True
+            _show_preview(model, progress, progress.shown or "")
+
     def on_step(step: Step) -> None:
-        nonlocal nothing_shown
         progress(combinations.words() + line(step), combinations.share)
-        if nothing_shown and progress.shown is not None and time.perf_counter() - start > PREVIEW_AFTER:
-            nothing_shown = False
-            _show_preview(model, progress, progress.shown)
+        look(PREVIEW_AFTER)
 
     def on_mesh(results: Results) -> None:
-        nonlocal nothing_shown
-        nothing_shown = False
-        if combinations.mesh == 1:
-            progress.keep(*_outcome(text, results, start, with_checks=False))
-        progress.keep(*_outcome(text, results, start))
+        nonlocal first
+        if not first:
+            first = time.perf_counter() - start
+            progress.keep(*_outcome(text, results, (start, first), with_checks=False))
+        progress.keep(*_outcome(text, results, (start, first)))
         combinations.begin_mesh()
 
-    return _outcome(text, solve_combinations(model, on_step, on_combination, on_mesh), start)
+    if _is_slow(model, count, progress.before):
+        look(0.0)
+    results = solve_combinations(model, on_step, on_combination, on_mesh)
+    return _outcome(text, results, (start, first or time.perf_counter() - start))
 
 
-def _outcome(text: str, results: Results, start: float, with_checks: bool = True) -> tuple[Answer, bytes, Solved]:
-    """Return the answer, the packed scene and the data for a report of a text's results, from a run that began then."""
+def _is_slow(model: Model, count: int, before: float | None) -> bool:
+    """Return whether the first results of so many combinations are far, by the run before or by the work for them."""
+    from groundslab.model.consistency import estimate_elements
+
+    if before is not None:
+        return before > SLOW
+    return estimate_elements(model.plate, model.plates, model.mesh) * count > MUCH_WORK
+
+
+def _outcome(
+    text: str, results: Results, times: tuple[float, float], with_checks: bool = True
+) -> tuple[Answer, bytes, Solved]:
+    """Return the answer, the packed scene and the data for a report of a text's results.
+
+    times are when the run began, and how long it took to its first results [s]. Without checks there are no tables
+    either: which there are follows from the checks.
+    """
     from groundslab.results.results import refusal_words
     from groundslab.views.scene.binary import pack
     from groundslab.views.scene.fields import scene_of
@@ -143,9 +171,10 @@ def _outcome(text: str, results: Results, start: float, with_checks: bool = True
 
     refused = {name: refusal_words(error) for name, error in results.refused.items()}
     summary, scene = build_summary(results, with_checks), pack(scene_of(results))
-    tables = layout_makers(results)
+    tables = layout_makers(results) if with_checks else {}
+    start, first = times
     seconds = time.perf_counter() - start
-    answer = Answer(seconds, refused, summary, tuple(tables), provisional_words(results))
+    answer = Answer(seconds, refused, summary, tuple(tables), provisional_words(results), first)
     return answer, scene, Solved(text, results, tables)
 
 
@@ -204,13 +233,13 @@ def _prepare(pipe: Connection, prepare: Prepare) -> None:
 
 
 def _solve(
-    pipe: Connection, stop: Any, task: Task, job: tuple[int, str, str | None], known: Mapping[int, Any]
+    pipe: Connection, stop: Any, task: Task, job: tuple[int, str, str | None, float | None], known: Mapping[int, Any]
 ) -> Mapping[int, Any]:
     """Solve the text of a run and send the outcome; return the data for reports and tables by run.
 
     While it is solved, views of what is known of earlier runs and of provisional results are sent.
     """
-    run, text, shown = job
+    run, text, shown, before = job
     sent = float("-inf")
     provisional: dict[int, Any] = {}
 
@@ -244,7 +273,7 @@ def _solve(
 
     try:
         tell("begins", None)
-        answer, scene, kept = task(text, Progress(tell, show, shown, keep))
+        answer, scene, kept = task(text, Progress(tell, show, shown, keep, before))
     except Stopped:
         pipe.send(("stopped", run))
     except GroundslabError as error:

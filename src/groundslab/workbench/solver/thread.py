@@ -131,9 +131,10 @@ class Solver:
             self._views.fail("the solver cannot be started")
         elif self._worker.is_ready and (schedule.active is None or schedule.active.kill_at is None):
             messages: list[tuple[Any, ...]] = list(self._views.take_unsent())
-            job = schedule.begin(now) if schedule.active is None else None
+            job, latest = schedule.begin(now) if schedule.active is None else None, schedule.results.latest
             if job is not None:
-                messages.append(("solve", job.run, job.text, self.shown))
+                before = None if latest is None else latest.answer.first
+                messages.append(("solve", job.run, job.text, self.shown, before))
             self._worker.send(messages)
 
     def _receive(self, worker: Worker) -> None:

@@ -419,16 +419,25 @@ def test_a_preview_is_of_the_combination_that_is_looked_at(monkeypatch: pytest.M
         assert all(head["mesh"]["nodes"] != unpack(scene).head["mesh"]["nodes"] for head in heads)
 
 
-def test_a_quick_run_has_no_preview(monkeypatch: pytest.MonkeyPatch) -> None:
-    """It has results before anybody could look at one."""
+@pytest.mark.parametrize(
+    ("before", "much", "shows"),
+    [(None, 33, False), (None, 31, True), (process.SLOW, 31, False), (1.01 * process.SLOW, 33, True)],
+)
+def test_a_quick_run_has_no_preview(
+    monkeypatch: pytest.MonkeyPatch, before: float | None, much: int, shows: bool
+) -> None:
+    """Its results are there before anybody could look at one: by the run before, else by elements and combinations."""
     previews: list[bytes] = []
     monkeypatch.setattr(process, "PREVIEW_AFTER", PATIENCE)
-    process.solve(TWO, Progress(lambda *_: None, lambda _, scene: previews.append(scene), "down"))
-    assert previews == []
+    monkeypatch.setattr(process, "MUCH_WORK", much)
+    show = lambda _, scene: previews.append(scene)  # noqa: E731
+    answer, _, _ = process.solve(TWO, Progress(lambda *_: None, show, "down", before=before))
+    assert bool(previews) is shows
+    assert 0.0 < answer.first <= answer.seconds
 
 
 def test_every_mesh_but_the_last_has_provisional_results() -> None:
-    """On the first one at once and again with its checks, on the others with them; the run goes on from each."""
+    """On the first one at once and again with checks and tables, on the others with them; it goes on from each."""
     kept: list[tuple[process.Answer, bytes, process.Solved]] = []
     said: list[str] = []
     text = TWO.replace("counts = [4, 4]", 'accuracy = "2 %"').replace(
@@ -437,16 +446,19 @@ def test_every_mesh_but_the_last_has_provisional_results() -> None:
     text = text.replace('q = "10 kPa"', 'P = "100 kN"').replace('q = "-10 kPa"', 'P = "10 kN"')
     tell = lambda words, _: said.append(words)  # noqa: E731
     last, _, _ = process.solve(text, Progress(tell, keep=lambda *outcome: kept.append(outcome)))
-    (first, scene, solved), (checked, _, _), *_ = kept
+    (first, scene, _), (checked, _, solved), *_ = kept
     assert "design" not in first.summary
     assert "checks" in checked.summary["design"]
     assert first.provisional.startswith("Provisional: mesh 1 (")
     assert first.summary["coarse"] == first.provisional
     assert [one["name"] for one in unpack(scene).head["combinations"]] == ["down", "up"]
     assert solved.results.provisional
-    assert list(solved.tables) == list(first.tables)
+    assert first.tables == ()
+    assert tuple(solved.tables) == checked.tables
+    assert "extremes" in checked.tables
     assert b"Provisional: mesh 1 (" in process._write_report(solved, "slab.toml")
     assert last.provisional == ""
+    assert 0.0 < first.first == checked.first == last.first < last.seconds
     assert any(words.startswith("mesh 2, 1 of 2, down: ") for words in said)
 
 

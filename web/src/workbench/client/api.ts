@@ -92,6 +92,7 @@ export interface DesignCheck {
 }
 
 export interface Summary {
+  /** The checks; missing where they and the tables follow later. */
   design?: { status: DesignCheck["status"]; headline: string; checks: DesignCheck[] };
   combinations: CombinationSummary[];
   /** That the mesh is too coarse, in words; empty where it is not. */

@@ -121,6 +121,7 @@ export class ResultPanel {
       this.lower.reference.setPicture(false);
       this.picture.setResult(decodeScene(buffer));
       [this.shownRun, this.shownUpdate] = [run, update];
+      if (!summary.design) return this.lower.tables.wait();
       this.offerTables(run, names);
       void this.lower.tables.see(this.lower.tabs.current());
     } catch (error) {

@@ -91,6 +91,12 @@ export class ResultTables {
     void this.see(tab);
   }
 
+  /** Show no tables until those of newer results are there, which follow; the tabs stay. */
+  wait(): void {
+    this.run = null;
+    for (const { view } of this.groups) view.element.hidden = true;
+  }
+
   /** Take the names of the tables of a run's results; `offer` is called with each tab and whether it has any. */
   set(
     run: number | null,
