@@ -25,14 +25,13 @@ import numpy as np
 
 from groundslab.accuracy.judgment import JudgedValue, find_largest, judge, judged_values
 from groundslab.analysis import driver
-from groundslab.analysis.adaptivity import extents_of
 from groundslab.analysis.tasks.run import Setting
 from groundslab.arrays import Array
 from groundslab.discretize.plan_layout import Meshes
 from groundslab.errors import GroundslabError
 from groundslab.fem.mesh import Mesh, locate_nearest
-from groundslab.fem.shape_functions import q9
-from groundslab.meshing.sizing import LocalExtents
+from groundslab.fem.shape_functions import areas, q9
+from groundslab.meshing.sizing import Sources
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.results import CombinationResult
@@ -107,8 +106,8 @@ def random_slab(seed: int, accuracy: float) -> Model:
     })  # fmt: skip
 
 
-def solve_on(model: Model, sizes: LocalExtents | None) -> CombinationResult:
-    """Return the results on one mesh with elements of given extents in places."""
+def solve_on(model: Model, sizes: Sources | None) -> CombinationResult:
+    """Return the results on one mesh with elements of given sizes in places."""
     return driver.analyze(model, Setting(model, Meshes(local=sizes)), lambda _: None).only
 
 
@@ -155,7 +154,7 @@ def examine(seed: int, accuracy: float) -> dict[str, Any]:
     seconds = time.perf_counter() - start
     xy = found.plate.nodes[found.plate.elements]
     factor = 4 if 16 * found.unknowns <= MOST_UNKNOWNS else 2
-    truth = solve_on(model, (xy[:, 8], extents_of(Mesh(found.plate.nodes, found.plate.elements)) / factor))
+    truth = solve_on(model, (xy[:, 8], np.sqrt(areas(xy)) / factor))
     of_truth = [*judged_values(truth)]
     errors = true_errors(found, truth, of_truth)
     told = {each.value: each.share for each in judge(found)}

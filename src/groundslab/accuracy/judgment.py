@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.accuracy.values import add_errors, error_of_contact_share, estimate_error, reduction_of
+from groundslab.accuracy.values import add_errors, error_of_contact_share, estimate_error, line_of_lift_off, reduction_of
 from groundslab.arrays import Array, Flags, Memo
 from groundslab.results.fields import PLATE_FIELDS, extreme_node, place_of
 from groundslab.results.record import LargestValues
@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 BOTH_SIGNS = {"settlement": "displacement", "pressure": "pressure", "moment_x": "moment", "moment_y": "moment"}
 SIZES = {"gap": "displacement", "moment_xy": "moment", "shear_x": "shear", "shear_y": "shear"}
 AGAINST = BOTH_SIGNS | SIZES
+#: The name of the share of the plate's area that touches the ground.
+CONTACT = "area in contact"
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +104,8 @@ def judged_values(results: CombinationResult) -> Iterator[tuple[str, JudgedValue
         for sign in (1, -1) if name in BOTH_SIGNS else (1,):
             if nodes.any():
                 yield against, _extreme(name, sign, nodes, (results, coarser))
-    yield "share", JudgedValue(error_of_contact_share(results) or 0.0, plate.contact_share, "area in contact", None)
+    error, around = error_of_contact_share(results) or 0.0, plate.nodes[line_of_lift_off(plate)]
+    yield "share", JudgedValue(error, plate.contact_share, CONTACT, None, around)
     for support, before in zip(results.supports, coarser.supports, strict=True):
         error = estimate_error(support.total, before.total, comparison)
         middle = place_of(support.nodes.mean(axis=0)[None], 0) if len(support.nodes) else None

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
-from groundslab.arrays import Array, Memo
+from groundslab.arrays import Array, Integers, Memo
 from groundslab.fem.assembly import scatter
 from groundslab.fem.shape_functions import areas
 
@@ -88,12 +88,15 @@ def error_of_contact_share(results: CombinationResult) -> float | None:
     if results.coarser is None or results.comparison is None:
         return None
     plate = results.plate
-    touches = plate.in_contact[plate.elements]
-    meets_line = touches.any(axis=1) & ~touches.all(axis=1)
-    nodes = np.unique(plate.elements[meets_line])
-    row = plate.contact_area[nodes].sum() / plate.area.sum()
+    row = plate.contact_area[line_of_lift_off(plate)].sum() / plate.area.sum()
     changed = estimate_error(plate.contact_share, results.coarser.plate.contact_share, results.comparison)
     return max(changed, float(row) / 2)
+
+
+def line_of_lift_off(plate: PlateResult) -> Integers:
+    """Return the nodes (k,) of the elements that touch the ground in part."""
+    touches = plate.in_contact[plate.elements]
+    return np.unique(plate.elements[touches.any(axis=1) & ~touches.all(axis=1)])
 
 
 def add_errors(values: Array, coarser: Array, comparison: Comparison, reduction: Array | None = None) -> Array:

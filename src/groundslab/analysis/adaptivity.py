@@ -9,7 +9,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from groundslab.accuracy.judgment import AGAINST, JudgedValue, judge
+from groundslab.accuracy.judgment import AGAINST, CONTACT, JudgedValue, judge
 from groundslab.accuracy.values import OF_THE_WHOLE
 from groundslab.arrays import Array
 from groundslab.discretize.local_sizes import local_sizes
@@ -41,7 +41,7 @@ SMALLER = 8.0
 #: An error that is left with more than this share of itself by smaller elements falls no more.
 PROGRESS = 0.8
 #: Errors of these come from the elements around their places.
-LOCAL = {PLATE_FIELDS[name].label for name in AGAINST if name not in OF_THE_WHOLE}
+LOCAL = {PLATE_FIELDS[name].label for name in AGAINST if name not in OF_THE_WHOLE} | {CONTACT}
 #: Smaller elements at the places of a value reach so many of their present sides around these.
 AROUND = 3.0
 #: Orders of convergence between which the one found is believed.
@@ -166,7 +166,8 @@ def _near_values(mesh: Mesh, h: Array, judged: list[JudgedValue], accuracy: floa
         if len(each.around):
             away = KDTree(each.around).query(mesh.xy[:, 8])[0] / h
             reduction = max(_reduction(each.share, accuracy), LEAST_REDUCTION)
-            for reach, less in ((AROUND, LEAST_REDUCTION), (AROUND / 2, reduction)):
+            around = 1.0 if each.label == CONTACT else AROUND
+            for reach, less in ((around, LEAST_REDUCTION), (around / 2, reduction)):
                 near = away <= reach
                 found[near] = np.minimum(found[near], h[near] / less)
     return found
