@@ -14,7 +14,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.accuracy.values import add_errors, error_of_contact_share, estimate_error, line_of_lift_off, reduction_of
+from groundslab.accuracy.values import (
+    add_errors,
+    error_of_contact_share,
+    estimate_error,
+    line_of_lift_off,
+    reduction_of,
+)
 from groundslab.arrays import Array, Flags, Memo
 from groundslab.results.fields import PLATE_FIELDS, extreme_node, place_of
 from groundslab.results.record import LargestValues
