@@ -19,7 +19,7 @@ from groundslab.meshing.grid import rectilinear
 from groundslab.meshing.plan_mesh import PlanMesh, check, check_area, finish, on_bounds
 from groundslab.meshing.quality import quality
 from groundslab.meshing.sizing import Sources
-from groundslab.meshing.splitting import divide
+from groundslab.meshing.splitting import STEEP, divide
 
 __all__ = ["adaptable", "available", "choose", "mesh", "quality", "unstructured", "with_netgen"]
 
@@ -72,7 +72,7 @@ def adaptable(plan: Plan, size: float, edge_size: float, local: Sources | None) 
         candidates += _from_whole_cells(plan, size / 2, edge_size / 2)
     if not candidates:
         return mesh(plan, size, edge_size=edge_size, local=local)
-    return divide(plan, min(candidates, key=lambda each: len(each.elements)), size, local)
+    return divide(plan, min(candidates, key=lambda each: len(each.elements)), size, local, STEEP)
 
 
 def _from_whole_cells(plan: Plan, size: float, edge_size: float) -> Iterator[PlanMesh]:

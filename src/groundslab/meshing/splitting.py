@@ -12,15 +12,16 @@ from groundslab.meshing.plan_mesh import PlanMesh, finish
 from groundslab.meshing.refinement import close, split
 from groundslab.meshing.sizing import Sources, limit_of
 
-#: Elements grow by this share of the distance from where smaller ones are required.
-SLOPE = 0.5
+#: Elements grow by this share of the distance from where smaller ones are required; where the mesh is made for an
+#: accuracy, which says what else must be small, by more.
+SLOPE, STEEP = 0.2, 0.5
 #: An element is cut if it is so many times as large as required: its parts are then as much too small.
 TOO_LARGE = 2**0.5
 #: Elements are cut at most so often.
 MOST_TIMES = 12
 
 
-def divide(plan: Plan, found: PlanMesh, size: float, local: Sources | None) -> PlanMesh:
+def divide(plan: Plan, found: PlanMesh, size: float, local: Sources | None, slope: float = SLOPE) -> PlanMesh:
     """Return a mesh whose elements are cut up where they are larger than local sizes allow.
 
     Nothing hangs on edges, lines and arcs of the plan: what lies on both sides of them is cut alike. Along lines and
@@ -30,7 +31,7 @@ def divide(plan: Plan, found: PlanMesh, size: float, local: Sources | None) -> P
     edges = [edge for ring in plan.rings().values() for edge in ring.segments() if edge not in borders]
     arcs = [edge for edge in edges + borders if not edge.straight]
     lines = [*plan.line_segments(), *(edge for edge in borders if not edge.straight)]
-    limit = None if local is None else limit_of(local, size, SLOPE)
+    limit = None if local is None else limit_of(local, size, slope)
     mesh, section = Mesh(found.nodes, found.elements), found.section
     for _ in range(MOST_TIMES):
         marked = np.zeros(len(mesh.elements), dtype=bool)
