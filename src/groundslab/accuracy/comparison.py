@@ -5,8 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 from math import sqrt
 
+import numpy as np
+
 from groundslab.accuracy.energy import energy, energy_errors, error_density
 from groundslab.accuracy.prolongation import Prolongation
+from groundslab.arrays import Array
+from groundslab.fem.assembly import scatter
+from groundslab.fem.shape_functions import areas
 from groundslab.model.model import Model
 from groundslab.results.fields import ERROR
 from groundslab.results.recovery import (
@@ -33,18 +38,25 @@ def compare(
     """
     frame, coarser_frame = prolongation.finer, prolongation.coarser
     coarser_fields = recover_fields(coarser, coarser_frame)
-    by_element = energy_errors(solution, frame, fields.forces)
-    squared = float(by_element.sum())
-    before_by_element = energy_errors(coarser, coarser_frame, coarser_fields.forces)
-    before = float(before_by_element.sum())
+    parts, parts_before = (
+        energy_errors(solution, frame, fields.forces),
+        energy_errors(coarser, coarser_frame, coarser_fields.forces),
+    )
+    squared, before = float(parts.sum()), float(parts_before.sum())
     total = energy(solution) + squared
-    density = error_density(solution, frame, by_element, total)
+    density = error_density(solution, frame, parts.sum(axis=1), total)
     reduction = sqrt(squared / before) if before > 0 else 0.0
     if solution.system.problem.elastic is not None:
         reduction = max(reduction, OF_CELLS)
-    coarser_density = error_density(coarser, coarser_frame, before_by_element, total)
+    coarser_density = error_density(coarser, coarser_frame, parts_before.sum(axis=1), total)
     coarser_fields = replace(coarser_fields, elements=coarser_fields.elements | {ERROR: coarser_density})
     plate, elements, ground = expand(prolongation.apply(coarser_fields), frame)
+    of_moments, of_shear = _reductions(
+        prolongation,
+        parts[solution.system.problem.plate.elements, :2],
+        parts_before[coarser.system.problem.plate.elements, :2],
+        reduction,
+    )
     comparison = Comparison(
         plate=plate,
         elements=elements,
@@ -54,5 +66,24 @@ def compare(
         constants=ground_constants(coarser),
         energy_error=sqrt(squared / total) if total > 0 else 0.0,
         reduction=reduction,
+        moment_reduction=of_moments,
+        shear_reduction=of_shear,
     )
     return comparison, replace(fields, elements=fields.elements | {ERROR: density})
+
+
+def _reductions(prolongation: Prolongation, squared: Array, before: Array, whole: float) -> tuple[Array, Array]:
+    """Return by what errors of moments and of shear forces fell around each node of the full plate, (n,) each.
+
+    squared (mp, 2) are those of the elements that meet there, before (mc, 2) those of the coarser ones in which they
+    lie. Where these have none it is that of the whole.
+    """
+    finer, coarser = prolongation.finer, prolongation.coarser
+    density = (before / areas(coarser.mesh.xy)[:, None])[prolongation.element]
+    both = np.stack([squared, density * areas(finer.mesh.xy)[:, None]], axis=-1)[finer.plate.element]
+    elements, n = finer.plate.mesh.elements, len(finer.plate.mesh.nodes)
+    found = []
+    for part in np.moveaxis(both, 1, 0):
+        now, then = (scatter(elements, np.tile(each[:, None], 9), n) for each in part.T)
+        found.append(np.sqrt(np.divide(now, then, out=np.full(n, whole**2), where=then > 0)))
+    return found[0], found[1]

@@ -44,12 +44,15 @@ def energy(solution: Solution) -> float:
 
 
 def energy_errors(solution: Solution, frame: ResultMesh, recovered: Array) -> Array:
-    """Return the squared error of each element of plate and ground in the energy norm, (m,) [N m].
+    """Return the squared errors of elements of plate and ground in the energy norm, (m, 3) [N m].
 
-    recovered (mp, 9, 5) are moments and shear forces at the nodes of the plate's elements.
+    They are those of moments, shear forces and slopes of the ground. recovered (mp, 9, 5) are moments and shear forces
+    at the nodes of the plate's elements.
     """
-    errors = _ground_errors(solution)
-    errors[solution.system.problem.plate.elements] += _plate_errors(solution, frame, recovered)
+    of_ground = _ground_errors(solution)
+    errors = np.zeros((len(of_ground), 3))
+    errors[solution.system.problem.plate.elements, :2] = _plate_errors(solution, frame, recovered)
+    errors[:, 2] = of_ground
     # squares but for rounding
     return np.maximum(errors, 0.0)
 
@@ -69,14 +72,14 @@ def error_density(solution: Solution, frame: ResultMesh, squared: Array, total: 
 
 
 def _plate_errors(solution: Solution, frame: ResultMesh, recovered: Array) -> Array:
-    """Return int (M* - M) . D^-1 (M* - M) + |Q* - Q|^2 / S of each plate element, (mp,)."""
+    """Return int (M* - M) . D^-1 (M* - M) and int |Q* - Q|^2 / S of each plate element, (mp, 2)."""
     problem, (points, weights) = solution.system.problem, gauss(3)
     N, dN = q9(points)
     u = plate_unknowns(problem, solution.U)
     free = free_moments(problem)
     _, first, kind = np.unique(frame.kind, return_index=True, return_inverse=True)
     xy = problem.mesh.nodes[problem.mesh.elements[problem.plate.elements]]
-    found = np.empty(len(u))
+    found = np.empty((len(u), 2))
     compliance = np.linalg.inv(problem.plate.bending)
     for start in range(0, len(u), _CHUNK):
         part = slice(start, start + _CHUNK)
@@ -91,7 +94,7 @@ def _plate_errors(solution: Solution, frame: ResultMesh, recovered: Array) -> Ar
         moments, shear = error[..., :3], error[..., 3:]
         of_moments = np.einsum("epi,eij,epj->ep", moments, C, moments, optimize=True)
         of_shear = (shear**2).sum(axis=2) / problem.plate.shear[problem.plate.rigidity[part], None]
-        found[part] = (dA * (of_moments + of_shear)).sum(axis=1)
+        found[part] = np.column_stack([(dA * each).sum(axis=1) for each in (of_moments, of_shear)])
     return found
 
 

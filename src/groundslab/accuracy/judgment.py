@@ -14,13 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.accuracy.values import (
-    add_errors,
-    error_of_contact_share,
-    estimate_error,
-    line_of_lift_off,
-    reduction_of,
-)
+from groundslab.accuracy.values import add_errors, error_of_contact_share, estimate_error, line_of_lift_off
 from groundslab.arrays import Array, Flags, Memo
 from groundslab.results.fields import PLATE_FIELDS, extreme_node, place_of
 from groundslab.results.record import LargestValues
@@ -124,11 +118,10 @@ def _extreme(name: str, sign: int, judged: Flags, meshes: tuple[CombinationResul
     meshes are the results on the finer mesh and those on the coarser one.
     """
     finer = meshes[0]
-    assert finer.comparison is not None
     nodes = finer.plate.nodes[judged]
     values, before = (getattr(results.plate, name)[judged] for results in meshes)
     values, before = (np.abs(values), np.abs(before)) if name in SIZES else (sign * values, sign * before)
-    most = add_errors(values, before, finer.comparison, reduction_of(finer, name)[judged])
+    most = add_errors(finer, name, values, before, judged)
     node = extreme_node(nodes, most, 1)
     value = float(values.max())
     error = float(most[node]) - value

@@ -48,7 +48,7 @@ def find_limits(model: Model, plate: PlateResult) -> Limits:
     there, narrower than any element.
     On an elastic continuum they have no limit along the edges of the plate.
     """
-    limits = _WITHOUT_CONTACT.get(plate.nodes, model, lambda: _without_contact(model, plate.nodes))
+    limits = _WITHOUT_CONTACT.get(plate.nodes, model, lambda: limits_without_contact(model, plate.nodes))
     if not model.ground_carries_shear or not model.contact.tensionless:
         return limits
     pulled = plate.in_contact & (plate.edge_length > 0) & (plate.line_force <= 0)
@@ -62,7 +62,7 @@ def find_limits(model: Model, plate: PlateResult) -> Limits:
     return Limits(limits.shear_forces, limits.pressures & ((distance > reach) | ~plate.in_contact))
 
 
-def _without_contact(model: Model, nodes: Array) -> Limits:
+def limits_without_contact(model: Model, nodes: Array) -> Limits:
     """Return at which nodes (n, 2) shear forces and pressures are judged where nothing has lifted off."""
     reach = AWAY * max(plate.thickness for plate in model.every_plate)
     footprints = [edge for _, shape in model.acting if isinstance(shape, PointForce) for edge in borders_of(shape)]

@@ -2,95 +2,97 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers, Memo
-from groundslab.fem.assembly import scatter
-from groundslab.fem.shape_functions import areas
+from groundslab.accuracy.cracked_border import error_of_cracks
+from groundslab.arrays import Array, Flags, Integers
+from groundslab.fem.hanging import find_hanging
 
 if TYPE_CHECKING:
-    from groundslab.results.mesh_results import ElementResult, PlateResult
+    from groundslab.results.mesh_results import PlateResult
     from groundslab.results.results import CombinationResult, Comparison
 
 #: A mesh on which the energy norm falls by less has not begun to converge: no more is taken from the change.
 SLOWEST = 0.75
-#: Nothing is taken to converge faster than elements' moments do where they are smooth.
-FASTEST = 0.25
+#: The same of section forces and pressures, whose largest change around a place already counts, and by how much they
+#: fall at least: nothing is taken to converge faster than elements' moments do where they are smooth.
+SLOWEST_AROUND, FASTEST_AROUND = 0.6, 0.25
+FIRST_ORDER = 0.5
 #: Below this error in energy the elements hold the solution, and what changes is rounding.
 EXACT = 1e-9
 #: Fields whose errors come from the whole slab.
 OF_THE_WHOLE = {"settlement", "rotation_x", "rotation_y", "gap", "penetration", "line_force"}
-#: The errors of section forces and pressures come from the elements around: so many rings of them.
-RINGS = 2
+#: The line of lift-off is known to this share of an element's side: a node in the middle of a side has two thirds of
+#: it, all or nothing, and the line may run through the node.
+OF_A_ROW = 1 / 3
 
 
-@overload
-def estimate_error(value: float, coarser: float, comparison: Comparison) -> float: ...
-@overload
-def estimate_error(value: Array, coarser: Array, comparison: Comparison, reduction: Array | None = None) -> Array: ...
-def estimate_error(
-    value: float | Array, coarser: float | Array, comparison: Comparison, reduction: Array | None = None
-) -> float | Array:
-    """Return the estimated errors of values that are `coarser` on elements twice as large, in their own unit.
+def estimate_error(value: float, coarser: float, comparison: Comparison) -> float:
+    """Return the estimated error of a value that is `coarser` on elements twice as large, in its own unit.
 
     If elements half as large reduce its error to the share q, the change between both meshes is (1 - q) / q times the
-    error that is left (Richardson 1911). q is the reduction of the error in energy, which is known on both meshes: that
-    of the whole slab, or of the elements around each value (`reduction_of`). What is recovered converges faster, so
-    that the estimate is on the safe side (docs/theory.md, discretization error).
+    error that is left (Richardson 1911). q is the reduction of the error in energy, which is known on both meshes.
     """
-    q: Any = comparison.reduction if reduction is None else reduction
-    q = np.minimum(q, SLOWEST) if comparison.energy_error >= EXACT else 0.0
-    change: Any = value - coarser
-    error = abs(change) * q / (1 - q)
-    return error if np.ndim(error) else float(error)
+    q = min(comparison.reduction, SLOWEST) if comparison.energy_error >= EXACT else 0.0
+    return abs(value - coarser) * q / (1 - q)
 
 
 def reduction_of(results: CombinationResult, field: str) -> Array:
-    """Return by what elements half as large reduce the error of a field at each node of the plate, (n,)."""
+    """Return by what elements half as large reduce the error of a field at each node of the plate, (n,).
+
+    Section forces and pressures have the reduction of the error of moments, or of shear forces, in the elements that
+    meet there. At sides of different lengths pressures, which are forces over areas, fall with the first order only.
+    """
     plate, comparison = results.plate, results.comparison
     assert comparison is not None
-    if field in OF_THE_WHOLE:
-        return np.full(len(plate.nodes), comparison.reduction)
-    return _REDUCTIONS.get(comparison, None, lambda: _local_reduction(plate, results.elements, comparison))
+    if comparison.energy_error < EXACT:
+        return np.zeros(len(plate.nodes))
+    local = comparison.shear_reduction if field.startswith("shear") else comparison.moment_reduction
+    if field in OF_THE_WHOLE or local is None:
+        return np.full(len(plate.nodes), min(comparison.reduction, SLOWEST))
+    found = np.clip(local, FASTEST_AROUND, SLOWEST_AROUND)
+    if field == "pressure":
+        uneven = find_hanging(plate.elements)[:, 1:]
+        found[uneven] = np.maximum(found[uneven], FIRST_ORDER)
+    return found
 
 
-def _local_reduction(plate: PlateResult, elements: ElementResult, comparison: Comparison) -> Array:
-    """Return the reductions around nodes, at least FASTEST."""
-    density = elements.discretization_error
-    before = comparison.elements.discretization_error
-    n = len(plate.nodes)
-    if density is None or before is None:
-        return np.full(n, comparison.reduction)
-    squares = np.column_stack([density, before]) ** 2 * areas(plate.nodes[plate.elements])[:, None]
-    around = np.zeros((n, 2))
-    for _ in range(RINGS):
-        around = np.column_stack([scatter(plate.elements, np.tile(square[:, None], 9), n) for square in squares.T])
-        squares = around[plate.elements].sum(axis=1)
-    known = around[:, 1] > 0
-    reduction = np.full(n, comparison.reduction)
-    reduction[known] = np.sqrt(around[known, 0] / around[known, 1])
-    bounded: Array = np.maximum(reduction, FASTEST)
-    return bounded
+def estimate_errors(
+    results: CombinationResult, field: str, values: Array, coarser: Array, nodes: Flags | None = None
+) -> Array:
+    """Return the estimated errors of a field's values (k,) at some nodes (n,) of the plate, or at all, in their unit.
 
-
-#: Reductions, which are asked for by every field.
-_REDUCTIONS: Memo[Array] = Memo()
+    Section forces and pressures have the largest change at the nodes of the elements that meet at theirs, as both
+    meshes may agree at one node by accident, and the reduction there (docs/theory.md, discretization error). The border
+    of what has cracked has an error of its own.
+    """
+    plate, change = results.plate, np.abs(values - coarser)
+    where = np.ones(len(plate.nodes), dtype=bool) if nodes is None else nodes
+    if field not in OF_THE_WHOLE:
+        around = np.zeros(len(plate.nodes))
+        around[where] = change
+        largest = around.copy()
+        np.maximum.at(largest, plate.elements, around[plate.elements].max(axis=1)[:, None])
+        change = largest[where]
+    q = reduction_of(results, field)[where]
+    of_cracks = error_of_cracks(results) * float(np.abs(values).max(initial=0.0))
+    return np.maximum(change * q / (1 - q), of_cracks)
 
 
 def error_of_contact_share(results: CombinationResult) -> float | None:
     """Return the estimated error of the share of the plate's area that rests on the ground; None without a comparison.
 
-    Between a node that touches and one that does not the line of lift-off may lie anywhere: a row of nodes more or
-    less, half of those that touch in the elements that it crosses, is not known from the mesh.
+    Between a node that touches and one that does not the line of lift-off may lie anywhere: a share of the row of
+    nodes that touch in the elements that it crosses is not known from the mesh.
     """
     if results.coarser is None or results.comparison is None:
         return None
     plate = results.plate
     row = plate.contact_area[line_of_lift_off(plate)].sum() / plate.area.sum()
     changed = estimate_error(plate.contact_share, results.coarser.plate.contact_share, results.comparison)
-    return max(changed, float(row) / 2)
+    return max(changed, OF_A_ROW * float(row))
 
 
 def line_of_lift_off(plate: PlateResult) -> Integers:
@@ -99,15 +101,23 @@ def line_of_lift_off(plate: PlateResult) -> Integers:
     return np.unique(plate.elements[touches.any(axis=1) & ~touches.all(axis=1)])
 
 
-def add_errors(values: Array, coarser: Array, comparison: Comparison, reduction: Array | None = None) -> Array:
-    """Return how large nodal values (n,) may be; what is positive nowhere on either mesh stays so (gaps, pressures)."""
-    most = values + estimate_error(values, coarser, comparison, reduction)
+def add_errors(
+    results: CombinationResult, field: str, values: Array, coarser: Array, nodes: Flags | None = None
+) -> Array:
+    """Return how large a field's values (k,) at some nodes (n,), or at all, may be.
+
+    What is positive nowhere on either mesh stays so (gaps, pressures).
+    """
+    most = values + estimate_errors(results, field, values, coarser, nodes)
     return most.clip(max=0) if values.max() <= 0 and coarser.max() <= 0 else most
 
 
-def error_of_largest(values: Array, coarser: Array, comparison: Comparison, reduction: Array | None = None) -> float:
-    """Return the estimated error of the largest of nodal values (n,), whose own errors decide where it may lie.
+def error_of_largest(
+    results: CombinationResult, field: str, values: Array, coarser: Array, nodes: Flags | None = None
+) -> float:
+    """Return the estimated error of the largest of values (k,) at some nodes (n,), or at all.
 
-    Both meshes may agree on the largest value by accident, at different places.
+    Their own errors decide where it may lie: both meshes may agree on the largest value by accident, at different
+    places.
     """
-    return float(add_errors(values, coarser, comparison, reduction).max() - values.max())
+    return float(add_errors(results, field, values, coarser, nodes).max() - values.max())

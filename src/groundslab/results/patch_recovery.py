@@ -33,6 +33,8 @@ _CHUNK = 8192
 #: Share of the values' scatter in a patch that its fit leaves over: up to the first the fit counts alone, from the
 #: second on the elements extrapolate by themselves, between them a mixture.
 SMOOTH, ROUGH = 0.05, 0.15
+#: Scatter below this share of the values themselves is none.
+FLAT = 0.05
 
 
 @dataclass(frozen=True, slots=True)
@@ -172,8 +174,8 @@ def _doubt(f: Array, rest: Array, sizes: Sequence[Array]) -> Array:
     whole = (f**2).sum(axis=1)
     doubt = np.zeros((len(f), f.shape[2]))
     for size in sizes:
-        # of a constant nothing but rounding is left over
-        spread = scatter_of @ size + 1e-16 * (whole @ size) + np.finfo(float).tiny
+        # at a flat peak what is left over is what the elements scatter, not a peak that is smeared
+        spread = scatter_of @ size + FLAT**2 * (whole @ size) + np.finfo(float).tiny
         share = np.clip((np.sqrt(left @ size / spread) - SMOOTH) / (ROUGH - SMOOTH), 0.0, 1.0)
         doubt[:, size > 0] = share[:, None]
     return doubt

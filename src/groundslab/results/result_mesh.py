@@ -144,7 +144,7 @@ def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
     """Return the mesh for the results of a model."""
     elements, depth = problem.mesh.elements[problem.plate.elements], problem.contact.depths.dominant
     jumps = sides_along(problem.mesh, elements, _lines_of_jumps(model))
-    borders = (edge for _, shape in model.acting for edge in borders_of(shape) if edge.straight)
+    borders = (edge for _, shape in model.acting for edge in borders_of(shape))
     kinks = sides_along(problem.mesh, elements, borders)
     mesh, node = split_by_section(problem, jumps, depth)
     smooth, _ = split_by_section(problem, np.concatenate([jumps, kinks]))

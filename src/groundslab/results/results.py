@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from html import escape
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
+from groundslab.arrays import Array
 from groundslab.errors import GroundslabError, InputError, Issue, NoEquilibrium, NotCertified
 from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.results.fields import PLATE_FIELDS
@@ -92,6 +93,9 @@ class Comparison:
         That error over the one of the coarser mesh, at least a half on an elastic continuum.
     joints : tuple of JointResult
         What the joints carry, at nodes of the coarser mesh.
+    moment_reduction, shear_reduction : (n,) array of float or None
+        By what the parts of moments and of shear forces in that error fell in the elements that meet at each node of
+        the plate.
     """
 
     plate: PlateResult
@@ -102,6 +106,8 @@ class Comparison:
     energy_error: float
     reduction: float
     joints: tuple[JointResult, ...] = ()
+    moment_reduction: Array | None = None
+    shear_reduction: Array | None = None
 
 
 @dataclass(frozen=True, slots=True, weakref_slot=True, repr=False)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,12 +14,13 @@ from groundslab.accuracy.judgment import judge
 from groundslab.accuracy.prolongation import make_prolongation
 from groundslab.accuracy.resolution import find_unresolved
 from groundslab.accuracy.values import (
-    FASTEST,
+    FASTEST_AROUND,
     SLOWEST,
+    SLOWEST_AROUND,
     error_of_contact_share,
     error_of_largest,
     estimate_error,
-    reduction_of,
+    estimate_errors,
 )
 from groundslab.analysis import nested
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy
@@ -27,7 +29,7 @@ from groundslab.fem.shape_functions import areas
 from groundslab.model.model import Model
 from groundslab.results.recovery import expand, recover_fields
 from groundslab.results.result_mesh import ResultMesh, make_result_mesh
-from groundslab.results.results import Comparison
+from groundslab.results.results import CombinationResult, Comparison
 from groundslab.solvers import factorization
 from groundslab.solvers.solution import Solution
 from helpers import synthetic
@@ -170,19 +172,47 @@ def test_footprints_that_the_mesh_does_not_see() -> None:
     assert find_unresolved(groundslab.solve(slab()).only) is None
 
 
+def compared(q: float, **reductions: np.ndarray) -> CombinationResult:
+    """Return results with such a comparison, and such reductions around nodes."""
+    return replace(synthetic.results(), comparison=replace(comparison(q), **reductions))
+
+
 def test_the_largest_value_may_lie_where_another_one_is_uncertain() -> None:
     """Both meshes agree on the largest value; one beside it has changed so much that it may be the largest."""
-    about = comparison(0.5)
+    about = compared(0.5)
     values, coarser = np.array([1.0, 0.95, 0.1]), np.array([1.0, 0.80, 0.1])
-    assert error_of_largest(values, coarser, about) == pytest.approx(0.95 + 0.15 - 1.0)
-    assert error_of_largest(values[[0, 2]], coarser[[0, 2]], about) == 0
+    assert error_of_largest(about, "settlement", values, coarser) == pytest.approx(0.95 + 0.15 - 1.0)
+    assert error_of_largest(about, "settlement", values[[0, 2]], coarser[[0, 2]]) == 0
+
+
+def test_meshes_that_agree_at_one_node_by_accident() -> None:
+    """The moment there has the error of the elements that meet there; what is not asked for has no part in it."""
+    n = len(synthetic.results().plate.nodes)
+    elements = synthetic.results().plate.elements
+    about = compared(0.9, moment_reduction=np.full(n, 0.4), shear_reduction=np.full(n, 0.5))
+    values, coarser = np.ones(n), np.full(n, 1.2)
+    coarser[elements[0, 8]] = 1.0
+    errors = estimate_errors(about, "moment_x", values, coarser)
+    np.testing.assert_allclose(errors, 0.2 * 0.4 / 0.6)
+    np.testing.assert_allclose(estimate_errors(about, "shear_x", values, coarser), 0.2)
+    alone = np.arange(n) == elements[0, 8]
+    assert estimate_errors(about, "moment_x", values[alone], coarser[alone], alone) == 0
+
+
+@pytest.mark.parametrize(("reduction", "believed"), [(0.05, FASTEST_AROUND), (0.95, SLOWEST_AROUND)])
+def test_orders_that_are_not_believed(reduction: float, believed: float) -> None:
+    """Moments converge neither faster nor slower than between bounds, whatever the energy says around them."""
+    n = len(synthetic.results().plate.nodes)
+    about = compared(0.5, moment_reduction=np.full(n, reduction), shear_reduction=np.full(n, 0.5))
+    errors = estimate_errors(about, "moment_y", np.ones(n), np.full(n, 1.1))
+    np.testing.assert_allclose(errors, 0.1 * believed / (1 - believed))
 
 
 def test_what_is_nowhere_positive_stays_so() -> None:
     """The least gap is zero where the plate rests on the ground, whatever the errors of gaps elsewhere are."""
     gaps, coarser = np.array([0.0, 1e-6, 2e-3]), np.array([0.0, 5e-6, 1e-3])
-    assert error_of_largest(-gaps, -coarser, comparison(0.5)) == 0
-    assert error_of_largest(gaps, coarser, comparison(0.5)) == pytest.approx(1e-3)
+    assert error_of_largest(compared(0.5), "gap", -gaps, -coarser) == 0
+    assert error_of_largest(compared(0.5), "gap", gaps, coarser) == pytest.approx(1e-3)
 
 
 def test_errors_are_judged_against_what_governs_over_all_combinations() -> None:
@@ -199,7 +229,7 @@ def test_errors_are_judged_against_what_governs_over_all_combinations() -> None:
     same = next(value for value in judge(light) if value.label == worst.label and value.value * worst.value > 0)
     assert same.share == pytest.approx(worst.share / 100, rel=1e-6)
     gap = next(value for value in judge(heavy) if value.label.startswith("gap"))
-    alone = error_of_largest(heavy.plate.gap, heavy.coarser.plate.gap, heavy.comparison)  # type: ignore[union-attr]
+    alone = error_of_largest(heavy, "gap", heavy.plate.gap, heavy.coarser.plate.gap)  # type: ignore[union-attr]
     assert heavy.largest.displacement == max(np.abs(heavy.plate.settlement).max(), heavy.plate.gap.max())
     assert gap.share == pytest.approx(alone / heavy.largest.displacement)
 
@@ -208,10 +238,26 @@ def test_a_smooth_part_of_a_slab_converges_faster_than_a_singular_one() -> None:
     """Around a force without a footprint elements half as large gain less than away from it."""
     force = {"kind": "point", "P": 1e5, "x": -1.5, "y": 0.0}
     results = groundslab.solve(slab(loads=[force])).only
-    reduction = reduction_of(results, "moment_x")
+    assert results.comparison is not None
+    reduction = results.comparison.moment_reduction
+    assert reduction is not None
     distance = np.hypot(results.plate.nodes[:, 0] + 1.5, results.plate.nodes[:, 1])
     assert reduction[distance < 0.3].mean() > reduction[distance > 2.0].mean() + 0.1
-    assert reduction.min() >= FASTEST
+
+
+def test_shear_forces_that_have_a_kink_within_elements_converge_more_slowly_than_moments() -> None:
+    """Where the border of a load cuts elements; on a line of the mesh they do not."""
+    reductions = []
+    for x in (1.3, 1.5):
+        patch = {"kind": "patch", "x": (-x, x), "y": (-2.0, 2.0), "q": 1e5}
+        plate = {"length_x": 6.0, "length_y": 4.0, "thickness": 0.25, "E": 30e9, "nu": 0.0}
+        ground = {"kind": "winkler", "k": 2e7}
+        results = groundslab.solve(slab(plate=plate, loads=[patch], ground=ground, mesh={"counts": (24, 16)})).only
+        assert results.comparison is not None
+        assert results.comparison.shear_reduction is not None
+        there = np.abs(results.plate.nodes[:, 0] - 1.25) < 0.3
+        reductions.append(float(results.comparison.shear_reduction[there].mean()))
+    assert reductions[0] > reductions[1] + 0.1
 
 
 def test_the_share_in_contact_is_known_to_a_row_of_nodes() -> None:

@@ -133,3 +133,25 @@ def test_shear_forces_beside_a_wall_are_half_of_its_load(size: float) -> None:
     assert len(on_wall) == 2 * len(np.unique(plate.nodes[on_wall, 0]))
     np.testing.assert_allclose(np.abs(plate.shear_y[on_wall]), 75e3, rtol=0.01)
     assert plate.shear_y[on_wall].sum() == pytest.approx(0.0, abs=1.0)
+
+
+def test_shear_forces_have_a_kink_along_an_arc_that_the_mesh_follows() -> None:
+    """At the border of a pressure on a disk Q = q b / 2, along x and along y (statics of a circular plate)."""
+    given = {
+        "plate": {
+            "outline": {"kind": "circle", "radius": 2.0},
+            "thickness": 0.1,
+            "E": 30e9,
+            "nu": 0.2,
+            "support": "clamped",
+        },
+        "ground": {"kind": "winkler", "k": 1.0},
+        "contact": {"tensionless": False},
+        "loads": [{"kind": "area", "q": 1e3, "shape": {"kind": "circle", "radius": 0.8}}],
+        "mesh": {"accuracy": 0.05},
+    }
+    plate = solve(Model.model_validate(given)).only.plate
+    on_border = np.abs(np.hypot(*plate.nodes.T) - 0.8) < 1e-6
+    shear = np.hypot(plate.shear_x, plate.shear_y)[on_border]
+    assert len(shear) > 16
+    np.testing.assert_allclose(shear, 400.0, rtol=0.01)

@@ -7,14 +7,14 @@ from math import isfinite
 
 import numpy as np
 
-from groundslab.accuracy.values import error_of_largest, estimate_error, reduction_of
+from groundslab.accuracy.values import estimate_error, estimate_errors
 from groundslab.arrays import Array
 from groundslab.design.demands.design_moments import DesignMoments, design_moments
 from groundslab.results.fields import LAYERS
 from groundslab.results.results import CombinationResult
 
-#: Section forces and pressures have errors from the elements around: all have the same reduction.
-LOCAL = "moment_x"
+#: Design moments and stresses have errors as moments have.
+MOMENT = "moment_x"
 
 
 def scaled(error: float | None, scale: float) -> float | None:
@@ -42,8 +42,11 @@ def error_of_greatest(
     if coarser is None or comparison is None:
         return None
     now, before = values(results), values(coarser)
-    finite = np.isfinite(now).all() and np.isfinite(before).all()
-    return error_of_largest(now, before, comparison, reduction()) if len(now) and finite else None
+    if not (len(now) and np.isfinite(now).all() and np.isfinite(before).all()):
+        return None
+    q = reduction()
+    most = now + np.abs(now - before) * q / (1 - q)
+    return float((most.clip(max=0) if max(now.max(), before.max()) <= 0 else most).max() - now.max())
 
 
 def error_of_ratio(judged: Iterable[tuple[float, float, Callable[[], float | None]]]) -> float | None:
@@ -58,10 +61,9 @@ def greatest_moments(results: CombinationResult) -> DesignMoments | None:
     if results.coarser is None or results.comparison is None:
         return None
     now, before = design_moments(results.plate), design_moments(results.coarser.plate)
-    local = reduction_of(results, LOCAL)
     moments = dict[str, Array]()
     for layer in LAYERS:
         m, other = getattr(now, layer), getattr(before, layer)
         sign = 1 if layer.startswith("bottom") else -1
-        moments[layer] = m + sign * estimate_error(m, other, results.comparison, local)
+        moments[layer] = m + sign * estimate_errors(results, MOMENT, m, other)
     return DesignMoments(**moments)

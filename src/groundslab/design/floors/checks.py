@@ -19,7 +19,7 @@ from groundslab.arrays import Array
 from groundslab.design import punching
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results, ultimate_results, why_none
-from groundslab.design.basis.demand_errors import LOCAL, error_of, error_of_greatest, scaled
+from groundslab.design.basis.demand_errors import MOMENT, error_of, error_of_greatest, scaled
 from groundslab.design.by_plate import split_by_plate
 from groundslab.design.demands.design_moments import principal_moments
 from groundslab.design.demands.perimeters import surroundings
@@ -254,7 +254,7 @@ def _tension(results: CombinationResult, sign: int) -> Array:
 
 def _error_of_stress(results: CombinationResult, sign: int) -> float | None:
     """Return the error of the largest tension at a face [Pa]."""
-    return error_of_greatest(results, lambda mesh: _tension(mesh, sign), lambda: reduction_of(results, LOCAL))
+    return error_of_greatest(results, lambda mesh: _tension(mesh, sign), lambda: reduction_of(results, MOMENT))
 
 
 #: What a group of forces fails at [N]: the forces, the sum of their distances [m], where they are.

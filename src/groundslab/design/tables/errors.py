@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import repeat
 from math import isfinite
 
-from groundslab.accuracy.values import error_of_contact_share, error_of_largest, estimate_error, reduction_of
+from groundslab.accuracy.values import error_of_contact_share, error_of_largest, estimate_error
 from groundslab.arrays import Flags
 from groundslab.design.codes import CODES
 from groundslab.design.tables.quantities import nodal_values, ranged_fields
@@ -90,7 +90,7 @@ def _error_of_extreme(results: CombinationResult, field: str, where: Flags, sign
     if results.coarser is None or results.comparison is None:
         return None
     values, coarser = (sign * nodal_values(result, field)[where] for result in (results, results.coarser))
-    return error_of_largest(values, coarser, results.comparison, reduction_of(results, field)[where])
+    return error_of_largest(results, field, values, coarser, where)
 
 
 def with_errors_of_envelope(envelope: Table, extremes: Table) -> Table:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 
-from groundslab.accuracy.values import error_of_contact_share, error_of_largest, estimate_error, reduction_of
+from groundslab.accuracy.values import error_of_contact_share, error_of_largest, estimate_error
 from groundslab.design.by_plate import results_by_plate
 from groundslab.design.demands.design_moments import derive_field, fields_of, wood_armer
 from groundslab.design.tilt import largest_tilt
@@ -175,9 +175,7 @@ def error_of(output: RequestedOutput, combined: Results, names: Sequence[str]) -
     if output.take in ("largest", "smallest"):
         sign = 1 if output.take == "largest" else -1
         values, before = (sign * _nodal_values(output, combination)[0] for combination in (results, coarser))
-        reduction = reduction_of(results, _RESULT_FIELDS.get(output.of, output.of))
-        whole = reduction[results.plate.edge_length > 0] if output.of == "line force" else reduction
-        return value, error_of_largest(values, before, results.comparison, whole)
+        return value, error_of_largest(results, _RESULT_FIELDS.get(output.of, output.of), values, before)
     if output.of == "in contact":
         return value, error_of_contact_share(results) or 0.0
     # places of the largest size may differ between both meshes, and with them the sign

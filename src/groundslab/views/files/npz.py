@@ -47,6 +47,8 @@ LONGEST_REASON = 300
 MESH = {"nodes", "elements"}
 #: Where the cells stand through which a plate presses on an elastic continuum.
 CELLS = "ground.cells"
+#: Nodal fields of a comparison itself.
+REDUCTIONS = ("moment_reduction", "shear_reduction")
 
 Named = TypeVar("Named", SupportResult, JointResult)
 
@@ -103,6 +105,7 @@ def write(results: CombinationResult, path: Path) -> None:
     other = results.comparison
     if other is not None:
         arrays |= _arrays("coarser.", other)
+        arrays |= {f"coarser.{name}": field for name in REDUCTIONS if (field := getattr(other, name)) is not None}
         arrays |= _named_arrays("coarser.supports", other.supports)
         arrays |= _named_arrays("coarser.joints", other.joints)
     about = _About(
@@ -241,6 +244,8 @@ def _comparison(about: _About, arrays: dict[str, Any]) -> Comparison:
         constants=constants,
         energy_error=energy_error,
         reduction=reduction,
+        moment_reduction=arrays.get("coarser.moment_reduction"),
+        shear_reduction=arrays.get("coarser.shear_reduction"),
     )
 
 

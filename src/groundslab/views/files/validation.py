@@ -64,6 +64,10 @@ def _faults(results: CombinationResult) -> Iterator[str]:
             yield from _of_support(f"coarser: joint {number}", joint)
         if not (0 <= other.energy_error <= 1 and 0 <= other.reduction <= LARGEST):
             yield "errors of a comparison that are none"
+        for name in ("moment_reduction", "shear_reduction"):
+            field = getattr(other, name)
+            if field is not None and not (field.shape == (len(other.plate.nodes),) and np.all(field >= 0)):
+                yield f"{name} of a comparison that is none"
     if not results.steps:
         yield "no step of the iteration"
 

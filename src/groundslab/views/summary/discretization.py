@@ -7,7 +7,7 @@ from operator import attrgetter
 from typing import TYPE_CHECKING
 
 from groundslab.accuracy.judgment import JudgedValue, judge
-from groundslab.accuracy.values import error_of_contact_share, error_of_largest, estimate_error, reduction_of
+from groundslab.accuracy.values import error_of_contact_share, error_of_largest, estimate_error
 from groundslab.units import UNITS
 from groundslab.views.summary.rows import Row, SummarySection
 
@@ -24,9 +24,7 @@ def with_error(row: Row, coarser: Row | None, results: CombinationResult) -> Row
         return replace(row, error=error_of_contact_share(results))
     if row.values is None or coarser.values is None:
         return replace(row, error=estimate_error(row.value, coarser.value, results.comparison))
-    # a force along the edge is at some of the nodes
-    reduction = reduction_of(results, row.of) if len(row.values) == len(results.plate.nodes) else None
-    error = error_of_largest(row.values, coarser.values, results.comparison, reduction)
+    error = error_of_largest(results, row.of, row.values, coarser.values)
     return replace(row, error=error, values=None)
 
 

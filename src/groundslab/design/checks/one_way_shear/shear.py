@@ -25,7 +25,7 @@ from groundslab.accuracy.values import reduction_of
 from groundslab.arrays import Array
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import ultimate_results
-from groundslab.design.basis.demand_errors import LOCAL, error_of_greatest, scaled
+from groundslab.design.basis.demand_errors import error_of_greatest, scaled
 from groundslab.design.basis.design_code import ShearRule, no_rule
 from groundslab.design.basis.shear_demand import ShearDemand
 from groundslab.design.basis.wide_beam import Cut
@@ -106,7 +106,7 @@ def _error(results: CombinationResult, places: Places, without_links: Array, k: 
     error = error_of_greatest(
         results,
         lambda mesh: (_demand(mesh, _plate(mesh, spread=spread), places)[0] / without_links)[at],
-        lambda: places.mean(reduction_of(results, LOCAL))[at],
+        lambda: places.mean(reduction_of(results, "shear_x"))[at],
     )
     return scaled(error, float(without_links[k]))
 
@@ -139,7 +139,7 @@ def _error_across(results: CombinationResult, cut: Cut, *, spread: bool) -> floa
     return error_of_greatest(
         results,
         lambda mesh: np.array([cut.shear(_plate(mesh, spread=spread))]),
-        lambda: np.array([cut.mean(reduction_of(results, LOCAL))]),
+        lambda: np.array([cut.mean(reduction_of(results, "shear_x"))]),
     )
 
 
