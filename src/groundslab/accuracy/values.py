@@ -68,17 +68,18 @@ def estimate_errors(
     meshes may agree at one node by accident, and the reduction there (docs/theory.md, discretization error). The border
     of what has cracked has an error of its own.
     """
-    plate, change = results.plate, np.abs(values - coarser)
-    where = np.ones(len(plate.nodes), dtype=bool) if nodes is None else nodes
-    if field not in OF_THE_WHOLE:
-        around = np.zeros(len(plate.nodes))
-        around[where] = change
-        largest = around.copy()
-        np.maximum.at(largest, plate.elements, around[plate.elements].max(axis=1)[:, None])
-        change = largest[where]
-    q = reduction_of(results, field)[where]
+    plate, comparison, change = results.plate, results.comparison, np.abs(values - coarser)
+    assert comparison is not None
     of_cracks = error_of_cracks(results) * float(np.abs(values).max(initial=0.0))
-    return np.maximum(change * q / (1 - q), of_cracks)
+    if field in OF_THE_WHOLE or comparison.moment_reduction is None:
+        return np.maximum(estimate_error(1.0, 0.0, comparison) * change, of_cracks)
+    where = np.ones(len(plate.nodes), dtype=bool) if nodes is None else nodes
+    around = np.zeros(len(plate.nodes))
+    around[where] = change
+    largest = around.copy()
+    np.maximum.at(largest, plate.elements, around[plate.elements].max(axis=1)[:, None])
+    q = reduction_of(results, field)[where]
+    return np.maximum(largest[where] * q / (1 - q), of_cracks)
 
 
 def error_of_contact_share(results: CombinationResult) -> float | None:

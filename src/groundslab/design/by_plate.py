@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags
+from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.demands.perimeters import outline
 from groundslab.model.loads.acting import PlateAction, PointForce
 from groundslab.model.loads.load_types import AnyLoad
@@ -53,7 +53,7 @@ def split_by_plate(results: CombinationResult) -> dict[str, CombinationResult]:
             solved_model=model,
             plate=results.plate.part(those),
             elements=_part_of(results.elements, those),
-            comparison=_part_of_comparison(results.comparison, those),
+            comparison=_part_of_comparison(results.comparison, results.plate.elements, those),
         )
         for (name, those), model in parts
     }
@@ -65,10 +65,20 @@ def _part_of(elements: ElementResult, those: Flags) -> ElementResult:
     return ElementResult(**some)
 
 
-def _part_of_comparison(comparison: Comparison | None, those: Flags) -> Comparison | None:
+def _part_of_comparison(comparison: Comparison | None, elements: Integers, those: Flags) -> Comparison | None:
     if comparison is None:
         return None
-    return replace(comparison, plate=comparison.plate.part(those), elements=_part_of(comparison.elements, those))
+    nodes = np.unique(elements[those])
+    of_moments, of_shear = (
+        None if each is None else each[nodes] for each in (comparison.moment_reduction, comparison.shear_reduction)
+    )
+    return replace(
+        comparison,
+        plate=comparison.plate.part(those),
+        elements=_part_of(comparison.elements, those),
+        moment_reduction=of_moments,
+        shear_reduction=of_shear,
+    )
 
 
 @lru_cache(maxsize=4)
