@@ -2,29 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
+from dataclasses import dataclass, field
 from typing import TypeVar
 
 import numpy as np
 
-from groundslab.accuracy.judgment import AGAINST, JudgedValue, judge
+from groundslab.accuracy.governing import find_governing
+from groundslab.accuracy.judgment import AGAINST, JudgedValue, judge, judge_together
 from groundslab.accuracy.values import OF_THE_WHOLE
 from groundslab.arrays import Array
 from groundslab.discretize.local_sizes import local_sizes
 from groundslab.discretize.plan_layout import Meshes
 from groundslab.fem.mesh import Mesh
 from groundslab.fem.shape_functions import areas
-from groundslab.meshing.sizing import join
+from groundslab.meshing.sizing import Sources, join
+from groundslab.model.combinations import list_combinations
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.results import CombinationResult, Results
 
 Kept = TypeVar("Kept")
+#: Solves the combinations of some names on one mesh, and returns the results of all that were solved on it.
+Analysis = Callable[[Collection[str]], Results]
 
 #: So many meshes are made at most,
 MOST_MESHES = 5
-#: of at most about so many unknowns each, and so many together, times the combinations; one with more than a share of
-#: what is left is not followed by another.
+#: of at most about so many unknowns each, and so many together, each counted once for every combination that is solved
+#: on its mesh; one with more than a share of what is left is not followed by another.
 MOST_UNKNOWNS = 300_000
 MOST_WORK = 4_000_000
 MOST_SHARE = 0.8
@@ -51,7 +56,7 @@ ORDERS = (1.0, 2.0)
 
 def solve_adaptively(
     model: Model,
-    solve: Callable[[Meshes], tuple[Results, Kept]],
+    begin: Callable[[Meshes], tuple[Analysis, Kept]],
     share: float = 1.0,
     on_mesh: Callable[[Results], None] | None = None,
 ) -> tuple[Results, Kept]:
@@ -59,46 +64,84 @@ def solve_adaptively(
 
     Or within a share of it. Or until those that are not fall no more, another mesh would have too many unknowns, or
     MOST_MESHES were made: then the accuracy is missed. Where the mesh is not adaptive, the first one is the only one.
-    on_mesh is called with the results on each mesh before the next one is made. What `solve` returns beside the results
-    is returned with the last ones.
+    `begin` returns what solves combinations on some meshes; what it returns beside that is returned with the last ones.
+
+    On the first mesh all combinations are solved, on further ones those that govern. Where these end the refinement,
+    the others are solved on the same mesh; if one of them is off, it goes on. on_mesh is called with the results on
+    each mesh on which all are solved before the next one is made.
     """
-    start = local_sizes(model)
-    accuracy = share * model.mesh.largest_error
-    results, kept = solve(Meshes(local=start))
-    before: dict[str, dict[str, float]] = {}
-    spent = 0
-    for count in range(1, MOST_MESHES if model.mesh.adaptive else 0):
-        judged = {name: judge(found) for name, found in results.items()}
-        # on the first mesh, which may be coarser than footprints, no error says how it falls
-        too_large = {
-            name: [
-                each
-                for each in found
-                if each.share > accuracy
-                and (count < 3 or each.share <= PROGRESS * before.get(name, {}).get(each.label, np.inf))
-            ]
-            for name, found in judged.items()
-        }
-        before = {name: {each.label: each.share for each in reversed(found)} for name, found in judged.items()}
-        demands = [_demand(results[name], found, accuracy) for name, found in too_large.items() if found]
-        if not demands:
-            break
+    start, names = local_sizes(model), [combination.name for combination in list_combinations(model)]
+    course = _Course(share * model.mesh.largest_error, len(names))
+    analysis, kept = begin(Meshes(local=start))
+    results = analysis(names)
+    while model.mesh.adaptive:
+        complete, off = len(results.combinations) == len(names), course.judge(results)
+        finer = course.next_sizes(results, off)
+        if finer is None:
+            if complete:
+                break
+            results = analysis(names)
+            continue
+        if complete:
+            governing = find_governing(results, off)
+            if on_mesh is not None:
+                on_mesh(results)
+        course.end_mesh(results)
+        analysis, kept = begin(Meshes(local=join(finer, start)))
+        results = analysis(governing)
+    return results, kept
+
+
+@dataclass(slots=True)
+class _Course:
+    """What the meshes so far tell, and how much was solved on them."""
+
+    accuracy: float
+    combinations: int
+    meshes: int = 1
+    spent: int = 0  # unknowns, times the combinations that were solved for them, on the meshes before
+    latest: dict[str, CombinationResult] = field(default_factory=dict)  # of every combination, on the last mesh it had
+    before: dict[str, dict[str, float]] = field(default_factory=dict)  # errors there, on the meshes before
+
+    def judge(self, results: Results) -> dict[str, list[JudgedValue]]:
+        """Return the errors on a mesh that are too large and may still fall, the largest first, by the combination."""
+        self.latest |= results
+        together = judge_together(self.latest)
+        found = {name: [each for each in judge(together[name]) if self._may_fall(name, each)] for name in results}
+        return {name: errors for name, errors in found.items() if errors}
+
+    def _may_fall(self, name: str, value: JudgedValue) -> bool:
+        """Return whether an error is too large and fell from one mesh to the next.
+
+        On the first mesh, which may be coarser than footprints, no error says how it falls.
+        """
+        before = self.before.get(name, {}).get(value.label, np.inf)
+        return value.share > self.accuracy and (self.meshes < 3 or value.share <= PROGRESS * before)
+
+    def end_mesh(self, results: Results) -> None:
+        """Note that another mesh is made."""
+        together = judge_together(self.latest)
+        self.before |= {name: {each.label: each.share for each in reversed(judge(together[name]))} for name in results}
+        self.spent += next(iter(results.values())).unknowns * len(results.combinations)
+        self.meshes += 1
+
+    def next_sizes(self, results: Results, off: dict[str, list[JudgedValue]]) -> Sources | None:
+        """Return places and extents of elements of the next mesh, None if there is to be none."""
+        if not off or self.meshes == MOST_MESHES:
+            return None
+        demands = [_demand(results[name], found, self.accuracy) for name, found in off.items()]
         first = next(iter(results.values()))
         mesh = Mesh(first.plate.nodes, first.plate.elements)
         area, sizes = areas(mesh.xy), np.min(demands, axis=0)
         unknowns = first.unknowns * float((area / sizes**2).sum()) / len(area)
-        spent += first.unknowns
-        left = min(MOST_UNKNOWNS, MOST_WORK / len(results) - spent)
+        spent = self.spent + first.unknowns * len(results.combinations)
+        left = min(MOST_UNKNOWNS, (MOST_WORK - spent) / self.combinations)
         if unknowns > left:
             if first.unknowns > MOST_SHARE * left:
-                break
+                return None
             sizes = sizes * np.sqrt(unknowns / left)
-        if on_mesh is not None:
-            on_mesh(results)
         ratio = sizes / np.sqrt(area)
-        extents = np.maximum(ratio, KEPT * ratio**2)[:, None] * extents_of(mesh)
-        results, kept = solve(Meshes(local=join((mesh.xy[:, 8], extents), start)))
-    return results, kept
+        return mesh.xy[:, 8], np.maximum(ratio, KEPT * ratio**2)[:, None] * extents_of(mesh)
 
 
 def extents_of(mesh: Mesh) -> Array:
