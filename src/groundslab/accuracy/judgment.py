@@ -8,8 +8,9 @@ they are not (`singularities`).
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -32,9 +33,10 @@ CONTACT = "area in contact"
 
 @dataclass(frozen=True, slots=True)
 class JudgedValue:
-    """An error as a share of what governs, the value [SI], its name and place [m].
+    """An error as a share of what governs, the value [SI], its name and place [m], and the error itself [SI].
 
     Around are the places (p, 2) of all nodal values that may exceed it by at least half as much, none of other values.
+    The sign is -1 of a smallest value.
     """
 
     share: float
@@ -42,31 +44,35 @@ class JudgedValue:
     label: str
     place: tuple[float, float] | None
     around: Array = field(default_factory=lambda: np.zeros((0, 2)), compare=False, repr=False)
+    sign: int = 1
+    error: float = 0.0
 
 
 def judge(results: CombinationResult) -> list[JudgedValue]:
     """Return the judged values with their errors, the largest first; none without a coarser mesh to compare."""
     if results.comparison is None:
         return []
-    return _JUDGED.get(results.comparison, results.largest, lambda: _judge(results))
-
-
-def _judge(results: CombinationResult) -> list[JudgedValue]:
-    """Return the judged values with their errors, the largest first."""
+    known = _VALUES.get(results.comparison, None, lambda: [*judged_values(results)])
     largest = results.largest or find_largest([results])
-    values = ((getattr(largest, against), value) for against, value in judged_values(results))
-    judged = (replace(value, share=value.share / size) for size, value in values if size > 0)
+    values = ((getattr(largest, against), value) for against, value in known)
+    judged = (replace(value, share=value.share / size, error=value.share) for size, value in values if size > 0)
     return sorted(judged, key=lambda value: -value.share)
 
 
 def find_largest(combinations: Collection[CombinationResult]) -> LargestValues | None:
     """Return the largest values over some combinations, None of none."""
-    sizes = [_sizes(results) for results in combinations]
+    sizes = [_SIZES.get(results.plate, results.supports, partial(_sizes, results)) for results in combinations]
     if not sizes:
         return None
     return LargestValues(
         **{item.name: max(getattr(size, item.name) for size in sizes) for item in fields(LargestValues)}
     )
+
+
+def judge_together(combinations: Mapping[str, CombinationResult]) -> dict[str, CombinationResult]:
+    """Return results of combinations whose errors are judged against the largest values over all of these."""
+    largest = find_largest(combinations.values())
+    return {name: replace(results, largest=largest) for name, results in combinations.items()}
 
 
 def _sizes(results: CombinationResult) -> LargestValues:
@@ -126,8 +132,9 @@ def _extreme(name: str, sign: int, judged: Flags, meshes: tuple[CombinationResul
     value = float(values.max())
     error = float(most[node]) - value
     around = nodes[most >= value + error / 2]
-    return JudgedValue(error, sign * value, PLATE_FIELDS[name].label, place_of(nodes, node), around)
+    return JudgedValue(error, sign * value, PLATE_FIELDS[name].label, place_of(nodes, node), around, sign)
 
 
-#: Judged values of results, which are asked for more than once.
-_JUDGED: Memo[list[JudgedValue]] = Memo()
+#: Judged values of results with their errors, and their sizes, which are asked for more than once.
+_VALUES: Memo[list[tuple[str, JudgedValue]]] = Memo()
+_SIZES: Memo[LargestValues] = Memo()

@@ -3,32 +3,37 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import replace
+from collections.abc import Callable, Collection
+from dataclasses import dataclass, field, replace
 from typing import TypeVar
 
 import numpy as np
 
-from groundslab.accuracy.judgment import AGAINST, CONTACT, JudgedValue, judge
+from groundslab.accuracy.governing import find_governing
+from groundslab.accuracy.judgment import AGAINST, CONTACT, JudgedValue, judge, judge_together
 from groundslab.accuracy.values import OF_THE_WHOLE
 from groundslab.arrays import Array
 from groundslab.discretize.local_sizes import local_sizes
 from groundslab.discretize.plan_layout import Meshes
 from groundslab.fem.mesh import Mesh
 from groundslab.fem.shape_functions import areas
-from groundslab.meshing.sizing import join
+from groundslab.meshing.sizing import Sources, join
+from groundslab.model.combinations import list_combinations
 from groundslab.model.model import Model
+from groundslab.model.settings import Mesh as Wanted
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.record import MeshEnd, MeshHistory
 from groundslab.results.results import CombinationResult, Results
 
 Kept = TypeVar("Kept")
+#: Solves the combinations of some names on one mesh, and returns the results of all that were solved on it.
+Analysis = Callable[[Collection[str]], Results]
 
 #: So many meshes are made at most,
 MOST_MESHES = 5
-#: of at most about mesh.max_unknowns each, and together so many times that, over the combinations; one with more than
-#: a share of what is left is not followed by another.
-MOST_WORK = 40 / 3
+#: of at most about mesh.max_unknowns each, and so many times that over the number of combinations; one with more than
+#: a share of what is allowed is not followed by another.
+MOST_WORK = 100 / 3
 MOST_SHARE = 0.8
 #: Errors aimed at, as a share of what is asked for: estimates are no bounds.
 AIM = 0.8
@@ -50,7 +55,7 @@ ORDERS = (1.0, 2.0)
 
 def solve_adaptively(
     model: Model,
-    solve: Callable[[Meshes], tuple[Results, Kept]],
+    begin: Callable[[Meshes], tuple[Analysis, Kept]],
     share: float = 1.0,
     on_mesh: Callable[[Results], None] | None = None,
     start: tuple[Results, Kept] | None = None,
@@ -59,67 +64,113 @@ def solve_adaptively(
 
     Or within a share of it. Or until those that are not fall no more, another mesh would have more unknowns than
     mesh.max_unknowns, or MOST_MESHES were made: then the accuracy is missed. Where the mesh is not adaptive, the first
-    one is the only one. on_mesh is called with the results on each mesh before the next one is made; another call may
-    start from them. What `solve` returns beside the results is returned with the last ones.
+    one is the only one. `begin` returns what solves combinations on some meshes; what it returns beside that is
+    returned with the last results.
+
+    On the first mesh all combinations are solved, on further ones those that govern. Where these end the refinement,
+    the others are solved on the same mesh; if one of them is off, it goes on. on_mesh is called with the results on
+    each mesh on which all are solved before the next one is made; another call may start from them.
     """
-    given = local_sizes(model)
-    results, kept = start or solve(Meshes(local=given))
+    given, names = local_sizes(model), [combination.name for combination in list_combinations(model)]
+    if start is None:
+        analysis, kept = begin(Meshes(local=given))
+        results = analysis(names)
+    else:
+        results, kept = start
     if not model.mesh.adaptive:
         return results, kept
-    accuracy = share * model.mesh.largest_error
-    made, before = _history_of(results)
-    end: MeshEnd = "most meshes"
-    needed = None
-    while len(made) < MOST_MESHES:
-        judged = {name: judge(found) for name, found in results.items()}
-        # on the first mesh, which may be coarser than footprints, no error says how it falls
-        too_large = {
-            name: [
-                each
-                for each in found
-                if each.share > accuracy
-                and (len(made) < 3 or each.share <= PROGRESS * before.get(name, {}).get(each.label, np.inf))
-            ]
-            for name, found in judged.items()
-        }
-        demands = [_demand(results[name], found, accuracy) for name, found in too_large.items() if found]
-        if not demands:
-            shares = [each.share for found in judged.values() for each in found]
-            end = "accurate" if max(shares, default=0.0) <= accuracy else "no progress"
-            break
+    course = _follow(results, model.mesh, share, len(names))
+    while True:
+        complete, off = len(results.combinations) == len(names), course.judge(results)
+        finer = course.next_sizes(results, off)
+        if finer is None and complete:
+            return course.label(results), kept
+        if finer is None:
+            results = analysis(names)
+            continue
+        if complete:
+            governing = find_governing(results, off)
+            if on_mesh is not None:
+                on_mesh(course.label(results))
+        course.end_mesh(results)
+        analysis, kept = begin(Meshes(local=join(finer, given)))
+        results = analysis(governing)
+        course.made = (*course.made, *(found.unknowns for found in list(results.values())[:1]))
+
+
+@dataclass(slots=True)
+class _Course:
+    """What the meshes so far tell."""
+
+    wanted: Wanted
+    accuracy: float
+    combinations: int
+    made: tuple[int, ...]  # unknowns of the meshes
+    before: dict[str, dict[str, float]]  # errors on the meshes before the last that each combination had
+    latest: dict[str, CombinationResult] = field(default_factory=dict)  # of every combination, on the last mesh it had
+    end: MeshEnd = "provisional"
+    needed: int | None = None
+
+    def judge(self, results: Results) -> dict[str, list[JudgedValue]]:
+        """Return the errors on a mesh that are too large and may still fall, the largest first, by the combination."""
+        self.latest |= results
+        together = judge_together(self.latest)
+        judged = {name: judge(together[name]) for name in results}
+        found = {name: [each for each in values if self._may_fall(name, each)] for name, values in judged.items()}
+        largest = max((each.share for values in judged.values() for each in values), default=0.0)
+        self.end = "accurate" if largest <= self.accuracy else "no progress"
+        return {name: errors for name, errors in found.items() if errors}
+
+    def _may_fall(self, name: str, value: JudgedValue) -> bool:
+        """Return whether an error is too large and fell from one mesh to the next.
+
+        On the first mesh, which may be coarser than footprints, no error says how it falls.
+        """
+        before = self.before.get(name, {}).get(value.label, np.inf)
+        return value.share > self.accuracy and (len(self.made) < 3 or value.share <= PROGRESS * before)
+
+    def end_mesh(self, results: Results) -> None:
+        """Note the errors on a mesh that another one follows."""
+        together = judge_together(self.latest)
+        self.before |= {name: {each.label: each.share for each in reversed(judge(together[name]))} for name in results}
+
+    def next_sizes(self, results: Results, off: dict[str, list[JudgedValue]]) -> Sources | None:
+        """Return places and sizes of elements of the next mesh, None if there is to be none."""
+        if not off:
+            return None
+        if len(self.made) == MOST_MESHES:
+            self.end = "most meshes"
+            return None
+        demands = [_demand(results[name], found, self.accuracy) for name, found in off.items()]
         first = next(iter(results.values()))
         mesh = Mesh(first.plate.nodes, first.plate.elements)
         area, sizes = areas(mesh.xy), np.min(demands, axis=0)
         unknowns = first.unknowns * float((area / sizes**2).sum()) / len(area)
-        work = MOST_WORK / len(results)
-        left = min(model.mesh.max_unknowns, work * model.mesh.max_unknowns - sum(made))
-        if unknowns > left:
-            if first.unknowns > MOST_SHARE * left:
-                end, needed = "max_unknowns", math.ceil(max(unknowns, (unknowns + sum(made)) / work))
-                break
-            sizes = sizes * np.sqrt(unknowns / left)
-        if on_mesh is not None:
-            on_mesh(_with_history(results, MeshHistory(made), before))
-        before = {name: {each.label: each.share for each in reversed(found)} for name, found in judged.items()}
-        results, kept = solve(Meshes(local=join((mesh.xy[:, 8], sizes), given)))
-        made = (*made, *(found.unknowns for found in list(results.values())[:1]))
-    return _with_history(results, MeshHistory(made, end, needed), before), kept
+        share = min(1.0, MOST_WORK / self.combinations)
+        if unknowns > share * self.wanted.max_unknowns:
+            if first.unknowns > MOST_SHARE * share * self.wanted.max_unknowns:
+                self.end, self.needed = "max_unknowns", math.ceil(unknowns / share)
+                return None
+            sizes = sizes * np.sqrt(unknowns / (share * self.wanted.max_unknowns))
+        self.end = "provisional"
+        return mesh.xy[:, 8], sizes
+
+    def label(self, results: Results) -> Results:
+        """Return results with the history of their mesh."""
+        history = MeshHistory(self.made, self.end, self.needed)
+        known = {
+            name: replace(found, mesh_history=replace(history, before=tuple(self.before.get(name, {}).items())))
+            for name, found in results.items()
+        }
+        return replace(results, results=known)
 
 
-def _history_of(results: Results) -> tuple[tuple[int, ...], dict[str, dict[str, float]]]:
-    """Return the unknowns of the meshes up to that of results, and errors on the one before by combination and name."""
+def _follow(results: Results, wanted: Wanted, share: float, combinations: int) -> _Course:
+    """Return the course of the meshes up to that of results, which may be the first."""
     histories = {name: found.mesh_history or MeshHistory((found.unknowns,)) for name, found in results.items()}
     made = next((each.unknowns for each in histories.values()), ())
-    return made, {name: dict(each.before) for name, each in histories.items()}
-
-
-def _with_history(results: Results, history: MeshHistory, before: Mapping[str, Mapping[str, float]]) -> Results:
-    """Return results with the history of their mesh; before are errors on the one before, by combination and name."""
-    known = {
-        name: replace(found, mesh_history=replace(history, before=tuple(before.get(name, {}).items())))
-        for name, found in results.items()
-    }
-    return replace(results, results=known)
+    before = {name: dict(each.before) for name, each in histories.items()}
+    return _Course(wanted, share * wanted.largest_error, combinations, made, before)
 
 
 def _demand(results: CombinationResult, judged: list[JudgedValue], accuracy: float) -> Array:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
-from groundslab.accuracy.judgment import find_largest
-from groundslab.analysis.adaptivity import solve_adaptively
+from groundslab.accuracy.judgment import judge_together
+from groundslab.analysis.adaptivity import Analysis, solve_adaptively
 from groundslab.analysis.load_step import OnStep
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions
 from groundslab.analysis.moved_results import move_along, move_back
@@ -112,15 +113,15 @@ def solve_combinations(
     local = move_to_center(model)
     solved_model = as_solved(local)
 
-    def solve_on(meshes: Meshes) -> tuple[Results, None]:
-        return analyze(local, Setting(solved_model, meshes), _report(on_step, on_combination)), None
+    def begin(meshes: Meshes) -> tuple[Analysis, None]:
+        return partial(analyze, local, Setting(solved_model, meshes), _report(on_step, on_combination)), None
 
     def report_mesh(results: Results) -> None:
         if on_mesh is not None:
             on_mesh(move_back(results, model))
 
     begun = None if start is None else (move_along(start, local), None)
-    results, _ = solve_adaptively(solved_model, solve_on, on_mesh=report_mesh, start=begun)
+    results, _ = solve_adaptively(solved_model, begin, on_mesh=report_mesh, start=begun)
     return move_back(results, model)
 
 
@@ -156,11 +157,11 @@ class Variants:
         local = move_to_center(base)
         solved_model = as_solved(local)
 
-        def solve_on(meshes: Meshes) -> tuple[Results, ReferenceSolutions]:
+        def begin(meshes: Meshes) -> tuple[Analysis, ReferenceSolutions]:
             reference = ReferenceSolutions(meshes)
-            return analyze(local, Setting(solved_model, meshes, reference), _report()), reference
+            return partial(analyze, local, Setting(solved_model, meshes, reference), _report()), reference
 
-        results, self._reference = solve_adaptively(solved_model, solve_on, BASE_SHARE)
+        results, self._reference = solve_adaptively(solved_model, begin, BASE_SHARE)
         #: The results of the base case, whose mesh all variants have.
         self.base = move_back(results, base)
         self._reference.close()
@@ -181,34 +182,37 @@ class Variants:
         return move_back(analyze(local, setting, _report(on_step)), model)
 
 
-def analyze(model: Model, setting: Setting, report: Report) -> Results:
-    """Return the results of all combinations on some meshes; those with the same task are solved once."""
-    combinations = {c: task_of(setting.model, c) for c in list_combinations(setting.model)}
+def analyze(model: Model, setting: Setting, report: Report, names: Collection[str] | None = None) -> Results:
+    """Return the results of the combinations that are named, by default of all, and of those known in the setting.
+
+    Combinations with the same task are solved once.
+    """
+    tasks = {c: task_of(setting.model, c) for c in list_combinations(setting.model)}
     first: dict[Task, Combination] = {}
-    for combination, task in combinations.items():
-        first.setdefault(task, combination)
-    outcomes = dict(zip(first, run(first, setting, report), strict=True))
-    for combination, task in combinations.items():
-        if combination is not first[task]:
+    for combination, task in tasks.items():
+        if task not in setting.outcomes and (names is None or combination.name in names):
+            first.setdefault(task, combination)
+    setting.outcomes.update(zip(first, run(first, setting, report), strict=True))
+    for combination, task in tasks.items():
+        if task in first and combination is not first[task]:
             report(combination)
-    return _collect(model, combinations, outcomes)
+    return _collect(model, tasks, setting.outcomes)
 
 
 def _collect(model: Model, tasks: Mapping[Combination, Task], outcomes: Mapping[Task, Outcome]) -> Results:
-    """Return the outcomes of all combinations together, with the case as written beside the case as solved."""
+    """Return the outcomes of combinations together, with the case as written beside the case as solved."""
     results: dict[str, CombinationResult] = {}
     refused: dict[str, GroundslabError] = {}
-    for combination, task in tasks.items():
+    solved = tuple(combination for combination, task in tasks.items() if task in outcomes)
+    for combination in solved:
         name = combination.name
         about = {"combination": name, "limit_state": combination.limit_state, "factors": combination.factors}
-        outcome = _with(outcomes[task], model=model, **about)
+        outcome = _with(outcomes[tasks[combination]], model=model, **about)
         if isinstance(outcome, GroundslabError):
             refused[name] = outcome
         else:
             results[name] = outcome
-    largest = find_largest(results.values())
-    judged = {name: replace(found, largest=largest) for name, found in results.items()}
-    return Results(model, tuple(tasks), judged, refused)
+    return Results(model, solved, judge_together(results), refused)
 
 
 def _with(outcome: Outcome, **changes: Any) -> Outcome:

@@ -42,6 +42,7 @@ class _ContactIteration:
         self.law = current_bearings(problem, step.factor, step.slip)
         self.expected: Array | None = None  # U (n, F) interpolated from a coarser mesh
         self.near: Array | None = None  # u (size,) of another solution on this mesh
+        self.coarser: Integers | None = None  # states of the solution on a coarser mesh
         state: Integers = np.where(
             problem.contact.bearing.field > TOP, OPEN, CLOSED
         )  # joints with play do not bear at first
@@ -52,6 +53,7 @@ class _ContactIteration:
             if step.level.locations is None:
                 step.level.locations = warm_start.locate_nodes(start.system.problem, problem)
             state, self.expected = warm_start.from_coarser(start, problem, step.level.locations)
+            self.coarser = start.contact.state.astype(np.int8)
         # the start may have yielded at a limit that there is no longer
         self.state = np.where((state == YIELDING) & np.isinf(self.law.limit_force), CLOSED, state)
 
@@ -64,9 +66,7 @@ class _ContactIteration:
 
         problem = self._problem(column, gamma)
         if self.expected is not None and self.near is None:
-            self.state = warm_start.solve_contact_border(
-                step.system.problem, problem, self.state, self.expected, level.solver
-            )
+            self.state, self.near = self._start_from_coarser(problem, self.expected)
         try:
             found = contact.solve(problem, level.factorization, self.state, step.max_iterations, report, self.near)
         except NotConverged as error:
@@ -79,6 +79,18 @@ class _ContactIteration:
         self.near, self.state = found.u, found.state
         # where digits are few, what is found leads nowhere without refinement
         return found if problem.A.exact_products is None else self._refine(found, problem)
+
+    def _start_from_coarser(self, problem: ContactProblem, expected: Array) -> tuple[Integers, Array]:
+        """Return states (c,) and unknowns (size,) to start from, by what was expected (n, F) from a coarser mesh.
+
+        The states are those of a combination with nearly the same ones there, else those of a strip along their border.
+        """
+        level, near = self.step.level, warm_start.unknowns_in(self.step.system.problem, expected)
+        alike = None if self.coarser is None else level.zone_like(self.coarser)
+        if alike is not None:
+            return alike, near
+        state = warm_start.solve_contact_border(self.step.system.problem, problem, self.state, expected, level.solver)
+        return state, near
 
     def _problem(self, column: Column, gamma: float | None) -> ContactProblem:
         """Return what is solved for a column of ground, which belongs to a gamma if it depends on one."""
@@ -97,6 +109,8 @@ class _ContactIteration:
         if step.finest:
             found = self._refine(found, self._problem(column, gamma))
             require_hold(problem, found)
+        if self.coarser is not None:
+            step.level.zones.append((self.coarser, found.state.astype(np.int8)))
         slip = step.slip + plastic_slip(self.law, found)
         return Solution(step.system, nodal_table(problem, found.u), found, column, gamma, self.law, slip)
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
 
 from groundslab.accuracy.prolongation import Prolongation, make_prolongation
-from groundslab.arrays import Array
+from groundslab.arrays import Array, Integers
 from groundslab.discretize.discretize import discretize
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes
@@ -25,6 +26,9 @@ from groundslab.solvers.equilibrium import rigid_motions
 from groundslab.solvers.factor_reuse import CachedFactorization
 from groundslab.solvers.plate_on_continuum import PlateOnContinuum
 from groundslab.solvers.solution import Solution
+
+#: Contact zones that differ at so few nodes of the coarser mesh differ little on the finer one, too.
+ALIKE = 6
 
 #: Sections of a model on which the mesh of its results depends.
 RESULT_MESH_SECTIONS = ("plate", "plates", "supports", "columns", "loads")
@@ -46,6 +50,7 @@ class Level:
     coarser_plate: CoarserPlate | None = None  # the same on a coarser mesh, under the cells of this one
     cached: tuple[Model, ResultMesh] | None = None  # the mesh of results, and a model that has it
     prolongation: Prolongation | None = None  # from the mesh of results of the next coarser mesh to its own
+    zones: list[tuple[Integers, Integers]] = field(default_factory=list)  # found: states on the coarser mesh, and here
 
     def stiffness(self, column: Column, gamma: float | None) -> Symmetric:
         """Return the matrix for the column that belongs to a gamma; the latest one is cached."""
@@ -84,12 +89,23 @@ class Level:
             self.cached = model, make_result_mesh(model, problem)
         return self.cached[1]
 
+    def zone_like(self, coarser: Integers) -> Integers | None:
+        """Return the states (c,) found for a combination whose states on the coarser mesh hardly differ, if any."""
+        known = [(np.count_nonzero(before != coarser), after) for before, after in self.zones]
+        rank, state = min(known, key=lambda each: each[0], default=(np.inf, None))
+        return None if state is None or rank > ALIKE else state.astype(np.int64)
+
     def clone(self) -> Level:
         """Return the same level with an analysis and a factor of its own, for use on another thread."""
-        pattern = self.system.pattern
-        own = CachedFactorization(self.solver(pattern.indptr, pattern.indices))
+        own = make_factorization(self.solver, self.system)
         on_continuum = None if self.on_continuum is None else replace(self.on_continuum, factorization=own)
-        return replace(self, factorization=own, on_continuum=on_continuum, coarser_plate=None)
+        return replace(self, factorization=own, on_continuum=on_continuum, coarser_plate=None, zones=[*self.zones])
+
+
+def make_factorization(solver: Solver, s: System) -> CachedFactorization:
+    """Return the analyzed pattern of a system, which keeps several factors."""
+    analyze = partial(solver, s.pattern.indptr, s.pattern.indices)
+    return CachedFactorization(analyze(), analyze)
 
 
 @dataclass(slots=True)
@@ -139,8 +155,7 @@ class MeshHierarchy:
         if like is not None and s.pattern is like.system.pattern:
             level = Level(self.model, s, self.solver, like.factorization, locations=like.locations, cached=like.cached)
         else:
-            factorization = CachedFactorization(self.solver(s.pattern.indptr, s.pattern.indices))
-            level = Level(self.model, s, self.solver, factorization)
+            level = Level(self.model, s, self.solver, make_factorization(self.solver, s))
         if self.keep:
             self.levels[coarsening] = level
         if self.reference is not None and not self.reference.closed:

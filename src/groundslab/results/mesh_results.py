@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from pyvista import UnstructuredGrid
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, weakref_slot=True)
 class PlateResult:
     """The plate: its nine-node mesh and nodal fields in SI units, n nodes and m elements.
 

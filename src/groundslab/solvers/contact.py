@@ -142,7 +142,7 @@ def _solve_states(
                 return contact(u, residual)
     if not exact:
         try:
-            factorization.factorize(system)
+            factorization.factorize(system, beside=True)
         except SingularMatrix:
             return None
     u = system.fixed_values.copy()

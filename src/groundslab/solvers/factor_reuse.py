@@ -1,8 +1,9 @@
-"""Reuse of the latest factorization: low-rank updates and preconditioned conjugate gradients instead of a new one."""
+"""Reuse of the latest factorizations: low-rank updates and preconditioned conjugate gradients instead of a new one."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -19,6 +20,8 @@ MAX_UPDATE_ENTRIES = 2**23
 MAX_PRECONDITIONER_RANK = 4
 #: and the matrix has at least so many rows: a smaller one is factorized in less time than the iterations take.
 MIN_PRECONDITIONED_SIZE = 30_000
+#: So many factors are kept that their systems have no more rows than this together.
+MOST_KEPT_ROWS = 150_000
 #: Conjugate gradients end when the error's energy is below this share of the solution's: 1e-10 of its displacements.
 TOLERANCE = 1e-20
 
@@ -103,49 +106,85 @@ class WoodburySolver:
         return x
 
 
-class CachedFactorization:
-    """An analyzed pattern with its latest factor, which also serves to solve systems close to the factorized one.
+@dataclass(slots=True)
+class _Factorized:
+    """A factor with the system that it is of."""
 
-    The factor preconditions conjugate gradients: with a low-rank update if the matrix is the same, else as it is. These
+    symbolic: Symbolic
+    system: ConstrainedSystem | None = None  # None before a factorization, and after one that failed
+    factor: Factor | None = None
+    columns: dict[int, Array] = field(default_factory=dict)  # see WoodburySolver
+
+    def rank_to(self, system: ConstrainedSystem) -> float:
+        """Return in how many unknowns another system of the same matrix is constrained otherwise, inf of another."""
+        if self.system is None or self.system.A is not system.A:
+            return np.inf
+        return self.system.count_differences(system)
+
+
+class CachedFactorization:
+    """An analyzed pattern with its latest factors, which also serve to solve systems close to the factorized ones.
+
+    A factor preconditions conjugate gradients: with a low-rank update if the matrix is the same, else as it is. These
     then need one or two steps, or few if the entries of the matrix have changed little.
     """
 
-    def __init__(self, symbolic: Symbolic) -> None:
-        self.symbolic = symbolic
-        self.system: ConstrainedSystem | None = None
-        self._factor: Factor
-        self._columns: dict[int, Array] = {}  # see WoodburySolver
+    def __init__(self, symbolic: Symbolic, analyze: Callable[[], Symbolic] | None = None) -> None:
+        """Keep one factor, or several of the same matrix if `analyze` analyzes the pattern again."""
+        self._kept = [_Factorized(symbolic)]  # the latest one first
+        self._analyze = analyze
 
     def holds(self, system: ConstrainedSystem) -> bool:
-        """Return whether the latest factor is the one of this system."""
-        return self.system is not None and self.system.A is system.A and self.system.count_differences(system) == 0
+        """Return whether one of the factors is that of this system; the closest one becomes the latest."""
+        ranks = [kept.rank_to(system) for kept in self._kept]
+        closest = ranks.index(min(ranks))
+        self._kept.insert(0, self._kept.pop(closest))
+        return ranks[closest] == 0
 
     def preconditions(self, system: ConstrainedSystem) -> bool:
         """Return whether the latest factor can be expected to precondition this system well."""
-        if self.system is None:
+        latest = self._kept[0].system
+        if latest is None:
             return False
-        rank = self.system.count_differences(system)
-        if self.system.A is system.A:
+        rank = latest.count_differences(system)
+        if latest.A is system.A:
             return rank <= min(MAX_UPDATE_RANK, MAX_UPDATE_ENTRIES // len(system.fixed))
         return rank <= MAX_PRECONDITIONER_RANK and len(system.fixed) >= MIN_PRECONDITIONED_SIZE
 
     def _preconditioner(self, system: ConstrainedSystem) -> Factor:
         """Return what solves a system, or one close to it."""
-        assert self.system is not None
-        if self.system.A is system.A and self.preconditions(system) and self.system.count_differences(system) > 0:
-            return WoodburySolver(self._factor, self.system, system, self._columns)
-        return self._factor
+        latest = self._kept[0]
+        assert latest.system is not None
+        assert latest.factor is not None
+        if self.preconditions(system) and 0 < latest.rank_to(system) < np.inf:
+            if len(latest.columns) * len(system.fixed) > MAX_UPDATE_ENTRIES:
+                latest.columns.clear()
+            return WoodburySolver(latest.factor, latest.system, system, latest.columns)
+        return latest.factor
 
-    def factorize(self, system: ConstrainedSystem) -> None:
-        """Factorize another system; raise SingularMatrix if it is not positive definite."""
-        self.system = None  # the previous factor is no longer valid
-        self._columns = {}
-        self._factor = self.symbolic.factor(system.A.constrain(system.fixed, system.diagonal_shift))
-        self.system = system
+    def factorize(self, system: ConstrainedSystem, beside: bool = False) -> None:
+        """Factorize another system; raise SingularMatrix if it is not positive definite.
+
+        `beside` keeps the latest factor, too, if it is of the same matrix; that which served least recently goes.
+        """
+        latest = self._kept[0]
+        if not beside or latest.rank_to(system) == np.inf:
+            del self._kept[1:]
+        elif self._analyze is not None and (len(self._kept) + 1) * len(system.fixed) <= MOST_KEPT_ROWS:
+            self._kept.insert(0, _Factorized(self._analyze()))
+        else:
+            self._kept.insert(0, self._kept.pop())
+        latest = self._kept[0]
+        latest.system = None  # the previous factor is no longer valid
+        latest.columns = {}
+        latest.factor = latest.symbolic.factor(system.A.constrain(system.fixed, system.diagonal_shift))
+        latest.system = system
 
     def solve(self, b: Array) -> Array:
         """Return x (size,) that solves the system factorized last for b (size,)."""
-        return self._factor.solve(b)
+        factor = self._kept[0].factor
+        assert factor is not None
+        return factor.solve(b)
 
     def iterate(self, system: ConstrainedSystem, load: Array, u: Array, residual: Array, steps: int) -> bool:
         """Improve u (size,) towards the solution under a load (size,) by steps of conjugate gradients.

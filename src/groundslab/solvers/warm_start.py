@@ -87,6 +87,14 @@ def from_coarser(start: Solution, problem: Problem, at: NodeLocations) -> tuple[
     return state, U
 
 
+def unknowns_in(problem: Problem, U: Array) -> Array:
+    """Return the unknowns (size,) in a table (n, F)."""
+    has = problem.unknown >= 0
+    u = np.zeros(problem.unknown.max(initial=-1) + 1)
+    u[problem.unknown[has]] = U[has]
+    return u
+
+
 def solve_contact_border(
     problem: Problem, whole: ContactProblem, state: Integers, U: Array, solver: Solver
 ) -> Integers:
@@ -94,9 +102,7 @@ def solve_contact_border(
 
     The contact on the whole mesh of the problem is given; U (n, F) approximates its solution.
     """
-    has = problem.unknown >= 0
-    u = np.zeros(whole.A.size)
-    u[problem.unknown[has]] = U[has]
+    has, u = problem.unknown >= 0, unknowns_in(problem, U)
     for _ in range(MAX_STRIPS):
         inside = _strip(problem, state, RINGS)
         free = np.zeros(whole.A.size, dtype=bool)

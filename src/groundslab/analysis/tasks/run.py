@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
 from functools import partial
 
 from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions
@@ -12,6 +12,7 @@ from groundslab.analysis.tasks.parallel import run_parallel
 from groundslab.analysis.tasks.task import Outcome, Task, ends_in_tails, solve_task
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes, coarsest
+from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.record import Step
@@ -26,7 +27,7 @@ MAX_PARALLEL_UNKNOWNS = 400_000
 #: Called with a combination as it begins, and with every step of it.
 Report = Callable[[Combination | Step], None]
 #: The meshes of a model on its ground, and on the ground under lasting loads: the finest, two for the margin's effect.
-Grounds = Mapping[bool, list[MeshHierarchy]]
+Grounds = dict[bool, list[MeshHierarchy]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,19 +44,25 @@ class Setting:
         Solutions of a similar model from which the tasks start, or where theirs are kept.
     factors : Factors or None
         Factors on the ground's constants, from place to place.
+    grounds : dict
+        Meshes with what was made on them, for further tasks.
+    outcomes : dict
+        Outcomes of the tasks that are done.
     """
 
     model: Model
     meshes: Meshes
     reference: ReferenceSolutions | None = None
     factors: Factors | None = None
+    grounds: Grounds = field(default_factory=dict)
+    outcomes: dict[Task, Outcome] = field(default_factory=dict)
 
 
 def run(tasks: Mapping[Task, Combination], setting: Setting, report: Report) -> Iterator[Outcome]:
     """Yield the outcome of each task, for the combination that it is the first of."""
     name, solver = factorization.choose(setting.model.analysis.solver)
     factorization.warm_up(solver)
-    grounds = _grounds(tasks, setting, solver)
+    grounds = _prepare_grounds(tasks, setting, solver)
     lanes = _count_lanes(tasks, grounds, solver)
     jobs = [partial(_solve, task, combination, setting.model, name) for task, combination in tasks.items()]
     if lanes == 1:
@@ -78,13 +85,13 @@ def _solve(
     return solve_task(task, model, combination, grounds[task.lasting], solver, report)
 
 
-def _grounds(tasks: Mapping[Task, Combination], setting: Setting, solver: Solver) -> Grounds:
-    """Return the meshes on each ground that tasks need.
+def _prepare_grounds(tasks: Iterable[Task], setting: Setting, solver: Solver) -> Grounds:
+    """Return the meshes of a setting, with those on each ground that tasks need.
 
     Softer ground under lasting loads is another problem, of which a similar model knows nothing.
     """
     model = setting.model
-    keep = len(tasks) > 1 or setting.reference is not None or model.cracking is not None
+    keep = len(list_combinations(model)) > 1 or setting.reference is not None or model.cracking is not None
 
     def hierarchies(model: Model, reference: ReferenceSolutions | None) -> list[MeshHierarchy]:
         # the margin's effect is judged on the next coarser mesh, where it costs little
@@ -94,15 +101,15 @@ def _grounds(tasks: Mapping[Task, Combination], setting: Setting, solver: Solver
             for finest, margin in ((0, 1.0), (level, 1.0), (level, 2.0))
         ]
 
-    return {
-        lasting: hierarchies(model.with_lasting_ground(), None) if lasting else hierarchies(model, setting.reference)
-        for lasting in {task.lasting for task in tasks}
-    }
+    for lasting in {task.lasting for task in tasks} - setting.grounds.keys():
+        ground = (model.with_lasting_ground(), None) if lasting else (model, setting.reference)
+        setting.grounds[lasting] = hierarchies(*ground)
+    return setting.grounds
 
 
 def _count_lanes(tasks: Mapping[Task, Combination], grounds: Grounds, solver: Solver) -> int:
     """Return how many tasks are solved at the same time."""
-    if len(tasks) == 1:  # it does not wait for the number of threads, which a solver tells when it is loaded
+    if len(tasks) <= 1:  # it does not wait for the number of threads, which a solver tells when it is loaded
         return 1
     lanes = min(MAX_LANES, factorization.threads(solver), len(tasks))
     finest = grounds[next(iter(tasks)).lasting][0]
