@@ -92,7 +92,7 @@ def solve_adaptively(
             governing = find_governing(results, off)
             if on_mesh is not None:
                 on_mesh(course.label(results))
-        course.end_mesh(results)
+        course.before |= course.now
         analysis, kept = begin(Meshes(local=join(finer, given)))
         results = analysis(governing)
         course.made = (*course.made, *(found.unknowns for found in list(results.values())[:1]))
@@ -107,6 +107,7 @@ class _Course:
     combinations: int
     made: tuple[int, ...]  # unknowns of the meshes
     before: dict[str, dict[str, float]]  # errors on the meshes before the last that each combination had
+    now: dict[str, dict[str, float]] = field(default_factory=dict)  # errors on the last one
     latest: dict[str, CombinationResult] = field(default_factory=dict)  # of every combination, on the last mesh it had
     end: MeshEnd = "provisional"
     needed: int | None = None
@@ -116,6 +117,7 @@ class _Course:
         self.latest |= results
         together = judge_together(self.latest)
         judged = {name: judge(together[name]) for name in results}
+        self.now = {name: {each.label: each.share for each in reversed(values)} for name, values in judged.items()}
         found = {name: [each for each in values if self._may_fall(name, each)] for name, values in judged.items()}
         largest = max((each.share for values in judged.values() for each in values), default=0.0)
         self.end = "accurate" if largest <= self.accuracy else "no progress"
@@ -128,11 +130,6 @@ class _Course:
         """
         before = self.before.get(name, {}).get(value.label, np.inf)
         return value.share > self.accuracy and (len(self.made) < 3 or value.share <= PROGRESS * before)
-
-    def end_mesh(self, results: Results) -> None:
-        """Note the errors on a mesh that another one follows."""
-        together = judge_together(self.latest)
-        self.before |= {name: {each.label: each.share for each in reversed(judge(together[name]))} for name in results}
 
     def next_sizes(self, results: Results, off: dict[str, list[JudgedValue]]) -> Sources | None:
         """Return places and sizes of elements of the next mesh, None if there is to be none."""
