@@ -24,6 +24,7 @@ from groundslab.verification.analytic_continuum import (
     stress_below_rectangle,
 )
 from groundslab.verification.analytic_ground import confined_compression, sinh_mode, wedge
+from groundslab.verification.analytic_mindlin import line_on_mindlin_strip, load_on_mindlin_plate
 from groundslab.verification.analytic_plates import (
     circle_under_linear_pressure,
     clamped_ellipse,
@@ -230,6 +231,8 @@ _QUANTITIES: dict[Callable[..., dict[str, float]], tuple[str, ...]] = {
     clamped_plate: ("settlement", "moment"),
     rings: ("settlement", "moment"),
     disk_on_infinite_plate: ("settlement", "moment"),
+    load_on_mindlin_plate: ("settlement", "moment", "shear"),
+    line_on_mindlin_strip: ("settlement", "moment", "shear"),
     supported_beam_on_springs: ("settlement", "moment"),
     strip_on_pasternak: ("settlement", "moment"),
     lifting_strip_on_pasternak: ("settlement", "moment"),

@@ -153,3 +153,39 @@ class InfinitePlate:
             "moment_t": -self.D * (slope / r + self.nu * bent),
             "shear": -self.D * steep,
         }
+
+
+def load_on_mindlin_plate(
+    r: float,
+    a: float,
+    t: float,
+    E: float,
+    nu: float,
+    factor: float,
+    k0: float,
+    k1: float,
+    q: float = 0.0,
+    ring: float = 0.0,
+) -> dict[str, float]:
+    """Return settlement [m], radial moment [N m/m] and shear force [N/m] of an infinite plate, r [m] from the middle.
+
+    It carries the pressure q [Pa] within a radius a [m] and the line load ring [N/m] on that circle.
+    """
+    plate = InfinitePlate(E * t**3 / (12 * (1 - nu**2)), factor * E / (2 * (1 + nu)) * t, nu, k0, k1)
+    at = np.array([max(r, 1e-9 * a)])
+    parts = plate.under_disk(at, a, q), plate.under_ring(at, a, ring)
+    fields = {"settlement": "settlement", "moment": "moment_r", "shear": "shear"}
+    return {name: float(sum(part[field][0] for part in parts)) for name, field in fields.items()}
+
+
+def line_on_mindlin_strip(
+    x: float, length: float, at: float, P: float, t: float, E: float, factor: float, k0: float, k1: float, beyond: bool
+) -> dict[str, float]:
+    """Return settlement [m], moment [N m/m] and shear force [N/m] of a free strip with nu = 0, x [m] from its left end.
+
+    A line load P [N/m] acts at a place; k1 [Pa m] goes on beyond both ends or ends with them.
+    """
+    ground = math.sqrt(k0 * k1) if beyond else 0.0
+    parts = (Part(at, k0=k0, k1=k1), Part(length - at, k0=k0, k1=k1, P=P))
+    found = Strip(E * t**3 / 12, factor * E / 2 * t, parts, ground, ground).at(x)
+    return {name: found[name] for name in ("settlement", "moment", "shear")}
