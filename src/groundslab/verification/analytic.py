@@ -12,6 +12,8 @@ from groundslab.verification.analytic_beams import (
     disk_on_infinite_plate,
     joined_beams,
     lifting_strip_on_pasternak,
+    line_on_mindlin_strip,
+    load_on_mindlin_plate,
     strip_on_pasternak,
     supported_beam_on_springs,
 )
@@ -24,7 +26,6 @@ from groundslab.verification.analytic_continuum import (
     stress_below_rectangle,
 )
 from groundslab.verification.analytic_ground import confined_compression, sinh_mode, wedge
-from groundslab.verification.analytic_mindlin import line_on_mindlin_strip, load_on_mindlin_plate
 from groundslab.verification.analytic_plates import (
     circle_under_linear_pressure,
     clamped_ellipse,

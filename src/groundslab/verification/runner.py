@@ -267,7 +267,8 @@ def _error(row: Mapping[str, Any], results_of: Callable[..., CombinationResult])
     if row["quantity"] in AT_NODES:
         name, plate = row["quantity"], results.plate
         errors = estimate_errors(results, name, getattr(plate, name), getattr(results.coarser.plate, name))
-        error = take(replace(results, plate=replace(plate, **{name: errors})), row)
+        fields: dict[str, Any] = {name: errors}
+        error = take(replace(results, plate=replace(plate, **fields)), row)
     else:
         error = estimate_error(take(results, row), take(results.coarser, row), results.comparison)
     return float(error / _unit(row) * abs(row.get("factor", 1.0)))
