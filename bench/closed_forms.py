@@ -14,7 +14,7 @@ from groundslab.model.model import Model
 from groundslab.verification import analytic_continuum as continuum
 from groundslab.verification import analytic_rigid as rigid
 from groundslab.verification.analytic import partly_loaded_circular_plate
-from groundslab.verification.analytic_mindlin import InfinitePlate, Part, Strip
+from groundslab.verification.analytic_beams import InfinitePlate, Part, Strip
 from groundslab.verification.analytic_springs import lifting_circular_plate
 
 SHEAR = 5 / 6

@@ -1,9 +1,9 @@
-"""Tables and picture of docs/performance.md from bench/results.json.
+"""Tables and pictures of docs/performance.md from bench/results.json and the other stored figures.
 
     bench/.env/own/bin/python bench/report.py
 
 Only what stands between the markers of the page is written, so that its prose stays. The same results give the same
-bytes. The picture needs matplotlib; the tables need nothing.
+bytes. The pictures need matplotlib; the tables need nothing.
 """
 
 from __future__ import annotations
@@ -18,9 +18,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import told_report
+
 HERE = Path(__file__).parent
 DOCS = HERE.parent / "docs"
-PAGE, PICTURE = DOCS / "performance.md", DOCS / "performance.svg"
+PAGE, PICTURE, TOLD = DOCS / "performance.md", DOCS / "performance.svg", DOCS / "told_errors.svg"
 RESULTS, ACCURACIES = HERE / "results.json", HERE / "time_to_accuracy.json"
 
 OWN = "groundslab"
@@ -236,6 +238,7 @@ def tables(results: CombinationResult, accuracies: CombinationResult | None = No
     """Return all tables by the names of their markers."""
     return {
         "accuracy": "Not measured yet." if accuracies is None else accuracy_rows(accuracies),
+        "told": told_rows(),
         "targets": targets(results),
         "picture": picture(results),
         "own": own_rows(results),
@@ -245,6 +248,12 @@ def tables(results: CombinationResult, accuracies: CombinationResult | None = No
         "reference": reference_rows(results),
         "machine": machine_rows(results),
     }
+
+
+def told_rows() -> str:
+    """Return the table of told errors over true ones, and the picture."""
+    rows = [each.row() for each in told_report.all_told()]
+    return f"{table(told_report.HEAD, rows)}\n\n![Histograms of told over true errors]({TOLD.name})"
 
 
 def targets(results: CombinationResult) -> str:
@@ -533,6 +542,7 @@ def main(words: Sequence[str]) -> None:
     accuracies = json.loads(ACCURACIES.read_text(encoding="utf-8"))
     PAGE.write_text(filled(PAGE.read_text(encoding="utf-8"), tables(results, accuracies)), encoding="utf-8")
     draw(results, PICTURE)
+    told_report.draw(told_report.all_told(), TOLD)
 
 
 if __name__ == "__main__":

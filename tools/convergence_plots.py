@@ -34,7 +34,9 @@ def rows_of(case: Case, outcomes: Sequence[Outcome], name: str) -> list[tuple[Ma
     return [
         (row, outcome)
         for row, outcome in zip(case.rows, outcomes, strict=True)
-        if row["model"] == name and not {"counts", "orders"} & set(row) and row["quantity"] not in runner.CONSTANTS
+        if row["model"] == name
+        and not {"counts", "orders", "judged"} & set(row)
+        and row["quantity"] not in runner.CONSTANTS
     ][:CURVES]
 
 

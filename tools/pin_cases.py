@@ -29,13 +29,15 @@ def main(names: Sequence[str]) -> None:
         if not runner.can_run(case):
             print(f"{name}: kept, it needs {case.needs}")
             continue
-        pins[name] = {outcome.label: float(f"{outcome.computed:.9g}") for outcome in runner.outcomes_of(case)}
+        outcomes = zip(case.rows, runner.outcomes_of(case), strict=True)
+        pins[name] = {each.label: float(f"{each.computed:.9g}") for row, each in outcomes if "judged" not in row}
         for label, value in pins[name].items():
             was = before.get(name, {}).get(label)
             if was is not None and was != value:
                 print(f"{name}, {label}: {value!r}, was {was!r}")
     path = Path(str(files("groundslab.verification") / "pinned.toml"))
-    path.write_text(HEAD + "".join(_table(name, values) for name, values in pins.items()), encoding="utf-8")
+    tables = (_table(name, values) for name, values in pins.items() if values)
+    path.write_text(HEAD + "".join(tables), encoding="utf-8")
 
 
 def _table(name: str, values: Mapping[str, float]) -> str:

@@ -29,6 +29,7 @@ GROUPS = {
     "analytic": "Closed forms and series",
     "programs": "Other programs",
     "design": "Design codes",
+    "told": "Told errors held to true ones",
 }
 #: Sources that have no author and year.
 NAMED = (
@@ -106,7 +107,8 @@ def _index(
     yield "again. A row agrees with its source within a tolerance that its case states, or differs by as much as its"
     yield "reason explains, or is refuted by a proof that is computed each time. Each value is also held to our own"
     yield "pinned one, so that a change within the tolerance is seen. Beside each value stands its discretization"
-    yield "error. Cases whose published numbers were not read in the source itself say so.\n"
+    yield "error, which the cases of the last group hold to the true one. Cases whose published numbers were not read"
+    yield "in the source itself say so.\n"
     verdicts = defaultdict[str, int](int)
     for outcome in (each for found in outcomes.values() for each in found):
         verdicts[outcome.verdict] += 1

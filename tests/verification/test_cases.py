@@ -59,6 +59,14 @@ def test_an_explained_deviation_that_changes_fails():
     assert not next(runner.outcomes_of(changed)).ok
 
 
+@pytest.mark.parametrize(("told", "ok"), [([0.7, 8.0], True), ([1.5, 8.0], False), ([0.1, 0.7], False)])
+def test_a_told_error_is_held_to_the_true_one(told, ok):
+    """A told error that is too small or too large for the true one is reported as failed."""
+    outcome = next(runner.outcomes_of(_with_row("told_continuum", 0, told=told)))
+    assert outcome.ok is ok
+    assert outcome.difference.startswith("true 0.77 %, told ")
+
+
 def test_a_tolerance_wider_than_the_value_is_an_error():
     """A row that could not fail is refused."""
     case = _with_row("compression", 0, tolerance="100 mm")

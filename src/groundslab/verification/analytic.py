@@ -12,6 +12,8 @@ from groundslab.verification.analytic_beams import (
     disk_on_infinite_plate,
     joined_beams,
     lifting_strip_on_pasternak,
+    line_on_mindlin_strip,
+    load_on_mindlin_plate,
     strip_on_pasternak,
     supported_beam_on_springs,
 )
@@ -230,6 +232,8 @@ _QUANTITIES: dict[Callable[..., dict[str, float]], tuple[str, ...]] = {
     clamped_plate: ("settlement", "moment"),
     rings: ("settlement", "moment"),
     disk_on_infinite_plate: ("settlement", "moment"),
+    load_on_mindlin_plate: ("settlement", "moment", "shear"),
+    line_on_mindlin_strip: ("settlement", "moment", "shear"),
     supported_beam_on_springs: ("settlement", "moment"),
     strip_on_pasternak: ("settlement", "moment"),
     lifting_strip_on_pasternak: ("settlement", "moment"),
