@@ -20,6 +20,8 @@ SLOWEST = 0.75
 #: fall at least: nothing is taken to converge faster than elements' moments do where they are smooth.
 SLOWEST_AROUND, FASTEST_AROUND = 0.6, 0.25
 FIRST_ORDER = 0.5
+#: So much of the largest change around a place counts there.
+AROUND = 0.7
 #: Below this error in energy the elements hold the solution, and what changes is rounding.
 EXACT = 1e-9
 #: Fields whose errors come from the whole slab.
@@ -76,8 +78,9 @@ def estimate_errors(
     where = np.ones(len(plate.nodes), dtype=bool) if nodes is None else nodes
     around = np.zeros(len(plate.nodes))
     around[where] = change
+    of_elements = AROUND * around[plate.elements].max(axis=1)
     largest = around.copy()
-    np.maximum.at(largest, plate.elements, around[plate.elements].max(axis=1)[:, None])
+    np.maximum.at(largest, plate.elements, of_elements[:, None])
     q = reduction_of(results, field)[where]
     return np.maximum(largest[where] * q / (1 - q), of_cracks)
 
