@@ -138,6 +138,7 @@ class MeshHierarchy:
     factors: Factors | None = None  # on constants of the ground
     reference: ReferenceSolutions | None = None  # of a similar model
     levels: dict[int, Level] = field(default_factory=dict)
+    coarsenings: list[int] | None = None  # how often each of the meshes is coarsened, once that is known
 
     def level(self, coarsening: int) -> Level:
         """Return one of the meshes with its system.

@@ -128,6 +128,13 @@ def _coarsenings(hierarchy: MeshHierarchy) -> list[int]:
     The next coarser mesh shows how far the results of the finest one depend on the mesh; before it the size changes by
     HALVINGS at a time.
     """
+    if hierarchy.coarsenings is None:
+        hierarchy.coarsenings = _list_coarsenings(hierarchy)
+    return hierarchy.coarsenings
+
+
+def _list_coarsenings(hierarchy: MeshHierarchy) -> list[int]:
+    """Return them, which takes looking at the symmetry of all loads."""
     last, first = hierarchy.finest, max(_first(hierarchy.model), hierarchy.finest)
     if last > 0 or not has_coarser(hierarchy.model, symmetries(hierarchy.model)):
         return sorted({*range(last, first + 1, HALVINGS), first}, reverse=True)

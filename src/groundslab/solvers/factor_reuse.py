@@ -13,15 +13,17 @@ from groundslab.fem.sparse import Symmetric
 from groundslab.solvers.direct.protocols import Factor, Symbolic
 
 #: A factor serves another system of the same matrix whose constraints differ in at most so many unknowns,
-MAX_UPDATE_RANK = 16
+MAX_UPDATE_RANK = 32
 #: or in fewer, so that the stored columns of these unknowns have no more entries than this.
 MAX_UPDATE_ENTRIES = 2**23
 #: It serves a system of another matrix, as a preconditioner, if the constraints differ in at most so many unknowns
 MAX_PRECONDITIONER_RANK = 4
 #: and the matrix has at least so many rows: a smaller one is factorized in less time than the iterations take.
 MIN_PRECONDITIONED_SIZE = 30_000
-#: So many factors are kept that their systems have no more rows than this together.
-MOST_KEPT_ROWS = 150_000
+#: So many factors of a matrix are kept at most, and no more than have so many rows together: that memory is there for
+#: the factor of a large system, too.
+MOST_FACTORS = 4
+MOST_KEPT_ROWS = 400_000
 #: Conjugate gradients end when the error's energy is below this share of the solution's: 1e-10 of its displacements.
 TOLERANCE = 1e-20
 
@@ -170,7 +172,7 @@ class CachedFactorization:
         latest = self._kept[0]
         if not beside or latest.rank_to(system) == np.inf:
             del self._kept[1:]
-        elif self._analyze is not None and (len(self._kept) + 1) * len(system.fixed) <= MOST_KEPT_ROWS:
+        elif self._analyze is not None and len(self._kept) < min(MOST_FACTORS, MOST_KEPT_ROWS // len(system.fixed)):
             self._kept.insert(0, _Factorized(self._analyze()))
         else:
             self._kept.insert(0, self._kept.pop())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Collection
 from typing import Any
 
 import numpy as np
@@ -11,13 +12,15 @@ import pytest
 from groundslab import InputError, Model, solve
 from groundslab.accuracy.judgment import JudgedValue, judge
 from groundslab.accuracy.singularities import find_limits
-from groundslab.analysis import adaptivity
-from groundslab.analysis.driver import Variants
+from groundslab.analysis import adaptivity, driver
+from groundslab.analysis.driver import Variants, analyze
+from groundslab.analysis.tasks.run import Report, Setting
 from groundslab.discretize.local_sizes import local_sizes
+from groundslab.discretize.plan_layout import Meshes
 from groundslab.fem.shape_functions import areas
 from groundslab.model.remarks.singular_places import near_singular, singular_places
 from groundslab.results.mesh_results import PlateResult
-from groundslab.results.results import CombinationResult
+from groundslab.results.results import CombinationResult, Results
 from groundslab.views.summary.discretization import coarse_words, round_up
 
 LEGS: list[dict[str, Any]] = [
@@ -152,6 +155,82 @@ def test_parts_with_smaller_elements() -> None:
     assert np.median(sides(found)[near(found, 1.5, -0.5, 0.5)]) <= 0.1
     assert sides(found).max() > 0.4
     assert sides(found).max() <= 1.0 + 1e-9
+
+
+@pytest.mark.slow
+def test_few_combinations_are_solved_on_meshes_between_and_all_on_the_last(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Legs at three places, twice with less load: what governs makes the meshes; then all are as solved at once."""
+    parts = {"a": {"a": 1.0}, "half of a": {"a": 0.5}, "b": {"b": 1.0}, "half of b": {"b": 0.5}, "c": {"c": 1.0}}
+    combinations = [{"name": name, "factors": factors} for name, factors in parts.items()]
+    loads = [leg | {"case": name} for leg, name in zip(LEGS, "abc", strict=True)]
+    cases = [{"name": name} for name in "abc"]
+    contact = {"tensionless": True}
+    model = slab({"accuracy": 0.02}, cases=cases, combinations=combinations, loads=loads, contact=contact)
+    runs: list[tuple[Setting, set[str]]] = []
+
+    def analyzed(model: Model, setting: Setting, report: Report, names: Collection[str]) -> Results:
+        known = {*results_before(setting)}
+        results = analyze(model, setting, report, names)
+        runs.append((setting, {*results} - known))
+        return results
+
+    def results_before(setting: Setting) -> list[str]:
+        return [name for earlier, names in runs if earlier is setting for name in names]
+
+    monkeypatch.setattr(driver, "analyze", analyzed)
+    shown: list[Results] = []
+    found = solve(model, on_mesh=shown.append)
+    assert [*found] == [*parts]
+    assert [[*each] for each in shown] == [[*parts]], "meshes on which few are solved are not handed over"
+    (first, every), (_, few), *between, (last, rest) = runs
+    assert every == {*parts}
+    assert few < every
+    assert {name for name in few if "half" in name} == set()
+    assert few | rest == every
+    assert not few & rest
+    assert all(names == few for _, names in between)
+    assert last is runs[-2][0], "on the same mesh"
+    assert first is not last
+
+    at_once = analyze(model, Setting(last.model, Meshes(local=last.meshes.local)), lambda _: None)
+    for name, own in found.items():
+        for field in ("settlement", "moment_x", "shear_y", "pressure"):
+            values = getattr(at_once[name].plate, field)
+            np.testing.assert_allclose(getattr(own.plate, field), values, rtol=0, atol=1e-8 * np.abs(values).max())
+        assert [each.label for each in judge(own)] == [each.label for each in judge(at_once[name])]
+        assert judge(own)[0].share == pytest.approx(judge(at_once[name])[0].share, rel=1e-6)
+
+
+@pytest.mark.slow
+def test_a_combination_that_is_off_on_the_last_mesh_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where the one that was left out is off when all are solved, it makes another mesh, on which all are solved."""
+    cases = {"cases": [{"name": "left"}, {"name": "right"}]}
+    loads = [LEGS[0] | {"case": "left"}, LEGS[2] | {"case": "right"}]
+    chosen: list[tuple[str, ...]] = []
+
+    def chosen_wrongly(_: object, off: dict[str, list[JudgedValue]]) -> tuple[str, ...]:
+        chosen.append(("left",) if not chosen else tuple(off))
+        return chosen[-1]
+
+    def judged(results: CombinationResult) -> list[JudgedValue]:
+        worse = 8.0 if results.combination == "right" and chosen else 1.0
+        return [dataclasses.replace(each, share=worse * each.share) for each in judge(results)]
+
+    monkeypatch.setattr(adaptivity, "find_governing", chosen_wrongly)
+    monkeypatch.setattr(adaptivity, "judge", judged)
+    begun: list[str] = []
+    shown: list[int] = []
+    found = solve(
+        slab({"accuracy": 0.015}, **cases, loads=loads),
+        on_combination=lambda combination: begun.append(combination.name),
+        on_mesh=lambda results: shown.append(results["left"].unknowns),
+    )
+    assert chosen == [("left",), ("right",)]
+    assert begun == ["left", "right", "left", "right", "right", "left"]
+    assert shown == sorted(shown)
+    assert len(shown) == 2
+    assert shown[-1] < found["right"].unknowns == found["left"].unknowns
+    assert judged(found["right"])[0].share <= 0.015
 
 
 def test_parts_beside_counts_are_refused() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -247,6 +248,32 @@ def test_too_few_steps_are_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     residual = load.copy()
     assert not cache.iterate(system, load, u, residual, 2)
     assert np.abs(A @ u - load).max() > 1e-3
+
+
+def test_several_factors_of_a_matrix_are_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Systems that alternate are factorized once each, the least recently used goes; another matrix drops them all."""
+    n, none = 60, np.zeros(60)
+    A = random_positive(n, 3)
+    own = _constrained(A, none > 0, none)
+    others = [_constrained(A, np.arange(n) % k == 0, none, own) for k in (2, 3)]
+    analyze = partial(factorization.SuperLU, own.A.indptr, own.A.indices)
+    cache = factor_reuse.CachedFactorization(analyze(), analyze)
+    monkeypatch.setattr(factor_reuse, "MOST_KEPT_ROWS", 2 * n)
+
+    def solve(system: factor_reuse.ConstrainedSystem) -> bool:
+        known = cache.holds(system)
+        if not known:
+            cache.factorize(system, beside=True)
+        load, u = np.ones(n), np.zeros(n)
+        cache.iterate(system, load, u, load.copy(), 1)
+        free = ~system.fixed
+        np.testing.assert_allclose(u[free], np.linalg.solve(A[np.ix_(free, free)], np.ones(free.sum())), rtol=1e-9)
+        return known
+
+    assert [solve(each) for each in (own, others[0], own, others[0])] == [False, False, True, True]
+    assert [solve(each) for each in (own, others[1], own, others[0])] == [True, False, True, False]
+    cache.factorize(_constrained(2 * A, none > 0, none), beside=True)
+    assert not any(cache.holds(each) for each in (own, *others))
 
 
 def test_a_refused_matrix_leaves_no_factor(monkeypatch: pytest.MonkeyPatch) -> None:

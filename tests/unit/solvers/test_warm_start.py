@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
 from unittest.mock import patch
 
 import numpy as np
 import pytest
 
 from groundslab.analysis import driver
-from groundslab.arrays import Array
+from groundslab.arrays import Array, Integers
 from groundslab.discretize.discretize import discretize
 from groundslab.fem.bearings import CLOSED, OPEN, Contact
 from groundslab.fem.foundation import Column
@@ -142,3 +143,33 @@ def test_a_wrong_forecast_costs_steps_but_not_the_result(seed: int) -> None:
     np.testing.assert_allclose(found.plate.settlement, right.plate.settlement, rtol=0, atol=1e-9)
     np.testing.assert_allclose(found.plate.gap, right.plate.gap, rtol=0, atol=1e-9)
     assert sum(step.changed for step in found.steps if step.finest) > 100
+
+
+@pytest.mark.slow
+def test_a_combination_with_the_zone_of_another_lays_no_strip() -> None:
+    """Twice the load lifts the same nodes, so that the zone found serves; a load elsewhere needs a strip of its own."""
+    factors = {"once": {"left": 1.0}, "twice": {"left": 2.0}, "elsewhere": {"right": 1.0}}
+    loads = [
+        {"kind": "point", "P": 1e5, "x": x, "y": 0.3, "case": case} for case, x in (("left", -1.2), ("right", 0.9))
+    ]
+    changes: dict[str, Any] = {
+        "cases": [{"name": "left"}, {"name": "right"}],
+        "combinations": [{"name": name, "factors": each} for name, each in factors.items()],
+        "loads": loads,
+        "mesh": {"counts": (32, 24), "symmetry": "off"},
+    }
+    laid: list[int] = []
+    strip = warm_start.solve_contact_border
+
+    def counted(*arguments: Any) -> Integers:
+        laid[-1] += 1
+        return strip(*arguments)
+
+    with patch.object(warm_start, "solve_contact_border", counted):
+        found = driver.solve(model(**changes), on_combination=lambda _: laid.append(0))
+    assert laid[0] == laid[2] > 0
+    assert laid[1] == 0
+    once, twice = found["once"].plate, found["twice"].plate
+    assert not once.in_contact.all()
+    np.testing.assert_array_equal(once.in_contact, twice.in_contact)
+    np.testing.assert_allclose(twice.settlement, 2 * once.settlement, rtol=1e-9, atol=1e-12)

@@ -35,8 +35,8 @@ def test_each_mesh_begins_from_the_first() -> None:
     """The second mesh, which is finer, is not judged by the first; a single combination has no count."""
     now = [0.0]
     count = CombinationCount(3, lambda: now[0])
-    for now[0] in (0.0, 1.0, 2.0):
-        count.begin("A")
+    for name, now[0] in (("A", 0.0), ("B", 1.0), ("C", 2.0)):
+        count.begin(name)
     assert count.seconds_left() == pytest.approx(1.0)
     now[0] = 3.0
     count.begin("A")
@@ -89,3 +89,13 @@ def test_a_file_gets_a_line_every_ten_seconds() -> None:
         "99 s: mesh 2, 1 of 4, A: 2400 unknowns, load 1, contact 7: 90 closed, 3 changed",
     ]
     assert INTERVAL == 10.0
+
+
+def test_a_mesh_on_which_few_are_solved_ends_when_one_begins_again() -> None:
+    """Those that govern are counted on each mesh; the others follow on the last one."""
+    count = CombinationCount(4, lambda: 0.0)
+    words = []
+    for name in ("A", "B", "C", "D", "B", "D", "B", "D", "A", "C"):
+        count.begin(name)
+        words.append(count.words())
+    assert words[4:] == ["1 of 4, B: ", "2 of 4, D: ", "1 of 4, B: ", "2 of 4, D: ", "3 of 4, A: ", "4 of 4, C: "]

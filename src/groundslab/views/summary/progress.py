@@ -22,39 +22,44 @@ INTERVAL = 10.0
 class CombinationCount:
     """Counts the combinations as they begin, from the first again on each mesh, and estimates the time that is left.
 
-    The estimate is the mean time of those that are done. The first on a mesh, which takes the meshing and the first
-    factorization too, is left out of it. `mesh` is the number of the first mesh, None where it is the only one.
+    A mesh is another one when a combination begins again. The estimate is the mean time of those that are done, as if
+    all are solved on this mesh: further ones may have only those that govern. The first on a mesh, which takes the
+    meshing and the first factorization too, is left out of it. `mesh` is the number of the first mesh, None where it is
+    the only one.
     """
 
     def __init__(self, count: int, clock: Callable[[], float] = time.monotonic, mesh: int | None = None) -> None:
         self._count, self._clock, self.mesh = count, clock, mesh
-        self._number = 0
+        self._names: set[str] = set()  # of those that have begun on this mesh
         self._name = ""
         self._begun = self._second_begun = 0.0
 
     @property
     def share(self) -> float | None:
         """The share of combinations that are done, None where there is only one."""
-        return (self._number - 1) / self._count if self._count > 1 else None
+        return (len(self._names) - 1) / self._count if self._count > 1 else None
 
     def begin_mesh(self) -> None:
         """Note that the combinations begin anew on the next mesh."""
-        self._number = 0
+        self._names = set()
         self.mesh = None if self.mesh is None else self.mesh + 1
 
     def begin(self, name: str) -> None:
         """Note that the next combination begins."""
-        self._number = self._number % self._count + 1
+        if name in self._names:
+            self.begin_mesh()
+        self._names.add(name)
         self._name, self._begun = name, self._clock()
-        if self._number == 2:
+        if len(self._names) == 2:
             self._second_begun = self._begun
 
     def seconds_left(self) -> float | None:
         """Return the time that the combinations of this mesh still take, None before it can be estimated [s]."""
-        if self._number < 3:
+        number = len(self._names)
+        if number < 3:
             return None
-        mean = (self._begun - self._second_begun) / (self._number - 2)
-        return max(0.0, mean * (self._count - self._number + 1) - (self._clock() - self._begun))
+        mean = (self._begun - self._second_begun) / (number - 2)
+        return max(0.0, mean * (self._count - number + 1) - (self._clock() - self._begun))
 
     def words(self) -> str:
         """Return the mesh, number and name of the combination and the time left, empty where there is only one each."""
@@ -63,7 +68,7 @@ class CombinationCount:
             return f"{mesh}: " if mesh else ""
         left = self.seconds_left()
         about = "" if left is None or left < 1.0 else f", about {left:.0f} s left on this mesh"
-        return f"{mesh}{', ' if mesh else ''}{self._number} of {self._count}, {self._name}{about}: "
+        return f"{mesh}{', ' if mesh else ''}{len(self._names)} of {self._count}, {self._name}{about}: "
 
 
 class Progress:
