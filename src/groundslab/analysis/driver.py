@@ -58,8 +58,8 @@ def solve(
     on_combination : callable, optional
         Called with every `Combination` as it begins.
     on_mesh : callable, optional
-        Called with the `Results` on every mesh that has those of all combinations and is not the last, where the mesh is
-        refined for an accuracy. Between, only the combinations that govern are solved.
+        Called with the `Results` on every mesh on which all combinations were solved, but the last, where the mesh is
+        refined for an accuracy. On others only the combinations that govern are solved.
 
     Returns
     -------
