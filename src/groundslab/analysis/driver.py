@@ -59,7 +59,7 @@ def solve(
     on_combination : callable, optional
         Called with every `Combination` as it begins.
     on_mesh : callable, optional
-        Called with the `Results` on every mesh that is not the last, where the mesh is refined for an accuracy.
+        Called with the `Results` on every mesh on which all combinations were solved, but the last.
     start : Results, optional
         Provisional results of the same model, as `on_mesh` is called with; the refinement goes on from their mesh.
 

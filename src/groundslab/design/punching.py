@@ -7,13 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.design.basis.line_traversal import interpolation, pieces
 from groundslab.design.demands.perimeter_loads import edge_inside
 from groundslab.design.demands.perimeters import Footprint, Perimeter, RectangularColumn, RoundColumn, perimeter
 from groundslab.design.demands.section_cuts import rotate_to_cut
 from groundslab.design.en1992.perimeters import openings
 from groundslab.errors import InputError, Issue
 from groundslab.fem import load_vectors
-from groundslab.fem.line_traversal import interpolation, pieces
 from groundslab.fem.mesh import Mesh
 from groundslab.results.mesh_results import PlateResult
 

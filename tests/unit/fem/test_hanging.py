@@ -176,7 +176,7 @@ def test_results_are_those_of_small_elements_everywhere(changes: dict[str, Any])
     assert len(find_hanging(found.plate.elements))
     assert found.certificate.holds
     fine = solve(model_of(**changes | {"mesh": {"size": 0.25}})).only
-    assert found.unknowns < 0.7 * fine.unknowns
+    assert found.unknowns < 0.8 * fine.unknowns
     assert found.plate.pressure.min() >= 0.0
     force = found.plate.contact_force.sum() + sum(support.total for support in found.supports)
     assert force == pytest.approx(fine.plate.contact_force.sum() + sum(each.total for each in fine.supports), rel=1e-3)

@@ -285,7 +285,7 @@ def test_few_elements_are_cut_for_small_places() -> None:
     plan = Plan(rectangle(0, 20, 0, 20))
     places = np.random.default_rng(1).uniform(1, 19, (12, 2))
     found = mesh(plan, 1.0, local=(places, np.full(12, 0.05)))
-    assert len(found.elements) < 400 + 12 * 5 * 3 * 8
+    assert len(found.elements) < 400 + 12 * 5 * 3 * 16
     assert quality(found.nodes[found.elements]).worst == pytest.approx(1.0)
     hanging = find_hanging(found.elements)
     assert len(hanging)

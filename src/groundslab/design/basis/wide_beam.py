@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Integers
+from groundslab.design.basis.line_traversal import interpolation, pieces
 from groundslab.design.by_plate import results_by_plate
 from groundslab.design.demands.perimeter_loads import effective_depth, footprint_of
 from groundslab.design.demands.perimeters import outline
-from groundslab.fem.line_traversal import interpolation, pieces
 from groundslab.fem.mesh import Mesh
 from groundslab.model.columns import Column
 from groundslab.model.design.reinforcement import Reinforcement

@@ -8,9 +8,9 @@ from itertools import pairwise
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers, Memo
+from groundslab.design.basis.line_traversal import ON_LINE, Pieces, interpolation, is_continuous, pieces
 from groundslab.design.demands.design_moments import wood_armer
 from groundslab.errors import InputError, Issue
-from groundslab.fem.line_traversal import ON_LINE, Pieces, interpolation, is_continuous, pieces
 from groundslab.fem.mesh import Mesh
 from groundslab.geometry.plan import format_place
 from groundslab.results.fields import PLATE_FIELDS
