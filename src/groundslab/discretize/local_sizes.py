@@ -25,8 +25,9 @@ PLACES_PER_SIDE = 2
 SURE = 0.72
 #: Largest number of such places in one part.
 MOST_PLACES = 100_000
-#: Footprints are to have so many elements across: two of the next coarser mesh, which are halved.
-ACROSS = 4
+#: Footprints are to have so many elements across, two of the next coarser mesh, which are halved; where there are many
+#: of them, half as many: most of these do not govern.
+ACROSS, MANY = 4, 32
 #: The first of adaptive meshes has no elements larger than the elastic length, but for it at most so many on the
 #: shorter side.
 MOST_ON_SHORT_SIDE = 96
@@ -43,7 +44,9 @@ def local_sizes(model: Model) -> Sources | None:
     if model.mesh.adaptive:
         for plate in model.every_plate:
             found += _sizes_on(plate, model)
-        found += [(_raster(ring.bounds, 3, 3), min(ring.sides) / ACROSS) for ring in _footprints(model)]
+        footprints = [*_footprints(model)]
+        across = ACROSS if len(footprints) <= MANY else ACROSS / 2
+        found += [(_raster(ring.bounds, 3, 3), min(ring.sides) / across) for ring in footprints]
     if not found:
         return None
     places = np.concatenate([where for where, _ in found])

@@ -62,7 +62,7 @@ def adaptable(plan: Plan, size: float, edge_size: float, local: Sources | None) 
     """Return a mesh with as few elements as the plan allows, cut up where they are larger than local sizes allow.
 
     Elements have sides of at most about `size` [m], along edges on ground beyond `edge_size` [m]. Of a grid and a
-    maker's cells, of which only triangles are cut, what has fewer is taken.
+    maker's cells, of which only triangles are cut, what has fewer is taken, or better ones.
     """
     candidates: list[PlanMesh] = []
     if plan.rectilinear:
@@ -72,7 +72,9 @@ def adaptable(plan: Plan, size: float, edge_size: float, local: Sources | None) 
         candidates += _from_whole_cells(plan, size / 2, edge_size / 2)
     if not candidates:
         return mesh(plan, size, edge_size=edge_size, local=local)
-    return divide(plan, min(candidates, key=lambda each: len(each.elements)), size, local, STEEP)
+    # elements of good shape do what more of a poor shape do
+    best = min(candidates, key=lambda each: len(each.elements) / each.quality.median**2)
+    return divide(plan, best, size, local, STEEP)
 
 
 def _from_whole_cells(plan: Plan, size: float, edge_size: float) -> Iterator[PlanMesh]:
