@@ -24,20 +24,22 @@ MOST_TIMES = 12
 def divide(plan: Plan, found: PlanMesh, size: float, local: Sources | None, slope: float = SLOPE) -> PlanMesh:
     """Return a mesh whose elements are cut up where they are larger than local sizes allow.
 
-    Nothing hangs on edges, lines and arcs of the plan: what lies on both sides of them is cut alike. Along lines and
-    arcs, where shear forces jump, elements are all alike: where sides of different lengths meet these oscillate.
+    Nothing hangs on edges, lines and arcs of the plan: what lies on both sides of them is cut alike. Along arcs, where
+    the shear forces of a ring load are all alike, elements are, too: these oscillate where sides of different lengths
+    meet.
     """
     borders = [edge for ring in plan.borders for edge in ring.segments()]
     edges = [edge for ring in plan.rings().values() for edge in ring.segments() if edge not in borders]
+    edges += plan.line_segments()
     arcs = [edge for edge in edges + borders if not edge.straight]
-    lines = [*plan.line_segments(), *(edge for edge in borders if not edge.straight)]
+    rings = [edge for edge in borders if not edge.straight]
     limit = None if local is None else limit_of(local, size, slope)
     mesh, section = Mesh(found.nodes, found.elements), found.section
     for _ in range(MOST_TIMES):
         marked = np.zeros(len(mesh.elements), dtype=bool)
         if limit is not None:
             marked = np.sqrt(areas(mesh.xy)) > TOO_LARGE * limit(mesh.xy[:, 8])
-        along = sides_along(mesh, mesh.elements, lines)
+        along = sides_along(mesh, mesh.elements, rings)
         whole = np.concatenate([along[:, 2], sides_along(mesh, mesh.elements, edges)[:, 2]])
         _, near, middle, far = find_hanging(mesh.elements).T
         meets = np.isin(middle, whole) | np.isin(near, along) | np.isin(far, along)
