@@ -81,7 +81,10 @@ CUTS = [(0, 0.5), (0, -1.0), (0, 1.0), (1, 0.0), (1, 0.5)]
 @pytest.mark.parametrize("ground", GROUNDS)
 @pytest.mark.parametrize(("axis", "place"), CUTS)
 def test_cuts_along_element_sides(ground: str, axis: int, place: float) -> None:
-    """On 24 elements moments agree within 0.4 % and shear within 0.05 % of the load, and errors fall with h."""
+    """On 24 elements moments agree within 0.4 % and shear within 0.05 % of the load, and errors fall with h.
+
+    Of moments from 16 elements to 48, as that of 24 may be small by chance.
+    """
     errors = []
     for n in (16, 24, 48):
         result = solved(ground, n)
@@ -90,8 +93,7 @@ def test_cuts_along_element_sides(ground: str, axis: int, place: float) -> None:
     moments, shears = np.array(errors).T
     assert moments[1] < 4e-3
     assert shears[1] < 5e-4
-    order = np.log(moments[1] / moments[2]) / np.log(2)
-    assert order > 1.5
+    assert np.log(moments[0] / moments[2]) / np.log(3) > 1.5
     if shears[1] > 1e-5:  # by symmetry or by chance there may be none
         assert np.log(shears[1] / shears[2]) / np.log(2) > 1.7
     assert moments[0] > moments[1] > moments[2]

@@ -440,7 +440,7 @@ def test_every_mesh_but_the_last_has_provisional_results() -> None:
     """On the first one at once and again with checks and tables, on the others with them; it goes on from each."""
     kept: list[tuple[process.Answer, bytes, process.Solved]] = []
     said: list[str] = []
-    text = TWO.replace("counts = [4, 4]", 'accuracy = "2 %"').replace(
+    text = TWO.replace("counts = [4, 4]", 'accuracy = "0.2 %"').replace(
         'kind = "uniform"', 'kind = "point"\nx = "0 m"\ny = "0 m"'
     )
     text = text.replace('q = "10 kPa"', 'P = "100 kN"').replace('q = "-10 kPa"', 'P = "10 kN"')
