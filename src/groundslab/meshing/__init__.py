@@ -69,7 +69,8 @@ def adaptable(plan: Plan, size: float, edge_size: float, local: Sources | None) 
         with suppress(InputError):  # of too many elements
             candidates.append(rectilinear(plan, size, None, edge_size))
     if available():
-        candidates += _from_whole_cells(plan, size / 2, edge_size / 2)
+        with suppress(InputError):  # of a plan that the maker refuses
+            candidates.extend(_from_whole_cells(plan, size / 2, edge_size / 2))
     if not candidates:
         return mesh(plan, size, edge_size=edge_size, local=local)
     # elements of good shape do what more of a poor shape do

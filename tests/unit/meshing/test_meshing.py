@@ -12,11 +12,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.errors import InputError
+from groundslab import meshing
+from groundslab.errors import InputError, Issue
 from groundslab.fem.hanging import find_hanging
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.geometry.plan import GROUND, Plan, Ring, circle, rectangle
-from groundslab.meshing import mesh, quality, unstructured
+from groundslab.meshing import adaptable, mesh, quality, unstructured
 from groundslab.meshing.backends import Maker, with_gmsh
 from groundslab.meshing.cells import Cells
 from groundslab.meshing.gmsh import session
@@ -293,6 +294,21 @@ def test_few_elements_are_cut_for_small_places() -> None:
     np.testing.assert_allclose(ends, middles, atol=1e-12)
     np.testing.assert_allclose(found.nodes[hanging[:, 1:3]].mean(axis=1), found.nodes[hanging[:, 0]], atol=1e-12)
     assert not np.isin(hanging[:, 0], found.elements[:, :4]).any()
+
+
+def test_a_plan_that_the_maker_refuses_has_a_grid(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where everything runs along x and y; where it does not, the refusal is told."""
+
+    def refuse(*_: object) -> Iterator[Cells]:
+        raise InputError([Issue("plan", "a plan", "another one")])
+        yield
+
+    monkeypatch.setattr(meshing, "choose", lambda: refuse)
+    monkeypatch.setattr(meshing, "available", lambda: True)
+    found = adaptable(Plan(rectangle(0, 4, 0, 3)), 1.0, 1.0, None)
+    assert len(found.elements) == 12
+    with pytest.raises(InputError, match="another one"):
+        adaptable(Plan(circle((0, 0), 3)), 1.0, 1.0, None)
 
 
 @pytest.mark.parametrize("maker", MAKERS)
