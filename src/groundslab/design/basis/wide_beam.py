@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.design.basis.line_traversal import interpolation, pieces
 from groundslab.design.by_plate import results_by_plate
+from groundslab.design.demands.line_traversal import interpolation, pieces
 from groundslab.design.demands.perimeter_loads import effective_depth, footprint_of
 from groundslab.design.demands.perimeters import outline
 from groundslab.fem.mesh import Mesh

@@ -8,8 +8,8 @@ from itertools import pairwise
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers, Memo
-from groundslab.design.basis.line_traversal import ON_LINE, Pieces, interpolation, is_continuous, pieces
 from groundslab.design.demands.design_moments import wood_armer
+from groundslab.design.demands.line_traversal import ON_LINE, Pieces, interpolation, is_continuous, pieces
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import Mesh
 from groundslab.geometry.plan import format_place
