@@ -60,7 +60,7 @@ def near(results: CombinationResult, x: float, y: float, reach: float) -> np.nda
 def test_errors_are_within_the_accuracy_at_few_unknowns() -> None:
     """Moments and shear forces within 3 % of those of much smaller elements; as few are needed as judged."""
     found = solve(slab({"accuracy": 0.03})).only
-    assert judge(found)[0].share <= 0.015
+    assert judge(found)[0].share <= 0.03
     assert coarse_words(solve(slab({"accuracy": 0.03}))) == ""
     parts = [
         {"shape": {"kind": "circle", "centre": (load["x"], load["y"]), "radius": 0.3}, "size": 0.025} for load in LEGS
