@@ -61,12 +61,10 @@ def judge(results: CombinationResult) -> list[JudgedValue]:
 
 def find_largest(combinations: Collection[CombinationResult]) -> LargestValues | None:
     """Return the largest values over some combinations, None of none."""
-    sizes = [_SIZES.get(results.plate, results.supports, partial(_sizes, results)) for results in combinations]
-    if not sizes:
+    own = [_LARGEST.get(results.plate, results.supports, partial(_largest_of, results)) for results in combinations]
+    if not own:
         return None
-    return LargestValues(
-        **{item.name: max(getattr(size, item.name) for size in sizes) for item in fields(LargestValues)}
-    )
+    return LargestValues(**{item.name: max(getattr(each, item.name) for each in own) for item in fields(LargestValues)})
 
 
 def judge_together(combinations: Mapping[str, CombinationResult]) -> dict[str, CombinationResult]:
@@ -75,7 +73,7 @@ def judge_together(combinations: Mapping[str, CombinationResult]) -> dict[str, C
     return {name: replace(results, largest=largest) for name, results in combinations.items()}
 
 
-def _sizes(results: CombinationResult) -> LargestValues:
+def _largest_of(results: CombinationResult) -> LargestValues:
     """Return the largest values of one combination."""
     from groundslab.accuracy.singularities import find_limits
 
@@ -135,6 +133,6 @@ def _extreme(name: str, sign: int, judged: Flags, meshes: tuple[CombinationResul
     return JudgedValue(error, sign * value, PLATE_FIELDS[name].label, place_of(nodes, node), around, sign)
 
 
-#: Judged values of results with their errors, and their sizes, which are asked for more than once.
+#: Judged values of results with their errors, and the largest ones, which are asked for more than once.
 _VALUES: Memo[list[tuple[str, JudgedValue]]] = Memo()
-_SIZES: Memo[LargestValues] = Memo()
+_LARGEST: Memo[LargestValues] = Memo()

@@ -19,6 +19,7 @@ SLOWEST = 0.75
 #: The same of section forces and pressures, whose largest change around a place already counts, and by how much they
 #: fall at least: nothing is taken to converge faster than elements' moments do where they are smooth.
 SLOWEST_AROUND, FASTEST_AROUND = 0.6, 0.25
+#: What converges with the first order falls by this.
 FIRST_ORDER = 0.5
 #: So much of the largest change around a place counts there.
 AROUND = 0.7
@@ -37,8 +38,13 @@ def estimate_error(value: float, coarser: float, comparison: Comparison) -> floa
     If elements half as large reduce its error to the share q, the change between both meshes is (1 - q) / q times the
     error that is left (Richardson 1911). q is the reduction of the error in energy, which is known on both meshes.
     """
+    return abs(value - coarser) * _left_of_change(comparison)
+
+
+def _left_of_change(comparison: Comparison) -> float:
+    """Return q / (1 - q): the error that is left over the change between both meshes, of values of the whole slab."""
     q = min(comparison.reduction, SLOWEST) if comparison.energy_error >= EXACT else 0.0
-    return abs(value - coarser) * q / (1 - q)
+    return q / (1 - q)
 
 
 def reduction_of(results: CombinationResult, field: str) -> Array:
@@ -74,7 +80,7 @@ def estimate_errors(
     assert comparison is not None
     of_cracks = error_of_cracks(results) * float(np.abs(values).max(initial=0.0))
     if field in OF_THE_WHOLE or comparison.moment_reduction is None:
-        return np.maximum(estimate_error(1.0, 0.0, comparison) * change, of_cracks)
+        return np.maximum(change * _left_of_change(comparison), of_cracks)
     where = np.ones(len(plate.nodes), dtype=bool) if nodes is None else nodes
     around = np.zeros(len(plate.nodes))
     around[where] = change

@@ -39,7 +39,7 @@ MOST_SHARE = 0.8
 AIM = 0.8
 #: An error in energy is to fall by no more than this from one mesh to the next: one that is large says little.
 MOST_REDUCTION = 4.0
-#: Around a value they become at least so many times smaller: meshes hardly follow smaller changes.
+#: Around a value elements become at least so many times smaller: they are cut in halves.
 LEAST_REDUCTION = 2.0
 #: Elements become at most so many times smaller from one mesh to the next.
 SMALLER = 8.0
@@ -47,8 +47,9 @@ SMALLER = 8.0
 PROGRESS = 0.8
 #: Errors of these come from the elements around their places.
 LOCAL = {PLATE_FIELDS[name].label for name in AGAINST if name not in OF_THE_WHOLE} | {CONTACT}
-#: Smaller elements at the places of a value reach so many of their present sides around these.
-AROUND = 3.0
+#: Smaller elements at the places of a value reach so many of their present sides around these; those along the line of
+#: lift-off, on which the area in contact depends, so many.
+AROUND, ALONG = 3.0, 1.0
 #: Orders of convergence between which the one found is believed.
 ORDERS = (1.0, 2.0)
 
@@ -214,7 +215,7 @@ def _near_values(mesh: Mesh, h: Array, judged: list[JudgedValue], accuracy: floa
         if len(each.around):
             away = KDTree(each.around).query(mesh.xy[:, 8])[0] / h
             reduction = max(_reduction(each.share, accuracy), LEAST_REDUCTION)
-            around = 1.0 if each.label == CONTACT else AROUND
+            around = ALONG if each.label == CONTACT else AROUND
             for reach, less in ((around, LEAST_REDUCTION), (around / 2, reduction)):
                 near = away <= reach
                 found[near] = np.minimum(found[near], h[near] / less)

@@ -6,10 +6,15 @@ half between a and m it is 3/8 a + 3/4 m - 1/8 b. No corner hangs, so that nothi
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from groundslab.arrays import Array, Integers, Memo
 from groundslab.fem.mesh import SIDES, meeting_halves
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 #: What a hanging node takes from the end that is near to it, from the middle, and from the other end.
 WEIGHTS = np.array([3.0, 6.0, -1.0]) / 8
@@ -45,32 +50,40 @@ def _find_hanging(elements: Integers) -> Integers:
     return np.column_stack([halves[found, 2], near[place], middle[place], far[place]])
 
 
-#: Hanging nodes, which are asked for again and again.
+#: Hanging nodes and what moves them, which are asked for again and again.
 _HANGING: Memo[Integers] = Memo()
+_CARRYING: Memo[csr_array | None] = Memo()
 
 
 def carry(elements: Integers, values: Array) -> Array:
-    """Return nodal values (n, ...) in which hanging nodes have those of the sides on which they hang."""
-    hanging = find_hanging(elements)
-    if not len(hanging):
-        return values
-    found = values.copy()
-    node, *sides = hanging.T
-    found[node] = sum(weight * values[each] for weight, each in zip(WEIGHTS, sides, strict=True))
-    return found
+    """Return nodal values (n,) or (n, k) in which hanging nodes have those of the sides on which they hang."""
+    carrying = _carrying(elements, len(values))
+    return values if carrying is None else np.asarray(carrying @ values)
 
 
 def collect(elements: Integers, forces: Array) -> Array:
-    """Return nodal forces (n, ...) in which those of hanging nodes act on the nodes that move these."""
+    """Return nodal forces (n,) or (n, k) in which those of hanging nodes act on the nodes that move these."""
+    carrying = _carrying(elements, len(forces))
+    return forces if carrying is None else np.asarray(carrying.T @ forces)
+
+
+def _carrying(elements: Integers, n: int) -> csr_array | None:
+    """Return the matrix (n, n) by which nodes move hanging ones, and others themselves; None where none hangs."""
+    return _CARRYING.get(elements, None, lambda: _make_carrying(elements, n))
+
+
+def _make_carrying(elements: Integers, n: int) -> csr_array | None:
+    """Return the matrix (n, n) of `_carrying`."""
+    from scipy.sparse import coo_array, csr_array
+
     hanging = find_hanging(elements)
     if not len(hanging):
-        return forces
-    found = forces.copy()
-    node, *sides = hanging.T
-    found[node] = 0.0
-    for weight, each in zip(WEIGHTS, sides, strict=True):
-        np.add.at(found, each, weight * forces[node])
-    return found
+        return None
+    others = np.setdiff1d(np.arange(n), hanging[:, 0])
+    rows = np.concatenate([others, np.repeat(hanging[:, 0], 3)])
+    columns = np.concatenate([others, hanging[:, 1:].ravel()])
+    weights = np.concatenate([np.ones(len(others)), np.tile(WEIGHTS, len(hanging))])
+    return csr_array(coo_array((weights, (rows, columns)), shape=(n, n)))
 
 
 def connect(elements: Integers) -> tuple[Integers, Integers, Array]:
@@ -89,7 +102,7 @@ def connect(elements: Integers) -> tuple[Integers, Integers, Array]:
     hangs = far[middles] >= 0
     moving = elements.copy()
     moving[:, SIDES[:, 2]] = np.where(hangs, far[middles], middles)
-    # which end of each side is near to the far side's end: 1 the first, 2 the second, 0 where nothing hangs
+    # which end of its own side is an end of the longer one, too: 1 the first, 2 the second, 0 where nothing hangs
     first = near[middles] == elements[:, SIDES[:, 0]]
     code = np.where(hangs, np.where(first, 1, 2), 0)
     kinds, kind = np.unique(code @ 3 ** np.arange(4), return_inverse=True)

@@ -1,7 +1,7 @@
 """Nine-node meshes of plans: grids where everything runs along x and y, else quadrilaterals from Gmsh or Netgen.
 
 They make a mesh of twice the required size, whose triangles and quadrilaterals are then cut into smaller
-quadrilaterals here. Nodes on arcs, midside nodes too, are put exactly on them.
+quadrilaterals here; for an accuracy only its triangles. Nodes on arcs, midside nodes too, are put exactly on them.
 """
 
 from __future__ import annotations
@@ -31,6 +31,8 @@ USABLE, SECOND = 0.2, 2
 CLEARLY = 0.05
 #: So many meshes of a maker are looked at whose cells are not cut, and used if their least exceeds this.
 WHOLE, POOR = 2, 0.12
+#: Across narrow places they have so many cells as long as wide: one, twice as long.
+NARROW = 0.5
 
 
 def mesh(
@@ -81,7 +83,7 @@ def adaptable(plan: Plan, size: float, edge_size: float, local: Sources | None) 
 def _from_whole_cells(plan: Plan, size: float, edge_size: float) -> Iterator[PlanMesh]:
     """Yield usable meshes of cells of twice a size [m], of which only the triangles are cut."""
     check(plan, size)
-    smaller, scale = sizing.sources(plan, size, edge_size, 0.5), sizing.growth_distance(plan, None)
+    smaller, scale = sizing.sources(plan, size, edge_size, NARROW), sizing.growth_distance(plan, None)
     for cells in islice(choose()(plan, size, smaller, scale), WHOLE):
         with suppress(InputError):
             found = _quadrilaterals(plan, *quadrangulation.cut_triangles(cells))

@@ -7,8 +7,8 @@ from math import isfinite
 
 import numpy as np
 
-from groundslab.accuracy.values import estimate_error, estimate_errors
-from groundslab.arrays import Array
+from groundslab.accuracy.values import error_of_largest, estimate_error, estimate_errors
+from groundslab.arrays import Array, Flags
 from groundslab.design.demands.design_moments import DesignMoments, design_moments
 from groundslab.results.fields import LAYERS
 from groundslab.results.results import CombinationResult
@@ -31,10 +31,25 @@ def error_of(results: CombinationResult, value: Callable[[CombinationResult], fl
     return estimate_error(now, before, comparison) if isfinite(now) and isfinite(before) else None
 
 
+def error_at_nodes(
+    results: CombinationResult,
+    field: str,
+    values: Callable[[CombinationResult], Array],
+    nodes: Flags | None = None,
+) -> float | None:
+    """Return the estimated error of the largest of values (k,) at some nodes (n,), or at all, as a field's errors are.
+
+    None without a coarser mesh.
+    """
+    if results.coarser is None or results.comparison is None:
+        return None
+    return error_of_largest(results, field, values(results), values(results.coarser), nodes)
+
+
 def error_of_greatest(
     results: CombinationResult, values: Callable[[CombinationResult], Array], reduction: Callable[[], Array]
 ) -> float | None:
-    """Return the estimated error of the largest of values (k,), whose own errors decide where it may lie.
+    """Return the estimated error of the largest of values (k,) between nodes, whose errors decide where it may lie.
 
     Each has the reduction (k,) of its place. None without a coarser mesh, or where there are none.
     """

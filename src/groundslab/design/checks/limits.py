@@ -13,10 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.accuracy.singularities import find_limits
-from groundslab.accuracy.values import error_of_contact_share, reduction_of
+from groundslab.accuracy.values import error_of_contact_share
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results, why_none
-from groundslab.design.basis.demand_errors import error_of, error_of_greatest, scaled
+from groundslab.design.basis.demand_errors import error_at_nodes, error_of, scaled
 from groundslab.design.by_plate import results_by_plate
 from groundslab.design.checks.ground.edge_strip import spread_edge_force, strip_width
 from groundslab.design.tilt import deflections_between, settlement_differences, tilt
@@ -65,9 +65,7 @@ def _error_of_extreme(field: str, sign: int) -> Callable[[CombinationResult], fl
     """Return a function that finds the error of the largest value of a nodal field, or of its negative."""
 
     def find(results: CombinationResult) -> float | None:
-        error = error_of_greatest(
-            results, lambda mesh: sign * getattr(mesh.plate, field), lambda: reduction_of(results, field)
-        )
+        error = error_at_nodes(results, field, lambda mesh: sign * getattr(mesh.plate, field))
         # what is below zero is no demand
         most = float((sign * getattr(results.plate, field)).max())
         return None if error is None else max(most + error, 0.0) - max(most, 0.0)
@@ -134,11 +132,7 @@ def _error_of_pressure(results: CombinationResult) -> float | None:
     judged = find_limits(results.solved_model, results.plate).pressures
     if not judged[np.argmax(spread_edge_force(results).pressure)]:
         return None
-    return error_of_greatest(
-        results,
-        lambda mesh: spread_edge_force(mesh).pressure[judged],
-        lambda: reduction_of(results, "pressure")[judged],
-    )
+    return error_at_nodes(results, "pressure", lambda mesh: spread_edge_force(mesh).pressure[judged], judged)
 
 
 def _mean_pressure(results: CombinationResult) -> Demand:

@@ -14,12 +14,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from groundslab.accuracy.values import reduction_of
 from groundslab.arrays import Array
 from groundslab.design import punching
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results, ultimate_results, why_none
-from groundslab.design.basis.demand_errors import MOMENT, error_of, error_of_greatest, scaled
+from groundslab.design.basis.demand_errors import MOMENT, error_at_nodes, error_of, scaled
 from groundslab.design.by_plate import split_by_plate
 from groundslab.design.demands.design_moments import principal_moments
 from groundslab.design.demands.perimeters import surroundings
@@ -254,7 +253,7 @@ def _tension(results: CombinationResult, sign: int) -> Array:
 
 def _error_of_stress(results: CombinationResult, sign: int) -> float | None:
     """Return the error of the largest tension at a face [Pa]."""
-    return error_of_greatest(results, lambda mesh: _tension(mesh, sign), lambda: reduction_of(results, MOMENT))
+    return error_at_nodes(results, MOMENT, lambda mesh: _tension(mesh, sign))
 
 
 #: What a group of forces fails at [N]: the forces, the sum of their distances [m], where they are.
