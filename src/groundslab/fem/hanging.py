@@ -74,11 +74,11 @@ def _carrying(elements: Integers, n: int) -> csr_array | None:
 
 def _make_carrying(elements: Integers, n: int) -> csr_array | None:
     """Return the matrix (n, n) of `_carrying`."""
-    from scipy.sparse import coo_array, csr_array
-
     hanging = find_hanging(elements)
     if not len(hanging):
         return None
+    from scipy.sparse import coo_array, csr_array
+
     others = np.setdiff1d(np.arange(n), hanging[:, 0])
     rows = np.concatenate([others, np.repeat(hanging[:, 0], 3)])
     columns = np.concatenate([others, hanging[:, 1:].ravel()])
