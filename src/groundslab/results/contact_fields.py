@@ -46,7 +46,11 @@ def contact_fields(solution: Solution, frame: ResultMesh) -> tuple[dict[str, Arr
     in_contact = bears > 0
     at_elements = by_element(pressure)
     at_nodes = pressure[here]
-    if len(problem.contact.depths.depth) > 1:
+    springs = _springs(solution)
+    if springs is not None:
+        mean = scatter(of, springs[:, None] * share, len(pressure))[of] / scatter(of, share, len(pressure))[of]
+        at_elements = at_elements * springs[:, None] / mean
+    if springs is not None or len(problem.contact.depths.depth) > 1:
         at_nodes = scatter(elements, at_elements * share, len(frame.node)) / frame.area
     return {
         "gap": np.where(in_contact, 0.0, gap[here]),
@@ -56,6 +60,19 @@ def contact_fields(solution: Solution, frame: ResultMesh) -> tuple[dict[str, Arr
         "contact_area": bears,
         "line_force": np.where(frame.edge_length > 0, line_force[frame.node], 0.0),
     }, np.einsum("ea,ea->e", frame.mean, at_elements)
+
+
+def _springs(solution: Solution) -> Array | None:
+    """Return the stiffness (mp,) [Pa/m] of springs that share a node's force by it, where elements have different ones.
+
+    None of other ground, above voids, and where a limit pressure may share it otherwise.
+    """
+    problem, column = solution.system.problem, solution.column
+    limited = np.isfinite(problem.contact.limit_pressure) or len(problem.contact.depths.depth) > 1
+    if limited or not column.varies or column.surfaces > 1 or column.A1.any():
+        return None
+    k: Array = column.at(problem.plate.elements).A0[..., 0, 0]
+    return k
 
 
 def _on_cells(solution: Solution, frame: ResultMesh) -> tuple[dict[str, Array], Array]:

@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 class PlateResult:
     """The plate: its nine-node mesh and nodal fields in SI units, n nodes and m elements.
 
-    Moments and shear forces are recovered by patches of elements. A node on the border of two sections (zones of the
-    plate) stands once for each of them, so that nothing is averaged across a change of thickness.
+    Moments and shear forces are recovered by patches of elements. A node stands once for each side where fields jump:
+    on the border of two sections (zones of the plate) or of two zones of springs, along line loads and line supports.
 
     Attributes
     ----------
@@ -161,7 +161,7 @@ class PlateResult:
         -------
         float or array of float
             In the field's SI unit: a float for two numbers, else an array of the broadcast shape of x and y. On the
-            border of two sections the value is that of one of them.
+            border of two sections, and along line loads and line supports, the value is that of one side.
 
         Raises
         ------

@@ -100,8 +100,9 @@ class DiscMeans:
 class ResultMesh:
     """A mesh of the plate for results, with what recovers section forces and mirrors the meshed part.
 
-    A node on the border of two sections or of a void, or along a line load or support, stands once for each side, so
-    that nothing is averaged across. Section forces are smooth in parts, which end at edges of loads, too.
+    A node on the border of two sections or of a void, along a line load or support, or on the border of two soil zones
+    without shear, stands once for each side, so that nothing is averaged across. Section forces are smooth in parts,
+    which end at edges of loads, too.
     """
 
     mesh: Mesh  # the meshed part of the plate by its sections
@@ -146,7 +147,8 @@ def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
     jumps = sides_along(problem.mesh, elements, _lines_of_jumps(model))
     borders = (edge for _, shape in model.acting for edge in borders_of(shape))
     kinks = sides_along(problem.mesh, elements, borders)
-    mesh, node = split_by_section(problem, jumps, depth)
+    zones = sides_along(problem.mesh, elements, _borders_of_springs(model))
+    mesh, node = split_by_section(problem, np.concatenate([jumps, zones]), depth)
     smooth, _ = split_by_section(problem, np.concatenate([jumps, kinks]))
     matrices, kind = section_matrices(problem)
     edges = edge_sides(problem)
@@ -269,6 +271,12 @@ def _lines_of_jumps(model: Model) -> Iterator[Segment]:
             yield from shape.edges
     for support in model.supports:
         yield from support.edges
+
+
+def _borders_of_springs(model: Model) -> Iterator[Segment]:
+    """Yield the borders of soil zones across which pressures jump: the ground carries no shear."""
+    for ring in model.zone_rings if not model.ground_carries_shear else ():
+        yield from ring.segments()
 
 
 def mirror_to_full(mesh: Mesh, symmetry: tuple[bool, bool]) -> MirroredMesh:

@@ -155,3 +155,28 @@ def test_shear_forces_have_a_kink_along_an_arc_that_the_mesh_follows() -> None:
     shear = np.hypot(plate.shear_x, plate.shear_y)[on_border]
     assert len(shear) > 16
     np.testing.assert_allclose(shear, 400.0, rtol=0.01)
+
+
+@pytest.mark.parametrize("tensionless", [True, False])
+@pytest.mark.parametrize("mesh", [{"size": 0.5}, {"accuracy": 0.05}], ids=["grid", "adaptive"])
+def test_pressures_at_the_border_of_two_springs_have_both_sides(tensionless: bool, mesh: dict[str, float]) -> None:
+    """Each is the settlement there times the stiffness of its side, and both together carry the load."""
+    zone = {"shape": {"kind": "rectangle", "x": (0.0, 4.0), "y": (-3.0, 3.0)}, "ground": {"kind": "winkler", "k": 60e6}}
+    found = solve(
+        Model.model_validate({
+            "plate": {"length_x": 8.0, "length_y": 6.0, "thickness": 0.4, "E": 30e9, "nu": 0.2},
+            "ground": {"kind": "winkler", "k": 20e6},
+            "soil_zones": [zone],
+            "contact": {"tensionless": tensionless},
+            "loads": [{"kind": "uniform", "q": 50e3}],
+            "mesh": mesh,
+        })
+    ).only  # fmt: skip
+    plate = found.plate
+    on_border = np.flatnonzero(np.abs(plate.nodes[:, 0]) < 1e-9)
+    assert len(on_border) == 2 * len(np.unique(plate.nodes[on_border, 1].round(9)))
+    k = plate.pressure[on_border] / plate.settlement[on_border]
+    soft = k < 40e6
+    assert soft.sum() == len(on_border) / 2
+    np.testing.assert_allclose(k, np.where(soft, 20e6, 60e6), rtol=2e-3)
+    assert plate.contact_force.sum() == pytest.approx(50e3 * 48.0, rel=1e-9)

@@ -21,8 +21,8 @@ from groundslab.results.mesh_results import PlateResult
 class SectionCut:
     """Nodal fields along a line: samples only where there is plate, in the order of the line.
 
-    Samples of one `part` can be joined by a curve. A new part begins behind an opening or a notch, and where the
-    plate's thickness or material changes: there the same place stands twice, with the values of both sides.
+    Samples of one `part` can be joined by a curve. A new part begins behind an opening or a notch, and where fields
+    have two sides, as where the plate's thickness changes or a wall stands: there the same place stands twice.
     """
 
     s: Array  # (p,): distance from the line's start, along it [m]
@@ -69,8 +69,8 @@ def cut_along(plate: PlateResult, points: Array, spacing: float | None = None) -
     """Return all nodal fields along a polyline (k, 2) [m], by the shape functions of the element that holds a sample.
 
     Samples stand at the polyline's corners, at the ends of each part, and in between every `spacing` [m], or without
-    it at each side of an element and halfway between. A line along the border of two sections takes values from
-    either: move it by a small distance, such as a millionth of its length, to choose one.
+    it at each side of an element and halfway between. A line along a border where fields have two sides takes values
+    from either: move it by a small distance, such as a millionth of its length, to choose one.
     """
     ends = _legs(points)
     if spacing is not None and not spacing > 0:
@@ -99,8 +99,8 @@ def strip(
     (Wood 1968, Armer 1968) of all points is on the safe side of taking them from averaged moments.
 
     Gauss points between the element sides that a cut crosses make the integrals exact for the nodal fields on
-    parallelograms. The fields are continuous but where the section changes; for a cut along such a border, move it to
-    one side by a small distance, such as a millionth of its length.
+    parallelograms. The fields are continuous but where the section changes and along line loads and line supports; for
+    a cut along such a border, move it to one side by a small distance, such as a millionth of its length.
 
     The integrals are as good as the averaged nodal fields: against loads and contact pressure the error falls with
     the square of the element's size (tests/verification/test_cuts.py). Within an element of a line load, a point load

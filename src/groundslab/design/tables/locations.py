@@ -38,7 +38,7 @@ def points(combined: Results) -> Table:
         values = np.column_stack(point_values(fields))
         for point, on, row in zip(wanted, element >= 0, values, strict=True):
             rows.append([results.combination, point.name, point.x, point.y, *(row if on else [None] * len(row))])
-    notes = [_RECOVERED, "A point on the border of two sections has the values of one of them."]
+    notes = [_RECOVERED, "A point where fields have two sides, such as on a wall, has the values of one of them."]
     heads = [("combination", ""), ("point", ""), ("x", "m"), ("y", "m"), *_HEADS]
     return table_of("points", "Points", heads, rows, notes)
 
@@ -87,7 +87,7 @@ def lines(combined: Results) -> Table:
         _RECOVERED,
         "Values of one part can be joined by a curve; a new part begins after an opening and where the section "
         "changes, where one place appears twice.",
-        "A line along the border of two sections has the values of one of them.",
+        "A line along which fields have two sides, such as a wall, has the values of one of them.",
         *_not_met("line", missed),
     ]
     heads = [("combination", ""), ("line", ""), ("s", "m"), ("x", "m"), ("y", "m"), ("part", ""), *_HEADS]
