@@ -218,7 +218,8 @@ def make_disc_means(model: Model, mesh: Mesh, section: Integers, thickness: Arra
 def _between_corners(mesh: Mesh, near: Flags, radius: Array) -> tuple[Integers, Integers]:
     """Return which nodes lie halfway between corners near singular places, (k,), and these corners, (k, 4).
 
-    Only of elements that are small beside discs of a radius (n,) [m], over whose size a mean changes.
+    Only of elements that are small beside discs of a radius (n,) [m], over whose size a mean changes. Where nodes hang,
+    the middle of a longer side is a corner of others.
     """
     xy, corner = mesh.xy[:, :4], mesh.elements[:, :4]
     longest = np.linalg.norm(xy - np.roll(xy, 1, axis=1), axis=2).max(axis=1)
@@ -227,6 +228,7 @@ def _between_corners(mesh: Mesh, near: Flags, radius: Array) -> tuple[Integers, 
     for start, end, middle in SIDES:
         corners[small[:, middle]] = small[:, [start, end, start, end]]
     corners[small[:, 8]] = small[:, :4]
+    corners[mesh.elements[:, :4]] = -1
     between = np.flatnonzero(near & (corners[:, 0] >= 0))
     return between, corners[between]
 

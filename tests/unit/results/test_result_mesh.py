@@ -11,6 +11,7 @@ from groundslab.analysis.driver import solve
 from groundslab.arrays import Flags
 from groundslab.fem.mesh import Mesh, grid, sides_along
 from groundslab.geometry.plan import Segment
+from groundslab.meshing.refinement import split
 from groundslab.model.model import Model
 from groundslab.results.result_mesh import DiscMeans, _disc_points, make_disc_means, split_at
 
@@ -56,7 +57,10 @@ def test_without_creases_all_belong_together() -> None:
 
 
 def disc_means(t: float = 0.8, elements: int = 8, **changes: Any) -> tuple[Mesh, DiscMeans, Flags]:
-    """Return a mesh of 4 m x 4 m, the means for a force in its middle, and which nodes lie within its thickness."""
+    """Return a mesh of 4 m x 4 m, the means for a force in its middle, and which nodes lie within its thickness.
+
+    Where it is `hanging`, elements right of the middle are cut into four.
+    """
     given = {
         "plate": {"length_x": 4.0, "length_y": 4.0, "thickness": t, "E": 30e9, "nu": 0.2},
         "ground": {"kind": "winkler", "k": 1e7},
@@ -64,6 +68,8 @@ def disc_means(t: float = 0.8, elements: int = 8, **changes: Any) -> tuple[Mesh,
     }
     lines = np.linspace(-2, 2, elements + 1)
     mesh = grid(lines, lines)
+    if changes.pop("hanging", False):
+        mesh, _ = split(mesh, mesh.nodes[mesh.elements[:, 8], 0] > 0)
     of_elements = np.full(len(mesh.elements), t)
     section = (mesh.nodes[mesh.elements[:, 8], 0] > 0).astype(int) if changes.pop("divided", False) else of_elements * 0
     means = make_disc_means(Model.model_validate(given | changes), mesh, section.astype(np.int64), of_elements)
@@ -83,9 +89,10 @@ def test_means_over_discs() -> None:
     np.testing.assert_array_equal(means.apply(x)[~near], x[~near])
 
 
-def test_means_over_discs_between_corners() -> None:
+@pytest.mark.parametrize("hanging", [False, True])
+def test_means_over_discs_between_corners(hanging: bool) -> None:
     """Small elements have the mean of their corners' means, of x^2 larger by at most (side / 2)^2."""
-    mesh, means, near = disc_means(elements=100)
+    mesh, means, near = disc_means(elements=100, hanging=hanging)
     assert sorted([*means.nodes, *means.between]) == np.flatnonzero(near).tolist()
     assert len(means.between) > 2 * len(means.nodes)
     np.testing.assert_allclose(mesh.nodes[means.corners].mean(axis=1), mesh.nodes[means.between], atol=1e-12)
