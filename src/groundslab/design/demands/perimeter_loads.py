@@ -20,7 +20,7 @@ from groundslab.design.demands import column_loads
 from groundslab.design.demands.perimeters import SIDE_CHORDS, Footprint, RectangularColumn, RoundColumn
 from groundslab.fem import load_vectors
 from groundslab.fem.assembly import scatter
-from groundslab.fem.mesh import SIDES, Mesh
+from groundslab.fem.mesh import SIDES, Mesh, sides_on_boundary
 from groundslab.fem.shape_functions import gauss_line, lagrange
 from groundslab.geometry.places import same_place
 from groundslab.model.columns import Column
@@ -235,10 +235,10 @@ def edge_inside(plate: PlateResult, part: Polygon) -> tuple[Integers, Array]:
 def _edge_sides(plate: PlateResult) -> Integers:
     # the border of two sections is no edge: its nodes stand once for each section, at exactly the same place
     _, same = np.unique(plate.nodes + 0.0, axis=0, return_inverse=True)
-    sides = plate.elements[:, SIDES].reshape(-1, 3)
-    middles = same.reshape(-1)[sides[:, 2]]
-    on_edge: Integers = sides[np.bincount(middles)[middles] == 1][:, [0, 2, 1]]
-    return on_edge
+    elements = same.reshape(-1)[plate.elements]
+    on_edge = np.isin(elements[:, SIDES[:, 2]], sides_on_boundary(elements)[:, 2])
+    sides: Integers = plate.elements[:, SIDES][on_edge][:, [0, 2, 1]]
+    return sides
 
 
 def _intervals(x: Array, part: Polygon) -> Iterator[tuple[float, float]]:

@@ -12,6 +12,7 @@ import groundslab as gs
 from groundslab.design.demands.perimeter_loads import edge_inside
 from groundslab.design.punching import RectangularColumn, demand
 from groundslab.fem.mesh import Mesh
+from groundslab.meshing.refinement import split
 from helpers.plates import parted, plate_of, straight
 
 SLAB = plate_of(straight(16, 12, 8.0, 6.0))
@@ -43,6 +44,16 @@ def test_the_border_of_two_sections_is_no_edge() -> None:
     plate = plate_of(parted(straight(16, 12, 8.0, 6.0), 4.0)[0])
     assert edge_inside(plate, box(3.0, 1.0, 5.0, 2.0))[1].sum() == 0.0
     assert edge_inside(plate, box(3.0, -1.0, 5.0, 2.0))[1].sum() == pytest.approx(2.0)
+
+
+def test_sides_on_which_nodes_hang_are_no_edge() -> None:
+    """A larger element's side inside the plate belongs to it alone, and so do its neighbors' halves of it."""
+    mesh = straight(16, 12, 8.0, 6.0)
+    plate = plate_of(split(mesh, mesh.nodes[mesh.elements[:, 8], 0] > 4.0)[0])
+    assert edge_inside(plate, box(3.0, 1.0, 5.0, 2.0))[1].sum() == 0.0
+    nodes, length = edge_inside(plate, box(3.0, -1.0, 5.0, 2.0))
+    assert length.sum() == pytest.approx(2.0)
+    assert not plate.nodes[nodes, 1].any()
 
 
 def test_a_curved_edge() -> None:
