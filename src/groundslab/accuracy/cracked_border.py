@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array, Memo
+from groundslab.arrays import Array, Integers, Memo
+from groundslab.fem.hanging import find_hanging
 from groundslab.fem.shape_functions import areas
 
 if TYPE_CHECKING:
@@ -43,13 +44,21 @@ def _error_of_cracks(results: CombinationResult) -> float:
         return 0.0
     area = areas(results.plate.nodes[elements])
     moment: Array = np.abs((e.moment_x + e.moment_y) / 2) + np.hypot((e.moment_x - e.moment_y) / 2, e.moment_xy)
-    side = elements[:, 4:8].ravel()
-    order = np.argsort(side, kind="stable")
-    element = order // 4
-    same = np.flatnonzero(side[order][1:] == side[order][:-1])
-    one, other = element[same], element[same + 1]
+    one, other = _pairs(elements)
     border = cracked[one] != cracked[other]
     one, other = one[border], other[border]
     softer = np.abs(1 / ratio[one] - 1 / ratio[other])
     differing = (moment[one] * moment[other] * softer * (area[one] + area[other]) / 4).sum()
     return float(OF_A_ROW * differing / (moment**2 / ratio * area).sum())
+
+
+def _pairs(elements: Integers) -> tuple[Integers, Integers]:
+    """Return the elements (s,) on the one and on the other side of each side (s,), of halves of longer sides, too."""
+    side = elements[:, 4:8].ravel()
+    order = np.argsort(side, kind="stable")
+    element = order // 4
+    same = np.flatnonzero(side[order][1:] == side[order][:-1])
+    owner = np.zeros(int(elements.max()) + 1, dtype=np.int64)
+    owner[side] = np.repeat(np.arange(len(elements)), 4)
+    node, _, middle, _ = find_hanging(elements).T
+    return np.append(element[same], owner[node]), np.append(element[same + 1], owner[middle])
