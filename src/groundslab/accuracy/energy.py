@@ -12,6 +12,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.fem import plate
 from groundslab.fem.assembly import find_congruent, scatter
+from groundslab.fem.hanging import find_halves
 from groundslab.fem.problem import Problem, W, plate_unknowns
 from groundslab.fem.shape_functions import areas, gauss, jacobian, q9
 from groundslab.fem.system import surface_settlement
@@ -79,6 +80,7 @@ def _plate_errors(solution: Solution, frame: ResultMesh, recovered: Array) -> Ar
     free = free_moments(problem)
     _, first, kind = np.unique(frame.kind, return_index=True, return_inverse=True)
     xy = problem.mesh.nodes[problem.mesh.elements[problem.plate.elements]]
+    halves = find_halves(problem.mesh.elements)[problem.plate.elements]
     found = np.empty((len(u), 2))
     compliance = np.linalg.inv(problem.plate.bending)
     for start in range(0, len(u), _CHUNK):
@@ -87,7 +89,8 @@ def _plate_errors(solution: Solution, frame: ResultMesh, recovered: Array) -> Ar
         some = first[kinds]
         rigidity = problem.plate.rigidity[some]
         D, S = problem.plate.bending[rigidity], problem.plate.shear[rigidity]
-        matrices = plate.section_matrices(problem.plate.element, points, xy[some], D, S).reshape(len(some), -1, 27)
+        matrices = plate.section_matrices(problem.plate.element, points, xy[some], D, S, halves[some])
+        matrices = matrices.reshape(len(some), -1, 27)
         error = N @ recovered[part] - apply(matrices, own, u[part]).reshape(-1, len(points), 5)
         error[..., :3] -= free[part, None]
         C, dA = compliance[problem.plate.rigidity[part]], jacobian(dN, xy[part])[2] * weights

@@ -67,7 +67,7 @@ class Meshes:
         found = self.made.get(source)
         if found is None:
             mesh, section = make()
-            moving, _, _ = connect(mesh.elements)
+            moving, *_ = connect(mesh.elements)
             found = mesh, section, elimination_order(Mesh(mesh.nodes, moving))
             if not self.closed:
                 self.made[source] = found

@@ -86,31 +86,37 @@ def _make_carrying(elements: Integers, n: int) -> csr_array | None:
     return csr_array(coo_array((weights, (rows, columns)), shape=(n, n)))
 
 
-def connect(elements: Integers) -> tuple[Integers, Integers, Array]:
+def find_halves(elements: Integers) -> Integers:
+    """Return which sides of elements (m, 9) are half of a neighbor's, (m, 4).
+
+    1 where the longer side begins with the half's first end, -1 where it ends with the second one, 0 elsewhere.
+    """
+    near = np.full(int(elements.max()) + 1, -1)
+    node, near_end, _, _ = find_hanging(elements).T
+    near[node] = near_end
+    ends = near[elements[:, SIDES[:, 2]]]
+    return np.where(ends < 0, 0, np.where(ends == elements[:, SIDES[:, 0]], 1, -1))
+
+
+def connect(elements: Integers) -> tuple[Integers, Integers, Array, Integers]:
     """Return the nodes (m, 9) whose unknowns move each element, its kind (m,), and by kind what they move it by.
 
     In the place of a hanging node stands the far end of the side on which it hangs. The matrices (k, 9, 9) take values
-    at these nodes to those at the element's own.
+    at these nodes to those at the element's own; with them by kind the sides that are halves (k, 4), see `find_halves`.
     """
     hanging = find_hanging(elements)
     if not len(hanging):
-        return elements, np.zeros(len(elements), dtype=np.int64), np.eye(9)[None]
-    near, far = (np.full(int(elements.max()) + 1, -1) for _ in range(2))
-    node, near_end, _, far_end = hanging.T
-    near[node], far[node] = near_end, far_end
-    middles = elements[:, SIDES[:, 2]]
-    hangs = far[middles] >= 0
+        return elements, np.zeros(len(elements), dtype=np.int64), np.eye(9)[None], np.zeros((1, 4), dtype=np.int64)
+    far = np.full(int(elements.max()) + 1, -1)
+    far[hanging[:, 0]] = hanging[:, 3]
+    middles, halves = elements[:, SIDES[:, 2]], find_halves(elements)
     moving = elements.copy()
-    moving[:, SIDES[:, 2]] = np.where(hangs, far[middles], middles)
-    # which end of its own side is an end of the longer one, too: 1 the first, 2 the second, 0 where nothing hangs
-    first = near[middles] == elements[:, SIDES[:, 0]]
-    code = np.where(hangs, np.where(first, 1, 2), 0)
-    kinds, kind = np.unique(code @ 3 ** np.arange(4), return_inverse=True)
+    moving[:, SIDES[:, 2]] = np.where(halves != 0, far[middles], middles)
+    kinds, kind = np.unique(halves, axis=0, return_inverse=True)
     matrices = np.tile(np.eye(9), (len(kinds), 1, 1))
-    for number, packed in enumerate(kinds):
-        for side, (start, end, middle) in enumerate(SIDES):
-            which = packed // 3**side % 3
-            if which:
-                ends = (start, end) if which == 1 else (end, start)
+    for number, sides in enumerate(kinds):
+        for half, (start, end, middle) in zip(sides, SIDES, strict=True):
+            if half:
+                ends = (start, end) if half > 0 else (end, start)
                 matrices[number, middle, [*ends, middle]] = WEIGHTS
-    return moving, kind, matrices
+    return moving, kind.reshape(-1), matrices, kinds

@@ -14,7 +14,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from groundslab.arrays import Array
+from groundslab.arrays import Array, Integers
+from groundslab.fem.mesh import SIDES
 from groundslab.fem.shape_functions import CHUNK, SERENDIPITY_CENTER, derivatives, gauss, jacobian, parallelograms, q9
 
 #: Where MITC9 takes the covariant shear strain along xi: at two points of each side, and all over for its mean.
@@ -30,7 +31,7 @@ class PlateElement:
     """One way to make a plate element: its covariant shear strain, shear rule and interpolation of w."""
 
     name: str
-    covariant_shear: Callable[[Array, Array, Array], Array]
+    covariant_shear: Callable[[Array, Array, Array, Integers | None], Array]
     shear_points: int
     center_w: bool  # whether the center node has a w of its own
 
@@ -39,10 +40,13 @@ class PlateElement:
         T = np.broadcast_to(np.eye(9), (len(xy), 9, 9))
         return T if self.center_w else _centre_from_boundary(xy)
 
-    def shear_strain(self, points: Array, xy: Array) -> Array:
-        """Return B_s (m, p, 2, 27) with (w,x - beta_x ; w,y - beta_y) = B_s u at points (p, 2)."""
+    def shear_strain(self, points: Array, xy: Array, halves: Integers | None = None) -> Array:
+        """Return B_s (m, p, 2, 27) with (w,x - beta_x ; w,y - beta_y) = B_s u at points (p, 2).
+
+        halves (m, 4) tell which sides are half of a neighbor's, see `hanging.find_halves`; by default none is.
+        """
         _, inverse, _ = jacobian(q9(points)[1], xy)
-        covariant = self.covariant_shear(points, xy, self.w_functions(xy))
+        covariant = self.covariant_shear(points, xy, self.w_functions(xy), halves)
         B: Array = inverse @ covariant.swapaxes(1, 2)
         return B
 
@@ -68,13 +72,13 @@ def sums_of_covariant_shear(axis: int, points: Array, factors: Array, xy: Array,
     return B
 
 
-def displacement_shear(points: Array, xy: Array, T: Array) -> Array:
+def displacement_shear(points: Array, xy: Array, T: Array, _: Integers | None = None) -> Array:
     """Return the strains (w,xi - beta . x,xi ; w,eta - beta . x,eta) as (m, 2, p, 27), straight from displacements."""
     each = np.eye(len(points))
     return np.stack([sums_of_covariant_shear(axis, points, each, xy, T) for axis in (0, 1)], axis=1)
 
 
-def tied_shear(points: Array, xy: Array, T: Array) -> Array:
+def tied_shear(points: Array, xy: Array, T: Array, halves: Integers | None = None) -> Array:
     """Return the strains of MITC9, (m, 2, p, 27): tied on the element's sides and in their mean.
 
     The strain along xi lies in span(1, xi, eta, xi eta, eta^2); it takes the values of w,xi - beta . x,xi at the Gauss
@@ -84,7 +88,25 @@ def tied_shear(points: Array, xy: Array, T: Array) -> Array:
     """
     along_xi = _tying_functions(points) @ sums_of_covariant_shear(0, _TIED, _TAKEN, xy, T)
     along_eta = _tying_functions(points[:, ::-1]) @ sums_of_covariant_shear(1, _TIED[:, ::-1], _TAKEN, xy, T)
-    return np.stack([along_xi, along_eta], axis=1)
+    found = np.stack([along_xi, along_eta], axis=1)
+    return found if halves is None else _follow_whole_sides(found, xy, halves)
+
+
+def _follow_whole_sides(strain: Array, xy: Array, halves: Integers) -> Array:
+    """Return strains (m, 2, p, 27) in which the middles of half sides have the w of the neighbor's whole side.
+
+    What is tied on a side is the slope of a cubic w less beta, of which w at its three nodes says nothing else: its
+    slope differs from beta by a line. In the middle of a half the cubic is off the parabola through these nodes by
+    1/4 of the half's length times the second difference of beta along it. With the parabola's w, elements would lock.
+    """
+    for side, (start, end, middle) in enumerate(SIDES):
+        some = np.flatnonzero(halves[:, side])
+        way = halves[some, side, None] * (xy[some, end] - xy[some, start]) / 4
+        of_middle = strain[some, :, :, middle]
+        for k in (0, 1):
+            for node, share in ((start, 1), (middle, -2), (end, 1)):
+                strain[some, :, :, 9 * (k + 1) + node] += share * way[:, k, None, None] * of_middle
+    return strain
 
 
 def _tying_functions(points: Array) -> Array:
@@ -137,16 +159,16 @@ def shear_rigidity(E: float, nu: float, t: float, factor: float) -> float:
     return factor * E / (2 * (1 + nu)) * t
 
 
-def stiffness(element: PlateElement, xy: Array, D: Array, S: Array, T: Array) -> Array:
+def stiffness(element: PlateElement, xy: Array, D: Array, S: Array, T: Array, halves: Integers | None = None) -> Array:
     """Return the stiffness matrices (m, 27, 27) of m plate elements [N/m, N, N m].
 
     xy (m, 9, 2) are the nodes [m], D (m, 3, 3) the bending rigidities [N m], S (m,) the shear rigidities [N/m],
-    T (m, 9, 9) the element's `w_functions`.
+    T (m, 9, 9) the element's `w_functions`, halves (m, 4) its sides that are half of a neighbor's, by default none.
     """
     K = np.empty((len(xy), 27, 27))
     for start in range(0, len(xy), CHUNK):
         some = slice(start, start + CHUNK)
-        K[some] = _shear_stiffness(element, xy[some], S[some], T[some])
+        K[some] = _shear_stiffness(element, xy[some], S[some], T[some], None if halves is None else halves[some])
         K[some, 9:, 9:] += _bending_stiffness(xy[some], D[some])
     return K
 
@@ -167,12 +189,12 @@ def _bending_stiffness(xy: Array, D: Array) -> Array:
     return K
 
 
-def _shear_stiffness(element: PlateElement, xy: Array, S: Array, T: Array) -> Array:
+def _shear_stiffness(element: PlateElement, xy: Array, S: Array, T: Array, halves: Integers | None) -> Array:
     """Return int S B_s^T B_s dA (m, 27, 27), from covariant strains by the metric of the element."""
     points, weights = gauss(element.shear_points)
     _, inverse, det = jacobian(q9(points)[1], xy)
     metric = np.einsum("epxi,epxj,ep->ijep", inverse, inverse, det * weights * S[:, None])[..., None]
-    B = element.covariant_shear(points, xy, T)
+    B = element.covariant_shear(points, xy, T, halves)
     of_xi, of_eta = B[:, 0], B[:, 1]
     stresses = [metric[i, 0] * of_xi + metric[i, 1] * of_eta for i in (0, 1)]
     K: Array = B.reshape(len(xy), -1, 27).swapaxes(1, 2) @ np.concatenate(stresses, axis=1)
@@ -193,13 +215,15 @@ def free_couples(xy: Array, D: Array, curvature: Array) -> Array:
     return couples
 
 
-def section_matrices(element: PlateElement, points: Array, xy: Array, D: Array, S: Array) -> Array:
+def section_matrices(
+    element: PlateElement, points: Array, xy: Array, D: Array, S: Array, halves: Integers | None = None
+) -> Array:
     """Return the matrices (m, p, 5, 27) from unknowns to m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at points (p, 2).
 
     M = -D kappa: sagging positive; Q = S (grad w - beta), so that Q is the divergence of M.
     """
     bending = -np.einsum("eij,epju->epiu", D, bending_strain(points, xy))
-    shear = S[:, None, None, None] * element.shear_strain(points, xy)
+    shear = S[:, None, None, None] * element.shear_strain(points, xy, halves)
     return np.concatenate([bending, shear], axis=2)
 
 

@@ -106,19 +106,20 @@ def blocks(problem: Problem) -> Blocks:
     sections = len(sheet.bending)
     masses = depths.mass_kinds
     shapes, shape = find_congruent(xy)
-    _, hanging, P = connect(problem.mesh.elements)
+    _, hanging, P, halves = connect(problem.mesh.elements)
     section = np.full(len(xy), sections)  # none
     section[sheet.elements] = sheet.rigidity
     all_kinds = ((shape * (sections + 1) + section) * len(masses) + depths.mass_kind) * len(P) + hanging
     kinds, kind = np.unique(all_kinds, return_inverse=True)
-    kinds, P = kinds // len(P), P[kinds % len(P)]
+    kinds, P, halves = kinds // len(P), P[kinds % len(P)], halves[kinds % len(P)]
     kinds, masses = kinds // len(masses), masses[kinds % len(masses)]
     xy, section = xy[shapes[kinds // (sections + 1)]], kinds % (sections + 1)
     under = np.flatnonzero(section < sections)
     K, T = np.zeros((len(kinds), 27, 27)), np.tile(np.eye(9), (len(kinds), 1, 1))
     section = section[under]
     T[under] = sheet.element.w_functions(xy[under])
-    K[under] = plate.stiffness(sheet.element, xy[under], sheet.bending[section], sheet.shear[section], T[under])
+    rigidities = sheet.bending[section], sheet.shear[section]
+    K[under] = plate.stiffness(sheet.element, xy[under], *rigidities, T[under], halves[under])
     mass, slope = mass_and_slope(xy)
     on_diagonal = masses[:, 1:] * mass.sum(axis=2)
     return Blocks(kind, K, masses[:, :1, None] * mass + on_diagonal[:, :, None] * np.eye(9), slope, T, P)
@@ -158,7 +159,7 @@ def build_system(problem: Problem, like: System | None = None) -> System:
 
 def _pattern(problem: Problem) -> Pattern:
     """Return the pattern of a problem's unknowns."""
-    moving, _, _ = connect(problem.mesh.elements)
+    moving, *_ = connect(problem.mesh.elements)
     return assembly.build_pattern(moving, problem.rank, problem.unknown, problem.links.nodes)
 
 

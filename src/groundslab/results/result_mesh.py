@@ -11,7 +11,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem import plate
 from groundslab.fem.assembly import find_congruent
-from groundslab.fem.hanging import find_hanging
+from groundslab.fem.hanging import find_halves, find_hanging
 from groundslab.fem.load_vectors import nodal_area
 from groundslab.fem.mesh import SIDES, Mesh, bounding_boxes, locate, mirror, renumber_by_rows, sides_along
 from groundslab.fem.problem import Problem
@@ -149,7 +149,7 @@ def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
     kinks = sides_along(problem.mesh, elements, borders)
     zones = sides_along(problem.mesh, elements, _borders_of_springs(model))
     mesh, node = split_by_section(problem, np.concatenate([jumps, zones]), depth)
-    smooth, _ = split_by_section(problem, np.concatenate([jumps, kinks]))
+    smooth, _ = split_by_section(problem, np.concatenate([jumps, zones, kinks]))
     matrices, kind = section_matrices(problem)
     edges = edge_sides(problem)
     parts, points, images = smooth, q9(gauss(2)[0])[0] @ mesh.xy, list[tuple[int, Flags]]()
@@ -321,12 +321,14 @@ def split_by_section(problem: Problem, creases: Integers, depth: Integers | None
 
 def section_matrices(problem: Problem) -> tuple[Array, Integers]:
     """Return the matrices (kinds, 20, 27) to section forces at 2 x 2 Gauss points, and each plate element's kind."""
-    xy, rigidities = problem.mesh.nodes[problem.mesh.elements[problem.plate.elements]], len(problem.plate.bending)
-    shapes, shape = find_congruent(xy)
-    pairs, kind = np.unique(shape * rigidities + problem.plate.rigidity, return_inverse=True)
-    D, S = problem.plate.bending[pairs % rigidities], problem.plate.shear[pairs % rigidities]
-    matrices = plate.section_matrices(problem.plate.element, gauss(2)[0], xy[shapes[pairs // rigidities]], D, S)
-    return matrices.reshape(len(pairs), 20, 27), kind
+    own, rigidities = problem.plate.elements, len(problem.plate.bending)
+    xy, halves = problem.mesh.nodes[problem.mesh.elements[own]], find_halves(problem.mesh.elements)[own]
+    of_halves = (halves + 1) @ 3 ** np.arange(4)
+    keys = (find_congruent(xy)[1] * rigidities + problem.plate.rigidity) * 3**4 + of_halves
+    _, first, kind = np.unique(keys, return_index=True, return_inverse=True)
+    D, S = problem.plate.bending[problem.plate.rigidity[first]], problem.plate.shear[problem.plate.rigidity[first]]
+    matrices = plate.section_matrices(problem.plate.element, gauss(2)[0], xy[first], D, S, halves[first])
+    return matrices.reshape(len(first), 20, 27), kind
 
 
 def _means(mesh: Mesh) -> Array:

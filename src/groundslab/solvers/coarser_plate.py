@@ -59,7 +59,7 @@ def _press_centers(coarse: Problem, cells: Cells, size: int) -> csr_array:
     element, place = locate_nearest(mesh, cells.center, coarse.plate.elements)
     own, which = np.unique(element, return_inverse=True)
     w = coarse.plate.element.w_functions(mesh.nodes[mesh.elements[own]])[which]
-    moving, kind, P = connect(mesh.elements)
+    moving, kind, P, _ = connect(mesh.elements)
     share = np.einsum("ca,cab,cbd->cd", q9(place)[0], w, P[kind[element]], optimize=True)
     unknown = coarse.unknown[moving[element], W]
     cell = np.broadcast_to(np.arange(len(cells.area))[:, None], unknown.shape)

@@ -8,13 +8,15 @@ import numpy as np
 import pytest
 
 from groundslab.analysis.driver import solve
-from groundslab.arrays import Array
+from groundslab.arrays import Array, Integers
 from groundslab.discretize.discretize import discretize
 from groundslab.discretize.local_sizes import local_sizes
 from groundslab.discretize.plan_layout import Meshes
-from groundslab.fem.hanging import carry, collect, connect, find_hanging
+from groundslab.fem.hanging import carry, collect, connect, find_halves, find_hanging
 from groundslab.fem.mesh import Mesh, grid, sides_on_boundary
+from groundslab.fem.plate import ELEMENTS
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Problem, W
+from groundslab.fem.shape_functions import gauss
 from groundslab.fem.system import build_system, nodal_table, stiffness, surface_fields
 from groundslab.meshing.refinement import close, halve, split
 from groundslab.model.model import Model
@@ -109,7 +111,7 @@ def test_quadratic_functions_are_carried_and_their_work_is_kept() -> None:
     lost = exact.copy()
     lost[hanging] = np.nan
     np.testing.assert_allclose(carry(mesh.elements, lost), exact, rtol=1e-12)
-    moving, kind, P = connect(mesh.elements)
+    moving, kind, P, _ = connect(mesh.elements)
     np.testing.assert_allclose(np.einsum("eab,eb->ea", P[kind], lost[moving]), exact[mesh.elements], rtol=1e-12)
     forces = np.random.default_rng(2).normal(size=(len(mesh.nodes), 3))
     collected = collect(mesh.elements, forces)
@@ -131,6 +133,26 @@ def test_constant_curvature_across_hanging_sides(element: str, t: float) -> None
     inside[sides_on_boundary(mesh.elements)] = False
     # shear rigidity times what cancels is rounding
     assert sizes[inside].max() < (1e-9 if t > 0.1 else 1e-5) * sizes.max()
+
+
+def test_a_cubic_deflection_across_hanging_sides_has_no_shear_strain() -> None:
+    """With w a cubic along the sides and its slopes as rotations MITC9 ties no shear, not on halves of sides either.
+
+    A side's own w is a parabola through its three nodes: only with its rotations it tells the cubic.
+    """
+    mesh = cut_around((1.5, 1.5), (1.4, 1.4), (2.6, 1.4))
+    x, y = mesh.nodes.T
+    w, beta_x, beta_y = x**3 - 2 * y**3 + x * y, 3 * x**2 + y, -6 * y**2 + x
+    u = np.concatenate([carry(mesh.elements, each)[mesh.elements] for each in (w, beta_x, beta_y)], axis=1)
+    halves = find_halves(mesh.elements)
+    assert set(halves.ravel()) == {-1, 0, 1}
+
+    def strain(halves: Integers | None) -> Array:
+        found: Array = ELEMENTS["mitc9"].shear_strain(gauss(3)[0], mesh.xy, halves) @ u[:, None, :, None]
+        return np.abs(found)
+
+    assert strain(halves).max() < 1e-12
+    assert strain(None).max() > 0.1
 
 
 @pytest.mark.parametrize("changes", [

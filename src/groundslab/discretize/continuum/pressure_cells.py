@@ -49,7 +49,7 @@ def elastic_ground(
     if grid.nx * grid.ny > MOST_CELLS:
         found = f"{grid.nx} x {grid.ny} cells of pressure"
         raise InputError([Issue("ground.cell", found, f"at most {MOST_CELLS:,} cells", "larger cells, or elements")])
-    moving, kind, P = connect(plan.mesh.elements)
+    moving, kind, P, _ = connect(plan.mesh.elements)
     own = plan.plate_elements
     w = element.w_functions(xy) @ P[kind[own]]
     cells = cover(grid, xy, elements, len(plan.mesh.nodes), w, plan.plate, moving[own])
