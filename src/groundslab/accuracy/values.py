@@ -19,6 +19,8 @@ SLOWEST = 0.75
 #: The same of section forces and pressures, whose largest change around a place already counts, and by how much they
 #: fall at least: nothing is taken to converge faster than elements' moments do where they are smooth.
 SLOWEST_AROUND, FASTEST_AROUND = 0.6, 0.25
+#: Where the elements' own section forces converge with an order, recovered ones do so with this many times that.
+RECOVERED = 1.5
 #: What converges with the first order falls by this.
 FIRST_ORDER = 0.5
 #: So much of the largest change around a place counts there.
@@ -51,7 +53,8 @@ def reduction_of(results: CombinationResult, field: str) -> Array:
     """Return by what elements half as large reduce the error of a field at each node of the plate, (n,).
 
     Section forces and pressures have the reduction of the error of moments, or of shear forces, in the elements that
-    meet there. At sides of different lengths pressures, which are forces over areas, fall with the first order only.
+    meet there. Recovered section forces converge faster than those, where the mesh follows all borders of loads. At
+    sides of different lengths pressures, which are forces over areas, fall with the first order only.
     """
     plate, comparison = results.plate, results.comparison
     assert comparison is not None
@@ -60,7 +63,8 @@ def reduction_of(results: CombinationResult, field: str) -> Array:
     local = comparison.shear_reduction if field.startswith("shear") else comparison.moment_reduction
     if field in OF_THE_WHOLE or local is None:
         return np.full(len(plate.nodes), min(comparison.reduction, SLOWEST))
-    found = np.clip(local, FASTEST_AROUND, SLOWEST_AROUND)
+    faster = RECOVERED if field != "pressure" and results.solved_model.mesh.adaptive else 1.0
+    found = np.clip(local**faster, FASTEST_AROUND, SLOWEST_AROUND)
     if field == "pressure":
         uneven = find_hanging(plate.elements)[:, 1:]
         found[uneven] = np.maximum(found[uneven], FIRST_ORDER)
