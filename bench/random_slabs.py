@@ -8,7 +8,7 @@ with mesh.accuracy alone. The truth is the same mesh with elements a fourth as l
 have too many unknowns); the uniform mesh beside it is the coarsest of a row of sizes whose judged values are as
 accurate, or the first with four times the unknowns. A line is printed for each slab, at the end the shares: of judged
 values within the accuracy, of values told to be within it that are not (false), and the ratio of unknowns. All figures
-go to bench/random_slabs.json, from which --resume goes on with the slabs that are not yet there.
+go to bench/random_slabs.json, by the accuracy, from which --resume goes on with the slabs that are not yet there.
 """
 
 from __future__ import annotations
@@ -34,6 +34,7 @@ from groundslab.fem.shape_functions import areas, q9
 from groundslab.meshing.sizing import Sources
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
+from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult
 
 RESULTS = Path(__file__).parent / "random_slabs.json"
@@ -132,11 +133,7 @@ def true_errors(results: CombinationResult, truth: CombinationResult, of_truth: 
 def at_nodes_of(results: CombinationResult, truth: CombinationResult) -> CombinationResult:
     """Return results whose fields that are not judged everywhere are those of the truth, at the same nodes."""
     plate, mesh = results.plate, Mesh(truth.plate.nodes, truth.plate.elements)
-    # a node may stand on one side of a border: go towards an element that has it
-    owner = np.empty(len(plate.nodes), dtype=np.int64)
-    owner[plate.elements] = np.arange(len(plate.elements))[:, None]
-    middle = plate.nodes[plate.elements[owner, 8]]
-    element, place = locate_nearest(mesh, plate.nodes + INWARDS * (middle - plate.nodes))
+    element, place = locate_nearest(mesh, moved_inwards(plate))
     N = q9(place)[0]
     fields = {}
     for name in LIMITED:
@@ -144,6 +141,17 @@ def at_nodes_of(results: CombinationResult, truth: CombinationResult) -> Combina
         # parabolas overshoot where a field has a kink, and where means over discs end
         fields[name] = (N * values).sum(axis=1).clip(values.min(axis=1), values.max(axis=1))
     return replace(results, plate=replace(plate, **fields))
+
+
+def moved_inwards(plate: PlateResult) -> Array:
+    """Return the nodes (n, 2) of a plate, each a little way towards an element that has it.
+
+    A node may stand on one side of a border.
+    """
+    owner = np.empty(len(plate.nodes), dtype=np.int64)
+    owner[plate.elements] = np.arange(len(plate.elements))[:, None]
+    moved: Array = plate.nodes + INWARDS * (plate.nodes[plate.elements[owner, 8]] - plate.nodes)
+    return moved
 
 
 def examine(seed: int, accuracy: float) -> dict[str, Any]:
@@ -197,10 +205,10 @@ def main() -> None:
     parser.add_argument("--accuracy", type=float, default=2.0, help="in percent (2)")
     parser.add_argument("--resume", action="store_true", help="go on where an interrupted run stopped")
     given = parser.parse_args()
-    rows, accuracy = [], given.accuracy / 100
-    if given.resume and RESULTS.exists():
-        before = json.loads(RESULTS.read_text(encoding="utf-8"))
-        rows = before["slabs"] if before["accuracy"] == accuracy else []
+    accuracy, known = given.accuracy / 100, {}
+    if RESULTS.exists():
+        known = json.loads(RESULTS.read_text(encoding="utf-8"))
+    rows = known.get(f"{given.accuracy:g} %", []) if given.resume else []
     done = {row["seed"] for row in rows}
     for seed in (each for each in range(given.first, given.first + given.slabs) if each not in done):
         try:
@@ -214,7 +222,8 @@ def main() -> None:
             f"{100 * max(row['true']):.2g} %, told {100 * max(row['told']):.2g} %",
             flush=True,
         )
-        RESULTS.write_text(json.dumps({"accuracy": accuracy, "slabs": rows}, indent=1) + "\n", encoding="utf-8")
+        found = known | {f"{given.accuracy:g} %": rows}
+        RESULTS.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
     if rows:
         print(summarize(rows, accuracy))
 

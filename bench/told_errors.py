@@ -13,14 +13,16 @@ from __future__ import annotations
 
 import argparse
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from closed_forms import ClosedForm, closed_forms
+from random_slabs import moved_inwards
+from told_report import HEAD, HIGH, LEAST, SEEN, Told
 
-from groundslab.accuracy.judgment import AGAINST, SIZES, find_largest, judged_values
+from groundslab.accuracy.judgment import AGAINST, CONTACT, SIZES, find_largest, judged_values
 from groundslab.accuracy.singularities import Limits, find_limits, limits_without_contact
 from groundslab.analysis import driver
 from groundslab.arrays import Array, Flags
@@ -29,15 +31,8 @@ from groundslab.results.results import CombinationResult
 
 RESULTS = Path(__file__).parent / "told_errors.json"
 ACCURACIES = (0.05, 0.02)
-#: Of smaller errors no ratio is taken.
-SEEN = 1e-3
-#: Ratios of nine in ten values are to lie between these; none below the half where the true error is above this share
-#: of what is asked for.
-LOW, HIGH, HALF, OF_ASKED = 0.7, 8.0, 0.5, 1 / 3
-#: So far towards the middle of its element a node is moved to be on its side of a border.
-INWARDS = 1e-6
 #: Judged values by what they are called, and those that are not judged everywhere.
-NAMES = {PLATE_FIELDS[name].label: name for name in AGAINST} | {"area in contact": "share"}
+NAMES = {PLATE_FIELDS[name].label: name for name in AGAINST} | {CONTACT: "share"}
 LIMITED = ("pressure", "shear_x", "shear_y")
 
 #: A value on one mesh: form, mesh, unknowns, name, sign, true and told error as shares of what governs.
@@ -89,11 +84,7 @@ def _where(name: str, limits: Limits) -> Flags:
 def _judged_nodes(name: str, results: CombinationResult) -> Array:
     """Return the nodes at which a field is judged, each on its side of a border."""
     plate = results.plate
-    owner = np.empty(len(plate.nodes), dtype=np.int64)
-    owner[plate.elements] = np.arange(len(plate.elements))[:, None]
-    middle = plate.nodes[plate.elements[owner, 8]]
-    nodes = plate.nodes + INWARDS * (middle - plate.nodes)
-    return nodes[_where(name, find_limits(results.solved_model, plate))]
+    return moved_inwards(plate)[_where(name, find_limits(results.solved_model, plate))]
 
 
 def examine(exact: Exact, mesh: dict[str, float]) -> Iterator[Row]:
@@ -103,18 +94,15 @@ def examine(exact: Exact, mesh: dict[str, float]) -> Iterator[Row]:
     largest = find_largest([results])
     if results.comparison is None or largest is None:
         return
-    before: set[str] = set()
     for against, value in judged_values(results):
         if value.label not in NAMES:
             continue
         name = NAMES[value.label]
-        sign = -1 if name in before else 1
-        before.add(name)
-        true, size = exact.extreme(name, sign, results), getattr(largest, against)
+        true, size = exact.extreme(name, value.sign, results), getattr(largest, against)
         if true is None or not size > 0:
             continue
         yield {
-            "form": form.name, **mesh, "unknowns": results.unknowns, "name": name, "sign": sign,
+            "form": form.name, **mesh, "unknowns": results.unknowns, "name": name, "sign": value.sign,
             "true": round(abs(value.value - true) / size, 7), "told": round(value.share / size, 7),
         }  # fmt: skip
 
@@ -127,30 +115,12 @@ def asked(row: Row) -> float:
 def told_line(row: Row) -> str:
     """Return the line of one value."""
     ratio = row["told"] / row["true"]
-    mark = "too small" if ratio < HALF else "too large" if ratio > HIGH else ""
+    mark = "too small" if ratio < LEAST else "too large" if ratio > HIGH else ""
     mesh = f"{row['size']:g} m" if "size" in row else f"{100 * row['accuracy']:g} %"
     name = f"{'least ' if row['sign'] < 0 else ''}{row['name']}"
     return (
         f"{row['form']:38} {mesh:6} {row['unknowns']:>7} {name:18} "
         f"true {100 * row['true']:6.2f} % told {100 * row['told']:6.2f} % {ratio:6.2f} {mark}"
-    )
-
-
-def summarize(rows: Sequence[Row]) -> str:
-    """Return the shares over values."""
-    true, told, wanted = (
-        np.array(each) for each in zip(*((r["true"], r["told"], asked(r)) for r in rows), strict=True)
-    )
-    seen = true > SEEN
-    ratio = told[seen] / true[seen]
-    never = (true > OF_ASKED * wanted) & (told < HALF * true)
-    false = (told <= wanted) & (true > wanted)
-    q = np.quantile(ratio, (0.05, 0.5, 0.95))
-    return (
-        f"{len(rows)} values, {seen.sum()} true errors above {100 * SEEN:g} %: told / true {LOW:g} to {HIGH:g} for "
-        f"{100 * ((ratio >= LOW) & (ratio <= HIGH)).mean():.0f} %, {q[0]:.2g} for one in twenty, median {q[1]:.2g}, "
-        f"{q[2]:.2g} for nineteen in twenty; below {HALF:g} where the true error is above a third of what is asked: "
-        f"{never.sum()}; false greens: {false.sum()}"
     )
 
 
@@ -174,7 +144,8 @@ def main() -> None:
     for kind, key in (("meshes that make themselves", "accuracy"), ("given sizes", "size")):
         some = [row for row in rows if key in row]
         if some:
-            print(f"{kind}: {summarize(some)}")
+            errors = tuple((row["true"], row["told"], asked(row)) for row in some)
+            print("; ".join(f"{head}: {cell}" for head, cell in zip(HEAD, Told(kind, errors).row(), strict=True)))
     if not words:
         RESULTS.write_text("[\n" + ",\n".join(map(json.dumps, rows)) + "\n]\n", encoding="utf-8")
 

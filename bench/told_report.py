@@ -5,6 +5,7 @@ From bench/told_errors.json (slabs in closed form) and bench/random_slabs.json; 
 
 from __future__ import annotations
 
+import itertools
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -52,19 +53,20 @@ HEAD = [
 def all_told() -> list[Told]:
     """Return what is stored."""
     rows: list[dict[str, Any]] = json.loads(CLOSED.read_text(encoding="utf-8"))
-    slabs: dict[str, Any] = json.loads(RANDOM.read_text(encoding="utf-8"))
-    accuracy = float(slabs["accuracy"])
+    slabs: dict[str, list[dict[str, Any]]] = json.loads(RANDOM.read_text(encoding="utf-8"))
 
     def errors(key: str) -> tuple[tuple[float, float, float], ...]:
         return tuple((row["true"], row["told"], row.get("accuracy", 0.05)) for row in rows if key in row)
 
-    random = (
-        (true, told, accuracy) for slab in slabs["slabs"] for true, told in zip(slab["true"], slab["told"], strict=True)
-    )
+    def of_slabs(asked: str) -> tuple[tuple[float, float, float], ...]:
+        accuracy = float(asked.removesuffix(" %")) / 100
+        pairs = (zip(slab["true"], slab["told"], strict=True) for slab in slabs[asked])
+        return tuple((true, told, accuracy) for true, told in itertools.chain(*pairs))
+
     return [
         Told("closed forms, meshes for 5 % and 2 %", errors("accuracy")),
         Told("closed forms, given sizes", errors("size")),
-        Told(f"{len(slabs['slabs'])} random slabs, meshes for {100 * accuracy:g} %", tuple(random)),
+        *(Told(f"{len(slabs[asked])} random slabs, meshes for {asked}", of_slabs(asked)) for asked in slabs),
     ]
 
 
@@ -76,7 +78,7 @@ def draw(told: Sequence[Told], path: Path) -> None:
     import matplotlib.pyplot as plt
 
     matplotlib.rcParams["svg.hashsalt"] = "groundslab"
-    figure, all_axes = plt.subplots(1, len(told), figsize=(9, 2.8), layout="constrained", sharey=True)
+    figure, all_axes = plt.subplots(1, len(told), figsize=(3 * len(told), 2.8), layout="constrained", sharey=True)
     for axes, each in zip(all_axes, told, strict=True):
         clipped = [min(max(ratio, BARS[0]), 0.999 * BARS[-1]) for ratio in each.ratios]
         weights = [100 / len(clipped)] * len(clipped)
