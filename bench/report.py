@@ -24,6 +24,7 @@ HERE = Path(__file__).parent
 DOCS = HERE.parent / "docs"
 PAGE, PICTURE, TOLD = DOCS / "performance.md", DOCS / "performance.svg", DOCS / "told_errors.svg"
 RESULTS, ACCURACIES = HERE / "results.json", HERE / "time_to_accuracy.json"
+DEFAULTS, FIRST = HERE / "default_answer.json", HERE / "first_figures.json"
 
 OWN = "groundslab"
 PLACES = ("centre", "corner")
@@ -239,6 +240,8 @@ def tables(results: CombinationResult, accuracies: CombinationResult | None = No
     return {
         "accuracy": "Not measured yet." if accuracies is None else accuracy_rows(accuracies),
         "told": told_rows(),
+        "default": default_rows(),
+        "first figures": first_rows(),
         "targets": targets(results),
         "picture": picture(results),
         "own": own_rows(results),
@@ -248,6 +251,37 @@ def tables(results: CombinationResult, accuracies: CombinationResult | None = No
         "reference": reference_rows(results),
         "machine": machine_rows(results),
     }
+
+
+def default_rows() -> str:
+    """Return the table of default answers."""
+    head = [
+        "slab", "combinations", "unknowns of each mesh", "seconds, one thread", "over those of the last mesh",
+        "largest told error", "asked",
+    ]  # fmt: skip
+    rows = []
+    for row in json.loads(DEFAULTS.read_text(encoding="utf-8")):
+        if "unknowns" not in row:
+            rows.append([row["slab"], "", "", "none in the time that is given", "", "", ""])
+            continue
+        told, asked = (f"{100 * row[name]:.2g} %" for name in ("error", "accuracy"))
+        made = ", ".join(f"{count:,}" for count in row["unknowns"])
+        rows.append(
+            [row["slab"], str(row["combinations"]), made, f"{row['seconds']:g}", f"{row['ratio']:g}",
+             f"{told} ({row['of']})", asked]
+        )  # fmt: skip
+    return table(head, rows)
+
+
+def first_rows() -> str:
+    """Return the table of what the workbench shows, and when."""
+    names = ("picture", "figures", "checks", "end")
+    rows = [
+        [row["slab"], *("" if row[name] is None else f"{row[name]:g}" for name in names)]
+        for row in json.loads(FIRST.read_text(encoding="utf-8"))
+    ]
+    head = ["slab", "first picture [s]", "figures of the first mesh", "checks", "mesh refined no more"]
+    return table(head, rows)
 
 
 def told_rows() -> str:

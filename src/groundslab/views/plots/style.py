@@ -57,7 +57,7 @@ RC: dict[str, Any] = {
     "axes.titlesize": BASE,
     "axes.labelsize": BASE,
     "axes.linewidth": 0.6,
-    "axes.formatter.use_mathtext": True,
+    "axes.formatter.use_mathtext": False,
     **{
         f"{axis}tick.{name}": value
         for axis in "xy"
