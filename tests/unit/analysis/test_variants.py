@@ -14,6 +14,7 @@ from groundslab.errors import InputError, NoEquilibrium, NotConverged
 from groundslab.model.model import Model
 from groundslab.solvers import factorization
 from groundslab.solvers.direct import protocols
+from helpers.nodes import nodes_at
 
 pytestmark = pytest.mark.slow
 
@@ -176,7 +177,15 @@ def test_a_factor_over_the_plan_is_a_zone_of_other_soil(ground: dict[str, Any], 
         "ground": changed(ground, name, 2.0),
     }
     (wanted,) = driver.solve_combinations(base.replace(soil_zones=[zone])).results.values()
-    same(found, wanted)
+    # where springs change nodes stand for both sides, and section forces have patches on each
+    of_springs = ground["kind"] == "winkler"
+    nodes = nodes_at(wanted.plate, found.plate.nodes)
+    assert found.certificate.holds
+    for field in ("settlement", "gap", "pressure", "moment_x", "shear_y"):
+        one, other = getattr(found.plate, field), getattr(wanted.plate, field)[nodes]
+        away = np.abs(found.plate.nodes[:, 0]) > (1.0 if of_springs and field not in ("settlement", "gap") else -1.0)
+        np.testing.assert_allclose(one[away], other[away], rtol=0, atol=1e-8 * np.abs(other).max())
+    np.testing.assert_array_equal(found.plate.in_contact, wanted.plate.in_contact[nodes])
     assert found.constants.k0 == pytest.approx(wanted.constants.k0, rel=1e-12)
     assert np.ptp(found.plate.settlement - found.plate.settlement[::-1]) > 1e-4
 
