@@ -29,12 +29,14 @@ LIMIT = 580.0
 #: What is seen of a run, in the page.
 SEEN = """() => {
   const shown = (selector) => { const e = document.querySelector(selector); return e !== null && e.checkVisibility(); };
+  const figures = shown(".result-full") && document.querySelectorAll(".figures tr").length > 0;
   return {
     picture: shown(".preview-over") || shown(".result-full"),
-    figures: shown(".result-full") && document.querySelectorAll(".figures tr").length > 0,
-    checks: shown(".result-full") && [...document.querySelectorAll("[role=tab]")].some((e) =>
+    figures,
+    checks: figures && [...document.querySelectorAll("[role=tab]")].some((e) =>
       e.textContent.startsWith("Checks") && e.checkVisibility() && e.getAttribute("aria-disabled") !== "true"),
-    end: document.querySelector(".result-status")?.dataset.state !== "solving" && shown(".result-full"),
+    end: figures && document.querySelector(".result-status").dataset.state !== "solving"
+      && shown(".result[aria-busy=false]"),
   };
 }"""
 

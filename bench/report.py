@@ -241,7 +241,7 @@ def tables(results: CombinationResult, accuracies: CombinationResult | None = No
         "accuracy": "Not measured yet." if accuracies is None else accuracy_rows(accuracies),
         "told": told_rows(),
         "default": default_rows(),
-        "first figures": first_rows(),
+        "first": first_rows(),
         "targets": targets(results),
         "picture": picture(results),
         "own": own_rows(results),
