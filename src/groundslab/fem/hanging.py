@@ -112,11 +112,12 @@ def connect(elements: Integers) -> tuple[Integers, Integers, Array, Integers]:
     middles, halves = elements[:, SIDES[:, 2]], find_halves(elements)
     moving = elements.copy()
     moving[:, SIDES[:, 2]] = np.where(halves != 0, far[middles], middles)
-    kinds, kind = np.unique(halves, axis=0, return_inverse=True)
+    _, first, kind = np.unique((halves + 1) @ 3 ** np.arange(4), return_index=True, return_inverse=True)
+    kinds = halves[first]
     matrices = np.tile(np.eye(9), (len(kinds), 1, 1))
     for number, sides in enumerate(kinds):
         for half, (start, end, middle) in zip(sides, SIDES, strict=True):
             if half:
                 ends = (start, end) if half > 0 else (end, start)
                 matrices[number, middle, [*ends, middle]] = WEIGHTS
-    return moving, kind.reshape(-1), matrices, kinds
+    return moving, kind, matrices, kinds

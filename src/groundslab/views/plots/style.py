@@ -134,19 +134,23 @@ def math_symbol(name: str) -> str:
     return f"${greek}_{{{index}}}$" if index else f"${greek}$"
 
 
+#: Letters are measured so many times as large, at which hinting does not count.
+FINER = 10
+
+
 @cache
 def text_width(text: str, size: float, weight: str = "normal") -> float:
     """Return the width of a line of text in letters of some size [pt] and weight, in millimeters."""
-    from matplotlib.font_manager import FontProperties
-    from matplotlib.textpath import TextPath
+    from matplotlib.font_manager import FontProperties, findfont, get_font
 
     if not text.strip():
         return 0.0
-    font = FontProperties(family=RC["font.sans-serif"], weight=weight)
+    font = get_font(findfont(FontProperties(family=RC["font.sans-serif"], weight=weight)))
+    font.set_size(size, 72 * FINER)
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", message=".*missing from font")
-        path = TextPath((0, 0), text.replace("$", "S"), size=size, prop=font)
-    return float(path.get_extents().width) * PT
+        font.set_text(text.replace("$", "S"))
+    return float(font.get_width_height()[0]) / (64 * FINER) * PT
 
 
 #: Text width of a page of A4, and the most that stands above each other on it [mm].
