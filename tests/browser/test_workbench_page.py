@@ -125,8 +125,9 @@ def test_the_keyboard_alone_moves_and_removes(server: Server, bench: Bench, case
     assert -2.0 < float(moved[1]) < 0.0
     drawing.press("Control+z")
     bench.wait_text('x = "-2 m"')
+    bench.step("n", "olumn A1")
     drawing.press("Delete")
-    bench.until(lambda: "[[columns]]" not in bench.text())
+    bench.until(lambda: "[[columns]]" not in bench.text(), lambda: bench.seen(".properties h3"))
     bench.wait_seen(".last-edit", "remove column A1 and its load")
 
 
