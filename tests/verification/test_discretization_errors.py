@@ -65,8 +65,8 @@ def solution_of(model: Model) -> Solution:
     """Return the solution on the finest mesh."""
     hierarchy = MeshHierarchy(model, factorization.choose("auto")[1], 0, 1.0, False)
     (combination,) = list_combinations(model)
-    found, _ = nested.solve_nested(hierarchy, combination.name, case_factors(model, combination), lambda _: None)
-    return found[-1]
+    found = nested.solve_nested(hierarchy, combination.name, case_factors(model, combination), lambda _: None)
+    return found[0][-1]
 
 
 def true_energy_error(coarse: Solution, fine: Solution, forces: Array) -> float:

@@ -11,7 +11,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.fem import plate
-from groundslab.fem.assembly import find_congruent, scatter
+from groundslab.fem.assembly import scatter
 from groundslab.fem.hanging import find_halves
 from groundslab.fem.problem import Problem, W, plate_unknowns
 from groundslab.fem.shape_functions import areas, gauss, jacobian, q9
@@ -113,16 +113,14 @@ def _ground_errors(solution: Solution) -> Array:
         return np.zeros(m)
     w = surface_settlement(s, solution.U)
     parts, n = _parts(problem)
-    shapes, kind = find_congruent(mesh.xy)
-    xy = mesh.xy[shapes]
     (at_two, _), (at_three, weights) = gauss(2), gauss(3)
     own = w[:, mesh.elements]
     own = own - own[..., 8:]  # else rounding makes slopes of a settlement that is everywhere the same
     S = len(w)
     inner, outer = (
-        np.stack([apply(_slopes(points, xy), kind, each) for each in own], axis=-1) for points in (at_two, at_three)
+        np.stack([_slopes(points, mesh.xy, each) for each in own], axis=-1) for points in (at_two, at_three)
     )
-    at_nodes = np.einsum("na,eaxs->enxs", extrapolation(), inner.reshape(m, 4, 2, S))
+    at_nodes = np.einsum("na,eaxs->enxs", extrapolation(), inner)
     meeting = np.bincount(parts.ravel(), minlength=n)
     star = np.stack(
         [scatter(parts, at_nodes[:, :, x, k], n) / meeting for x in range(2) for k in range(S)], axis=-1
@@ -131,8 +129,8 @@ def _ground_errors(solution: Solution) -> Array:
         if problem.symmetry[axis]:
             # the slope beyond the line, of the other sign, makes the mean zero
             star[parts[mesh.xy[..., axis] == 0.0], axis] = 0.0
-    error = np.einsum("pa,eaxs->epxs", q9(at_three)[0], star[parts]) - outer.reshape(m, 9, 2, S)
-    dA = (jacobian(q9(at_three)[1], xy)[2] * weights)[kind]
+    error = np.einsum("pa,eaxs->epxs", q9(at_three)[0], star[parts]) - outer
+    dA = jacobian(q9(at_three)[1], mesh.xy)[2] * weights
     A1 = np.broadcast_to(column.A1, (m, S, S))
     squares: Array = np.einsum("ep,epxs,est,epxt->e", dA, error, A1, error, optimize=True)
     return squares
@@ -147,9 +145,10 @@ def _parts(problem: Problem) -> tuple[Integers, int]:
     return own.reshape(-1, 9), len(keys)
 
 
-def _slopes(points: Array, xy: Array) -> Array:
-    """Return the matrices (u, 2 p, 9) from nodal values to their slopes along x and y at points (p, 2)."""
+def _slopes(points: Array, xy: Array, values: Array) -> Array:
+    """Return the slopes along x and y (m, p, 2) of nodal values (m, 9) of elements at points (p, 2)."""
     _, dN = q9(points)
     _, inverse, _ = jacobian(dN, xy)
-    slopes: Array = np.einsum("epxi,pia->epxa", inverse, dN).reshape(len(xy), -1, 9)
+    covariant = (values @ dN.reshape(-1, 9).T).reshape(len(xy), len(points), 2)
+    slopes: Array = inverse[..., 0] * covariant[..., :1] + inverse[..., 1] * covariant[..., 1:]
     return slopes

@@ -85,12 +85,12 @@ def _near(nodes: Array, edges: list[Segment], reach: float) -> Flags:
     import shapely
 
     found = np.zeros(len(nodes), dtype=bool)
-    for edge in edges:
-        n = edge.chords(CHORD * reach)
-        line = edge.at(np.arange(n + 1) / n)
-        in_box = (nodes >= line.min(axis=0) - reach) & (nodes <= line.max(axis=0) + reach)
-        some = np.flatnonzero(in_box.all(axis=1) & ~found)
-        found[some] = shapely.dwithin(shapely.points(nodes[some]), shapely.linestrings(line), reach)
+    if edges:
+        counts = [edge.chords(CHORD * reach) for edge in edges]
+        lines = [edge.at(np.arange(n + 1) / n) for edge, n in zip(edges, counts, strict=True)]
+        owner = np.repeat(np.arange(len(edges)), [len(line) for line in lines])
+        chords = shapely.linestrings(np.vstack(lines), indices=owner)
+        found[shapely.STRtree(shapely.points(nodes)).query(chords, "dwithin", reach)[1]] = True
     return found
 
 

@@ -51,6 +51,7 @@ class Level:
     cached: tuple[Model, ResultMesh] | None = None  # the mesh of results, and a model that has it
     prolongation: Prolongation | None = None  # from the mesh of results of the next coarser mesh to its own
     zones: list[tuple[Integers, Integers]] = field(default_factory=list)  # found: states on the coarser mesh, and here
+    latest: list[Solution] = field(default_factory=list)  # on the coarsest mesh, for each load increment
 
     def stiffness(self, column: Column, gamma: float | None) -> Symmetric:
         """Return the matrix for the column that belongs to a gamma; the latest one is cached."""

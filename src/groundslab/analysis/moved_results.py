@@ -7,6 +7,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from groundslab.arrays import Array, Memo
 from groundslab.errors import GroundslabError, NotCertified
 from groundslab.fem.continuum.pressed_cells import PressedCells
 from groundslab.geometry.plan import Place
@@ -16,7 +17,7 @@ from groundslab.results.mesh_results import GroundResult, PlateResult
 from groundslab.results.record import JointResult, SupportResult
 from groundslab.results.results import CombinationResult, Comparison, Increment, Results
 
-WithNodes = TypeVar("WithNodes", PlateResult, SupportResult, JointResult)
+WithNodes = TypeVar("WithNodes", PlateResult, GroundResult, SupportResult, JointResult)
 State = TypeVar("State", CombinationResult, Comparison, Increment)
 
 
@@ -72,9 +73,13 @@ def _move_state(state: State, by: Place) -> State:
     return replace(state, plate=_move_nodes(state.plate, by), ground=_move_ground(state.ground, by))
 
 
+#: Combinations on one mesh have the same nodes before and after.
+_NODES: Memo[Array] = Memo()
+
+
 def _move_nodes(part: WithNodes, by: Place) -> WithNodes:
-    """Return the plate, a support or a joint, moved."""
-    return replace(part, nodes=part.nodes + by)
+    """Return the plate, the ground, a support or a joint, moved."""
+    return replace(part, nodes=_NODES.get(part.nodes, by, lambda: part.nodes + by))
 
 
 def _move_each(parts: tuple[WithNodes, ...], by: Place) -> tuple[WithNodes, ...]:
@@ -84,7 +89,7 @@ def _move_each(parts: tuple[WithNodes, ...], by: Place) -> tuple[WithNodes, ...]
 
 def _move_ground(ground: GroundResult, by: Place) -> GroundResult:
     """Return the ground with its cells, moved."""
-    return replace(ground, nodes=ground.nodes + by, cells=ground.cells and _move_cells(ground.cells, by))
+    return replace(_move_nodes(ground, by), cells=ground.cells and _move_cells(ground.cells, by))
 
 
 def _move_cells(cells: PressedCells, by: Place) -> PressedCells:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -31,36 +31,41 @@ HALVINGS = 2
 
 def solve_nested(
     hierarchy: MeshHierarchy, combination: str, factors: Array, report: OnStep
-) -> tuple[list[Solution], Solution | None]:
-    """Return the solution of each load increment on the finest mesh, reached from the coarsest mesh upwards.
+) -> dict[int, list[Solution]]:
+    """Return the solution of each load increment on each of the meshes, by how often it is coarsened.
 
-    Or started from that of a similar model, if that converges. factors (cases,) are those of the combination. Also
-    returns the solution under the full load on the next coarser mesh, if there is one.
+    That on the finest mesh is reached from the coarsest one upwards, where the combination solved before is the start;
+    or it starts from that of a similar model, if that converges. On coarser meshes there may be none. factors (cases,)
+    are those of the combination.
     """
-    model, found, coarser, before = hierarchy.model, list[Solution](), None, None
+    model, found, before = hierarchy.model, dict[int, list[Solution]](), None
     if hierarchy.has_reference(combination):
         level = hierarchy.level(hierarchy.finest)
         s = _load_system(level, factors)
         start = hierarchy.matching(combination, s)
         if start:
             with suppress(NotConverged, SingularMatrix):
-                return _solve_increments(_full_load(model, s, level, report, True), model, start), None
-    for coarsening in _coarsenings(hierarchy):
+                return {hierarchy.finest: _solve_increments(_full_load(model, s, level, report, True), model, start)}
+    coarsenings = _coarsenings(hierarchy)
+    coarsest_level = hierarchy.level(coarsenings[0])
+    start = coarsest_level.latest
+    for coarsening in coarsenings:
         level = hierarchy.level(coarsening)
         if coarsening == hierarchy.finest:
-            coarser = found[-1] if found else None
-            found = _solve_finest(model, _load_system(level, factors), level, found, report, before)
+            start = _solve_finest(model, _load_system(level, factors), level, start, report, before)
         else:
             # without equilibrium or convergence on a coarse mesh the next mesh has no start
-            start, found = found, []
+            known, start = start, []
             with suppress(NoEquilibrium, NotConverged, SingularMatrix):
                 on_step = report if model.analysis.nested else _ignore
                 s = _load_system(level, factors)
                 step = _full_load(model, s, level, on_step, False)
-                found = _solve_increments(replace(step, coarser=before), model, start)
+                start = _solve_increments(replace(step, coarser=before), model, known)
+        found[coarsening] = start
         before = None if level.system.problem.elastic is None else level
-    hierarchy.store(combination, found)
-    return found, coarser
+    hierarchy.store(combination, start)
+    coarsest_level.latest = found[coarsenings[0]] or coarsest_level.latest
+    return found
 
 
 def _solve_finest(
@@ -79,22 +84,29 @@ def _ignore(_: Step) -> None:
 
 
 def margin_effect(
-    margins: Sequence[MeshHierarchy], combination: str, factors: Array, found: Sequence[Solution]
+    margins: Sequence[MeshHierarchy],
+    combination: str,
+    factors: Array,
+    found: Mapping[int, Sequence[Solution]],
 ) -> float:
     """Return the change of any settlement by a wider margin of infinite ground, over its plate's largest settlement.
 
-    Both meshes are the same on the plate, where their nodes stand in the same order. They are coarser than that of the
-    solutions found, one for each load increment, from which they start and whose gamma they have.
+    Both meshes are the same on the plate, where their nodes stand in the same order. The solutions on the narrow one
+    may have been found on the way to the finest mesh; else they start from those on that, and have their gammas.
     """
-    narrow, wide = (_solve_from(hierarchy, combination, factors, found) for hierarchy in margins)
-    before, after = (each.U[each.system.problem.plate.nodes, W] for each in (narrow, wide))
-    problem = narrow.system.problem
-    largest = largest_of_parts(np.maximum(np.abs(before), np.abs(after)), problem.plate_at_nodes[problem.plate.nodes])
-    return float(np.divide(np.abs(after - before), largest, out=np.zeros_like(largest), where=largest > 0).max())
+    first, second = margins
+    before = found.get(first.finest) or _solve_from(first, combination, factors, found[min(found)])
+    after = _solve_from(second, combination, factors, before)
+    narrow, wide = (each[-1].U[each[-1].system.problem.plate.nodes, W] for each in (before, after))
+    problem = before[-1].system.problem
+    largest = largest_of_parts(np.maximum(np.abs(narrow), np.abs(wide)), problem.plate_at_nodes[problem.plate.nodes])
+    return float(np.divide(np.abs(wide - narrow), largest, out=np.zeros_like(largest), where=largest > 0).max())
 
 
-def _solve_from(hierarchy: MeshHierarchy, combination: str, factors: Array, found: Sequence[Solution]) -> Solution:
-    """Return the solution under the full load with the gammas found, started from what is known, if that converges."""
+def _solve_from(
+    hierarchy: MeshHierarchy, combination: str, factors: Array, found: Sequence[Solution]
+) -> Sequence[Solution]:
+    """Return the solutions with the gammas found, started from what is known, if that converges."""
     model = hierarchy.model
     level = hierarchy.level(hierarchy.finest)
     s = _load_system(level, factors)
@@ -103,8 +115,8 @@ def _solve_from(hierarchy: MeshHierarchy, combination: str, factors: Array, foun
     with suppress(NotConverged, SingularMatrix):
         solutions = _solve_increments(_full_load(model, s, level, _ignore, True), model, known or found, gammas)
         hierarchy.store(combination, solutions)
-        return solutions[-1]
-    return solve_nested(hierarchy, combination, factors, _ignore)[0][-1]
+        return solutions
+    return solve_nested(hierarchy, combination, factors, _ignore)[hierarchy.finest]
 
 
 def required_coarsenings(hierarchy: MeshHierarchy, combinations: Sequence[str]) -> list[int]:

@@ -53,7 +53,7 @@ def _loading(acting: list[Acting], model: Model, plan: Layout, element: plate.Pl
     n = len(mesh.nodes)
     forces = np.zeros((len(elements), 9))
     couples = np.zeros((2, len(elements), 9))
-    size = np.zeros(len(model.every_plate))
+    size, lengths = np.zeros(len(model.every_plate)), plan.plate_lengths
     beside = np.zeros(n)
     pressing = [np.zeros((0, 3))]
     warp = np.zeros(len(elements))
@@ -68,7 +68,9 @@ def _loading(acting: list[Acting], model: Model, plan: Layout, element: plate.Pl
             force, couple = _on_plate(shape, model, plan)
             forces += force
             couples += couple
-            size += _by_plate(force, plan) + _by_plate(np.abs(couple).sum(axis=0), plan) / plan.plate_lengths
+            acts = np.abs(force).sum(axis=1), np.abs(couple).sum(axis=(0, 2))
+            of_forces, of_couples = (scatter(plan.plate, each, len(size)) for each in acts)
+            size += of_forces + of_couples / lengths
             if isinstance(shape, PlateAction):
                 warp += _warp(shape, model, plan)
     if not element.center_w:
@@ -87,11 +89,6 @@ def _loading(acting: list[Acting], model: Model, plan: Layout, element: plate.Pl
             table[:, BETA_X + axis] = scatter(mesh.elements[elements], couples[axis], n)
     table = collect(mesh.elements, table)
     return Loading(table, np.column_stack([warp, warp]), settlement, size, np.vstack(pressing))
-
-
-def _by_plate(forces: Array, plan: Layout) -> Array:
-    """Return the sum of sizes of nodal forces (mp, 9) on each plate, (plates,)."""
-    return scatter(plan.plate, np.abs(forces).sum(axis=1), len(plan.plate_lengths))
 
 
 def _on_ground(area: AreaPressure, plan: Layout) -> Array:

@@ -235,9 +235,14 @@ def _reach(model: Model, width: float) -> tuple[float, float, float, float]:
 
 
 def coarsest(model: Model) -> int:
-    """Return how often the counts of a model's mesh can be halved for the nested iteration."""
+    """Return how often the counts of a model's mesh can be halved for the nested iteration.
+
+    One that is made for the errors follows loads and borders: meshes beyond the next coarser one are hardly smaller.
+    """
     if not model.analysis.nested:
         return 0
+    if model.mesh.adaptive and not isinstance(model.ground, ContinuousGround):
+        return 1
     times, symmetry = 0, symmetries(model)
     while COARSEST <= min(_counts(model, symmetry, times + 1)) < min(_counts(model, symmetry, times)):
         times += 1

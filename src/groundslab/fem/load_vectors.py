@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers
+from groundslab.arrays import Array, Flags, Integers, Memo
 from groundslab.fem.assembly import scatter
 from groundslab.fem.mesh import Mesh, local_coordinates, locate
 from groundslab.fem.shape_functions import gauss, gauss_line, jacobian, q9
@@ -63,15 +63,23 @@ def find_elements_near(mesh: Mesh, part: Polygon) -> Integers:
 
     A curved side leaves the box of its three nodes by 1/8 of its size at most.
     """
-    return np.flatnonzero(_meets_box(mesh.xy, part.bounds))
+    return np.flatnonzero(_meets_box(mesh, part.bounds))
 
 
-def _meets_box(xy: Array, bounds: tuple[float, float, float, float]) -> Flags:
-    """Return which elements (m, 9, 2) may meet a box x0, y0, x1, y1."""
-    low, high = xy.min(axis=1), xy.max(axis=1)
+_BOXES: Memo[tuple[Array, Array]] = Memo()
+
+
+def _meets_box(mesh: Mesh, bounds: tuple[float, float, float, float]) -> Flags:
+    """Return which elements of a mesh (m,) may meet a box x0, y0, x1, y1."""
+    low, high = _BOXES.get(mesh.elements, mesh.nodes, lambda: _boxes(mesh))
+    return np.asarray(((low <= bounds[2:]) & (high >= bounds[:2])).all(axis=1))
+
+
+def _boxes(mesh: Mesh) -> tuple[Array, Array]:
+    """Return the lower left and upper right corners (m, 2) of boxes around elements, however their sides curve."""
+    low, high = mesh.xy.min(axis=1), mesh.xy.max(axis=1)
     reach = (high - low) / 8
-    meets: Flags = ((low - reach <= bounds[2:]) & (high + reach >= bounds[:2])).all(axis=1)
-    return meets
+    return low - reach, high + reach
 
 
 def integrate_over_polygon(
@@ -84,7 +92,7 @@ def integrate_over_polygon(
     from shapely import contains, intersection, intersects, polygons, prepare
 
     total = np.zeros((len(elements), 9))
-    near = np.flatnonzero(_meets_box(mesh.nodes[mesh.elements[elements]], part.bounds))
+    near = np.flatnonzero(_meets_box(mesh, part.bounds)[elements])
     elements, shares = elements[near], total[near]
     outlines = polygons(_outlines(mesh.nodes[mesh.elements[elements]]))
     prepare(part)
@@ -134,7 +142,7 @@ def _linear(ends: tuple[float, float], s: Array) -> Array:
 def _points_along(mesh: Mesh, elements: Integers, edge: Segment) -> tuple[Array, Array]:
     """Return points of integration along an edge as parts of it (p,), and their weights (p,) [m]."""
     n = 1 if edge.straight else max(ARC_PIECES, math.ceil(abs(edge.sweep) / ARC_PIECE))
-    at = np.unique(np.concatenate([np.arange(n + 1) / n, _find_crossings(mesh.xy[elements], edge, n)]))
+    at = np.unique(np.concatenate([np.arange(n + 1) / n, _find_crossings(mesh, elements, edge, n)]))
     x, weights = gauss_line(4)
     low = at[:-1, None]
     high = at[1:, None]
@@ -142,12 +150,13 @@ def _points_along(mesh: Mesh, elements: Integers, edge: Segment) -> tuple[Array,
     return s, ((high - low) / 2 * weights * edge.length).ravel()
 
 
-def _find_crossings(xy: Array, edge: Segment, chords: int) -> Array:
-    """Return the parts (k,) of an edge after which its chords enter another one of the elements (m, 9, 2)."""
+def _find_crossings(mesh: Mesh, elements: Integers, edge: Segment, chords: int) -> Array:
+    """Return the parts (k,) of an edge after which its chords enter another one of the elements (m,)."""
     from shapely import LineString, get_coordinates, intersection, polygons
 
     flat = LineString(edge.at(np.arange(chords + 1) / chords))
-    places = get_coordinates(intersection(polygons(_outlines(xy[_meets_box(xy, flat.bounds)])), flat))
+    near = elements[_meets_box(mesh, flat.bounds)[elements]]
+    places = get_coordinates(intersection(polygons(_outlines(mesh.nodes[mesh.elements[near]])), flat))
     if edge.straight:
         along = np.array(edge.end) - np.array(edge.start)
         parts = (places - edge.start) @ along / (along @ along)

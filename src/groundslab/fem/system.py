@@ -17,6 +17,7 @@ from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column, EdgeDecay, 
 from groundslab.fem.hanging import carry, connect
 from groundslab.fem.problem import TOP, Problem, W
 from groundslab.fem.sparse import Symmetric
+from groundslab.fem.vlasov import Soil
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
@@ -169,9 +170,12 @@ def surface_fields(surface: int) -> tuple[int, ...]:
 
 
 def stiffness(s: System, column: Column) -> Symmetric:
-    """Return the matrix of plate and ground together; the ground's column may differ between elements."""
-    if column.varies:
-        return _with_varying_ground(s, column)
+    """Return the matrix of plate and ground together; the ground's column may differ between elements.
+
+    One of many, as gamma is iterated, is the sum of what is kept for all of them.
+    """
+    if column.varies or _iterated(s.problem):
+        return _sum_of_parts(s, column)
     b, F = s.blocks, s.pattern.unknown.shape[1]
 
     def matrices(kinds: Integers) -> Array:
@@ -185,8 +189,13 @@ def stiffness(s: System, column: Column) -> Symmetric:
     return s.pattern.matrix(assembly.assemble(s.pattern, b.kind, matrices, *_further_blocks(s, column)))
 
 
+def _iterated(problem: Problem) -> bool:
+    """Return whether the ground's column is one of many that are tried."""
+    return isinstance(problem.ground, Soil) and problem.ground.gamma is None
+
+
 @dataclass(frozen=True, slots=True)
-class _Varying:
+class _Parts:
     """What a matrix has whatever the ground under the elements is, and where the ground is added."""
 
     plate: Array  # (addends,)
@@ -196,13 +205,14 @@ class _Varying:
 
 
 #: Kept for further columns of ground.
-_VARYING: Memo[_Varying] = Memo()
+_PARTS: Memo[_Parts] = Memo()
 
 
-def _with_varying_ground(s: System, column: Column) -> Symmetric:
-    """Return the matrix of plate and ground whose column differs between elements: it is linear in A0 and A1."""
-    known = _VARYING.get(s.blocks.plate, s.pattern, lambda: _varying(s))
-    data = known.plate.copy()
+def _sum_of_parts(s: System, column: Column) -> Symmetric:
+    """Return the matrix of plate and ground, which is linear in A0 and A1 of each element."""
+    known = _PARTS.get(s.blocks.plate, s.pattern, lambda: _make_parts(s))
+    m, surfaces, data = len(s.blocks.kind), column.surfaces, known.plate.copy()
+    A0, A1 = (np.broadcast_to(each, (m, surfaces, surfaces)) for each in (column.A0, column.A1))
 
     def add(values: Array, entry: Indices) -> None:
         there = entry >= 0
@@ -210,15 +220,15 @@ def _with_varying_ground(s: System, column: Column) -> Symmetric:
 
     for i, j, a, c in _coupled(column):
         of_plate = _of_plate(s.problem, i, j)
-        values = known.mass[of_plate] @ column.A0[:, a, c] + known.slope[of_plate] @ column.A1[:, a, c]
+        values = known.mass[of_plate] @ A0[:, a, c] + known.slope[of_plate] @ A1[:, a, c]
         add(values, known.entry[:, i, j])
     pairs, blocks = _further_blocks(s, column)
     add(blocks, known.entry[pairs])
     return s.pattern.matrix(data)
 
 
-def _varying(s: System) -> _Varying:
-    """Return what the matrices of a system with ground that varies have in common."""
+def _make_parts(s: System) -> _Parts:
+    """Return what the matrices of a system on different ground have in common."""
     b, p = s.blocks, s.pattern
     F = p.unknown.shape[1]
     none = np.zeros(0, dtype=np.int64), np.zeros((0, F, F))
@@ -228,7 +238,7 @@ def _varying(s: System) -> _Varying:
     mass, slope = (
         {which: assembly.sums_over_elements(p, b.kind, both[k]) for which, both in blocks.items()} for k in (0, 1)
     )
-    return _Varying(plate_alone, assembly.entries_of_pairs(p), mass, slope)
+    return _Parts(plate_alone, assembly.entries_of_pairs(p), mass, slope)
 
 
 def _coupled(column: Column) -> Iterator[tuple[int, int, int, int]]:

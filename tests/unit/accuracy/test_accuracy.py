@@ -53,9 +53,8 @@ def slab(**changes: Any) -> Model:
 def solved(model: Model) -> tuple[tuple[Solution, ResultMesh], tuple[Solution, ResultMesh]]:
     """Return the solutions on the finest mesh and on the next coarser one, each with its mesh of results."""
     hierarchy = MeshHierarchy(model, factorization.choose("auto")[1], 0, 1.0, False)
-    found, coarser = nested.solve_nested(hierarchy, "", np.ones(1), lambda _: None)
-    assert coarser is not None
-    fine, coarse = ((each, make_result_mesh(model, each.system.problem)) for each in (found[-1], coarser))
+    found = nested.solve_nested(hierarchy, "", np.ones(1), lambda _: None)
+    fine, coarse = ((each, make_result_mesh(model, each.system.problem)) for each in (found[0][-1], found[1][-1]))
     return fine, coarse
 
 

@@ -125,7 +125,8 @@ def _make_what_lanes_share(tasks: Mapping[Task, Combination], model: Model, grou
         for coarsening in required_coarsenings(finest, names):
             finest.level(coarsening)
         for hierarchy in margins if ends_in_tails(model) else []:
-            hierarchy.level(hierarchy.finest)
+            if hierarchy.margin > 1 or hierarchy.finest not in finest.levels:
+                hierarchy.level(hierarchy.finest)
         for coarsening in {0, 1} & finest.levels.keys():
             finest.level(coarsening).result_mesh(model)
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers
+from groundslab.arrays import Array, Integers, Memo
 from groundslab.fem.assembly import scatter
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
 from groundslab.fem.hanging import collect
@@ -169,7 +169,15 @@ def pressing_forces(solution: Solution) -> Array:
     return np.column_stack([on_w, on_w])
 
 
+_RESISTANCE: Memo[Resistance] = Memo()
+
+
 def resistance(solution: Solution) -> Resistance:
+    """Return the forces with which plate, ground and joints resist."""
+    return _RESISTANCE.get(solution.U, solution.system, lambda: _resist(solution))
+
+
+def _resist(solution: Solution) -> Resistance:
     """Return the forces with which plate, ground and joints resist."""
     s, U, column = solution.system, solution.U, solution.column
     ground = ground_forces(s, U, column) if solution.pressed is None else pressing_forces(solution)
