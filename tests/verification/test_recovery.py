@@ -93,7 +93,7 @@ def errors(name: str, solve_it: bool, n: int, amount: float = 0.0, split: int = 
 
     def own(points: np.ndarray) -> np.ndarray:
         Ds, Ss = np.broadcast_to(D, (len(xy), 3, 3)), np.full(len(xy), S)
-        return np.concatenate(plate.section_forces(plate.ELEMENTS[name], points, xy, Ds, Ss, ue), axis=2)
+        return plate.section_forces(plate.ELEMENTS[name], points, xy, Ds, Ss, ue)
 
     points = gauss(2)[0]
     at_gauss = own(points)
@@ -225,7 +225,7 @@ def test_a_jump_of_thickness_keeps_its_jump_of_moments(name: str, corners: list[
 
     own = make_result_mesh(model, problem)
     mesh, node = own.mesh, own.node
-    forces = own.at_nodes(recovery.gauss_forces(problem, U, own), recovery.FORCES, recovery.SIZES)
+    forces = own.at_nodes(recovery.own_forces(problem, U, gauss(2)[0]), recovery.FORCES, recovery.SIZES)
     found = recovery.section_forces(own, forces)
     thick = np.zeros(len(mesh.nodes), dtype=bool)
     sides = np.roll(corners, -1, axis=0) - corners
@@ -239,7 +239,7 @@ def test_a_jump_of_thickness_keeps_its_jump_of_moments(name: str, corners: list[
     for field in recovery.FORCES:
         np.testing.assert_allclose(found[field] / scale, wanted.get(field, 0 * x[node]) / scale, atol=1e-9)
 
-    centres = recovery.gauss_forces(problem, U, own).mean(axis=1)
+    centres = recovery.own_forces(problem, U, gauss(2)[0]).mean(axis=1)
     of_centres = 30e9 * np.where(inside, 0.4, 0.2) ** 3 / (12 * (1 - 0.2**2))
     np.testing.assert_allclose(centres[:, 0] / scale, -of_centres * (a + 0.2 * b) / scale, atol=1e-9)
     np.testing.assert_allclose(centres[:, 2:] / scale, 0.0, atol=1e-9)
@@ -258,11 +258,10 @@ def test_values_at_centres_belong_to_one_element_each(name: str) -> None:
     middle = problem.plate.elements[np.argmin(np.abs(problem.mesh.nodes[problem.mesh.elements[:, 8]]).sum(axis=1))]
     U = np.zeros(problem.unknown.shape)
     U[problem.mesh.elements[middle, 8], BETA_X] = 1e-3
-    own = make_result_mesh(model, problem)
-    forces = recovery.gauss_forces(problem, U, own)
+    forces = recovery.own_forces(problem, U, gauss(2)[0])
     assert forces.shape == (9, 4, 5)
     assert (np.flatnonzero(np.abs(forces).max(axis=(1, 2))) == middle).all()
-    centres = recovery.gauss_forces(problem, U, own).mean(axis=1)
+    centres = recovery.own_forces(problem, U, gauss(2)[0]).mean(axis=1)
     assert centres.shape == (9, 5)
     assert (np.delete(centres, middle, axis=0) == 0).all()
     # the bubble is even in x: its slope cancels

@@ -10,19 +10,15 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.fem import plate
 from groundslab.fem.assembly import scatter
-from groundslab.fem.hanging import find_halves
-from groundslab.fem.problem import Problem, W, plate_unknowns
-from groundslab.fem.shape_functions import areas, gauss, jacobian, q9
+from groundslab.fem.problem import Problem, W
+from groundslab.fem.shape_functions import areas, gauss, gradients, jacobian, q9
 from groundslab.fem.system import surface_settlement
-from groundslab.results.balance.forces import apply, pressing_forces, resistance
+from groundslab.results.balance.forces import pressing_forces, resistance
 from groundslab.results.patch_recovery import extrapolation
-from groundslab.results.recovery import free_moments
+from groundslab.results.recovery import own_forces
 from groundslab.results.result_mesh import ResultMesh
 from groundslab.solvers.solution import Solution
-
-_CHUNK = 2048
 
 
 def energy(solution: Solution) -> float:
@@ -44,7 +40,7 @@ def energy(solution: Solution) -> float:
     return max(stored, 0.0)
 
 
-def energy_errors(solution: Solution, frame: ResultMesh, recovered: Array) -> Array:
+def energy_errors(solution: Solution, recovered: Array) -> Array:
     """Return the squared errors of elements of plate and ground in the energy norm, (m, 3) [N m].
 
     They are those of moments, shear forces and slopes of the ground. recovered (mp, 9, 5) are moments and shear forces
@@ -52,7 +48,7 @@ def energy_errors(solution: Solution, frame: ResultMesh, recovered: Array) -> Ar
     """
     of_ground = _ground_errors(solution)
     errors = np.zeros((len(of_ground), 3))
-    errors[solution.system.problem.plate.elements, :2] = _plate_errors(solution, frame, recovered)
+    errors[solution.system.problem.plate.elements, :2] = _plate_errors(solution, recovered)
     errors[:, 2] = of_ground
     # squares but for rounding
     return np.maximum(errors, 0.0)
@@ -72,33 +68,17 @@ def error_density(solution: Solution, frame: ResultMesh, squared: Array, total: 
     return density
 
 
-def _plate_errors(solution: Solution, frame: ResultMesh, recovered: Array) -> Array:
+def _plate_errors(solution: Solution, recovered: Array) -> Array:
     """Return int (M* - M) . D^-1 (M* - M) and int |Q* - Q|^2 / S of each plate element, (mp, 2)."""
     problem, (points, weights) = solution.system.problem, gauss(3)
     N, dN = q9(points)
-    u = plate_unknowns(problem, solution.U)
-    free = free_moments(problem)
-    _, first, kind = np.unique(frame.kind, return_index=True, return_inverse=True)
-    xy = problem.mesh.nodes[problem.mesh.elements[problem.plate.elements]]
-    halves = find_halves(problem.mesh.elements)[problem.plate.elements]
-    found = np.empty((len(u), 2))
-    compliance = np.linalg.inv(problem.plate.bending)
-    for start in range(0, len(u), _CHUNK):
-        part = slice(start, start + _CHUNK)
-        kinds, own = np.unique(kind[part], return_inverse=True)
-        some = first[kinds]
-        rigidity = problem.plate.rigidity[some]
-        D, S = problem.plate.bending[rigidity], problem.plate.shear[rigidity]
-        matrices = plate.section_matrices(problem.plate.element, points, xy[some], D, S, halves[some])
-        matrices = matrices.reshape(len(some), -1, 27)
-        error = N @ recovered[part] - apply(matrices, own, u[part]).reshape(-1, len(points), 5)
-        error[..., :3] -= free[part, None]
-        C, dA = compliance[problem.plate.rigidity[part]], jacobian(dN, xy[part])[2] * weights
-        moments, shear = error[..., :3], error[..., 3:]
-        of_moments = np.einsum("epi,eij,epj->ep", moments, C, moments, optimize=True)
-        of_shear = (shear**2).sum(axis=2) / problem.plate.shear[problem.plate.rigidity[part], None]
-        found[part] = np.column_stack([(dA * each).sum(axis=1) for each in (of_moments, of_shear)])
-    return found
+    rigidity = problem.plate.rigidity
+    compliance, S = np.linalg.inv(problem.plate.bending)[rigidity], problem.plate.shear[rigidity]
+    error = N @ recovered - own_forces(problem, solution.U, points)
+    moments, shear = error[..., :3], error[..., 3:]
+    dA = jacobian(dN, problem.mesh.nodes[problem.mesh.elements[problem.plate.elements]])[2] * weights
+    of_moments, of_shear = ((moments @ compliance) * moments).sum(axis=2), (shear**2).sum(axis=2) / S[:, None]
+    return np.column_stack([(dA * each).sum(axis=1) for each in (of_moments, of_shear)])
 
 
 def _ground_errors(solution: Solution) -> Array:
@@ -117,9 +97,7 @@ def _ground_errors(solution: Solution) -> Array:
     own = w[:, mesh.elements]
     own = own - own[..., 8:]  # else rounding makes slopes of a settlement that is everywhere the same
     S = len(w)
-    inner, outer = (
-        np.stack([_slopes(points, mesh.xy, each) for each in own], axis=-1) for points in (at_two, at_three)
-    )
+    inner, outer = (_slopes(points, mesh.xy, own) for points in (at_two, at_three))
     at_nodes = np.einsum("na,eaxs->enxs", extrapolation(), inner)
     meeting = np.bincount(parts.ravel(), minlength=n)
     star = np.stack(
@@ -145,10 +123,8 @@ def _parts(problem: Problem) -> tuple[Integers, int]:
     return own.reshape(-1, 9), len(keys)
 
 
-def _slopes(points: Array, xy: Array, values: Array) -> Array:
-    """Return the slopes along x and y (m, p, 2) of nodal values (m, 9) of elements at points (p, 2)."""
+def _slopes(points: Array, xy: Array, w: Array) -> Array:
+    """Return the slopes along x and y (m, p, 2, S) of surfaces (S, m, 9) at points (p, 2) of elements."""
     _, dN = q9(points)
-    _, inverse, _ = jacobian(dN, xy)
-    covariant = (values @ dN.reshape(-1, 9).T).reshape(len(xy), len(points), 2)
-    slopes: Array = inverse[..., 0] * covariant[..., :1] + inverse[..., 1] * covariant[..., 1:]
-    return slopes
+    inverse = jacobian(dN, xy)[1]
+    return np.stack([gradients(dN, inverse, each) for each in w], axis=-1)

@@ -171,8 +171,7 @@ class MeshHierarchy:
     def result_mesh(self, solution: Solution, coarsening: int) -> ResultMesh:
         """Return the mesh of the results of a solution on one of the meshes."""
         level = self.levels.get(coarsening)
-        problem = solution.system.problem
-        return make_result_mesh(self.model, problem) if level is None else level.result_mesh(self.model).of(problem)
+        return make_result_mesh(self.model, solution.system.problem) if level is None else level.result_mesh(self.model)
 
     def prolongation(self, coarser: Solution, finer: Solution, frame: ResultMesh) -> Prolongation:
         """Return what takes fields from the next coarser mesh to the finest one, whose mesh of results is `frame`."""
@@ -182,8 +181,7 @@ class MeshHierarchy:
             known = make_prolongation(before, frame, (coarser.system.problem.mesh, finer.system.problem.mesh))
         if level is not None:
             level.prolongation = known
-        # elements that have cracked differ from one combination to the next
-        return replace(known, coarser=before, finer=frame)
+        return known
 
     def store(self, combination: str, solutions: list[Solution]) -> None:
         """Store the solutions of a combination, one for each load increment, for similar models."""

@@ -9,14 +9,24 @@ quadrilaterals that are no parallelograms); Bathe, Brezzi and Cho 1989 (MITC9). 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.fem.mesh import SIDES
-from groundslab.fem.shape_functions import CHUNK, SERENDIPITY_CENTER, derivatives, gauss, jacobian, parallelograms, q9
+from groundslab.fem.shape_functions import (
+    CHUNK,
+    SERENDIPITY_CENTER,
+    along_axes,
+    derivatives,
+    gauss,
+    gradients,
+    jacobian,
+    parallelograms,
+    q9,
+)
 
 #: Where MITC9 takes the covariant shear strain along xi: at two points of each side, and all over for its mean.
 _SIDES = np.array([(r, s) for s in (-1.0, 1.0) for r in (-1 / np.sqrt(3.0), 1 / np.sqrt(3.0))])
@@ -27,28 +37,59 @@ _TAKEN[:4, :4], _TAKEN[4, 4:] = np.eye(4), gauss(3)[1] / 4
 
 
 @dataclass(frozen=True, slots=True)
+class Sampling:
+    """How the covariant shear strain along one axis at p points follows from w,xi - beta . x,xi at q others."""
+
+    points: Array  # (q, 2)
+    factors: Array  # (r, q): sums of the strains there
+    functions: Array  # (p, r): of these sums
+
+
+@dataclass(frozen=True, slots=True)
 class PlateElement:
-    """One way to make a plate element: its covariant shear strain, shear rule and interpolation of w."""
+    """One way to make a plate element: where its shear strain is taken from, shear rule and interpolation of w."""
 
     name: str
-    covariant_shear: Callable[[Array, Array, Array, Integers | None], Array]
+    sample: Callable[[Array], tuple[Sampling, Sampling]]  # along xi and along eta, for points (p, 2)
     shear_points: int
     center_w: bool  # whether the center node has a w of its own
+    tied: bool = False  # whether the strains of neighbors agree on their common side, if that is half of one's, too
 
     def w_functions(self, xy: Array) -> Array:
         """Return T (m, 9, 9) with w = N T w: the identity, or the center's w from the eight others."""
         T = np.broadcast_to(np.eye(9), (len(xy), 9, 9))
         return T if self.center_w else _centre_from_boundary(xy)
 
-    def shear_strain(self, points: Array, xy: Array, halves: Integers | None = None) -> Array:
-        """Return B_s (m, p, 2, 27) with (w,x - beta_x ; w,y - beta_y) = B_s u at points (p, 2).
+    def covariant_shear(self, points: Array, xy: Array, T: Array, halves: Integers | None = None) -> Array:
+        """Return B (m, 2, p, 27) with (w,xi - beta . x,xi ; w,eta - beta . x,eta) = B u at points (p, 2).
 
         halves (m, 4) tell which sides are half of a neighbor's, see `hanging.find_halves`; by default none is.
         """
-        _, inverse, _ = jacobian(q9(points)[1], xy)
-        covariant = self.covariant_shear(points, xy, self.w_functions(xy), halves)
-        B: Array = inverse @ covariant.swapaxes(1, 2)
+        B = np.stack([
+            each.functions @ sums_of_covariant_shear(axis, each.points, each.factors, xy, T)
+            for axis, each in enumerate(self.sample(points))
+        ], axis=1)  # fmt: skip
+        if self.tied and halves is not None:
+            for some, middle, unknown, share in _whole_sides(xy, halves):
+                B[some, :, :, unknown] += share[:, None, None] * B[some, :, :, middle]
         return B
+
+    def covariant_strain(self, points: Array, xy: Array, u: Array, halves: Integers | None = None) -> Array:
+        """Return B u (m, p, 2) for unknowns u (m, 27), see `covariant_shear`."""
+        w, beta = u[:, :9], u[:, 9:].reshape(-1, 2, 9)
+        if self.tied and halves is not None:
+            w = w.copy()
+            for some, middle, unknown, share in _whole_sides(xy, halves):
+                w[some, middle] += share * u[some, unknown]
+        if not self.center_w:
+            w = (self.w_functions(xy) @ w[..., None])[..., 0]
+        found = np.empty((len(u), len(points), 2))
+        for axis, each in enumerate(self.sample(points)):
+            N, dN = q9(each.points)
+            d = dN[:, axis].T
+            strain = w @ d - ((xy.swapaxes(1, 2) @ d) * (beta @ N.T)).sum(axis=1)
+            found[..., axis] = strain @ (each.functions @ each.factors).T
+        return found
 
 
 def bending_strain(points: Array, xy: Array) -> Array:
@@ -72,28 +113,28 @@ def sums_of_covariant_shear(axis: int, points: Array, factors: Array, xy: Array,
     return B
 
 
-def displacement_shear(points: Array, xy: Array, T: Array, _: Integers | None = None) -> Array:
-    """Return the strains (w,xi - beta . x,xi ; w,eta - beta . x,eta) as (m, 2, p, 27), straight from displacements."""
-    each = np.eye(len(points))
-    return np.stack([sums_of_covariant_shear(axis, points, each, xy, T) for axis in (0, 1)], axis=1)
+def displacement_shear(points: Array) -> tuple[Sampling, Sampling]:
+    """Return where strains straight from displacements are taken: at the points (p, 2) themselves."""
+    each = Sampling(points, np.eye(len(points)), np.eye(len(points)))
+    return each, each
 
 
-def tied_shear(points: Array, xy: Array, T: Array, halves: Integers | None = None) -> Array:
-    """Return the strains of MITC9, (m, 2, p, 27): tied on the element's sides and in their mean.
+def tied_shear(points: Array) -> tuple[Sampling, Sampling]:
+    """Return where the strains of MITC9 are taken: tied on the element's sides and in their mean.
 
     The strain along xi lies in span(1, xi, eta, xi eta, eta^2); it takes the values of w,xi - beta . x,xi at the Gauss
     points of the sides eta = -1 and 1, and its mean over the reference square; along eta likewise (Bathe, Brezzi and
     Cho 1989). Two elements share what is tied on their common side, which is why the element does not lock on
     distorted meshes either. A bubble of w has no part in this strain: the center's w hangs on the eight others.
     """
-    along_xi = _tying_functions(points) @ sums_of_covariant_shear(0, _TIED, _TAKEN, xy, T)
-    along_eta = _tying_functions(points[:, ::-1]) @ sums_of_covariant_shear(1, _TIED[:, ::-1], _TAKEN, xy, T)
-    found = np.stack([along_xi, along_eta], axis=1)
-    return found if halves is None else _follow_whole_sides(found, xy, halves)
+    along_xi = Sampling(_TIED, _TAKEN, _tying_functions(points))
+    return along_xi, Sampling(_TIED[:, ::-1], _TAKEN, _tying_functions(points[:, ::-1]))
 
 
-def _follow_whole_sides(strain: Array, xy: Array, halves: Integers) -> Array:
-    """Return strains (m, 2, p, 27) in which the middles of half sides have the w of the neighbor's whole side.
+def _whole_sides(xy: Array, halves: Integers) -> Iterator[tuple[Integers, int, int, Array]]:
+    """Yield what gives the middles of half sides the w of the neighbor's whole side.
+
+    Elements (k,), the node in the middle, and an unknown of which its w takes a share (k,).
 
     What is tied on a side is the slope of a cubic w less beta, of which w at its three nodes says nothing else: its
     slope differs from beta by a line. In the middle of a half the cubic is off the parabola through these nodes by
@@ -102,11 +143,9 @@ def _follow_whole_sides(strain: Array, xy: Array, halves: Integers) -> Array:
     for side, (start, end, middle) in enumerate(SIDES):
         some = np.flatnonzero(halves[:, side])
         way = halves[some, side, None] * (xy[some, end] - xy[some, start]) / 4
-        of_middle = strain[some, :, :, middle]
         for k in (0, 1):
             for node, share in ((start, 1), (middle, -2), (end, 1)):
-                strain[some, :, :, 9 * (k + 1) + node] += share * way[:, k, None, None] * of_middle
-    return strain
+                yield some, middle, 9 * (k + 1) + node, share * way[:, k]
 
 
 def _tying_functions(points: Array) -> Array:
@@ -144,7 +183,7 @@ def _centre_from_boundary(xy: Array) -> Array:
 ELEMENTS: dict[str, PlateElement] = {
     "q9": PlateElement("q9", displacement_shear, 3, center_w=True),
     "heterosis": PlateElement("heterosis", displacement_shear, 2, center_w=False),
-    "mitc9": PlateElement("mitc9", tied_shear, 3, center_w=False),
+    "mitc9": PlateElement("mitc9", tied_shear, 3, center_w=False, tied=True),
 }
 
 
@@ -215,21 +254,16 @@ def free_couples(xy: Array, D: Array, curvature: Array) -> Array:
     return couples
 
 
-def section_matrices(
-    element: PlateElement, points: Array, xy: Array, D: Array, S: Array, halves: Integers | None = None
+def section_forces(
+    element: PlateElement, points: Array, xy: Array, D: Array, S: Array, u: Array, halves: Integers | None = None
 ) -> Array:
-    """Return the matrices (m, p, 5, 27) from unknowns to m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at points (p, 2).
+    """Return m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at points (p, 2) of elements, (m, p, 5), for unknowns u (m, 27).
 
     M = -D kappa: sagging positive; Q = S (grad w - beta), so that Q is the divergence of M.
     """
-    bending = -np.einsum("eij,epju->epiu", D, bending_strain(points, xy))
-    shear = S[:, None, None, None] * element.shear_strain(points, xy, halves)
-    return np.concatenate([bending, shear], axis=2)
-
-
-def section_forces(
-    element: PlateElement, points: Array, xy: Array, D: Array, S: Array, u: Array
-) -> tuple[Array, Array]:
-    """Return moments (m, p, 3) [N m/m] and shear forces (m, p, 2) [N/m] at points (p, 2) for unknowns u (m, 27)."""
-    forces = np.einsum("epcu,eu->epc", section_matrices(element, points, xy, D, S), u)
-    return forces[..., :3], forces[..., 3:]
+    _, dN = q9(points)
+    inverse = jacobian(dN, xy)[1]
+    beta_x, beta_y = (gradients(dN, inverse, u[:, 9 * k : 9 * (k + 1)]) for k in (1, 2))
+    kappa = np.stack([beta_x[..., 0], beta_y[..., 1], beta_x[..., 1] + beta_y[..., 0]], axis=-1)
+    strain = along_axes(inverse, element.covariant_strain(points, xy, u, halves))
+    return np.concatenate([-kappa @ D, S[:, None, None] * strain], axis=2)

@@ -74,6 +74,17 @@ def derivatives(points: Array, xy: Array) -> tuple[Array, Array, Array]:
     return x, y, det
 
 
+def along_axes(inverse: Array, covariant: Array) -> Array:
+    """Return derivatives by x and y (m, p, 2) from those by xi and eta (m, p, 2), by the inverse Jacobian."""
+    along: Array = inverse[..., 0] * covariant[..., :1] + inverse[..., 1] * covariant[..., 1:]
+    return along
+
+
+def gradients(dN: Array, inverse: Array, values: Array) -> Array:
+    """Return the derivatives by x and y (m, p, 2) of nodal values (m, 9), with dN and inverse as in `jacobian`."""
+    return along_axes(inverse, (values @ dN.reshape(-1, 9).T).reshape(len(values), len(dN), 2))
+
+
 def areas(xy: Array) -> Array:
     """Return the areas (m,) [m2] of elements with nodes xy (m, 9, 2)."""
     points, weights = gauss(3)

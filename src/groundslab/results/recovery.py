@@ -7,14 +7,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.fem import plate
 from groundslab.fem.assembly import scatter
 from groundslab.fem.continuum.pressed_cells import PressedCells, press
+from groundslab.fem.hanging import find_halves
 from groundslab.fem.problem import BETA_X, BETA_Y, Problem, W, plate_unknowns
+from groundslab.fem.shape_functions import gauss
 from groundslab.fem.system import plate_settlement, surface_settlement
 from groundslab.fem.vlasov import Soil
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
-from groundslab.results.balance.forces import apply, resistance
+from groundslab.results.balance.forces import resistance
 from groundslab.results.contact_fields import contact_fields
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
 from groundslab.results.record import Certificate, Constants, JointResult, Step, SupportResult
@@ -89,12 +92,12 @@ def recover_fields(solution: Solution, frame: ResultMesh) -> MeshedFields:
     """Return the fields of a solution on the meshed part."""
     s, U, problem = solution.system, solution.U, solution.system.problem
     contact, pressure = contact_fields(solution, frame)
-    gauss = gauss_forces(problem, U, frame)
-    forces = frame.at_nodes(gauss, FORCES, SIZES)
+    at_points = own_forces(problem, U, gauss(2)[0])
+    forces = frame.at_nodes(at_points, FORCES, SIZES)
     moved = {"settlement": plate_settlement(s, U), "rotation_x": U[:, BETA_X], "rotation_y": U[:, BETA_Y]}
     nodal = {name: field[frame.node] for name, field in moved.items()}
     nodal |= {"area": frame.area, "edge_length": frame.edge_length} | section_forces(frame, forces) | contact
-    elements = _element_fields(problem, gauss) | {"pressure": pressure}
+    elements = _element_fields(problem, at_points) | {"pressure": pressure}
     return MeshedFields(forces, nodal, elements, surface_settlement(s, U), _press(solution))
 
 
@@ -178,9 +181,9 @@ def joint_results(model: Model, solution: Solution) -> tuple[JointResult, ...]:
     return tuple(found)
 
 
-def _element_fields(problem: Problem, gauss: Array) -> dict[str, Array]:
+def _element_fields(problem: Problem, at_points: Array) -> dict[str, Array]:
     """Return the fields at the centers of the plate's elements (mp,) but the pressure, the section's number a float."""
-    forces = dict(zip(FORCES, gauss.mean(axis=1).T, strict=True))
+    forces = dict(zip(FORCES, at_points.mean(axis=1).T, strict=True))
     fields = {**forces, "thickness": problem.plate.thickness, "section": problem.plate.section.astype(np.float64)}
     if problem.plate.cracking is not None:
         uncracked = laws(problem).B_I
@@ -189,21 +192,18 @@ def _element_fields(problem: Problem, gauss: Array) -> dict[str, Array]:
     return fields
 
 
-def gauss_forces(problem: Problem, U: Array, frame: ResultMesh) -> Array:
-    """Return m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at the 2 x 2 Gauss points of the plate's elements, (mp, 4, 5).
+def own_forces(problem: Problem, U: Array, points: Array) -> Array:
+    """Return m_x, m_y, m_xy [N m/m], q_x, q_y [N/m] at points (p, 2) of the plate's elements, (mp, p, 5).
 
-    Their mean over an element, in which nothing is averaged between elements, is their value at its center.
+    The elements' own, of which nothing is averaged between them; the curvature that they would take freely makes no
+    moments. The mean over the 2 x 2 Gauss points is the value at the center.
     """
-    forces = apply(frame.matrices, frame.kind, plate_unknowns(problem, U)).reshape(-1, 4, 5)
-    forces[..., :3] += free_moments(problem)[:, None]
+    sheet, elements = problem.plate, problem.mesh.elements
+    D, S, u = sheet.bending[sheet.rigidity], sheet.shear[sheet.rigidity], plate_unknowns(problem, U)
+    xy, halves = problem.mesh.nodes[elements[sheet.elements]], find_halves(elements)[sheet.elements]
+    forces = plate.section_forces(sheet.element, points, xy, D, S, u, halves)
+    forces[..., :3] += np.einsum("eij,ej->ei", D[:, :, :2], problem.loading.free_curvature)[:, None]
     return forces
-
-
-def free_moments(problem: Problem) -> Array:
-    """Return what the curvature that elements would take freely takes off the moments, (mp, 3) [N m/m]."""
-    D = problem.plate.bending[problem.plate.rigidity][:, :, :2]
-    moments: Array = np.einsum("eij,ej->ei", D, problem.loading.free_curvature)
-    return moments
 
 
 def section_forces(frame: ResultMesh, forces: Array) -> dict[str, Array]:

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.fem import plate
-from groundslab.fem.assembly import find_congruent
-from groundslab.fem.hanging import find_halves, find_hanging
+from groundslab.fem.hanging import find_hanging
 from groundslab.fem.load_vectors import nodal_area
 from groundslab.fem.mesh import SIDES, Mesh, bounding_boxes, locate, mirror, renumber_by_rows, sides_along
 from groundslab.fem.problem import Problem
@@ -113,8 +111,6 @@ class ResultMesh:
     edge_length: Array  # (k,) [m]: share of the edge's length of each node
     nodal_edge_length: Array  # (n,) [m]: of the nodes of the problem's mesh
     mean: Array  # (mp, 9): from nodal values to the mean over an element
-    matrices: Array  # (kinds, 20, 27): from unknowns to section forces at 2 x 2 Gauss points
-    kind: Integers  # (mp,): which of them an element has
     smooth: Integers  # (mp, 9): elements of the parts; their nodes come first in the patches
     images: tuple[tuple[int, Flags], ...]  # axes of symmetry, and the elements whose images beyond it have patches too
     patches: Patches
@@ -133,13 +129,6 @@ class ResultMesh:
             values = np.vstack([values, sign * values[copied][:, XI_TURNED]])
         return patch_recovery.recover_nodes(self.patches, values, sizes)[self.smooth]
 
-    def of(self, problem: Problem) -> ResultMesh:
-        """Return the mesh for a problem on the same mesh, whose elements may have cracked."""
-        if problem.plate.stiffness is None:
-            return self
-        matrices, kind = section_matrices(problem)
-        return replace(self, matrices=matrices, kind=kind)
-
 
 def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
     """Return the mesh for the results of a model."""
@@ -150,7 +139,6 @@ def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
     zones = sides_along(problem.mesh, elements, _borders_of_springs(model))
     mesh, node = split_by_section(problem, np.concatenate([jumps, zones]), depth)
     smooth, _ = split_by_section(problem, np.concatenate([jumps, zones, kinks]))
-    matrices, kind = section_matrices(problem)
     edges = edge_sides(problem)
     parts, points, images = smooth, q9(gauss(2)[0])[0] @ mesh.xy, list[tuple[int, Flags]]()
     for axis in (0, 1):
@@ -169,8 +157,6 @@ def make_result_mesh(model: Model, problem: Problem) -> ResultMesh:
         edge_length=edge_lengths(edges, mesh.elements, len(mesh.nodes)),
         nodal_edge_length=edge_lengths(edges, elements, len(problem.mesh.nodes)),
         mean=_means(mesh),
-        matrices=matrices,
-        kind=kind,
         smooth=smooth.elements,
         images=tuple(images),
         patches=patch_recovery.make_patches(parts.nodes, parts.elements, points),
@@ -317,18 +303,6 @@ def split_by_section(problem: Problem, creases: Integers, depth: Integers | None
         key = key + n * (key.max() // n + 1) * depth[:, None]
     keys, own = unique_integers(key)
     return Mesh(problem.mesh.nodes[keys % n], own), keys % n
-
-
-def section_matrices(problem: Problem) -> tuple[Array, Integers]:
-    """Return the matrices (kinds, 20, 27) to section forces at 2 x 2 Gauss points, and each plate element's kind."""
-    own, rigidities = problem.plate.elements, len(problem.plate.bending)
-    xy, halves = problem.mesh.nodes[problem.mesh.elements[own]], find_halves(problem.mesh.elements)[own]
-    of_halves = (halves + 1) @ 3 ** np.arange(4)
-    keys = (find_congruent(xy)[1] * rigidities + problem.plate.rigidity) * 3**4 + of_halves
-    _, first, kind = np.unique(keys, return_index=True, return_inverse=True)
-    D, S = problem.plate.bending[problem.plate.rigidity[first]], problem.plate.shear[problem.plate.rigidity[first]]
-    matrices = plate.section_matrices(problem.plate.element, gauss(2)[0], xy[first], D, S, halves[first])
-    return matrices.reshape(len(first), 20, 27), kind
 
 
 def _means(mesh: Mesh) -> Array:

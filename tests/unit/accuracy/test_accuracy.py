@@ -71,9 +71,9 @@ def test_what_elements_hold_exactly_has_no_error_in_energy() -> None:
     bend(fine, 2)
     forces = recover_fields(fine, frame).forces
     bend(fine, 5)
-    scale = energy_errors(fine, frame, recover_fields(fine, frame).forces).sum()
+    scale = energy_errors(fine, recover_fields(fine, frame).forces).sum()
     bend(fine, 2)
-    assert energy_errors(fine, frame, forces).sum() < 1e-12 * scale
+    assert energy_errors(fine, forces).sum() < 1e-12 * scale
 
 
 def test_error_in_energy_falls_with_the_elements() -> None:
