@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.accuracy.judgment import JudgedValue, judge
+from groundslab.accuracy.judgment import JudgedValue, guess, judge
 from groundslab.arrays import Array
 from groundslab.fem.shape_functions import areas
 
@@ -42,7 +42,8 @@ def find_governing(
 
     Of each quantity at each place where values are `off`, the combination with the largest error governs. So do those
     whose value may be the largest over all combinations if it is off by its error, one for each place: against these
-    errors are judged. `off` are the values whose errors are above the accuracy, the largest first, by the combination.
+    errors are judged. Where nothing tells errors they are guessed. `off` are the values whose errors are above the
+    accuracy, the largest first, by the combination.
     """
     if not results:
         return ()
@@ -68,7 +69,7 @@ def _by_size(results: Mapping[str, CombinationResult]) -> Iterator[_Candidate]:
     """Yield the values that may be the largest of all combinations, the one that may be largest first."""
     by_quantity: dict[tuple[str, int], list[tuple[float, float, _Candidate]]] = {}
     for name, found in results.items():
-        for value in judge(found):
+        for value in judge(found) or guess(found):
             size = value.sign * value.value
             candidate = _Candidate(name, (value.label, value.sign), value)
             by_quantity.setdefault(candidate.quantity, []).append((size + value.error, size, candidate))

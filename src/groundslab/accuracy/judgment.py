@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 BOTH_SIGNS = {"settlement": "displacement", "pressure": "pressure", "moment_x": "moment", "moment_y": "moment"}
 SIZES = {"gap": "displacement", "moment_xy": "moment", "shear_x": "shear", "shear_y": "shear"}
 AGAINST = BOTH_SIGNS | SIZES
+#: Errors of values on a coarse mesh, as a share of the largest, where nothing tells them.
+USUAL = 0.1
 #: The name of the share of the plate's area that touches the ground.
 CONTACT = "area in contact"
 
@@ -57,6 +59,11 @@ def judge(results: CombinationResult) -> list[JudgedValue]:
     values = ((getattr(largest, against), value) for against, value in known)
     judged = (replace(value, share=value.share / size, error=value.share) for size, value in values if size > 0)
     return sorted(judged, key=lambda value: -value.share)
+
+
+def guess(results: CombinationResult) -> list[JudgedValue]:
+    """Return the values that are judged, on a mesh with no coarser one to compare, with errors of a usual size."""
+    return [replace(value, share=0.0, error=value.share) for _, value in judged_values(results)]
 
 
 def find_largest(combinations: Collection[CombinationResult]) -> LargestValues | None:
@@ -92,40 +99,48 @@ def _largest_of(results: CombinationResult) -> LargestValues:
 
 
 def judged_values(results: CombinationResult) -> Iterator[tuple[str, JudgedValue]]:
-    """Yield each judged value of results with a coarser mesh, with its error [SI] as the share, and against what.
+    """Yield each judged value of results, with its error [SI] as the share, and against what.
 
     The places of extremes are those where they may lie if nodal values have their errors, see `error_of_largest`.
+    Without a coarser mesh these are USUAL.
     """
     from groundslab.accuracy.singularities import find_limits
 
     plate, coarser, comparison = results.plate, results.coarser, results.comparison
-    assert coarser is not None
-    assert comparison is not None
     limits = find_limits(results.solved_model, plate)
     judged_at = {"pressure": limits.pressures, "shear_x": limits.shear_forces, "shear_y": limits.shear_forces}
     for name, against in AGAINST.items():
         nodes = judged_at.get(name, np.ones(len(plate.nodes), dtype=bool))
         for sign in (1, -1) if name in BOTH_SIGNS else (1,):
             if nodes.any():
-                yield against, _extreme(name, sign, nodes, (results, coarser))
+                yield against, _extreme(name, sign, nodes, results, coarser)
     error, around = error_of_contact_share(results) or 0.0, plate.nodes[line_of_lift_off(plate)]
     yield "share", JudgedValue(error, plate.contact_share, CONTACT, None, around)
-    for support, before in zip(results.supports, coarser.supports, strict=True):
-        error = estimate_error(support.total, before.total, comparison)
+    for number, support in enumerate(results.supports):
+        error = USUAL * abs(support.total)
+        if coarser is not None and comparison is not None:
+            error = estimate_error(support.total, coarser.supports[number].total, comparison)
         middle = place_of(support.nodes.mean(axis=0)[None], 0) if len(support.nodes) else None
         yield "support", JudgedValue(error, support.total, "force of supports", middle)
 
 
-def _extreme(name: str, sign: int, judged: Flags, meshes: tuple[CombinationResult, CombinationResult]) -> JudgedValue:
+def _extreme(
+    name: str, sign: int, judged: Flags, results: CombinationResult, coarser: CombinationResult | None
+) -> JudgedValue:
     """Return the largest (sign 1) or smallest value of a field at judged nodes (n,), or the largest of its sizes.
 
-    meshes are the results on the finer mesh and those on the coarser one.
+    coarser are the results on the coarser mesh, if there is one.
     """
-    finer = meshes[0]
-    nodes = finer.plate.nodes[judged]
-    values, before = (getattr(results.plate, name)[judged] for results in meshes)
-    values, before = (np.abs(values), np.abs(before)) if name in SIZES else (sign * values, sign * before)
-    most = add_errors(finer, name, values, before, judged)
+
+    def of(mesh: CombinationResult) -> Array:
+        own: Array = getattr(mesh.plate, name)[judged]
+        return np.abs(own) if name in SIZES else sign * own
+
+    nodes, values = results.plate.nodes[judged], of(results)
+    if coarser is None:
+        most = values + USUAL * np.abs(values).max()
+    else:
+        most = add_errors(results, name, values, of(coarser), judged)
     node = extreme_node(nodes, most, 1)
     value = float(values.max())
     error = float(most[node]) - value

@@ -14,7 +14,8 @@ from groundslab.accuracy.judgment import AGAINST, CONTACT, JudgedValue, judge, j
 from groundslab.accuracy.values import OF_THE_WHOLE
 from groundslab.arrays import Array
 from groundslab.discretize.local_sizes import local_sizes
-from groundslab.discretize.plan_layout import Meshes
+from groundslab.discretize.plan_layout import Meshes, has_coarser
+from groundslab.discretize.symmetry import symmetries
 from groundslab.fem.mesh import Mesh
 from groundslab.fem.shape_functions import areas
 from groundslab.meshing.sizing import Sources, join
@@ -26,8 +27,10 @@ from groundslab.results.record import MeshEnd, MeshHistory
 from groundslab.results.results import CombinationResult, Results
 
 Kept = TypeVar("Kept")
-#: Solves the combinations of some names on one mesh, and returns the results of all that were solved on it.
-Analysis = Callable[[Collection[str]], Results]
+
+#: Solves the combinations of some names on one mesh, and returns the results of all that were solved on it; or, as a
+#: draft, on the next coarser one alone.
+Analysis = Callable[[Collection[str], bool], Results]
 
 #: So many meshes are made at most,
 MOST_MESHES = 5
@@ -68,26 +71,37 @@ def solve_adaptively(
     one is the only one. `begin` returns what solves combinations on some meshes; what it returns beside that is
     returned with the last results.
 
-    On the first mesh all combinations are solved, on further ones those that govern. Where these end the refinement,
-    the others are solved on the same mesh; if one of them is off, it goes on. on_mesh is called with the results on
-    each mesh on which all are solved before the next one is made; another call may start from them.
+    Of several combinations all are solved on a coarse mesh, whose errors nothing tells; on further ones those that
+    govern. Where these end the refinement, the others are solved on the same mesh; if one of them is off, it goes on.
+    on_mesh is called with the results on each mesh on which all are solved before the next one is made; another call
+    may start from them.
     """
     given, names = local_sizes(model), [combination.name for combination in list_combinations(model)]
+    several = model.mesh.adaptive and len(names) > 1 and has_coarser(model, symmetries(model))
     if start is None:
         analysis, kept = begin(Meshes(local=given))
-        results = analysis(names)
+        results = analysis(names, several)
     else:
         results, kept = start
     if not model.mesh.adaptive:
         return results, kept
-    course = _follow(results, model.mesh, share, len(names))
+    course = _follow(results, model.mesh, share, len(names), int(several))
+    if several and not any(found.comparison for found in results.values()):
+        course.latest |= results
+        if start is not None:
+            analysis, kept = begin(Meshes(local=given))
+        elif on_mesh is not None:
+            on_mesh(course.label(results))
+        governing = find_governing(results, {}) or tuple(names)
+        results = analysis(governing, False)
+        course.count(results)
     while True:
         complete, off = len(results.combinations) == len(names), course.judge(results)
         finer = course.next_sizes(results, off)
         if finer is None and complete:
             return course.label(results), kept
         if finer is None:
-            results = analysis(names)
+            results = analysis(names, False)
             continue
         if complete:
             governing = find_governing(results, off)
@@ -95,8 +109,8 @@ def solve_adaptively(
                 on_mesh(course.label(results))
         course.before |= course.now
         analysis, kept = begin(Meshes(local=join(finer, given)))
-        results = analysis(governing)
-        course.made = (*course.made, *(found.unknowns for found in list(results.values())[:1]))
+        results = analysis(governing, False)
+        course.count(results)
 
 
 @dataclass(slots=True)
@@ -106,12 +120,17 @@ class _Course:
     wanted: Wanted
     accuracy: float
     combinations: int
+    drafts: int  # how many of the meshes were made without errors
     made: tuple[int, ...]  # unknowns of the meshes
     before: dict[str, dict[str, float]]  # errors on the meshes before the last that each combination had
     now: dict[str, dict[str, float]] = field(default_factory=dict)  # errors on the last one
     latest: dict[str, CombinationResult] = field(default_factory=dict)  # of every combination, on the last mesh it had
     end: MeshEnd = "provisional"
     needed: int | None = None
+
+    def count(self, results: Results) -> None:
+        """Count another mesh, that of some results."""
+        self.made = (*self.made, *(found.unknowns for found in list(results.values())[:1]))
 
     def judge(self, results: Results) -> dict[str, list[JudgedValue]]:
         """Return the errors on a mesh that are too large and may still fall, the largest first, by the combination."""
@@ -130,13 +149,13 @@ class _Course:
         On the first mesh, which may be coarser than footprints, no error says how it falls.
         """
         before = self.before.get(name, {}).get(value.label, np.inf)
-        return value.share > self.accuracy and (len(self.made) < 3 or value.share <= PROGRESS * before)
+        return value.share > self.accuracy and (len(self.made) < 3 + self.drafts or value.share <= PROGRESS * before)
 
     def next_sizes(self, results: Results, off: dict[str, list[JudgedValue]]) -> Sources | None:
         """Return places and sizes of elements of the next mesh, None if there is to be none."""
         if not off:
             return None
-        if len(self.made) == MOST_MESHES:
+        if len(self.made) == MOST_MESHES + self.drafts:
             self.end = "most meshes"
             return None
         demands = [_demand(results[name], found, self.accuracy) for name, found in off.items()]
@@ -163,12 +182,12 @@ class _Course:
         return replace(results, results=known)
 
 
-def _follow(results: Results, wanted: Wanted, share: float, combinations: int) -> _Course:
+def _follow(results: Results, wanted: Wanted, share: float, combinations: int, drafts: int) -> _Course:
     """Return the course of the meshes up to that of results, which may be the first."""
     histories = {name: found.mesh_history or MeshHistory((found.unknowns,)) for name, found in results.items()}
     made = next((each.unknowns for each in histories.values()), ())
     before = {name: dict(each.before) for name, each in histories.items()}
-    return _Course(wanted, share * wanted.largest_error, combinations, made, before)
+    return _Course(wanted, share * wanted.largest_error, combinations, drafts, made, before)
 
 
 def _demand(results: CombinationResult, judged: list[JudgedValue], accuracy: float) -> Array:

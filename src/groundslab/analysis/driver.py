@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
-from functools import partial
 from typing import Any
 
 from groundslab.accuracy.judgment import judge_together
@@ -114,7 +113,7 @@ def solve_combinations(
     solved_model = as_solved(local)
 
     def begin(meshes: Meshes) -> tuple[Analysis, None]:
-        return partial(analyze, local, Setting(solved_model, meshes), _report(on_step, on_combination)), None
+        return _analysis(local, Setting(solved_model, meshes), _report(on_step, on_combination)), None
 
     def report_mesh(results: Results) -> None:
         if on_mesh is not None:
@@ -159,7 +158,7 @@ class Variants:
 
         def begin(meshes: Meshes) -> tuple[Analysis, ReferenceSolutions]:
             reference = ReferenceSolutions(meshes)
-            return partial(analyze, local, Setting(solved_model, meshes, reference), _report()), reference
+            return _analysis(local, Setting(solved_model, meshes, reference), _report()), reference
 
         results, self._reference = solve_adaptively(solved_model, begin, BASE_SHARE)
         #: The results of the base case, whose mesh all variants have.
@@ -180,6 +179,16 @@ class Variants:
         local = move_to_center(model)
         setting = Setting(as_solved(local), self._reference.meshes, self._reference, _about(local.origin, factors))
         return move_back(analyze(local, setting, _report(on_step)), model)
+
+
+def _analysis(model: Model, setting: Setting, report: Report) -> Analysis:
+    """Return what solves the combinations of some names on the meshes of a setting."""
+
+    def solve_named(names: Collection[str], draft: bool) -> Results:
+        own = replace(setting, outcomes={}, draft=True) if draft else setting
+        return analyze(model, own, report, names)
+
+    return solve_named
 
 
 def analyze(model: Model, setting: Setting, report: Report, names: Collection[str] | None = None) -> Results:

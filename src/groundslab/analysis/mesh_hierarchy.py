@@ -51,7 +51,10 @@ class Level:
     cached: tuple[Model, ResultMesh] | None = None  # the mesh of results, and a model that has it
     prolongation: Prolongation | None = None  # from the mesh of results of the next coarser mesh to its own
     zones: list[tuple[Integers, Integers]] = field(default_factory=list)  # found: states on the coarser mesh, and here
-    latest: list[Solution] = field(default_factory=list)  # on the coarsest mesh, for each load increment
+    #: Factors of the cases and solutions of combinations from which others on the same mesh start, the coarsest one.
+    starts: list[tuple[Array, list[Solution]]] = field(default_factory=list)
+    #: Solutions that were found before those on finer meshes, by the factors of the cases; each is taken once.
+    drafts: dict[bytes, list[Solution]] = field(default_factory=dict)
 
     def stiffness(self, column: Column, gamma: float | None) -> Symmetric:
         """Return the matrix for the column that belongs to a gamma; the latest one is cached."""
@@ -96,11 +99,16 @@ class Level:
         rank, state = min(known, key=lambda each: each[0], default=(np.inf, None))
         return None if state is None or rank > ALIKE else state.astype(np.int64)
 
+    def start(self, factors: Array) -> list[Solution]:
+        """Return the solutions of the combination whose factors (cases,) are nearest, none if there is none yet."""
+        return min(self.starts, key=lambda each: float(np.abs(each[0] - factors).sum()), default=(factors, []))[1]
+
     def clone(self) -> Level:
         """Return the same level with an analysis and a factor of its own, for use on another thread."""
         own = make_factorization(self.solver, self.system)
         on_continuum = None if self.on_continuum is None else replace(self.on_continuum, factorization=own)
-        return replace(self, factorization=own, on_continuum=on_continuum, coarser_plate=None, zones=[*self.zones])
+        kept = {"zones": [*self.zones], "starts": [*self.starts]}
+        return replace(self, factorization=own, on_continuum=on_continuum, coarser_plate=None, **kept)
 
 
 def make_factorization(solver: Solver, s: System) -> CachedFactorization:
@@ -163,6 +171,10 @@ class MeshHierarchy:
         if self.reference is not None and not self.reference.closed:
             self.reference.levels[coarsening, self.margin] = level
         return level
+
+    def draft(self) -> MeshHierarchy:
+        """Return the same meshes up to the next coarser one."""
+        return replace(self, finest=self.finest + 1, coarsenings=None)
 
     def clone(self) -> MeshHierarchy:
         """Return the same hierarchy with factors of its own, for use on another thread."""

@@ -34,7 +34,7 @@ def solve_nested(
 ) -> dict[int, list[Solution]]:
     """Return the solution of each load increment on each of the meshes, by how often it is coarsened.
 
-    That on the finest mesh is reached from the coarsest one upwards, where the combination solved before is the start;
+    That on the finest mesh is reached from the coarsest one upwards, where the nearest combination is the start;
     or it starts from that of a similar model, if that converges. On coarser meshes there may be none. factors (cases,)
     are those of the combination.
     """
@@ -48,23 +48,26 @@ def solve_nested(
                 return {hierarchy.finest: _solve_increments(_full_load(model, s, level, report, True), model, start)}
     coarsenings = _coarsenings(hierarchy)
     coarsest_level = hierarchy.level(coarsenings[0])
-    start = coarsest_level.latest
+    start = coarsest_level.start(factors)
     for coarsening in coarsenings:
         level = hierarchy.level(coarsening)
-        if coarsening == hierarchy.finest:
+        if known := level.drafts.pop(factors.tobytes(), None):
+            start = known
+        elif coarsening == hierarchy.finest:
             start = _solve_finest(model, _load_system(level, factors), level, start, report, before)
         else:
             # without equilibrium or convergence on a coarse mesh the next mesh has no start
-            known, start = start, []
+            coarser, start = start, []
             with suppress(NoEquilibrium, NotConverged, SingularMatrix):
                 on_step = report if model.analysis.nested else _ignore
                 s = _load_system(level, factors)
                 step = _full_load(model, s, level, on_step, False)
-                start = _solve_increments(replace(step, coarser=before), model, known)
+                start = _solve_increments(replace(step, coarser=before), model, coarser)
         found[coarsening] = start
         before = None if level.system.problem.elastic is None else level
     hierarchy.store(combination, start)
-    coarsest_level.latest = found[coarsenings[0]] or coarsest_level.latest
+    if coarsenings[0] > 0 and found[coarsenings[0]]:
+        coarsest_level.starts.append((factors, found[coarsenings[0]]))
     return found
 
 

@@ -48,6 +48,8 @@ class Setting:
         Meshes with what was made on them, for further tasks.
     outcomes : dict
         Outcomes of the tasks that are done.
+    draft : bool
+        Whether they are solved on the next coarser mesh alone, whose solutions those on the finest one then start from.
     """
 
     model: Model
@@ -56,6 +58,7 @@ class Setting:
     factors: Factors | None = None
     grounds: Grounds = field(default_factory=dict)
     outcomes: dict[Task, Outcome] = field(default_factory=dict)
+    draft: bool = False
 
 
 def run(tasks: Mapping[Task, Combination], setting: Setting, report: Report) -> Iterator[Outcome]:
@@ -63,6 +66,8 @@ def run(tasks: Mapping[Task, Combination], setting: Setting, report: Report) -> 
     name, solver = factorization.choose(setting.model.analysis.solver)
     factorization.warm_up(solver)
     grounds = _prepare_grounds(tasks, setting, solver)
+    if setting.draft:
+        grounds = {lasting: [finest.draft()] for lasting, (finest, *_) in grounds.items()}
     lanes = _count_lanes(tasks, grounds, solver)
     jobs = [partial(_solve, task, combination, setting.model, name) for task, combination in tasks.items()]
     if lanes == 1:
@@ -113,7 +118,7 @@ def _count_lanes(tasks: Mapping[Task, Combination], grounds: Grounds, solver: So
         return 1
     lanes = min(MAX_LANES, factorization.threads(solver), len(tasks))
     finest = grounds[next(iter(tasks)).lasting][0]
-    if lanes > 1 and finest.level(0).system.pattern.size > MAX_PARALLEL_UNKNOWNS:
+    if lanes > 1 and finest.level(finest.finest).system.pattern.size > MAX_PARALLEL_UNKNOWNS:
         return 1
     return lanes
 
@@ -127,7 +132,7 @@ def _make_what_lanes_share(tasks: Mapping[Task, Combination], model: Model, grou
         for hierarchy in margins if ends_in_tails(model) else []:
             if hierarchy.margin > 1 or hierarchy.finest not in finest.levels:
                 hierarchy.level(hierarchy.finest)
-        for coarsening in {0, 1} & finest.levels.keys():
+        for coarsening in {finest.finest, finest.finest + 1} & finest.levels.keys():
             finest.level(coarsening).result_mesh(model)
 
 

@@ -84,6 +84,8 @@ def solve_task(
     try:
         found = solve_nested(finest, combination.name, factors, report)
         effect = None
+        if finest.finest > 0:
+            finest.level(finest.finest).drafts[factors.tobytes()] = found[finest.finest]
         if margins and ends_in_tails(model):
             effect = margin_effect(margins, combination.name, factors, found)
         *earlier, solution = found[finest.finest]
@@ -114,7 +116,7 @@ def _recover(model: Model, combination: Combination, finest: MeshHierarchy, solv
     """Return fields, forces, errors and certificate of what was solved."""
     solution = solved.solution
     effect = solved.margin_effect
-    frame = finest.result_mesh(solution, 0)
+    frame = finest.result_mesh(solution, finest.finest)
     before = _with_load_shares(solved.earlier)
     proof = worst([certificate(solution, effect), *(certificate(state, effect) for _, state in before)])
     increments = tuple(Increment(share, *expand(recover_fields(state, frame), frame)) for share, state in before)

@@ -122,7 +122,7 @@ def provisional_words(combined: Results) -> str:
     first, worst = next(iter(combined.values())), _worst(combined)
     assert first.mesh_history is not None
     number, asked = len(first.mesh_history.unknowns), f"{100 * combined.model.mesh.largest_error:g} % asked for"
-    error = "" if worst is None else f": largest error {100 * worst.share:.2g} % ({worst.label}), {asked}"
+    error = f": largest error {100 * worst.share:.2g} % ({worst.label}), {asked}" if worst else "; its errors come then"
     return f"Provisional: mesh {number} ({first.unknowns:,} unknowns) is still to be refined{error}."
 
 
