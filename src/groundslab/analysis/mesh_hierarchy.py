@@ -107,8 +107,8 @@ class Level:
         """Return the same level with an analysis and a factor of its own, for use on another thread."""
         own = make_factorization(self.solver, self.system)
         on_continuum = None if self.on_continuum is None else replace(self.on_continuum, factorization=own)
-        kept = {"zones": [*self.zones], "starts": [*self.starts]}
-        return replace(self, factorization=own, on_continuum=on_continuum, coarser_plate=None, **kept)
+        copied = replace(self, zones=[*self.zones], starts=[*self.starts])
+        return replace(copied, factorization=own, on_continuum=on_continuum, coarser_plate=None)
 
 
 def make_factorization(solver: Solver, s: System) -> CachedFactorization:
