@@ -112,8 +112,12 @@ def solve_combinations(
     local = move_to_center(model)
     solved_model = as_solved(local)
 
+    setting = Setting(solved_model, Meshes())
+
     def begin(meshes: Meshes) -> tuple[Analysis, None]:
-        return _analysis(local, Setting(solved_model, meshes), _report(on_step, on_combination)), None
+        nonlocal setting
+        setting = Setting(solved_model, meshes, earlier=setting.solved())
+        return _analysis(local, setting, _report(on_step, on_combination)), None
 
     def report_mesh(results: Results) -> None:
         if on_mesh is not None:

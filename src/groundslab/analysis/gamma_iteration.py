@@ -50,9 +50,8 @@ class _ContactIteration:
             alike = start.system is step.system or problem.plate.stiffness is not None
             state, self.near = start.contact.state, start.contact.u if alike else None
         elif start is not None and len(problem.contact.bearing.law):
-            if step.level.locations is None:
-                step.level.locations = warm_start.locate_nodes(start.system.problem, problem)
-            state, self.expected = warm_start.from_coarser(start, problem, step.level.locations)
+            located = step.level.locations_in(start.system.problem)
+            state, self.expected = warm_start.from_coarser(start, problem, located)
             self.coarser = start.contact.state.astype(np.int8)
         # the start may have yielded at a limit that there is no longer
         self.state = np.where((state == YIELDING) & np.isinf(self.law.limit_force), CLOSED, state)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 
@@ -13,6 +14,8 @@ from groundslab.discretize.discretize import discretize
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes
 from groundslab.fem.foundation import Column
+from groundslab.fem.mesh import Mesh
+from groundslab.fem.problem import Problem
 from groundslab.fem.sparse import Symmetric
 from groundslab.fem.system import System, build_system, stiffness
 from groundslab.model.model import Model
@@ -34,6 +37,19 @@ ALIKE = 6
 RESULT_MESH_SECTIONS = ("plate", "plates", "supports", "columns", "loads")
 
 
+@dataclass(frozen=True, slots=True)
+class Solved:
+    """Solutions of a combination on one mesh, one for each load increment."""
+
+    factors: Array  # (cases,)
+    solutions: list[Solution]
+
+    @property
+    def key(self) -> bytes:
+        """The factors as a key."""
+        return self.factors.tobytes()
+
+
 @dataclass(slots=True)
 class Level:
     """One of the nested meshes, with everything that the combinations share on it."""
@@ -43,7 +59,7 @@ class Level:
     solver: Solver
     factorization: CachedFactorization
     matrix: tuple[float | None, Symmetric] | None = None  # the latest one, and the gamma that it belongs to
-    locations: warm_start.NodeLocations | None = None  # of its nodes in the next coarser mesh
+    located: tuple[Mesh, warm_start.NodeLocations] | None = None  # its nodes in another mesh, which is given first
     rigid: Array | None = None  # the plate's rigid motions
     column: Column | None = None  # of the ground, for the first gamma
     on_continuum: PlateOnContinuum | None = None  # with its factor, on an elastic continuum
@@ -51,10 +67,9 @@ class Level:
     cached: tuple[Model, ResultMesh] | None = None  # the mesh of results, and a model that has it
     prolongation: Prolongation | None = None  # from the mesh of results of the next coarser mesh to its own
     zones: list[tuple[Integers, Integers]] = field(default_factory=list)  # found: states on the coarser mesh, and here
-    #: Factors of the cases and solutions of combinations from which others on the same mesh start, the coarsest one.
-    starts: list[tuple[Array, list[Solution]]] = field(default_factory=list)
-    #: Solutions that were found before those on finer meshes, by the factors of the cases; each is taken once.
-    drafts: dict[bytes, list[Solution]] = field(default_factory=dict)
+    #: What was solved on the coarsest mesh by this thread, from which it starts others, and by all threads together.
+    starts: list[Solved] = field(default_factory=list)
+    solved: dict[bytes, Solved] = field(default_factory=dict)
 
     def stiffness(self, column: Column, gamma: float | None) -> Symmetric:
         """Return the matrix for the column that belongs to a gamma; the latest one is cached."""
@@ -95,13 +110,16 @@ class Level:
 
     def zone_like(self, coarser: Integers) -> Integers | None:
         """Return the states (c,) found for a combination whose states on the coarser mesh hardly differ, if any."""
-        known = [(np.count_nonzero(before != coarser), after) for before, after in self.zones]
+        alike = [(before, after) for before, after in self.zones if len(before) == len(coarser)]
+        known = [(np.count_nonzero(before != coarser), after) for before, after in alike]
         rank, state = min(known, key=lambda each: each[0], default=(np.inf, None))
         return None if state is None or rank > ALIKE else state.astype(np.int64)
 
-    def start(self, factors: Array) -> list[Solution]:
-        """Return the solutions of the combination whose factors (cases,) are nearest, none if there is none yet."""
-        return min(self.starts, key=lambda each: float(np.abs(each[0] - factors).sum()), default=(factors, []))[1]
+    def locations_in(self, other: Problem) -> warm_start.NodeLocations:
+        """Return where its nodes lie in the mesh of another problem."""
+        if self.located is None or self.located[0] is not other.mesh:
+            self.located = other.mesh, warm_start.locate_nodes(other, self.system.problem)
+        return self.located[1]
 
     def clone(self) -> Level:
         """Return the same level with an analysis and a factor of its own, for use on another thread."""
@@ -148,6 +166,19 @@ class MeshHierarchy:
     reference: ReferenceSolutions | None = None  # of a similar model
     levels: dict[int, Level] = field(default_factory=dict)
     coarsenings: list[int] | None = None  # how often each of the meshes is coarsened, once that is known
+    earlier: Sequence[Solved] = ()  # on the coarsest of the meshes before these
+
+    def start(self, level: Level, factors: Array) -> list[Solution]:
+        """Return the solutions from which a combination of some factors (cases,) starts on the coarsest level."""
+        known = [*self.earlier, *level.starts]
+        nearest = min(known, key=lambda each: float(np.abs(each.factors - factors).sum()), default=None)
+        return [] if nearest is None else nearest.solutions
+
+    def solved(self) -> list[Solved]:
+        """Return what was solved on the coarsest mesh, in an order that no thread changes."""
+        coarsest = max(self.levels, default=None)
+        found = {} if coarsest is None else self.levels[coarsest].solved
+        return [found[key] for key in sorted(found)]
 
     def level(self, coarsening: int) -> Level:
         """Return one of the meshes with its system.
@@ -163,7 +194,7 @@ class MeshHierarchy:
         problem = discretize(self.model, coarsening, self.margin, self.meshes, self.factors, earlier)
         s = build_system(problem, None if like is None else like.system)
         if like is not None and s.pattern is like.system.pattern:
-            level = Level(self.model, s, self.solver, like.factorization, locations=like.locations, cached=like.cached)
+            level = Level(self.model, s, self.solver, like.factorization, located=like.located, cached=like.cached)
         else:
             level = Level(self.model, s, self.solver, make_factorization(self.solver, s))
         if self.keep:

@@ -10,7 +10,7 @@ import numpy as np
 
 from groundslab.analysis.gamma_iteration import solve_load_step
 from groundslab.analysis.load_step import LoadStep, OnStep
-from groundslab.analysis.mesh_hierarchy import Level, MeshHierarchy
+from groundslab.analysis.mesh_hierarchy import Level, MeshHierarchy, Solved
 from groundslab.arrays import Array
 from groundslab.discretize.plan_layout import coarsest, has_coarser
 from groundslab.discretize.symmetry import symmetries
@@ -34,9 +34,9 @@ def solve_nested(
 ) -> dict[int, list[Solution]]:
     """Return the solution of each load increment on each of the meshes, by how often it is coarsened.
 
-    That on the finest mesh is reached from the coarsest one upwards, where the nearest combination is the start;
-    or it starts from that of a similar model, if that converges. On coarser meshes there may be none. factors (cases,)
-    are those of the combination.
+    That on the finest mesh is reached from the coarsest one upwards, which starts from the nearest combination of those
+    solved before, on this mesh or on the one made before; or it starts from that of a similar model, if that converges.
+    On coarser meshes there may be none. factors (cases,) are those of the combination.
     """
     model, found, before = hierarchy.model, dict[int, list[Solution]](), None
     if hierarchy.has_reference(combination):
@@ -48,11 +48,12 @@ def solve_nested(
                 return {hierarchy.finest: _solve_increments(_full_load(model, s, level, report, True), model, start)}
     coarsenings = _coarsenings(hierarchy)
     coarsest_level = hierarchy.level(coarsenings[0])
-    start = coarsest_level.start(factors)
+    start = hierarchy.start(coarsest_level, factors)
     for coarsening in coarsenings:
         level = hierarchy.level(coarsening)
-        if known := level.drafts.pop(factors.tobytes(), None):
-            start = known
+        known = level.solved.get(factors.tobytes())
+        if known is not None:
+            start = known.solutions
         elif coarsening == hierarchy.finest:
             start = _solve_finest(model, _load_system(level, factors), level, start, report, before)
         else:
@@ -67,7 +68,9 @@ def solve_nested(
         before = None if level.system.problem.elastic is None else level
     hierarchy.store(combination, start)
     if coarsenings[0] > 0 and found[coarsenings[0]]:
-        coarsest_level.starts.append((factors, found[coarsenings[0]]))
+        own = Solved(factors, found[coarsenings[0]])
+        coarsest_level.starts.append(own)
+        coarsest_level.solved[own.key] = own
     return found
 
 

@@ -6,13 +6,14 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 
-from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions
+from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions, Solved
 from groundslab.analysis.nested import HALVINGS, required_coarsenings
 from groundslab.analysis.tasks.parallel import run_parallel
 from groundslab.analysis.tasks.task import Outcome, Task, ends_in_tails, solve_task
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes, coarsest
 from groundslab.model.combinations import list_combinations
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.record import Step
@@ -48,6 +49,8 @@ class Setting:
         Meshes with what was made on them, for further tasks.
     outcomes : dict
         Outcomes of the tasks that are done.
+    earlier : dict
+        What was solved on the coarsest of the meshes before, by the ground.
     draft : bool
         Whether they are solved on the next coarser mesh alone, whose solutions those on the finest one then start from.
     """
@@ -58,7 +61,14 @@ class Setting:
     factors: Factors | None = None
     grounds: Grounds = field(default_factory=dict)
     outcomes: dict[Task, Outcome] = field(default_factory=dict)
+    earlier: dict[bool, list[Solved]] = field(default_factory=dict)
     draft: bool = False
+
+    def solved(self) -> dict[bool, list[Solved]]:
+        """Return what was solved on the coarsest mesh, from which combinations start on the next meshes."""
+        if isinstance(self.model.ground, ContinuousGround):
+            return {}
+        return {lasting: finest.solved() for lasting, (finest, *_) in self.grounds.items()}
 
 
 def run(tasks: Mapping[Task, Combination], setting: Setting, report: Report) -> Iterator[Outcome]:
@@ -109,6 +119,7 @@ def _prepare_grounds(tasks: Iterable[Task], setting: Setting, solver: Solver) ->
     for lasting in {task.lasting for task in tasks} - setting.grounds.keys():
         ground = (model.with_lasting_ground(), None) if lasting else (model, setting.reference)
         setting.grounds[lasting] = hierarchies(*ground)
+        setting.grounds[lasting][0].earlier = setting.earlier.get(lasting, ())
     return setting.grounds
 
 

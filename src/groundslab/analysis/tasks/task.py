@@ -84,8 +84,6 @@ def solve_task(
     try:
         found = solve_nested(finest, combination.name, factors, report)
         effect = None
-        if finest.finest > 0:
-            finest.level(finest.finest).drafts[factors.tobytes()] = found[finest.finest]
         if margins and ends_in_tails(model):
             effect = margin_effect(margins, combination.name, factors, found)
         *earlier, solution = found[finest.finest]
