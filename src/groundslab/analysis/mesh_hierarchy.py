@@ -44,11 +44,6 @@ class Solved:
     factors: Array  # (cases,)
     solutions: list[Solution]
 
-    @property
-    def key(self) -> bytes:
-        """The factors as a key."""
-        return self.factors.tobytes()
-
 
 @dataclass(slots=True)
 class Level:
@@ -114,6 +109,11 @@ class Level:
         known = [(np.count_nonzero(before != coarser), after) for before, after in alike]
         rank, state = min(known, key=lambda each: each[0], default=(np.inf, None))
         return None if state is None or rank > ALIKE else state.astype(np.int64)
+
+    def add(self, solved: Solved) -> None:
+        """Keep what was solved on the coarsest mesh."""
+        self.starts.append(solved)
+        self.solved[solved.factors.tobytes()] = solved
 
     def locations_in(self, other: Problem) -> warm_start.NodeLocations:
         """Return where its nodes lie in the mesh of another problem."""

@@ -46,11 +46,10 @@ def solve_nested(
         if start:
             with suppress(NotConverged, SingularMatrix):
                 return {hierarchy.finest: _solve_increments(_full_load(model, s, level, report, True), model, start)}
-    coarsenings = _coarsenings(hierarchy)
-    coarsest_level = hierarchy.level(coarsenings[0])
-    start = hierarchy.start(coarsest_level, factors)
-    for coarsening in coarsenings:
+    start = list[Solution]()
+    for coarsening in _coarsenings(hierarchy):
         level = hierarchy.level(coarsening)
+        start = start if found else hierarchy.start(level, factors)
         known = level.solved.get(factors.tobytes())
         if known is not None:
             start = known.solutions
@@ -65,12 +64,10 @@ def solve_nested(
                 step = _full_load(model, s, level, on_step, False)
                 start = _solve_increments(replace(step, coarser=before), model, coarser)
         found[coarsening] = start
+        if start and len(found) == 1 and coarsening > 0:
+            level.add(Solved(factors, start))
         before = None if level.system.problem.elastic is None else level
     hierarchy.store(combination, start)
-    if coarsenings[0] > 0 and found[coarsenings[0]]:
-        own = Solved(factors, found[coarsenings[0]])
-        coarsest_level.starts.append(own)
-        coarsest_level.solved[own.key] = own
     return found
 
 
