@@ -20,6 +20,7 @@ from groundslab.fem.mesh import Mesh
 from groundslab.fem.shape_functions import areas
 from groundslab.meshing.sizing import Sources, join
 from groundslab.model.combinations import list_combinations
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.model import Model
 from groundslab.model.settings import Mesh as Wanted
 from groundslab.results.fields import PLATE_FIELDS
@@ -71,22 +72,22 @@ def solve_adaptively(
     one is the only one. `begin` returns what solves combinations on some meshes; what it returns beside that is
     returned with the last results.
 
-    Of several combinations all are solved on a coarse mesh, whose errors nothing tells; on further ones those that
-    govern. Where these end the refinement, the others are solved on the same mesh; if one of them is off, it goes on.
-    on_mesh is called with the results on each mesh on which all are solved before the next one is made; another call
-    may start from them.
+    Of several combinations all are solved on a coarse mesh first, whose errors nothing tells; on further ones those
+    that govern. Where these end the refinement, the others are solved on the same mesh; if one of them is off, it goes
+    on. on_mesh is called with the results on each mesh on which all are solved before the next one is made; another
+    call may start from them.
     """
     given, names = local_sizes(model), [combination.name for combination in list_combinations(model)]
-    several = model.mesh.adaptive and len(names) > 1 and has_coarser(model, symmetries(model))
+    drafted = _has_draft(model, len(names))
     if start is None:
         analysis, kept = begin(Meshes(local=given))
-        results = analysis(names, several)
+        results = analysis(names, drafted)
     else:
         results, kept = start
     if not model.mesh.adaptive:
         return results, kept
-    course = _follow(results, model.mesh, share, len(names), int(several))
-    if several and not any(found.comparison for found in results.values()):
+    course = _follow(results, model.mesh, share, len(names), int(drafted))
+    if drafted and not any(found.comparison for found in results.values()):
         course.latest |= results
         if start is not None:
             analysis, kept = begin(Meshes(local=given))
@@ -111,6 +112,12 @@ def solve_adaptively(
         analysis, kept = begin(Meshes(local=join(finer, given)))
         results = analysis(governing, False)
         course.count(results)
+
+
+def _has_draft(model: Model, combinations: int) -> bool:
+    """Return whether so many combinations are solved on a coarse mesh first; those on a continuum have one anyway."""
+    several = model.mesh.adaptive and combinations > 1 and not isinstance(model.ground, ContinuousGround)
+    return several and has_coarser(model, symmetries(model))
 
 
 @dataclass(slots=True)

@@ -20,6 +20,7 @@ from groundslab.discretize.plan_layout import Meshes
 from groundslab.fem.shape_functions import areas
 from groundslab.model.remarks.singular_places import near_singular, singular_places
 from groundslab.results.mesh_results import PlateResult
+from groundslab.results.record import Step
 from groundslab.results.results import CombinationResult, Results
 from groundslab.views.summary.discretization import coarse_words, round_up
 
@@ -199,6 +200,48 @@ def test_few_combinations_are_solved_on_meshes_between_and_all_on_the_last(monke
             np.testing.assert_allclose(getattr(own.plate, field), values, rtol=0, atol=1e-8 * np.abs(values).max())
         assert [each.label for each in judge(own)] == [each.label for each in judge(at_once[name])]
         assert judge(own)[0].share == pytest.approx(judge(at_once[name])[0].share, rel=1e-6)
+
+
+#: A slab whose corners lift off, under each of its legs alone, by the names of the cases.
+LIFTING: dict[str, Any] = {
+    "cases": [{"name": name} for name in "abc"],
+    "loads": [leg | {"case": name, "width_x": 0.4, "width_y": 0.4} for leg, name in zip(LEGS, "abc", strict=True)],
+    "contact": {"tensionless": True},
+}
+
+
+@pytest.mark.slow
+def test_several_combinations_are_shown_on_a_coarse_mesh_first() -> None:
+    """All of them, without errors, which say so; values are near the last ones. One alone needs no such mesh."""
+    shown: list[Results] = []
+    found = solve(slab({"accuracy": 0.05}, **LIFTING), on_mesh=shown.append)
+    draft = shown[0]
+    assert [*draft] == [*found] == ["a", "b", "c"]
+    assert draft.provisional
+    assert coarse_words(draft).endswith(" is still to be refined; its errors come then.")
+    for name, own in draft.items():
+        assert own.comparison is None
+        assert judge(own) == []
+        history = found[name].mesh_history or pytest.fail("no history")
+        assert history.unknowns[0] == own.unknowns < history.unknowns[1]
+        assert own.plate.settlement.max() == pytest.approx(found[name].plate.settlement.max(), rel=0.02)
+        assert own.plate.moment_x.max() == pytest.approx(found[name].plate.moment_x.max(), rel=0.2)
+    shown.clear()
+    solve(slab({"accuracy": 0.02}, loads=LEGS[:1]), on_mesh=shown.append)
+    assert all(each.comparison for results in shown for each in results.values())
+
+
+@pytest.mark.slow
+def test_contact_starts_from_the_mesh_before() -> None:
+    """Of slabs that lift off the zone is found in many steps on the first mesh, in few on the coarse ones of others."""
+    steps: list[Step] = []
+    solve(slab({"accuracy": 0.01}, **LIFTING), on_step=steps.append)
+    first = steps[0].unknowns
+    from_nothing = [step.iteration for step in steps if step.unknowns == first]
+    on_coarse = [step.iteration for step in steps if step.unknowns != first and not step.finest]
+    assert max(from_nothing) > 6
+    assert on_coarse
+    assert max(on_coarse) <= 4
 
 
 @pytest.mark.slow
