@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+import time
 from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,6 +19,9 @@ if TYPE_CHECKING:
     from groundslab.model.model import Model
     from groundslab.results.results import Results
     from groundslab.views.summary.progress import Progress
+
+#: Results on a coarse mesh are not kept if they are there so soon [s]: writing takes as long as solving again.
+SOON = 2.0
 
 
 def describe(solve: argparse.ArgumentParser) -> None:
@@ -102,11 +106,13 @@ def _solve(model: Model, folder: Path, start: Results | None, *, quiet: bool, he
     from groundslab.results.results import Results, results_of
     from groundslab.views.files import results_folder
 
-    combinations = list_combinations(model)
+    combinations, begun = list_combinations(model), time.monotonic()
     with nullcontext() if quiet else _progress(model, len(combinations), start) as progress:
 
         def keep(results: Results) -> None:
-            kept = None if helper else results_folder.save_provisional(results, folder)
+            judged = any(found.comparison for found in results.values())
+            worth = not helper and (judged or time.monotonic() - begun > SOON)
+            kept = results_folder.save_provisional(results, folder) if worth else None
             if progress is not None:
                 progress.begin_mesh()
                 _tell_refined(results, kept)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers
+from groundslab.arrays import Array, Flags, Integers, Memo
 from groundslab.design.demands.perimeters import outline
 from groundslab.model.loads.acting import PlateAction, PointForce
 from groundslab.model.loads.load_types import AnyLoad
@@ -121,6 +121,16 @@ def edges_of(results: CombinationResult) -> BaseGeometry:
     from shapely import union_all
 
     return union_all([outline(plate).boundary for plate in results_by_plate(results).values()])
+
+
+#: How far plates reach from their edges [m], by their mesh.
+_REACH: Memo[float] = Memo()
+
+
+def farthest_from_edges(results: CombinationResult) -> float:
+    """Return the largest distance of any node from the edges of all plates [m]."""
+    plate = results.plate
+    return _REACH.get(plate.nodes, plate.elements, lambda: float(distances_to_edges(results, plate.nodes).max()))
 
 
 def distances_to_edges(results: CombinationResult, places: Array) -> Array:

@@ -12,6 +12,7 @@ import os
 import shutil
 import tempfile
 from collections.abc import Collection, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
@@ -31,6 +32,9 @@ from groundslab.views.files.folder_summary import (
     read_summary,
     write_summary,
 )
+
+#: Files that are written on several threads: what takes long there, zlib, leaves the others their turn.
+PACKED = (".vtu", ".npz")
 
 
 def save_results(results: CombinationResult | Results, folder: str | Path, *, plot: bool = False) -> Path:
@@ -322,9 +326,15 @@ def _fill(combined: Results, folder: Path, *, plot: bool) -> None:
         writers |= manifest.of_all(combined)
     # A summary that cannot be made stops everything before the large files are written.
     document = json.loads(json_text(combined, folders, [*writers, FILE]))
-    for name, writer in writers.items():
+    for name in writers:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        writer(folder / name)
+    with ThreadPoolExecutor() as threads:
+        packed = [threads.submit(writers[name], folder / name) for name in writers if name.endswith(PACKED)]
+        for name, writer in writers.items():
+            if not name.endswith(PACKED):
+                writer(folder / name)
+        for each in packed:
+            each.result()
     write_summary(folder, document, writers)
 
 

@@ -17,8 +17,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers, Memo
-from groundslab.design.by_plate import distances_to_edges, results_by_plate
+from groundslab.arrays import Array, Integers
+from groundslab.design.by_plate import farthest_from_edges, results_by_plate
 from groundslab.fem.foundation import decay_length, interface_stack
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.shape_functions import lagrange
@@ -45,17 +45,7 @@ def strip_width(results: CombinationResult) -> float:
     """Return the width b [m] of the strip that the line force is spread over."""
     k0, k1 = (np.array(constant) for constant in (results.constants.k0, results.constants.k1))
     decay = decay_length(interface_stack(k0, np.maximum(k1, LEAST_SHEAR * k1.max())))
-    reach = _REACH.get(results.plate.nodes, results.plate.elements, lambda: _reach(results))
-    return min(decay, reach)
-
-
-#: How far plates reach from their edges [m], by their mesh.
-_REACH: Memo[float] = Memo()
-
-
-def _reach(results: CombinationResult) -> float:
-    """Return the largest distance of any node from the plates' edges [m]."""
-    return float(distances_to_edges(results, results.plate.nodes).max())
+    return min(decay, farthest_from_edges(results))
 
 
 def spread_edge_force(results: CombinationResult) -> PlateResult:

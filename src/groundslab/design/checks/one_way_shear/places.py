@@ -11,7 +11,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.basis.design_code import ShearRule
-from groundslab.design.by_plate import distances_to_edges, results_by_plate
+from groundslab.design.by_plate import distances_to_edges, farthest_from_edges, results_by_plate
 from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, region_within_d
 from groundslab.design.demands.line_traversal import interpolation, pieces
 from groundslab.design.demands.perimeters import outline
@@ -181,7 +181,7 @@ def _counts(results: CombinationResult, xy: Array, d: Array, thickness: Array, r
     far = distance(places, union_all(stands)) > 2 * d if stands else np.ones(len(places), dtype=bool)
     far = far & ~np.any(nearer, axis=0) if nearer else far
     # of a narrow slab the middle half counts in any case
-    middle = distances_to_edges(results, results.plate.nodes).max() / 2
+    middle = farthest_from_edges(results) / 2
     inner = distances_to_edges(results, xy) > np.minimum(thickness, middle)
     return np.asarray(far & inner & ~near_singular(model, xy, thickness))
 
