@@ -175,7 +175,7 @@ class MeshHistory:
     Attributes
     ----------
     unknowns : tuple of int
-        The number of unknowns on each of them.
+        The number of unknowns on each of them; of several combinations first on the coarse one without errors.
     end : {"provisional", "accurate", "no progress", "max_unknowns", "most meshes"}
         Why the last one was not refined; of provisional results it was, or was to be.
     needed : int or None
