@@ -228,6 +228,7 @@ def test_several_combinations_are_shown_on_a_coarse_mesh_first() -> None:
         assert own.plate.moment_x.max() == pytest.approx(found[name].plate.moment_x.max(), rel=0.2)
     shown.clear()
     solve(slab({"accuracy": 0.02}, loads=LEGS[:1]), on_mesh=shown.append)
+    assert shown
     assert all(each.comparison for results in shown for each in results.values())
 
 
