@@ -27,7 +27,7 @@ SURE = 0.72
 MOST_PLACES = 100_000
 #: Footprints are to have so many elements across, two of the next coarser mesh, which are halved; where there are many
 #: of them, half as many: most of these do not govern.
-ACROSS, MANY = 4, 32
+ACROSS, MANY = 4, 100
 #: The first of adaptive meshes has no elements larger than the elastic length, but for it at most so many on the
 #: shorter side.
 MOST_ON_SHORT_SIDE = 96
