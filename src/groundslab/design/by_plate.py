@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from dataclasses import fields, replace
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers, Memo
-from groundslab.design.demands.perimeters import outline
 from groundslab.model.loads.acting import PlateAction, PointForce
 from groundslab.model.loads.load_types import AnyLoad
 from groundslab.model.model import Model
@@ -18,9 +17,6 @@ from groundslab.model.plates.further import AnyPlate, first_sections
 from groundslab.model.plates.region import PlateRegion
 from groundslab.results.mesh_results import ElementResult, PlateResult
 from groundslab.results.results import CombinationResult, Comparison
-
-if TYPE_CHECKING:
-    from shapely.geometry.base import BaseGeometry
 
 
 def results_by_plate(results: CombinationResult) -> dict[str, PlateResult]:
@@ -116,13 +112,6 @@ def plate_under(results: CombinationResult, x: float, y: float) -> PlateResult:
     return list(results_by_plate(results).values())[number]
 
 
-def edges_of(results: CombinationResult) -> BaseGeometry:
-    """Return the edges of all plates in plan, those along joints too."""
-    from shapely import union_all
-
-    return union_all([outline(plate).boundary for plate in results_by_plate(results).values()])
-
-
 #: How far plates reach from their edges [m], by their mesh.
 _REACH: Memo[float] = Memo()
 
@@ -135,10 +124,5 @@ def farthest_from_edges(results: CombinationResult) -> float:
 
 def distances_to_edges(results: CombinationResult, places: Array) -> Array:
     """Return how far places (k, 2) [m] are from the edges of all plates (k,) [m]."""
-    from shapely import STRtree, get_coordinates, get_parts, linestrings, points
-
-    rings = [get_coordinates(part) for part in get_parts(edges_of(results))]
-    sides = np.concatenate([np.stack([ring[:-1], ring[1:]], axis=1) for ring in rings])
-    nearest = STRtree(linestrings(sides)).query_nearest(points(places), return_distance=True, all_matches=False)
-    distances: Array = nearest[1]
-    return distances
+    edges = [edge for plate in results.model.every_plate for ring in plate.rings() for edge in ring.segments()]
+    return np.min([edge.distance(places) for edge in edges], axis=0)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from groundslab.arrays import Array
@@ -10,6 +12,8 @@ from groundslab.arrays import Array
 ON_A_LINE = 1e-6
 #: Decimals to which places are distinguished, relative to their extent.
 APART = 6
+#: Largest number of distances that are held at a time.
+MOST_DISTANCES = 10_000_000
 
 
 def interpolate_linearly(places: Array, values: Array, wanted: Array) -> Array:
@@ -20,10 +24,8 @@ def interpolate_linearly(places: Array, values: Array, wanted: Array) -> Array:
     everywhere. No value leaves the range of the known ones, which three places and more could otherwise make it do.
     Values that are the same everywhere stay so to the last digit.
     """
-    from scipy.interpolate import RBFInterpolator
-
     size = np.ptp(places, axis=0).max() or 1.0
-    found = RBFInterpolator(places / size, values - values[0], kernel="linear", degree=0)(wanted / size)
+    found = _interpolate(_cone, places / size, values - values[0], wanted / size, degree=0)
     result: Array = np.clip(values[0] + found, values.min(axis=0), values.max(axis=0))
     return result
 
@@ -36,8 +38,6 @@ def interpolate_smoothly(places: Array, values: Array, wanted: Array) -> Array:
     the range of the known ones by more than that range, nor by more than their plane of best fit does; and none is
     negative unless a known one is.
     """
-    from scipy.interpolate import RBFInterpolator
-
     size = np.ptp(places, axis=0).max() or 1.0
     known, given = _merge_close((places - places[0]) / size, values - values[0])
     middle = known.mean(axis=0)
@@ -47,7 +47,7 @@ def interpolate_smoothly(places: Array, values: Array, wanted: Array) -> Array:
         return np.full(len(wanted), values[0] + given.mean())
     along = axes[:rank].T
     own, at = (known - middle) @ along, ((wanted - places[0]) / size - middle) @ along
-    found = RBFInterpolator(own, given, kernel="cubic" if rank == 1 else "thin_plate_spline", degree=1)(at)
+    found = _interpolate(_cube if rank == 1 else _thin_plate, own, given, at, degree=1)
     trend = np.linalg.lstsq(np.column_stack([np.ones(len(own)), own]), given, rcond=None)[0]
     plane = np.column_stack([np.ones(len(at)), at]) @ trend
     low, high = given.min(), given.max()
@@ -56,6 +56,43 @@ def interpolate_smoothly(places: Array, values: Array, wanted: Array) -> Array:
     found = np.minimum(found, np.maximum(high, np.minimum(plane, high + most)))
     result: Array = values[0] + found
     return np.maximum(result, 0.0) if values.min() >= 0 else result
+
+
+def _interpolate(kernel: Callable[[Array], Array], places: Array, values: Array, wanted: Array, degree: int) -> Array:
+    """Return values (m, ...) of a kernel around each place (h, d) and a polynomial of a degree, 0 or 1.
+
+    The weights of the kernels are orthogonal to all such polynomials: exact for these, and one solution.
+    """
+
+    def terms(at: Array) -> Array:
+        return np.column_stack([np.ones(len(at)), at])[:, : 1 + degree * at.shape[1]]
+
+    def around(at: Array) -> Array:
+        distances = np.sqrt(((at[:, None] - places) ** 2).sum(axis=2))
+        return np.column_stack([kernel(distances), terms(at)])
+
+    own = terms(places)
+    orthogonal = np.column_stack([own.T, np.zeros((own.shape[1], own.shape[1]))])
+    known = np.concatenate([values, np.zeros((own.shape[1], *values.shape[1:]))])
+    weights = np.linalg.solve(np.concatenate([around(places), orthogonal]), known)
+    parts = np.array_split(wanted, 1 + len(wanted) * len(places) // MOST_DISTANCES)
+    return np.concatenate([around(part) @ weights for part in parts])
+
+
+def _cone(r: Array) -> Array:
+    """Return the kernel of a linear variogram."""
+    return -r
+
+
+def _cube(r: Array) -> Array:
+    """Return that of the natural cubic spline."""
+    found: Array = r**3
+    return found
+
+
+def _thin_plate(r: Array) -> Array:
+    """Return that of the thin plate spline."""
+    return r**2 * np.log(np.where(r > 0, r, 1.0))
 
 
 def _merge_close(places: Array, values: Array) -> tuple[Array, Array]:

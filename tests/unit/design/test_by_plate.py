@@ -6,10 +6,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from shapely import Point
 
 from groundslab import Model, Results, solve
-from groundslab.design.by_plate import edges_of, plate_under, results_by_plate, split_by_plate
+from groundslab.design.by_plate import distances_to_edges, plate_under, results_by_plate, split_by_plate
 from groundslab.design.checks import check_design
 from groundslab.design.demands.perimeters import RectangularColumn, perimeter
 from groundslab.design.result_tables import tables_of
@@ -108,7 +107,7 @@ def test_a_joint_is_an_edge(results: Results) -> None:
     across = perimeter(results.only.plate, beside, 2 * d)
     assert own.u == pytest.approx(0.3 + 2 * (0.4 + 0.15) + np.pi * 2 * d, rel=1e-3)
     assert across.u == pytest.approx(4 * 0.3 + 2 * np.pi * 2 * d, rel=1e-3)
-    assert edges_of(results.only).distance(Point(4.0, 1.5)) < 1e-9
+    assert distances_to_edges(results.only, np.array([[4.0, 1.5], [3.6, 1.5]])) == pytest.approx([0.0, 0.4])
 
 
 def test_steps_across_a_hinge_vanish(results: Results) -> None:

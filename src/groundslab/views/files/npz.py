@@ -129,15 +129,16 @@ def write(results: CombinationResult, path: Path) -> None:
 TEXTS = {"model.npy": 40_000_000, "about.npy": 40_000_000}
 
 
-def load(path: Path) -> CombinationResult:
+def load(path: Path, alike: CombinationResult | None = None) -> CombinationResult:
     """Return the results that ``write`` put into an archive; their arrays cannot be written to.
 
-    Raises InputError if anything in it is damaged.
+    Their mesh is that of results `alike` if it is the same: what is derived from it is then derived once. Raises
+    InputError if anything in it is damaged.
     """
     try:
         if not stat.S_ISREG(path.stat().st_mode):
             raise _refusal(path, "something that is not a file")
-        return _results(_stored(path))
+        return _results(_stored(path), alike)
     except InputError as error:
         if error.issues[0].location == str(path):
             raise
@@ -203,9 +204,16 @@ def _read_about(text: str) -> _About:
         raise ValueError(f"about.{'.'.join(map(str, first['loc']))}: {first['msg']}") from None
 
 
-def _results(arrays: dict[str, Any]) -> CombinationResult:
+def _results(arrays: dict[str, Any], alike: CombinationResult | None) -> CombinationResult:
     """Return the results that the arrays of an archive stand for; raises ValueError if they cannot be results."""
     about = _read_about(str(arrays["about"]))
+    if alike is not None:
+        known = _arrays("", alike)
+        arrays |= {
+            name: known[name]
+            for name in arrays.keys() & {f"{part}.{name}" for part in ("plate", "ground") for name in MESH}
+            if np.array_equal(known[name], arrays[name])
+        }
     for array in arrays.values():
         array.flags.writeable = False
     results = CombinationResult(

@@ -260,7 +260,7 @@ def _archived(path: Path, listed: Sequence[ListedCombination]) -> dict[str, Comb
         if entry.folder != manifest.folder_name(number, entry.name, len(listed)):
             raise ValueError(f'folder "{entry.folder}" of combination "{entry.name}"')
         archived = path / entry.folder / "results.npz"
-        archive = npz.load(archived)
+        archive = npz.load(archived, next(iter(results.values()), None))
         first = next(iter(results.values()), archive)
         model, solved_model = first.model, first.solved_model
         if (archive.model, archive.solved_model, archive.combination) != (model, solved_model, entry.name):
