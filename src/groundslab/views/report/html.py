@@ -40,7 +40,8 @@ TAIL = f"% {MARK} "
 #: The viewer's data may take so many letters of the file; fields beyond that are left out, those of one combination
 #: apart.
 MOST_DATA = 15_000_000
-_CONTROL = {code: "\ufffd" for code in [*range(32), 127] if chr(code) not in "\t\n\r"}
+#: Letters that control a terminal or a browser, which no page may hold.
+_CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
 
 
 def render_report(
@@ -249,15 +250,9 @@ def render_page(template: Path, **values: Any) -> str:
         loader=FileSystemLoader([template.parent, HERE / "templates"]),
         autoescape=True,
         undefined=StrictUndefined,
-        finalize=_plain,
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
     environment.filters |= {"pieces": split_symbol, "word_pieces": split_words}
-    return environment.get_template(template.name).render(values)
-
-
-def _plain(value: object) -> object:
-    """Return a text without letters that control a terminal or a browser, which no page may hold."""
-    return value.translate(_CONTROL) if isinstance(value, str) else value
+    return _CONTROL.sub("\ufffd", environment.get_template(template.name).render(values))
