@@ -20,7 +20,6 @@ PACKAGE = Path(groundslab.__file__).parent
 
 HEAVY = {
     "matplotlib",
-    "meshio",
     "rich",
     "pint",
     "scipy",
@@ -110,7 +109,7 @@ def test_front_imports_nothing() -> None:
 @pytest.mark.parametrize(
     ("command", "unused"),
     [
-        ("check", {"scipy", "matplotlib", "meshio", "rich", "numpy.ma"}),
+        ("check", {"scipy", "matplotlib", "rich", "numpy.ma"}),
         ("solve", {"scipy.linalg", "scipy.spatial", "scipy.optimize", "matplotlib", "pint"}),
     ],
 )

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from groundslab.accuracy.cracked_border import error_of_cracks
-from groundslab.arrays import Array, Flags, Integers
+from groundslab.arrays import Array, Flags, Integers, Memo
 from groundslab.fem.hanging import find_hanging
 
 if TYPE_CHECKING:
@@ -89,10 +89,27 @@ def estimate_errors(
     around = np.zeros(len(plate.nodes))
     around[where] = change
     of_elements = AROUND * around[plate.elements].max(axis=1)
-    largest = around.copy()
-    np.maximum.at(largest, plate.elements, of_elements[:, None])
+    meeting = _MEETING.get(plate.elements, None, lambda: _meeting(plate.elements, len(plate.nodes)))
+    largest = np.maximum(around, np.maximum.reduceat(of_elements[meeting.elements], meeting.first))
     q = reduction_of(results, field)[where]
     return np.maximum(largest[where] * q / (1 - q), of_cracks)
+
+
+class _Meeting(NamedTuple):
+    """The elements that meet at each node, one node after the other."""
+
+    elements: Integers  # (9 m,)
+    first: Integers  # (n,): which of them is the first of each node
+
+
+#: Those of a mesh.
+_MEETING: Memo[_Meeting] = Memo()
+
+
+def _meeting(elements: Integers, n: int) -> _Meeting:
+    """Return the elements (m, 9) that meet at each of n nodes, all of which have some."""
+    order = np.argsort(elements, axis=None, kind="stable")
+    return _Meeting(order // elements.shape[1], np.searchsorted(elements.ravel()[order], np.arange(n)))
 
 
 def error_of_contact_share(results: CombinationResult) -> float | None:

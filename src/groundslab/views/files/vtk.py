@@ -1,8 +1,17 @@
-"""Plate and ground as VTU files (for ParaView): nine-node cells, array names that carry their units."""
+"""Plate and ground as VTU files (for ParaView): nine-node cells, array names that carry their units.
+
+The format is that of VTK's file formats, XML, inline binary data in compressed blocks.
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import base64
+import sys
+import zlib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
@@ -15,13 +24,70 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
 
-    import meshio
+    from numpy.typing import NDArray
 
     from groundslab.arrays import Array, Integers
     from groundslab.results.results import CombinationResult, Results
 
+#: VTK's number of the biquadratic quadrilateral, whose order of nodes is ours.
+BIQUADRATIC_QUAD = 28
+#: Bytes that are compressed at a time, and how hard: more makes digits of results no smaller.
+BLOCK, LEVEL = 2**20, 1
 
-def plate_mesh(results: CombinationResult) -> meshio.Mesh:
+
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """Biquadratic quadrilaterals at z = 0 with data."""
+
+    nodes: Array  # (n, 2)
+    elements: Integers  # (m, 9)
+    point_data: Mapping[str, NDArray[Any]]  # (n,) each
+    cell_data: Mapping[str, NDArray[Any]]  # (m,) each
+
+    def write(self, path: Path) -> None:
+        """Write a VTU file."""
+        m = len(self.elements)
+        cells: dict[str, NDArray[Any]] = {
+            "connectivity": self.elements.ravel(),
+            "offsets": 9 * np.arange(1, m + 1),
+            "types": np.full(m, BIQUADRATIC_QUAD, dtype=np.uint8),
+        }
+        parts: dict[str, Mapping[str, NDArray[Any]]] = {
+            "Points": {"Points": in_space(self.nodes)},
+            "Cells": cells,
+            "PointData": self.point_data,
+            "CellData": self.cell_data,
+        }
+        order = "LittleEndian" if sys.byteorder == "little" else "BigEndian"
+        with path.open("wb") as file:
+            file.write(
+                f'<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid" version="1.0" byte_order="{order}" '
+                'header_type="UInt64" compressor="vtkZLibDataCompressor">\n<UnstructuredGrid>\n'
+                f'<Piece NumberOfPoints="{len(self.nodes)}" NumberOfCells="{m}">\n'.encode()
+            )
+            for part, arrays in parts.items():
+                file.write(f"<{part}>\n".encode())
+                for name, values in arrays.items():
+                    file.writelines(_data_array(name, values))
+                file.write(f"</{part}>\n".encode())
+            file.write(b"</Piece>\n</UnstructuredGrid>\n</VTKFile>\n")
+
+
+def _data_array(name: str, values: NDArray[Any]) -> Iterator[bytes]:
+    """Yield the pieces of an array's element: its sizes, then its blocks."""
+    kind = {"f": "Float", "i": "Int", "u": "UInt"}[values.dtype.kind]
+    components = f' NumberOfComponents="{values.shape[1]}"' if values.ndim == 2 else ""
+    data = values.tobytes()
+    blocks = [zlib.compress(data[start : start + BLOCK], LEVEL) for start in range(0, len(data), BLOCK)]
+    sizes = np.array([len(blocks), BLOCK, len(data) % BLOCK, *map(len, blocks)], dtype=np.uint64)
+    about = f'type="{kind}{8 * values.dtype.itemsize}" Name={quoteattr(name)}{components} format="binary"'
+    yield f"<DataArray {about}>\n".encode()
+    yield base64.b64encode(sizes.tobytes())
+    yield base64.b64encode(b"".join(blocks))
+    yield b"\n</DataArray>\n"
+
+
+def plate_mesh(results: CombinationResult) -> Grid:
     """Return the plate with its fields at nodes and elements in units of display, and flags (1 or 0) of the nodes."""
     plate = results.plate
     fields, shown = fields_of(plate), RANGED_FIELDS | POINT_FIELDS
@@ -31,10 +97,10 @@ def plate_mesh(results: CombinationResult) -> meshio.Mesh:
         for name, about in ELEMENT_FIELDS.items()
         if getattr(results.elements, name) is not None
     }
-    return _mesh(plate.nodes, plate.elements, data, cells | {"section": results.elements.section})
+    return Grid(plate.nodes, plate.elements, data, cells | {"section": results.elements.section})
 
 
-def ground_mesh(results: CombinationResult) -> meshio.Mesh:
+def ground_mesh(results: CombinationResult) -> Grid:
     """Return the ground with the settlement of each surface, 0 being the top one, and of the plate above.
 
     Where no plate is, "under the plate" is 0 and "settlement of the plate" is filled with 0.
@@ -47,17 +113,17 @@ def ground_mesh(results: CombinationResult) -> meshio.Mesh:
     settlement[below] = plate.settlement * unit.scale
     data["under the plate"] = under = np.zeros(len(ground.nodes), dtype=np.int8)
     under[below] = 1
-    return _mesh(ground.nodes, ground.elements, data, {})
+    return Grid(ground.nodes, ground.elements, data, {})
 
 
 def write_plate(results: CombinationResult, path: Path) -> None:
     """Write the plate as a VTU file."""
-    plate_mesh(results).write(path, file_format="vtu")
+    plate_mesh(results).write(path)
 
 
 def write_ground(results: CombinationResult, path: Path) -> None:
     """Write the ground as a VTU file."""
-    ground_mesh(results).write(path, file_format="vtu")
+    ground_mesh(results).write(path)
 
 
 def write_envelope(combined: Results, path: Path) -> None:
@@ -68,7 +134,7 @@ def write_envelope(combined: Results, path: Path) -> None:
     fields = {
         name: np.where(np.isfinite(values), values, np.nan) for name, values in fields_of_envelope(combined).items()
     }
-    _mesh(plate.nodes, plate.elements, fields, {}).write(path, file_format="vtu")
+    Grid(plate.nodes, plate.elements, fields, {}).write(path)
 
 
 def match(some: Array, among: Array) -> Integers:
@@ -81,13 +147,3 @@ def match(some: Array, among: Array) -> Integers:
     if distance.max(initial=0.0) > 1e-9 * np.ptp(among, axis=0).max():
         raise GroundslabError("the plate has nodes that the ground below it lacks")
     return np.asarray(nearest, dtype=np.int64)
-
-
-def _mesh(
-    nodes: Array, elements: Integers, data: dict[str, Array], cells: Mapping[str, Array | Integers]
-) -> meshio.Mesh:
-    """Return a mesh of VTK's biquadratic quadrilaterals at z = 0, whose order of nodes is ours, with data."""
-    import meshio
-
-    by_cell = {name: [values] for name, values in cells.items()}
-    return meshio.Mesh(in_space(nodes), [("quad9", elements)], point_data=data, cell_data=by_cell)
