@@ -139,7 +139,12 @@ def add_errors(
 
     What is positive nowhere on either mesh stays so (gaps, pressures).
     """
-    most = values + estimate_errors(results, field, values, coarser, nodes)
+    return _most(values, coarser, estimate_errors(results, field, values, coarser, nodes))
+
+
+def _most(values: Array, coarser: Array, errors: Array) -> Array:
+    """Return how large values (k,) with errors may be, which are `coarser` on the other mesh."""
+    most = values + errors
     return most.clip(max=0) if values.max() <= 0 and coarser.max() <= 0 else most
 
 
@@ -152,3 +157,12 @@ def error_of_largest(
     places.
     """
     return float(add_errors(results, field, values, coarser, nodes).max() - values.max())
+
+
+def errors_of_extremes(
+    results: CombinationResult, field: str, values: Array, coarser: Array, nodes: Flags | None = None
+) -> tuple[float, float]:
+    """Return the estimated errors of the least and of the greatest of values (k,), see `error_of_largest`."""
+    errors = estimate_errors(results, field, values, coarser, nodes)
+    least, greatest = (float(_most(s * values, s * coarser, errors).max() - (s * values).max()) for s in (-1, 1))
+    return least, greatest

@@ -125,4 +125,5 @@ def farthest_from_edges(results: CombinationResult) -> float:
 def distances_to_edges(results: CombinationResult, places: Array) -> Array:
     """Return how far places (k, 2) [m] are from the edges of all plates (k,) [m]."""
     edges = [edge for plate in results.model.every_plate for ring in plate.rings() for edge in ring.segments()]
-    return np.min([edge.distance(places) for edge in edges], axis=0)
+    nearest: Array = np.min([edge.distance(places) for edge in edges], axis=0)
+    return nearest

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.results.fields import LAYERS, PLATE_FIELDS
+from groundslab.results.fields import DIRECTION, LAYERS, PLATE_FIELDS, PRINCIPAL
 from groundslab.results.mesh_results import PlateResult
 
 
@@ -70,6 +70,14 @@ def fields_of(plate: PlateResult) -> dict[str, Array]:
 def design_moments(plate: PlateResult) -> DesignMoments:
     """Return Wood's design moments at the plate's nodes."""
     return wood_armer(plate.moment_x, plate.moment_y, plate.moment_xy)
+
+
+def derive_fields(fields: Mapping[str, Array]) -> dict[str, Array]:
+    """Return all quantities of POINT_FIELDS and RANGED_FIELDS (n,) from the plate's fields (n,), all in SI units."""
+    moments = fields["moment_x"], fields["moment_y"], fields["moment_xy"]
+    principal, design = principal_moments(*moments), wood_armer(*moments)
+    derived = {name: getattr(principal, name) for name in PRINCIPAL | DIRECTION}
+    return {**fields, **derived, **{name: getattr(design, name) for name in LAYERS}}
 
 
 def derive_field(fields: Mapping[str, Array], name: str) -> Array:

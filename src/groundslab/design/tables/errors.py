@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import repeat
 from math import isfinite
 
-from groundslab.accuracy.values import error_of_contact_share, error_of_largest, estimate_error
-from groundslab.arrays import Flags
+from groundslab.accuracy.values import error_of_contact_share, errors_of_extremes, estimate_error
 from groundslab.design.codes import CODES
-from groundslab.design.tables.quantities import nodal_values, ranged_fields
+from groundslab.design.tables.quantities import ranged_fields, ranged_values
 from groundslab.design.tables.table import Cell, Column, Table
 from groundslab.results.fields import LINE_FORCE, POINT_FIELDS, RANGED_FIELDS
 from groundslab.results.results import CombinationResult, Results
@@ -71,26 +70,26 @@ def with_errors_of_extremes(extremes: Table, combined: Results) -> Table:
     """Return the table of extremes with the errors of the least and greatest values, if any result has them."""
     if all(result.comparison is None for result in combined.results.values()):
         return extremes
-    fields = {
-        (name, about.label): (result, field, where)
-        for name, result in combined.results.items()
-        for about, field, where in ranged_fields(result)
+    errors = {
+        (name, label): of_both for name, result in combined.results.items() for label, of_both in _of_extremes(result)
     }
-    keys = zip(extremes["combination"], extremes["quantity"], strict=True)
-    rows = [fields[str(name), str(label)] for name, label in keys]
+    keys = [*zip(map(str, extremes["combination"]), map(str, extremes["quantity"]), strict=True)]
     columns = [
-        Column(_name(name), "", tuple(_error_of_extreme(*row, sign) for row in rows), error_of=name)
-        for name, sign in (("least", -1), ("greatest", 1))
+        Column(_name(name), "", tuple(errors[key][n] for key in keys), error_of=name)
+        for n, name in enumerate(("least", "greatest"))
     ]
     return replace(extremes, columns=(*extremes.columns, *columns))
 
 
-def _error_of_extreme(results: CombinationResult, field: str, where: Flags, sign: int) -> float | None:
-    """Return the error of the largest (sign 1) or smallest (sign -1) of a quantity's values at some nodes (n,)."""
+def _of_extremes(results: CombinationResult) -> Iterator[tuple[str, tuple[float, float] | tuple[None, None]]]:
+    """Yield the label of each quantity that has extremes, and the errors of its least and its greatest value."""
+    fields = ranged_fields(results)
     if results.coarser is None or results.comparison is None:
-        return None
-    values, coarser = (sign * nodal_values(result, field)[where] for result in (results, results.coarser))
-    return error_of_largest(results, field, values, coarser, where)
+        yield from ((about.label, (None, None)) for about, _, _ in fields)
+        return
+    values, coarser = ranged_values(results), ranged_values(results.coarser)
+    for about, name, where in fields:
+        yield about.label, errors_of_extremes(results, name, values[name][where], coarser[name][where], where)
 
 
 def with_errors_of_envelope(envelope: Table, extremes: Table) -> Table:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from groundslab.arrays import Array, Flags
-from groundslab.design.demands.design_moments import derive_field, fields_of
+from groundslab.design.demands.design_moments import derive_field, derive_fields, fields_of
 from groundslab.errors import GroundslabError
 from groundslab.fem.shape_functions import areas
 from groundslab.results.contact_zone import has_line_force
@@ -18,7 +18,8 @@ from groundslab.results.results import CombinationResult
 
 def point_values(fields: Mapping[str, Array]) -> list[Array]:
     """Return the quantities of POINT_FIELDS (n,), in its order and units of display, from PLATE_FIELDS (n,) in SI."""
-    return [derive_field(fields, name) * about.scale for name, about in POINT_FIELDS.items()]
+    derived = derive_fields(fields)
+    return [derived[name] * about.scale for name, about in POINT_FIELDS.items()]
 
 
 def nodal_values(results: CombinationResult, name: str) -> Array:
@@ -32,6 +33,12 @@ def nodal_values(results: CombinationResult, name: str) -> Array:
             raise GroundslabError(f"{results.combination} has no {SHOWN_ELEMENT_FIELDS[name].quantity}")
         return mean_at_nodes(results.plate, values) * SHOWN_ELEMENT_FIELDS[name].scale
     return derive_field(fields_of(results.plate), name) * RANGED_FIELDS[name].scale
+
+
+def ranged_values(results: CombinationResult) -> dict[str, Array]:
+    """Return the quantities of RANGED_FIELDS at the plate's nodes (n,), in their units of display."""
+    derived = derive_fields(fields_of(results.plate))
+    return {name: derived[name] * about.scale for name, about in RANGED_FIELDS.items()}
 
 
 def mean_at_nodes(plate: PlateResult, values: Array) -> Array:

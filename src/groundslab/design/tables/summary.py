@@ -6,7 +6,7 @@ import numpy as np
 
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.by_plate import results_by_plate
-from groundslab.design.tables.quantities import nodal_values, ranged_fields
+from groundslab.design.tables.quantities import ranged_fields, ranged_values
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.design.tilt import tilt
 from groundslab.model.loads.load_cases import Combination
@@ -112,8 +112,9 @@ def extremes(combined: Results) -> Table:
     ]  # fmt: skip
     rows = []
     for results in solved_results(combined):
+        at_nodes = ranged_values(results)
         for about, name, where in ranged_fields(results):
-            nodes, values = results.plate.nodes[where], nodal_values(results, name)[where]
+            nodes, values = results.plate.nodes[where], at_nodes[name][where]
             row: list[Cell] = [results.combination, about.label, about.unit]
             for sign in (-1, 1):
                 value, place = extreme(nodes, values, sign)

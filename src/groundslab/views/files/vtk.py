@@ -15,7 +15,7 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from groundslab.design.demands.design_moments import derive_field, fields_of
+from groundslab.design.demands.design_moments import derive_fields, fields_of
 from groundslab.errors import GroundslabError
 from groundslab.fem.mesh import in_space
 from groundslab.results.fields import ELEMENT_FIELDS, PLATE_FIELDS, POINT_FIELDS, RANGED_FIELDS
@@ -90,8 +90,8 @@ def _data_array(name: str, values: NDArray[Any]) -> Iterator[bytes]:
 def plate_mesh(results: CombinationResult) -> Grid:
     """Return the plate with its fields at nodes and elements in units of display, and flags (1 or 0) of the nodes."""
     plate = results.plate
-    fields, shown = fields_of(plate), RANGED_FIELDS | POINT_FIELDS
-    data = {about.name: derive_field(fields, name) * about.scale for name, about in shown.items()} | plate.point_data()
+    fields, shown = derive_fields(fields_of(plate)), RANGED_FIELDS | POINT_FIELDS
+    data = {about.name: fields[name] * about.scale for name, about in shown.items()} | plate.point_data()
     cells = {
         f"{about.name} (centre, {about.averaged})": getattr(results.elements, name) * about.scale
         for name, about in ELEMENT_FIELDS.items()
