@@ -28,7 +28,11 @@ _SEAL = re.compile(rb"[^\n]*groundslab sha256 ([0-9a-f]{64})[^\n]*\n")
 
 def checksums_of(folder: Path, names: Iterable[str]) -> dict[str, str]:
     """Return the SHA-256 checksums of files in a folder by their paths there."""
-    return {name: _checksum(folder / name) for name in names}
+    from concurrent.futures import ThreadPoolExecutor
+
+    with ThreadPoolExecutor() as threads:
+        checksums = {name: threads.submit(_checksum, folder / name) for name in names}
+        return {name: checksum.result() for name, checksum in checksums.items()}
 
 
 def find_edited(folder: Path, checksums: Mapping[str, str]) -> list[str]:

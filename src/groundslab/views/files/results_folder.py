@@ -325,7 +325,7 @@ def _fill(combined: Results, folder: Path, *, plot: bool) -> None:
     if combined.results or combined.without_equilibrium:
         writers |= manifest.of_all(combined)
     # A summary that cannot be made stops everything before the large files are written.
-    document = json.loads(json_text(combined, folders, [*writers, FILE]))
+    document = json.loads(json_text(combined, folders, [*writers, FILE], indent=None))
     for name in writers:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
     with ThreadPoolExecutor() as threads:
