@@ -65,7 +65,8 @@ def test_order_in_the_file(model: Model, random: Any) -> None:
     # of rigid supports that meet the first one counts, and EN 1990 takes the leading actions in the cases' order
     mixed = {part: random.sample(getattr(model, part), len(getattr(model, part)))
              for part in ("loads", "cases", "supports", "columns")}  # fmt: skip
-    model = model.replace(combine=None)
+    # small voids, whose order is not mixed, make meshes that are large
+    model = model.replace(combine=None, contact=model.contact.replace(voids=()))
     assert_alike(combined(model), combined(model.replace(**mixed)))
 
 
