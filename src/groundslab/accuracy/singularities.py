@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Memo
-from groundslab.geometry.plan import Segment
+from groundslab.geometry.plan import Segment, numbers_within
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.acting import PointForce, borders_of
 from groundslab.model.remarks.singular_places import corners_of, near_places, near_singular
@@ -20,8 +20,6 @@ if TYPE_CHECKING:
 
 #: Values are judged so many thicknesses away from there.
 AWAY = 1.0
-#: Arcs are replaced by chords that are off by this share of that distance.
-CHORD = 0.02
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,15 +80,11 @@ def limits_without_contact(model: Model, nodes: Array) -> Limits:
 
 def _near(nodes: Array, edges: list[Segment], reach: float) -> Flags:
     """Return which nodes (n, 2) are within reach [m] of edges."""
-    import shapely
-
     found = np.zeros(len(nodes), dtype=bool)
-    if edges:
-        counts = [edge.chords(CHORD * reach) for edge in edges]
-        lines = [edge.at(np.arange(n + 1) / n) for edge, n in zip(edges, counts, strict=True)]
-        owner = np.repeat(np.arange(len(edges)), [len(line) for line in lines])
-        chords = shapely.linestrings(np.vstack(lines), indices=owner)
-        found[shapely.STRtree(shapely.points(nodes)).query(chords, "dwithin", reach)[1]] = True
+    for edge in edges:
+        x0, x1, y0, y1 = edge.bounds
+        some = numbers_within(nodes, (x0 - reach, x1 + reach, y0 - reach, y1 + reach))
+        found[some[edge.distance(nodes[some]) <= reach]] = True
     return found
 
 

@@ -156,8 +156,10 @@ def _merge(indptr: Indices, indices: Indices, own: Integers, unknown: Integers) 
 
 def _add_pairs(keys: Integers, starts: Indices, linked: Integers, n: int) -> tuple[Integers, Indices]:
     """Return ascending keys of pairs and where their contributions begin, with linked pairs (l, 2) that have none."""
-    more = np.setdiff1d(linked[:, 0] * n + linked[:, 1], keys)
-    where = np.searchsorted(keys, more)
+    wanted = np.unique(linked[:, 0] * n + linked[:, 1])
+    where = np.searchsorted(keys, wanted)
+    lacking = np.append(keys, -1)[where] != wanted
+    more, where = wanted[lacking], where[lacking]
     return np.insert(keys, where, more), np.insert(starts, where, starts[where])
 
 

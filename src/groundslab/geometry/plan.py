@@ -188,6 +188,13 @@ def get_bounds(edges: Iterable[Segment]) -> tuple[float, float, float, float]:
     return min(left), max(right), min(low), max(high)
 
 
+def numbers_within(places: Array, bounds: tuple[float, float, float, float]) -> Integers:
+    """Return the numbers (k,) of those places (p, 2) that lie in a rectangle x0, x1, y0, y1 [m]."""
+    x, y = places.T
+    x0, x1, y0, y1 = bounds
+    return np.flatnonzero((x >= x0) & (x <= x1) & (y >= y0) & (y <= y1))
+
+
 def bounding_box(edges: Iterable[Segment]) -> Polygon:
     """Return the rectangle around edges as a polygon."""
     import shapely

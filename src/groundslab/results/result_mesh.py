@@ -183,7 +183,8 @@ def make_disc_means(model: Model, mesh: Mesh, section: Integers, thickness: Arra
     between, corners = _between_corners(mesh, near, t / 2)
     near[between] = False
     nodes = np.flatnonzero(near)
-    boxes, parts = bounding_boxes(mesh), [csr_array((0, len(mesh.nodes)))]
+    boxes = bounding_boxes(mesh) if len(nodes) else None
+    parts = [csr_array((0, len(mesh.nodes)))]
     for start in range(0, len(nodes), CHUNK):
         some = nodes[start : start + CHUNK]
         row, offset, weight = _disc_points(mesh.nodes[some], t[some] / 2, singular)

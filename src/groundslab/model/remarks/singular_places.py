@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Flags
-from groundslab.geometry.plan import FLAT, Place, Ring
+from groundslab.geometry.plan import FLAT, Place, Ring, numbers_within
 from groundslab.model.loads.acting import LineForce, PointForce
 
 if TYPE_CHECKING:
@@ -32,14 +32,12 @@ def near_singular(model: Model, nodes: Array, thickness: Array) -> Flags:
 
 def near_places(places: Sequence[Place], nodes: Array, thickness: Array) -> Flags:
     """Return which nodes (n, 2) lie within a thickness (n,) [m] of one of some places."""
-    import shapely
-
     near = np.zeros(len(nodes), dtype=bool)
-    if not places:
-        return near
-    tree = shapely.STRtree(shapely.points(places))
     reach = REACH * thickness * (1 + 1e-9)
-    near[tree.query(shapely.points(nodes), predicate="dwithin", distance=reach)[0]] = True
+    most = reach.max(initial=0.0)
+    for x, y in places:
+        some = numbers_within(nodes, (x - most, x + most, y - most, y + most))
+        near[some[np.linalg.norm(nodes[some] - (x, y), axis=1) <= reach[some]]] = True
     return near
 
 
