@@ -94,7 +94,9 @@ def _loading(acting: list[Acting], model: Model, plan: Layout, element: plate.Pl
 def _on_ground(area: AreaPressure, plan: Layout) -> Array:
     """Return the nodal forces (n,) [N] of a pressure on the meshed ground beside the plate."""
     mesh = plan.mesh
-    elements = np.setdiff1d(np.arange(len(mesh.elements)), plan.plate_elements)
+    beside = np.ones(len(mesh.elements), dtype=bool)
+    beside[plan.plate_elements] = False
+    elements = np.flatnonzero(beside)
     forces = load_vectors.integrate_over_polygon(mesh, elements, area.to_shapely(), area.pressure)
     return scatter(mesh.elements[elements], forces, len(mesh.nodes))
 

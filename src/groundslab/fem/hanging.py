@@ -79,7 +79,9 @@ def _make_carrying(elements: Integers, n: int) -> csr_array | None:
         return None
     from scipy.sparse import coo_array, csr_array
 
-    others = np.setdiff1d(np.arange(n), hanging[:, 0])
+    stays = np.ones(n, dtype=bool)
+    stays[hanging[:, 0]] = False
+    others = np.flatnonzero(stays)
     rows = np.concatenate([others, np.repeat(hanging[:, 0], 3)])
     columns = np.concatenate([others, hanging[:, 1:].ravel()])
     weights = np.concatenate([np.ones(len(others)), np.tile(WEIGHTS, len(hanging))])

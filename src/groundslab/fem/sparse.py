@@ -67,11 +67,15 @@ class Symmetric:
         from scipy.sparse import csr_array
 
         k = len(numbers)
-        number = np.full(self.size, -1)
+        if k == 0:
+            return csr_array((0, self.size))
+        wanted = np.zeros(self.size, dtype=bool)
+        wanted[numbers] = True
+        number = np.empty(self.size, dtype=np.int64)
         number[numbers] = np.arange(k)
         right = self._upper()[numbers].tocoo()
         # what lies left of the diagonal stands in the columns of the upper half
-        at = np.flatnonzero(number[self.indices] >= 0)
+        at = np.flatnonzero(wanted[self.indices])
         row = np.searchsorted(self.indptr, at, side="right") - 1
         own = number[self.indices[at]]
         left = numbers[own] != row
