@@ -32,6 +32,8 @@ from groundslab.solvers.solution import Solution
 
 #: Contact zones that differ at so few nodes of the coarser mesh differ little on the finer one, too.
 ALIKE = 6
+#: A draft with more elements is made coarser once more: it is to be seen soon, and tells no errors.
+LARGE_DRAFT = 2500
 
 #: Sections of a model on which the mesh of its results depends.
 RESULT_MESH_SECTIONS = ("plate", "plates", "supports", "columns", "loads")
@@ -169,15 +171,22 @@ class MeshHierarchy:
     earlier: Sequence[Solved] = ()  # on the coarsest of the meshes before these
 
     def start(self, level: Level, factors: Array) -> list[Solution]:
-        """Return the solutions from which a combination of some factors (cases,) starts on the coarsest level."""
+        """Return the solutions from which a combination of some factors (cases,) starts on the coarsest level.
+
+        Its own ones on a draft, else those of the nearest combination.
+        """
+        for drafted in self.levels.values():
+            if factors.tobytes() in drafted.solved:
+                return drafted.solved[factors.tobytes()].solutions
         known = [*self.earlier, *level.starts]
         nearest = min(known, key=lambda each: float(np.abs(each.factors - factors).sum()), default=None)
         return [] if nearest is None else nearest.solutions
 
     def solved(self) -> list[Solved]:
-        """Return what was solved on the coarsest mesh, in an order that no thread changes."""
-        coarsest = max(self.levels, default=None)
-        found = {} if coarsest is None else self.levels[coarsest].solved
+        """Return what was solved on the coarsest mesh and on a draft, in an order that no thread changes."""
+        found: dict[bytes, Solved] = {}
+        for coarsening in sorted(self.levels, reverse=True):
+            found |= self.levels[coarsening].solved
         return [found[key] for key in sorted(found)]
 
     def level(self, coarsening: int) -> Level:
@@ -204,8 +213,9 @@ class MeshHierarchy:
         return level
 
     def draft(self) -> MeshHierarchy:
-        """Return the same meshes up to the next coarser one."""
-        return replace(self, finest=self.finest + 1, coarsenings=None)
+        """Return the same meshes up to the next coarser one, or the one before if that is large."""
+        elements = len(self.level(self.finest + 1).system.problem.mesh.elements)
+        return replace(self, finest=self.finest + (2 if elements > LARGE_DRAFT else 1), coarsenings=None)
 
     def clone(self) -> MeshHierarchy:
         """Return the same hierarchy with factors of its own, for use on another thread."""

@@ -12,7 +12,7 @@ import pytest
 from groundslab import InputError, Model, solve
 from groundslab.accuracy.judgment import JudgedValue, judge
 from groundslab.accuracy.singularities import find_limits
-from groundslab.analysis import adaptivity, driver
+from groundslab.analysis import adaptivity, driver, mesh_hierarchy
 from groundslab.analysis.driver import Variants, analyze
 from groundslab.analysis.tasks.run import Report, Setting
 from groundslab.discretize.local_sizes import local_sizes
@@ -230,6 +230,24 @@ def test_several_combinations_are_shown_on_a_coarse_mesh_first() -> None:
     solve(slab({"accuracy": 0.02}, loads=LEGS[:1]), on_mesh=shown.append)
     assert shown
     assert all(each.comparison for results in shown for each in results.values())
+
+
+@pytest.mark.slow
+def test_a_large_draft_is_made_coarser_once_more(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It has fewer unknowns, and everything ends on the same mesh with the same values."""
+    drafts: list[Results] = []
+    ends: list[Results] = []
+    for most in (mesh_hierarchy.LARGE_DRAFT, 0):
+        monkeypatch.setattr(mesh_hierarchy, "LARGE_DRAFT", most)
+        shown: list[Results] = []
+        ends.append(solve(slab({"accuracy": 0.05}, **LIFTING), on_mesh=shown.append))
+        drafts.append(shown[0])
+    usual, coarse = (each["a"].unknowns for each in drafts)
+    assert coarse < usual / 2
+    for name, found in ends[1].items():
+        one, other = found.plate.settlement, ends[0][name].plate.settlement
+        assert found.unknowns == ends[0][name].unknowns
+        np.testing.assert_allclose(one, other, atol=1e-6 * np.abs(other).max())
 
 
 @pytest.mark.slow
