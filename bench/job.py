@@ -90,7 +90,8 @@ PHASES: list[tuple[str, Any, str]] = [
     ("contact, all meshes and strips", contact, "solve"),
     ("of which analysis and factorisations", factor_reuse.CachedFactorization, "factorize"),
     ("of which solutions with the factor", pardiso.Pardiso, "solve"),
-    ("recovery", task, "recover"),
+    ("recovery", task, "recover_fields"),
+    ("recovery", task, "compare"),
     ("certificate", task, "certificate"),
 ]
 #: Variants of the ground: how many are solved each time, and by how much k0 and k1 scatter.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from groundslab.discretize import interpolation
 from groundslab.discretize.interpolation import interpolate_linearly, interpolate_smoothly
 
 
@@ -101,3 +102,22 @@ def test_smooth_values_of_places_next_to_each_other(apart: float) -> None:
     places = np.array([[0.0, 0.0], [apart, 0.0], [1.0, 0.0], [0.0, 1.0]])
     found = interpolate_smoothly(places, np.array([1.0, 3.0, 2.0, 2.0]), np.array([[0.3, 0.4]]))
     np.testing.assert_allclose(found, 2.0, rtol=1e-8)
+
+
+def test_scipy_finds_the_same_in_parts_of_any_size(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Within the range of the known values they are those of SciPy's radial basis functions."""
+    from scipy.interpolate import RBFInterpolator
+
+    rng = np.random.default_rng(5)
+    places, wanted = rng.uniform(-1, 1, (30, 2)), rng.uniform(-1, 1, (101, 2))
+    values = 5 + places @ (1.0, 2.0) + rng.uniform(-1, 1, 30)
+    monkeypatch.setattr(interpolation, "MOST_DISTANCES", 30 * 7)
+    for found, kernel in (
+        (interpolate_linearly(places, values[:, None], wanted)[:, 0], "linear"),
+        (interpolate_smoothly(places, values, wanted), "thin_plate_spline"),
+    ):
+        degree = 0 if kernel == "linear" else 1
+        expected = RBFInterpolator(places, values, kernel=kernel, degree=degree)(wanted)
+        inside = (expected > values.min()) & (expected < values.max())
+        assert inside.sum() > 80
+        np.testing.assert_allclose(found[inside], expected[inside], rtol=1e-9)

@@ -424,6 +424,15 @@ class TestArchive:
         with pytest.raises(ValueError, match="read-only"):
             read.plate.settlement[0] = 1.0
 
+    def test_another_mesh_is_not_shared(self, tmp_path: Path) -> None:
+        """Results that are read beside others have the mesh of these only if it is theirs."""
+        coarse, fine = synthetic.results(2), synthetic.results(3)
+        for name, results in (("coarse", coarse), ("fine", fine)):
+            npz.write(results, tmp_path / f"{name}.npz")
+        read = npz.load(tmp_path / "fine.npz", coarse)
+        synthetic.assert_same(read, fine)
+        assert npz.load(tmp_path / "fine.npz", read).plate.nodes is read.plate.nodes
+
     def test_needs_no_pickle(self, tmp_path: Path) -> None:
         """Plain NumPy reads every array with pickles forbidden."""
         npz.write(synthetic.results(), tmp_path / "results.npz")

@@ -1,6 +1,6 @@
 """Plate and ground as VTU files (for ParaView): nine-node cells, array names that carry their units.
 
-The format is that of VTK's file formats, XML, inline binary data in compressed blocks.
+They are VTK's unstructured grids in XML, their data in compressed blocks.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 #: VTK's number of the biquadratic quadrilateral, whose order of nodes is ours.
 BIQUADRATIC_QUAD = 28
-#: Bytes that are compressed at a time, and how hard: more makes digits of results no smaller.
+#: Bytes that are compressed at a time, and zlib's level: with higher ones files are hardly smaller.
 BLOCK, LEVEL = 2**20, 1
 
 

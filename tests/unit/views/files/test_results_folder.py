@@ -131,6 +131,9 @@ class TestSeveral:
         assert found.results.keys() == wanted.results.keys()
         for name, results in wanted.results.items():
             synthetic.assert_same(found[name], results)
+        first, *others = found.results.values()
+        assert others
+        assert all(each.plate.elements is first.plate.elements for each in others)
         uncertified = found.refused["uncertified"]
         assert isinstance(uncertified, NotCertified)
         synthetic.assert_same(uncertified.results, wanted.refused["uncertified"].results)  # type: ignore[attr-defined]
