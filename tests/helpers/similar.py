@@ -6,7 +6,7 @@ from typing import Any
 
 from groundslab import units
 from groundslab.model.model import Model
-from groundslab.schema.base import Section, get_field_type
+from groundslab.schema.base import Section
 from groundslab.schema.fields import FieldType, ListOf, Quantity
 from groundslab.schema.places import move
 
@@ -21,7 +21,7 @@ def _rescale_section(section: Section, lengths: float, forces: float) -> dict[st
     data = {}
     for name in section.model_fields_set | ({"kind"} & set(type(section).model_fields)):
         field, value = type(section).model_fields[name], getattr(section, name)
-        key = get_field_type(field)
+        key = field.type
         data[name] = _rescale_parts(value, lengths, forces) if key is None else _rescale(value, key, lengths, forces)
     return {name: value for name, value in data.items() if value is not None}
 

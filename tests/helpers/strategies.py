@@ -29,7 +29,7 @@ from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.model.varying_ground import Borehole, GapPoint, SoilZone, Void
-from groundslab.schema.base import Section, get_field_type
+from groundslab.schema.base import Section
 from groundslab.schema.fields import Boolean, Choice, ListOf, Text
 
 
@@ -47,7 +47,7 @@ GAMMAS = st.just("iterate") | st.floats(0.3, 5.0)
 
 def any_of(part: type[Section], name: str) -> st.SearchStrategy[Any]:
     """Return all values of a key that is a choice, a flag or a text, from what the key says itself."""
-    key = get_field_type(part.model_fields[name])
+    key = part.model_fields[name].type
     if isinstance(key, Choice):
         return st.sampled_from(key.words)
     if isinstance(key, Boolean):
@@ -407,7 +407,7 @@ def combines(cases: list[LoadCase]) -> st.SearchStrategy[Combine]:
 
 def any_of_each(part: type[Section], name: str) -> st.SearchStrategy[Any]:
     """Return all words of which a key holds a list."""
-    key = get_field_type(part.model_fields[name])
+    key = part.model_fields[name].type
     assert isinstance(key, ListOf)
     assert isinstance(key.each, Choice)
     return st.sampled_from(key.each.words)

@@ -16,7 +16,6 @@ from hypothesis import strategies as st
 from groundslab.case.casefile import load, loads, starter, to_toml
 from groundslab.errors import InputError
 from groundslab.model.model import Model, docs_table
-from groundslab.schema.fields import FROM_FILE
 from helpers.strategies import models, rich_models
 
 SECOND = """
@@ -234,7 +233,7 @@ def descriptions(draw: st.DrawFn) -> Any:
 @pytest.mark.parametrize("name", FILES)
 def test_fuzzed_files_are_sound(name: str) -> None:
     """The descriptions that the tests below damage are sound to begin with."""
-    assert Model.model_validate(DATA[name], context=FROM_FILE) == loads(FILES[name])
+    assert Model.model_validate(DATA[name], from_file=True) == loads(FILES[name])
 
 
 @pytest.mark.slow
@@ -242,7 +241,7 @@ def test_fuzzed_files_are_sound(name: str) -> None:
 @given(descriptions())
 def test_damaged_structure(data: Any) -> None:
     """Dropped, moved, renamed and replaced keys, wrong types and deep nesting: a Model or an InputError."""
-    answer(data, context=FROM_FILE)
+    answer(data, from_file=True)
     answer(data)
 
 
@@ -257,7 +256,7 @@ def test_deep_nesting(kind: type) -> None:
         for _ in range(2000):
             holder[place[-1]] = [holder[place[-1]]] if kind is list else {"kind": holder[place[-1]]}
         with pytest.raises(InputError) as error:
-            Model.model_validate(data, context=FROM_FILE)
+            Model.model_validate(data, from_file=True)
         check(error.value)
 
 
@@ -266,7 +265,7 @@ def test_deep_nesting(kind: type) -> None:
 @given(values() | st.binary() | st.dictionaries(st.integers() | st.none() | st.binary(), st.integers(), max_size=3))
 def test_any_object(data: Any) -> None:
     """What is no description at all, in Python too, is an InputError."""
-    answer(data, context=FROM_FILE)
+    answer(data, from_file=True)
     answer({"plate": data, "ground": data, "loads": data, "beyond": data, "contact": data, "mesh": data})
     answer(
         {**DATA["starter"], "loads": [data], "ground": {"kind": "layered", "coupling": "interface", "layers": [data]}}

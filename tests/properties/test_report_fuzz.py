@@ -18,7 +18,7 @@ from groundslab.errors import InputError
 from groundslab.model.combinations import as_solved, list_combinations
 from groundslab.model.model import Model
 from groundslab.model.shapes import Circle, Polygon, Rectangle
-from groundslab.schema.base import Section, get_field_type
+from groundslab.schema.base import Section
 from groundslab.schema.fields import Quantity, Text
 from groundslab.schema.wording import quote
 from groundslab.units import QuantityError, parse
@@ -37,13 +37,13 @@ pytestmark = pytest.mark.slow
 def leaves(part: Section) -> Iterator[tuple[Any, Any]]:
     """Yield the kinds and values of all keys that a case gives; of shapes none, as they are reported in words."""
     for name, field in type(part).model_fields.items():
-        value, key = getattr(part, name), get_field_type(field)
+        value, key = getattr(part, name), field.type
         if isinstance(value, Section):
             yield from () if isinstance(value, Rectangle | Circle | Polygon) else leaves(value)
         elif key is None and isinstance(value, tuple):
             for each in value:
                 yield from leaves(each)
-        elif key is not None and value is not None and (field.is_required() or value != field.default):
+        elif key is not None and value is not None and (field.required or value != field.default):
             yield key, value
 
 

@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from groundslab.case import casefile
 from groundslab.errors import InputError
 from groundslab.model.model import Model
-from groundslab.schema.base import Section, get_field_type, get_sections
-from groundslab.schema.fields import FROM_FILE, Factors
+from groundslab.schema.base import Section
+from groundslab.schema.fields import Factors
 from groundslab.schema.issues import FieldError
 from groundslab.study.definition import case_paths
 from groundslab.study.definition.schema import StudyFile
@@ -29,7 +29,7 @@ def all_paths(part: Section, path: str) -> Iterator[tuple[str, Any]]:
     for name, field in type(part).model_fields.items():
         below = f"{path}.{name}" if path else name
         held = getattr(part, name)
-        key = get_field_type(field)
+        key = field.type
         if isinstance(key, Factors):
             yield from ((f'{below}."{each.replace(chr(92), chr(92) * 2).replace(chr(34), chr(92) + chr(34))}"', value)
                         for each, value in held)  # fmt: skip
@@ -37,10 +37,10 @@ def all_paths(part: Section, path: str) -> Iterator[tuple[str, Any]]:
             yield below, held
             if isinstance(held, tuple):
                 yield from ((f"{below}[{n}]", item) for n, item in enumerate(held, start=1))
-        elif get_sections(field).many:
+        elif field.sections.many:
             for n, item in enumerate(held, start=1):
                 yield from all_paths(item, f"{below}[{n}]")
-        elif get_sections(field).parts and held is not None:
+        elif field.sections.parts and held is not None:
             yield from all_paths(held, below)
 
 
@@ -96,14 +96,14 @@ def test_spoilt_study_files(data: st.DataObject) -> None:
         held = below
     held[step] = data.draw(SCRAPS)
     try:
-        study = StudyFile.model_validate(tables, context=FROM_FILE)
+        study = StudyFile.model_validate(tables, from_file=True)
     except InputError:
         return
-    assert StudyFile.model_validate(tomllib.loads(casefile.to_toml(study)), context=FROM_FILE) == study
+    assert StudyFile.model_validate(tomllib.loads(casefile.to_toml(study)), from_file=True) == study
 
 
 @pytest.mark.parametrize("text", [STUDY])
 def test_study_survives_being_written(text: str) -> None:
     """A study file that is read, written and read again is the same study."""
-    study = StudyFile.model_validate(tomllib.loads(text), context=FROM_FILE)
-    assert StudyFile.model_validate(tomllib.loads(casefile.to_toml(study)), context=FROM_FILE) == study
+    study = StudyFile.model_validate(tomllib.loads(text), from_file=True)
+    assert StudyFile.model_validate(tomllib.loads(casefile.to_toml(study)), from_file=True) == study

@@ -11,8 +11,7 @@ from typing import Any
 
 from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
-from groundslab.schema.base import Section, get_field_type, get_sections
-from groundslab.schema.fields import FROM_FILE
+from groundslab.schema.base import Section
 from groundslab.schema.wording import describe, quote
 
 LARGEST = 10_000_000  # bytes of a file
@@ -105,7 +104,7 @@ def _require_short_keys(text: str, name: str) -> None:
 
 def from_table(data: Mapping[str, Any]) -> Model:
     """Return the Model that the tables of a case file, already parsed, describe."""
-    return Model.model_validate(data, context=FROM_FILE)
+    return Model.model_validate(data, from_file=True)
 
 
 def to_toml(part: Section) -> str:
@@ -134,17 +133,17 @@ def _lines(part: Section, path: str) -> Iterator[str]:
     tables: list[tuple[str, Section]] = []
     for name, field in type(part).model_fields.items():
         value: Any = getattr(part, name)
-        key = get_field_type(field)
-        inner = get_sections(field)
+        key = field.type
+        inner = field.sections
         below = f"{path}.{name}" if path else name
         if inner.many:
             tables += [(f"[[{below}]]", section) for section in value]
         elif inner.parts:
-            if value is not None and (field.is_required() or value != field.default):
+            if value is not None and (field.required or value != field.default):
                 tables.append((f"[{below}]", value))
         elif key is None:
             yield f"{name} = {quote(value)}"
-        elif value is not None and (field.is_required() or value != field.default):
+        elif value is not None and (field.required or value != field.default):
             yield f"{name} = {key.write(value)}"
     for heading, inner_part in tables:
         yield ""

@@ -6,13 +6,12 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import Discriminator, Field, Tag
-
-from groundslab.schema.base import ByKind, Check, Section, Table
+from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Choice, Integer, Number, Quantity
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.repairs import remove
+from groundslab.schema.section_fields import ByKind, Table
 from groundslab.schema.wording import describe, quote
 
 POSITIVE = Range(above=0)
@@ -136,7 +135,7 @@ class Vlasov(Section):
     checks: ClassVar[tuple[Check, ...]] = (_check_vlasov_sublayers, _check_mode, _check_formulas)
 
     kind: Annotated[Literal["vlasov"], Table("soil layers that settle in one mode over the depth")] = "vlasov"
-    layers: Annotated[tuple[SoilLayer, ...], Field(min_length=1), Table("the layers, from the top downwards")]
+    layers: Annotated[tuple[SoilLayer, ...], Table("the layers, from the top downwards")]
     gamma: Gamma = "iterate"
     mode: Annotated[
         Mode,
@@ -155,10 +154,7 @@ def _layer_kind(layer: Any) -> str | None:
     return "SoilLayer" if soil or not layer.keys() & {"k0", "k1"} else "InterfaceLayer"
 
 
-AnyLayer = Annotated[
-    Annotated[SoilLayer, Tag("SoilLayer")] | Annotated[InterfaceLayer, Tag("InterfaceLayer")],
-    Discriminator(_layer_kind),
-]
+AnyLayer = Annotated[SoilLayer | InterfaceLayer, ByKind(_layer_kind)]
 
 
 def _check_layer_kinds(layers: tuple[SoilLayer | InterfaceLayer, ...], coupling: str) -> Iterator[RelativeIssue]:
@@ -197,7 +193,6 @@ class Layered(Section):
     ]
     layers: Annotated[
         tuple[AnyLayer, ...],
-        Field(min_length=1),
         Table("the layers, from the top downwards, all by E, nu and thickness, or (interface) all by k0, k1"),
     ]
     gamma: Gamma = "iterate"
@@ -304,7 +299,6 @@ class ConstrainedModulus(Section):
     ] = "constrained modulus"
     layers: Annotated[
         tuple[SoilLayer, ...],
-        Field(min_length=1),
         Table("the layers, from the top downwards; their constrained modulus is E (1 - nu) / ((1 + nu)(1 - 2 nu)), E "
               "itself for nu = 0; below them nothing settles"),
     ]  # fmt: skip

@@ -8,9 +8,6 @@ from __future__ import annotations
 
 from typing import Annotated, Any, ClassVar, Self
 
-import numpy as np  # noqa: F401  before pydantic, whose typing_extensions makes NumPy's types slow to build on 3.11
-from pydantic import Field, PrivateAttr
-
 from groundslab.geometry.plan import Ring
 from groundslab.model import consistency, varying_ground
 from groundslab.model.columns import Column
@@ -35,8 +32,9 @@ from groundslab.model.serviceability.long_term import LongTerm, scale_stiffnesse
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.supports import Support, check_piles
 from groundslab.schema import reference
-from groundslab.schema.base import Check, Section, Table
+from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Text
+from groundslab.schema.section_fields import Table
 
 
 class Model(Section):
@@ -103,7 +101,7 @@ class Model(Section):
     cases: Annotated[
         tuple[LoadCase, ...], Table("load cases; without any, all loads act together, without factors")
     ] = ()
-    loads: Annotated[tuple[Load, ...], Field(min_length=1), Table("the loads, at least one", 200_000)]
+    loads: Annotated[tuple[Load, ...], Table("the loads, at least one", 200_000)]
     patterns: Annotated[tuple[Pattern, ...], Table("vehicles and racks, which moves place or take along paths")] = ()
     moves: Annotated[
         tuple[Move, ...], Table("where patterns are placed, and paths along which cases are solved at each position")
@@ -132,8 +130,6 @@ class Model(Section):
     mesh: Annotated[Mesh, Table("the mesh; made for an accuracy by default")] = Mesh()
     analysis: Annotated[Analysis, Table("how the equations are solved")] = Analysis()
 
-    _origin: tuple[float, float] = PrivateAttr((0.0, 0.0))
-
     @classmethod
     def root(cls) -> str:
         """Return nothing: paths of issues start with the section."""
@@ -142,12 +138,13 @@ class Model(Section):
     @property
     def origin(self) -> tuple[float, float]:
         """Return where x = y = 0 lies in the plan that was given [m], see `plan_origin`; for messages."""
-        return self._origin
+        origin: tuple[float, float] = vars(self).get("_origin", (0.0, 0.0))
+        return origin
 
     def with_origin(self, origin: tuple[float, float]) -> Self:
         """Return the model, which has been moved, with its x = y = 0 at a place of the plan that was given [m]."""
         moved = self.model_copy()
-        moved._origin = origin
+        vars(moved)["_origin"] = origin
         return moved
 
     @property

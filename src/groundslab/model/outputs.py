@@ -12,10 +12,11 @@ from groundslab.model.plates.further import FurtherPlate, list_plates
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import Place
 from groundslab.model.supports import check_names
-from groundslab.schema.base import Check, Section, Table
+from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Choice, Integer, ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.places import coordinate
+from groundslab.schema.section_fields import Table
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry

@@ -9,10 +9,11 @@ from groundslab.geometry.plan import Plan, Ring, format_place
 from groundslab.geometry.validity import find_issues
 from groundslab.model.ground import POISSON, POSITIVE
 from groundslab.model.shapes import AnyShape, Rectangle, Shape
-from groundslab.schema.base import Check, Section, Table
+from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Choice, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
+from groundslab.schema.section_fields import Table
 from groundslab.schema.wording import quote
 
 #: Key of the shear correction factor.

@@ -9,11 +9,12 @@ from groundslab.errors import Repair
 from groundslab.model.ground import POSITIVE
 from groundslab.model.shapes import Shape
 from groundslab.model.varying_ground import GapPoint, Void, check_gap_points
-from groundslab.schema.base import Check, Section, Table
+from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Boolean, Choice, Integer, ListOf, Quantity
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.repairs import remove, set_value
+from groundslab.schema.section_fields import Table
 from groundslab.schema.wording import describe, quote
 
 Reach = Literal["none", "margin", "infinite"]

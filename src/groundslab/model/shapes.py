@@ -7,11 +7,12 @@ from typing import Annotated, ClassVar, Literal
 
 from groundslab.geometry.plan import LARGEST_BULGE, Ring, circle, rectangle
 from groundslab.model.ground import POSITIVE
-from groundslab.schema.base import ByKind, Check, Section, Table
+from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import ListOf, Number, Quantity
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.places import extent, place_in_plan
 from groundslab.schema.ranges import Range
+from groundslab.schema.section_fields import ByKind, Table
 
 #: Two points make a curve if one of its edges has at least this bulge.
 FLATTEST = 1e-3

@@ -11,12 +11,13 @@ from groundslab.model.ground import POSITIVE, AnyGround, ContinuousGround
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, first_sections, list_plates
 from groundslab.model.shapes import Place
-from groundslab.schema.base import ByKind, Check, Section, Table
+from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Choice, ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.places import coordinate
 from groundslab.schema.ranges import Range
 from groundslab.schema.repairs import remove, set_value, use_free_name
+from groundslab.schema.section_fields import ByKind, Table
 from groundslab.schema.wording import describe, quote
 
 #: A pile is at least so many diameters long: formulas are those of slender ones.

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
-from pydantic import Field
-
 from groundslab.geometry.plan import Ring, rectangle
 from groundslab.model.ground import (
     POSITIVE,
@@ -22,11 +20,12 @@ from groundslab.model.ground import (
 )
 from groundslab.model.plate import Plate
 from groundslab.model.shapes import AnyShape, Shape
-from groundslab.schema.base import Check, Section, Table
+from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.places import coordinate, extent
 from groundslab.schema.repairs import remove, set_value
+from groundslab.schema.section_fields import Table
 from groundslab.schema.wording import quote
 
 if TYPE_CHECKING:
@@ -54,7 +53,6 @@ class Borehole(Section):
     y: Annotated[float, coordinate(1, "position, on or off the plate")]
     layers: Annotated[
         tuple[SoilLayer, ...],
-        Field(min_length=1),
         Table("the layers there, from the top downwards, as many as the ground has; their thickness, E, E_bottom and "
               "nu are interpolated"),
     ]  # fmt: skip

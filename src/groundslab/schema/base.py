@@ -3,139 +3,116 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import dataclass
-from functools import cache, lru_cache
-from typing import Annotated, Any, ClassVar, Self, get_args, get_origin
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import FrozenInstanceError
+from functools import cache, partial
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from pydantic import (
-    BaseModel,
-    ConfigDict,
-    GetCoreSchemaHandler,
-    TypeAdapter,
-    ValidationError,
-    ValidationInfo,
-    model_validator,
-)
-from pydantic.fields import FieldInfo
-from pydantic.functional_validators import ModelWrapValidatorHandler
-from pydantic_core import CoreSchema, core_schema
-
-from groundslab.errors import InputError
-from groundslab.schema.fields import MOST_ISSUES, FieldType, is_from_file
+from groundslab.errors import InputError, Repair
+from groundslab.schema.fields import MOST_ISSUES
 from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.repairs import remove, rename_key, set_value, use_nearest
+from groundslab.schema.section_fields import Field, SectionType, sections_by_kind, summary_of
 from groundslab.schema.wording import describe, find_nearest, listed, quote, suggestion
 
+if TYPE_CHECKING:
+    from pydantic import GetCoreSchemaHandler
+    from pydantic_core import CoreSchema
+
 MOST_KEYS = 1000  # of one table; of more they are not named one by one
-
-
-@dataclass(frozen=True, slots=True)
-class Table:
-    """Meaning of a field that holds sections, or the tag of a kind, in its ``Annotated``; and the most in a list."""
-
-    meaning: str
-    most: int = 1000
-
-
-@dataclass(frozen=True, slots=True)
-class NestedSections:
-    """Sections that a field may hold, one or a list of them; none for a field that holds a value."""
-
-    parts: tuple[type[Section], ...]
-    many: bool
-
-
-def get_sections(field: FieldInfo) -> NestedSections:
-    """Return the sections that a field may hold."""
-    sections: list[type[Section]] = []
-    many = False
-
-    def walk(annotation: Any) -> None:
-        nonlocal many
-        many = many or get_origin(annotation) is tuple
-        if isinstance(annotation, type) and issubclass(annotation, Section):
-            sections.append(annotation)
-        elif get_origin(annotation) is Annotated:
-            walk(get_args(annotation)[0])
-        else:
-            for argument in get_args(annotation):
-                walk(argument)
-
-    walk(field.annotation)
-    return NestedSections(tuple(sections), many and bool(sections))
-
-
-def get_field_type(field: FieldInfo) -> FieldType | None:
-    """Return the type of a field that holds a value, None for one that holds sections or a tag."""
-    return next((item for item in field.metadata if isinstance(item, FieldType)), None)
-
-
-def get_most_sections(field: FieldInfo) -> int | None:
-    """Return how many sections a field may hold, None for one that holds no list of sections."""
-    return next((item.most for item in field.metadata if isinstance(item, Table) and get_sections(field).many), None)
-
-
-def get_meaning(field: FieldInfo) -> str:
-    """Return the meaning of a field."""
-    return next((item.meaning for item in field.metadata if isinstance(item, FieldType | Table)), "")
-
-
 #: A check has the fields that it needs as parameters, and yields issues; ``given`` are the keys that were set.
 Check = Callable[..., Iterator[RelativeIssue]]
 
 
-class Section(BaseModel):
+class Section(metaclass=SectionType):
     """A section of a model: immutable, without unknown keys, its issues reported at once as InputError."""
-
-    model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=False, defer_build=True)
 
     checks: ClassVar[tuple[Check, ...]] = ()
 
     def __init__(self, **data: Any) -> None:
         """Validate the data; raises InputError with all issues."""
-        try:
-            super().__init__(**data)
-        except ValidationError as error:
-            refused = self._input_error(error)
-        else:
-            return
-        # raised here, it does not keep pydantic's error with all of the data as its context
-        raise refused
-
-    # so that pydantic does not call __init__ for a section within a section, whose issues belong to the outer one
-    __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
-
-    @classmethod
-    def __pydantic_init_subclass__(cls, **options: Any) -> None:
-        """Add the fields to the docstring, as numpydoc writes parameters."""
-        super().__pydantic_init_subclass__(**options)
-        lines = []
-        for name, field in cls.model_fields.items():
-            key, inner = get_field_type(field), get_sections(field)
-            kinds = listed(part.__name__ for part in inner.parts) if inner.parts else "str"
-            kind = key.type_text().replace("`", "") if key else f"list of {kinds}" if inner.many else kinds
-            within = f" ({key.range_text()})" if key and key.range_text() else ""
-            lines += [
-                f"{name} : {kind}{'' if field.is_required() else ', optional'}",
-                f"    {get_meaning(field)}{within}",
-            ]
-        raises = ["", "Raises", "------", "InputError", "    With all issues of the input."]
-        cls.__doc__ = "\n".join([cls.summary(), "", "Parameters", "----------", *lines, *raises])
+        made = self._read_or_refuse(data, from_file=False)
+        vars(self).update(vars(made))
 
     @classmethod
     def summary(cls) -> str:
         """Return the first paragraph of the docstring."""
-        return (inspect.getdoc(cls) or "").split("\n\n")[0]
+        return summary_of(cls)
 
     @classmethod
-    def model_validate(cls, obj: Any, **options: Any) -> Self:
-        """Return the section that ``obj`` describes; raises InputError with all issues."""
+    def model_validate(cls, obj: Any, *, from_file: bool = False) -> Self:
+        """Return the section that ``obj`` describes; raises InputError with all issues.
+
+        In files units are mandatory, and a key without effect is an issue.
+        """
+        return cls._read_or_refuse(obj, from_file)
+
+    @classmethod
+    def _read_or_refuse(cls, data: Any, from_file: bool) -> Self:
+        """Return the section that data describe; raises InputError with all issues."""
         try:
-            return super().model_validate(obj, **options)
-        except ValidationError as error:
-            refused = cls._input_error(error)
+            return cls.read(data, from_file)
+        except FieldError as error:
+            refused = InputError([relative.issue(cls.root()) for relative in error.relative_issues])
+        # raised here, it does not keep the other error with all of the data as its context
         raise refused
+
+    @classmethod
+    def complete(cls, data: Mapping[Any, Any]) -> Mapping[Any, Any]:
+        """Return the keys that are given with those that follow from them."""
+        return data
+
+    @classmethod
+    def read(cls, data: Any, from_file: bool) -> Self:
+        """Return the section that data describe, or are; raises FieldError.
+
+        The checks between fields run even where some fields are wrong: those that need valid ones only.
+        """
+        if isinstance(data, cls):
+            return data
+        if not isinstance(data, Mapping):
+            raise FieldError(_not_a_table((), data))
+        # of a list far too long nothing else is said, as all that could be takes long to find
+        if too_long := _too_long(cls, data):
+            raise FieldError(*too_long)
+        data, fields = cls.complete(data), cls.model_fields
+        faults: list[list[RelativeIssue]] = []
+        sound: dict[str, Any] = {}
+        for name, field in fields.items():
+            if name not in data:
+                if field.required:
+                    faults.append([_none_given(cls, name, None)])
+                else:
+                    sound[name] = field.default
+                continue
+            before = len(faults)
+            value = _read_field(cls, name, data[name], from_file, faults)
+            if len(faults) == before:
+                sound[name] = value
+        faults += [[_unknown_key(cls, key, data)] for key in data if key not in fields]
+        relative_issues = [issue for each in faults[:MOST_ISSUES] for issue in each]
+        if len(faults) > MOST_ISSUES:
+            relative_issues.append(_too_many_issues(len(faults)))
+        given = {
+            name
+            for name in data
+            if name in fields and (from_file or name not in sound or sound[name] != fields[name].default)
+        }
+        known = sound.keys() | {"given"}
+        for check in cls.checks:
+            needs = _needs(check)
+            if known >= needs:
+                relative_issues += check(**{name: given if name == "given" else sound[name] for name in needs})
+        if relative_issues:
+            raise FieldError(*_limit_issues(relative_issues))
+        return cls._of(sound, data.keys())
+
+    @classmethod
+    def _of(cls, values: Mapping[str, Any], given: Any) -> Self:
+        """Return a section with values of all fields, of which some were given."""
+        made = object.__new__(cls)
+        vars(made).update(values, _given=frozenset(given))
+        return made
 
     def replace(self, **changes: Any) -> Self:
         """Return a copy with some fields changed, validated again.
@@ -152,66 +129,111 @@ class Section(BaseModel):
         """
         return type(self)(**{name: value for name, value in {**dict(self), **changes}.items() if value is not None})
 
+    def model_copy(self, *, update: Mapping[str, Any] | None = None) -> Self:
+        """Return a copy with some fields changed, unchecked."""
+        copied = object.__new__(type(self))
+        vars(copied).update(vars(self))
+        if update:
+            vars(copied).update(update, _given=self.model_fields_set | update.keys())
+        return copied
+
+    @property
+    def model_fields_set(self) -> frozenset[str]:
+        """Return the keys that were given."""
+        given: frozenset[str] = vars(self)["_given"]
+        return given
+
+    def model_dump(self) -> dict[str, Any]:
+        """Return the values of all fields in SI units, those of sections in it as such tables too."""
+        return {name: _dump(value) for name, value in self}
+
+    @classmethod
+    def __get_pydantic_core_schema__(cls, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Let pydantic read and write sections within values of its own."""
+        from pydantic_core import core_schema
+
+        written = core_schema.plain_serializer_function_ser_schema(cls.model_dump)
+        return core_schema.no_info_plain_validator_function(partial(cls.read, from_file=False), serialization=written)
+
     @classmethod
     def root(cls) -> str:
         """Return the start of the paths of issues when the section is built by itself."""
         return cls.__name__
 
-    @classmethod
-    def _input_error(cls, error: ValidationError) -> InputError:
-        relative_issues = _translate(cls, error)
-        return InputError([relative.issue(cls.root()) for relative in relative_issues])
+    def __iter__(self) -> Iterator[tuple[str, Any]]:
+        """Yield each field's name and value."""
+        values = vars(self)
+        return ((name, values[name]) for name in type(self).field_defaults)
 
-    @model_validator(mode="wrap")
-    @classmethod
-    def _all_at_once(cls, data: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo) -> Self:
-        """Run the checks between fields even where some fields are wrong: those that need valid ones only."""
-        if isinstance(data, cls):
-            return handler(data)
-        # of a list far too long nothing else is said, as all that could be takes long to find
-        if too_long := _too_long(cls, data):
-            raise FieldError(*too_long)
-        made, relative_issues = None, []
+    def __eq__(self, other: object) -> bool:
+        """Whether another section is of the same class and has the same values."""
+        if type(self) is not type(other):
+            return NotImplemented
+        mine, others = vars(self), vars(other)
+        return self is other or all(mine[name] == others[name] for name in type(self).field_defaults)
+
+    def __hash__(self) -> int:
+        """Return a hash of class and values."""
+        return hash((type(self), *(value for _, value in self)))
+
+    def __repr__(self) -> str:
+        """Return how the section is made."""
+        return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self)})"
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        """Refuse: sections are immutable."""
+        raise FrozenInstanceError(f"cannot assign to field {name!r}")
+
+    def __delattr__(self, name: str) -> None:
+        """Refuse: sections are immutable."""
+        raise FrozenInstanceError(f"cannot delete field {name!r}")
+
+
+def _dump(value: Any) -> Any:
+    """Return a value with its sections as tables."""
+    if isinstance(value, Section):
+        return value.model_dump()
+    return tuple(map(_dump, value)) if isinstance(value, tuple) else value
+
+
+def _read_field(cls: type[Section], name: str, value: Any, from_file: bool, faults: list[list[RelativeIssue]]) -> Any:
+    """Return the value of a field, or add its faults, one with all issues for each value or section that is wrong."""
+    field = cls.model_fields[name]
+    if value is None and field.optional:
+        return None
+    if not field.sections.many:
         try:
-            made = handler(data)
-        except ValidationError as error:
-            relative_issues = _translate(cls, error, data if isinstance(data, Mapping) else ())
-            if not isinstance(data, Mapping):
-                raise FieldError(*relative_issues) from None
-            broken = {str(line["loc"][0]) for line in error.errors(include_url=False) if line["loc"]}
-            sound = _valid_fields(cls, data, broken, info.context)
-        else:
-            sound = dict(made)
-        from_file = is_from_file(info.context)
-        fields = cls.model_fields
-        sound["given"] = {
-            name
-            for name in data
-            if name in fields and (from_file or name not in sound or sound[name] != fields[name].default)
-        }
-        for check in cls.checks:
-            needs = _needs(check)
-            if sound.keys() >= needs:
-                relative_issues += check(**{name: sound[name] for name in needs})
-        if made is None or relative_issues:
-            raise FieldError(*_limit_issues(relative_issues))
-        return made
+            return _read_one(field, value, from_file)
+        except FieldError as error:
+            faults.append([relative.below((name,)) for relative in error.relative_issues])
+            return None
+    if not isinstance(value, list | tuple):
+        faults.append([_not_a_list(name, value)])
+        return None
+    if not value and field.required:
+        faults.append([_none_given(cls, name, value)])
+    kept = []
+    for position, item in enumerate(value):
+        try:
+            kept.append(_read_one(field, item, from_file))
+        except FieldError as error:
+            faults.append([relative.below((name, position)) for relative in error.relative_issues])
+    return tuple(kept)
 
 
-def get_kind(value: Any) -> str | None:
-    """Return the kind that a table or a section states, for unions of sections; None if there is none."""
-    kind = value.get("kind") if isinstance(value, Mapping) else getattr(value, "kind", None)
-    # only text is returned: pydantic would print anything else, however deep it is nested
-    return kind if isinstance(kind, str) else None
-
-
-class ByKind:
-    """Annotation of a union of sections, of which the kind that a table states says which one it is."""
-
-    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
-        """Let pydantic choose the section by its kind."""
-        choices = {part.model_fields["kind"].default: handler.generate_schema(part) for part in get_args(source)}
-        return core_schema.tagged_union_schema(choices, get_kind)
+def _read_one(field: Field, value: Any, from_file: bool) -> Any:
+    """Return a value of a field, or one of its sections; raises FieldError."""
+    if field.type is not None:
+        return field.type.read(value, from_file)
+    parts = field.sections.parts
+    if not parts:
+        if not isinstance(value, str) or value != field.default:
+            raise FieldError(RelativeIssue((), describe(value), quote(field.default)))
+        return value
+    part = parts[0] if field.by_kind is None else field.by_kind.choose(value, parts)
+    if part is None:
+        raise FieldError(_no_kind(parts, value))
+    return part.read(value, from_file)
 
 
 @cache
@@ -220,10 +242,8 @@ def _needs(check: Check) -> frozenset[str]:
     return frozenset(inspect.signature(check).parameters)
 
 
-def _too_long(cls: type[Section], data: Any) -> list[RelativeIssue]:
+def _too_long(cls: type[Section], data: Mapping[Any, Any]) -> list[RelativeIssue]:
     """Return issues of lists with too many sections, or of a table with too many keys."""
-    if not isinstance(data, Mapping):
-        return []
     if len(data) > MOST_KEYS:
         return [RelativeIssue((), f"a table of {len(data)} keys", f"some of {', '.join(cls.model_fields)}")]
     lists = ((name, data.get(name), most) for name, most in _most_of_lists(cls).items())
@@ -237,49 +257,7 @@ def _too_long(cls: type[Section], data: Any) -> list[RelativeIssue]:
 @cache
 def _most_of_lists(cls: type[Section]) -> dict[str, int]:
     """Return how many sections each list of a section may hold."""
-    return {name: most for name, field in cls.model_fields.items() if (most := get_most_sections(field)) is not None}
-
-
-def _valid_fields(cls: type[Section], data: Mapping[Any, Any], broken: set[str], context: Any) -> dict[str, Any]:
-    """Return the valid fields of a section of which others are wrong."""
-    sound = {}
-    for name, field in cls.model_fields.items():
-        if name in broken:
-            continue
-        if name not in data:
-            sound[name] = field.get_default(call_default_factory=True)
-        else:
-            try:
-                sound[name] = _adapter(cls, name).validate_python(data[name], context=context)
-            except ValidationError:  # pragma: no cover - it was valid a moment ago
-                continue
-    return sound
-
-
-@lru_cache(maxsize=512)
-def _adapter(cls: type[Section], name: str) -> TypeAdapter[Any]:
-    field = cls.model_fields[name]
-    annotation: Any = Annotated[field.annotation, field]
-    return TypeAdapter(annotation)
-
-
-def _translate(cls: type[Section], error: ValidationError, given: Collection[str] = ()) -> list[RelativeIssue]:
-    """Return pydantic's errors of one section, in which some keys are given, as issues."""
-    relative_issues: list[RelativeIssue] = []
-    # pydantic calls a list too short as well when none of its entries is right
-    lines = [line for line in error.errors(include_url=False) if line["type"] != "too_short" or not line["input"]]
-    for line in lines[:MOST_ISSUES]:
-        # below a field's name only positions belong to the path; names are the tags of unions
-        head, tail = line["loc"][:1], line["loc"][1:]
-        place = (*head, *(step for step in tail if isinstance(step, int)))
-        cause = line.get("ctx", {}).get("error")
-        if isinstance(cause, FieldError):
-            relative_issues += [relative.below(place) for relative in cause.relative_issues]
-        else:
-            relative_issues.append(_to_issue(cls, place, line, given))
-    if len(lines) > MOST_ISSUES:
-        relative_issues.append(_too_many_issues(len(lines)))
-    return relative_issues
+    return {name: most for name, field in cls.model_fields.items() if (most := field.most) is not None}
 
 
 def _limit_issues(relative_issues: list[RelativeIssue]) -> list[RelativeIssue]:
@@ -300,42 +278,40 @@ def _not_a_table(place: tuple[str | int, ...], value: object) -> RelativeIssue:
     )
 
 
-def _to_issue(cls: type[Section], place: tuple[str | int, ...], line: Any, given: Collection[str]) -> RelativeIssue:
-    """Return one of pydantic's own errors as an issue."""
-    kind, value = line["type"], line["input"]
-    if kind in ("extra_forbidden", "invalid_key"):
-        known = list(cls.model_fields)
-        own_place = tuple(map(str, place))
-        meant = suggestion(place[0], known)
-        nearest = find_nearest(place[0], known)
-        renames = () if nearest is None or nearest in given else (rename_key(own_place, nearest),)
-        repairs = (*renames, remove(own_place)) if own_place and own_place[0] in given else ()
-        return RelativeIssue(own_place, "an unknown key", f"one of {', '.join(known)}", meant, repairs)
-    field = cls.model_fields.get(str(place[0])) if place else None
-    if field is None:
-        return _not_a_table(place, value)
-    inner = get_sections(field)
-    if kind in ("missing", "too_short"):
-        key = get_field_type(field)
-        table = "at least one table" if inner.many else "a table"
-        if not cls.root():
-            table += f" [[{place[0]}]]" if inner.many else f" [{place[0]}]"
-        return RelativeIssue(place, describe(None if kind == "missing" else value), key.expected() if key else table)
-    if kind in ("union_tag_invalid", "union_tag_not_found") and isinstance(value, Mapping):
-        tags = [str(part.model_fields["kind"].default) for part in inner.parts if "kind" in part.model_fields]
-        given_kind = value.get("kind")
-        tag_place = (*place, "kind")
-        hint = suggestion(given_kind, tags)
-        return RelativeIssue(
-            tag_place, describe(given_kind), listed(map(quote, tags)), hint, use_nearest(tag_place, given_kind, tags)
-        )
-    if inner.many and len(place) == 1:
-        hint = "write double brackets: [[...]]" if isinstance(value, Mapping) else ""
-        is_flat = isinstance(value, Mapping) and all(isinstance(entry, str | int | float) for entry in value.values())
-        repairs = (set_value(place, [dict(value)], "make it a list"),) if is_flat else ()
-        return RelativeIssue(place, describe(value), "a list of tables", hint, repairs)
-    if inner.parts:
-        return _not_a_table(place, value)
-    if kind == "literal_error":
-        return RelativeIssue(place, describe(value), line["ctx"]["expected"].replace("'", '"'))
-    return RelativeIssue(place, describe(value), line["msg"])
+def _not_a_list(name: str, value: object) -> RelativeIssue:
+    """Return the issue of a value that should be a list of tables."""
+    hint = "write double brackets: [[...]]" if isinstance(value, Mapping) else ""
+    repairs: tuple[Repair, ...] = ()
+    if isinstance(value, Mapping) and all(isinstance(entry, str | int | float) for entry in value.values()):
+        repairs = (set_value((name,), [dict(value)], "make it a list"),)
+    return RelativeIssue((name,), describe(value), "a list of tables", hint, repairs)
+
+
+def _none_given(cls: type[Section], name: str, value: object) -> RelativeIssue:
+    """Return the issue of a field that must be given and is not, or is an empty list."""
+    field = cls.model_fields[name]
+    if field.type is not None:
+        return RelativeIssue((name,), describe(value), field.type.expected())
+    many = field.sections.many
+    header = "" if cls.root() else f" [[{name}]]" if many else f" [{name}]"
+    return RelativeIssue((name,), describe(value), ("at least one table" if many else "a table") + header)
+
+
+def _unknown_key(cls: type[Section], key: Any, data: Mapping[Any, Any]) -> RelativeIssue:
+    """Return the issue of a key that a section does not have."""
+    known = list(cls.model_fields)
+    place = (str(key),)
+    nearest = find_nearest(key, known)
+    renames = () if nearest is None or nearest in data else (rename_key(place, nearest),)
+    repairs = (*renames, remove(place)) if place[0] in data else ()
+    return RelativeIssue(place, "an unknown key", f"one of {', '.join(known)}", suggestion(key, known), repairs)
+
+
+def _no_kind(parts: tuple[type[Section], ...], value: Any) -> RelativeIssue:
+    """Return the issue of a table, or of anything else, that is of none of the kinds of a union."""
+    if not isinstance(value, Mapping):
+        return _not_a_table((), value)
+    tags = list(sections_by_kind(parts))
+    given = value.get("kind")
+    hint, repairs = suggestion(given, tags), use_nearest(("kind",), given, tags)
+    return RelativeIssue(("kind",), describe(given), listed(map(quote, tags)), hint, repairs)

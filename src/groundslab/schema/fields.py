@@ -11,17 +11,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar, get_args
 
-from pydantic import GetCoreSchemaHandler
-from pydantic_core import CoreSchema, core_schema
-
 from groundslab import units
 from groundslab.schema import ranges, toml_writer
 from groundslab.schema.issues import FieldError, RelativeIssue, field_error
 from groundslab.schema.repairs import add_unit, meant_word
 from groundslab.schema.wording import describe, listed, quote
 
-#: Validation context of files: units are mandatory there, and a key without effect is an issue.
-FROM_FILE = {"from_file": True}
 MOST_ISSUES, MOST_VALUES = 100, 10_000  # reported for one table; of a list, unless its key says otherwise
 LARGEST_WHOLE = 2**31 - 1
 
@@ -62,18 +57,6 @@ class FieldType:
     def json_schema(self) -> dict[str, Any]:
         """Return the JSON schema of the value in a file."""
         return self.SCHEMA
-
-    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
-        """Let pydantic read the value with ``read``; None is allowed where the type says so."""
-        schema = core_schema.with_info_plain_validator_function(
-            lambda value, info: self.read(value, from_file=is_from_file(info.context))
-        )
-        return core_schema.nullable_schema(schema) if type(None) in get_args(source) else schema
-
-
-def is_from_file(context: Any) -> bool:
-    """Whether pydantic's validation context is FROM_FILE."""
-    return isinstance(context, Mapping) and bool(context.get("from_file"))
 
 
 def _number(value: Any, expected: str, hint: str = "") -> float:

@@ -39,12 +39,16 @@ class RelativeIssue:
 
 
 class FieldError(ValueError):
-    """Carries issues through pydantic."""
+    """Says by issues why a value or a section cannot be read."""
 
     def __init__(self, *relative_issues: RelativeIssue) -> None:
         """Keep the issues."""
-        super().__init__("see relative_issues")
+        super().__init__(relative_issues)
         self.relative_issues = relative_issues
+
+    def __str__(self) -> str:
+        """Return the issues in a line."""
+        return "; ".join(f"found {issue.found}, expected {issue.expected}" for issue in self.relative_issues)
 
 
 def field_error(value: object, expected: str, hint: str = "", repairs: Iterable[Repair] = ()) -> FieldError:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
-from groundslab.schema.base import Section, get_field_type
+from groundslab.schema.base import Section
 from groundslab.schema.fields import FieldType, ListOf, Quantity
 from groundslab.schema.ranges import Range
 
@@ -47,7 +47,7 @@ def move(section: Moved, by: tuple[float, float], digits: int = 15) -> Moved:
     """Return a section whose places in plan are moved along x and y [m], with so many decimals; unchecked."""
     changes = {}
     for name, field in type(section).model_fields.items():
-        value, key = getattr(section, name), get_field_type(field)
+        value, key = getattr(section, name), field.type
         moved = _move_sections(value, by, digits) if key is None else _move_value(value, key, by, digits)
         if moved != value:
             changes[name] = moved

@@ -8,7 +8,6 @@ import pytest
 
 from groundslab.errors import InputError
 from groundslab.model.model import Model
-from groundslab.schema.fields import FROM_FILE
 
 LAYER = {"E": "20 MPa", "nu": 0.3, "thickness": "2 m"}
 HALF_SPACE = {"E": "60 MPa", "nu": 0.3}
@@ -19,7 +18,7 @@ UNIFORM = {"kind": "uniform", "q": "10 kPa"}
 def model_of(ground: dict[str, Any], **changes: Any) -> Model:
     """Return the Model of a file with a continuum."""
     data = {"plate": PLATE, "ground": {"kind": "continuum", **ground}, "loads": [UNIFORM], **changes}
-    return Model.model_validate(data, context=FROM_FILE)
+    return Model.model_validate(data, from_file=True)
 
 
 def issues(ground: dict[str, Any], **changes: Any) -> list[tuple[str, str, str]]:

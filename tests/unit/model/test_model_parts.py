@@ -12,7 +12,6 @@ from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model, json_schema
 from groundslab.model.shapes import Polygon
-from groundslab.schema.fields import FROM_FILE
 
 PLATE: dict[str, Any] = {"length_x": "6 m", "length_y": "4 m", "thickness": "0.25 m", "E": "30 GPa", "nu": 0.2}
 LAYER: dict[str, Any] = {"E": "20 MPa", "nu": 0.3, "thickness": "2 m"}
@@ -77,7 +76,7 @@ UNDESIGNED = "no ultimate combination of loads", "at least one to design for"
 def issues(data: object) -> list[tuple[str, str, str, str]]:
     """Return all issues of what a file holds."""
     with pytest.raises(InputError) as error:
-        Model.model_validate(data, context=FROM_FILE)
+        Model.model_validate(data, from_file=True)
     return [(issue.location, issue.found, issue.expected, issue.hint) for issue in error.value.issues]
 
 
@@ -312,7 +311,7 @@ def test_supports_at_a_hair(distance: float, place: str) -> None:
     """A support that misses an edge or a zone's corner by a rounding error lies on it."""
     x = {"edge": 3 - distance, "beyond": 3 + distance, "zone": 1 + distance}[place]
     data = case({"zones": [ZONE]}, supports=[{**POINT, "x": f"{x!r} m"}])
-    assert Model.model_validate(data, context=FROM_FILE).supports[0].x == x
+    assert Model.model_validate(data, from_file=True).supports[0].x == x
 
 
 @pytest.mark.parametrize("distance", [1e-8, 1e-6, 1e-4, 1e-3])
@@ -343,7 +342,7 @@ def test_supports_may_cross_and_lie_on_edges() -> None:
         {**POINT, "x": "3 m", "y": "-2 m"},
         {**POINT, "x": "0 m", "y": "0 m"},
     ]
-    assert len(Model.model_validate(case(supports=supports), context=FROM_FILE).supports) == 6
+    assert len(Model.model_validate(case(supports=supports), from_file=True).supports) == 6
 
 
 @pytest.mark.parametrize(
@@ -393,13 +392,13 @@ def test_design_without_ultimate_combinations_says_which_keys_to_add() -> None:
     ((*_, hint),) = issues(case(reinforcement=BARS))
     assert hint.startswith("add [[cases]], the case of each load, and then [[combinations]] with limit_state =")
     for sound in (designed(BARS), cases(reinforcement=BARS, combinations=[MIX])):
-        Model.model_validate(sound, context=FROM_FILE)
+        Model.model_validate(sound, from_file=True)
 
 
 def test_unfactored_loads_are_never_called_ultimate() -> None:
     """All loads of a file without cases, and each case by itself, are characteristic: nothing is factored there."""
     for data in (case(), cases()):
-        made = list_combinations(Model.model_validate(data, context=FROM_FILE))
+        made = list_combinations(Model.model_validate(data, from_file=True))
         assert {each.limit_state for each in made} == {"characteristic"}
 
 
@@ -468,7 +467,7 @@ FULL = {
 
 def test_all_keys_are_written_and_read() -> None:
     """A description with every new key, written as a file and read again, is the same; so is what it makes."""
-    model = Model.model_validate(FULL, context=FROM_FILE)
+    model = Model.model_validate(FULL, from_file=True)
     text = to_toml(model)
     assert loads(text) == model
     assert Model(**model.model_dump()) == model
@@ -487,7 +486,7 @@ def test_factors_from_python() -> None:
 def test_psi_matter_for_variable_cases_only() -> None:
     """A permanent case may have any psi; they do not count."""
     data = cases(cases=[{"name": "dead", "psi_1": 0.0, "psi_2": 1.0}], combine={"sets": ["ultimate"]})
-    model = Model.model_validate(data, context=FROM_FILE)
+    model = Model.model_validate(data, from_file=True)
     assert [dict(each.factors) for each in list_combinations(model)] == [{"dead": 1.35}, {"dead": 1.0}]
 
 

@@ -11,7 +11,7 @@ import pytest
 from groundslab.case.casefile import loads, starter
 from groundslab.errors import InputError
 from groundslab.model.model import Model
-from groundslab.schema.base import Section, get_field_type, get_most_sections, get_sections
+from groundslab.schema.base import Section
 from groundslab.schema.fields import LARGEST_WHOLE, FieldType, Integer, ListOf, Number, Quantity
 from groundslab.schema.issues import FieldError
 from groundslab.schema.ranges import Range, quantity_range
@@ -24,11 +24,11 @@ def keys(part: type[Section], seen: set[type[Section]]) -> Iterator[tuple[str, F
         return
     seen.add(part)
     for name, field in part.model_fields.items():
-        key = get_field_type(field)
+        key = field.type
         while key is not None:
             yield f"{part.__name__}.{name}", key
             key = key.each if isinstance(key, ListOf) else None
-        for inner in get_sections(field).parts:
+        for inner in field.sections.parts:
             yield from keys(inner, seen)
 
 
@@ -111,7 +111,7 @@ def test_what_a_wrong_size_is_told() -> None:
 def test_every_list_has_an_end() -> None:
     """Each list of tables says how many entries it may have, and one more is refused at once, whatever they are."""
     for name, field in Model.model_fields.items():
-        most = get_most_sections(field)
+        most = field.most
         if most is None:
             continue
         with pytest.raises(InputError) as error:

@@ -6,10 +6,11 @@ from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
 from groundslab.model.shapes import Shape
-from groundslab.schema.base import Check, Section, Table
+from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Choice, ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
+from groundslab.schema.section_fields import Table
 from groundslab.schema.wording import quote
 
 #: Bars, and how far apart they are at least (EN 1992-1-1 8.2(2): 20 mm between them).

@@ -11,10 +11,11 @@ from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.load_cases import Combination, Combine, has_ultimate_combination
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, list_plates
-from groundslab.schema.base import ByKind, Check, Section, Table
+from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Number, Quantity
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
+from groundslab.schema.section_fields import ByKind, Table
 
 TRANSFER, FRICTION, SAFETY = Range(at_least=0, at_most=0.9), Range(above=0, at_most=5), Range(at_least=1, at_most=5)
 RUPTURE, RESIDUAL = Range(at_least=5e5, at_most=2e7), Range(at_least=1e5, at_most=2e7)

@@ -12,10 +12,11 @@ from groundslab.model.plates.further import FurtherPlate, list_plates
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import CHORD
 from groundslab.model.supports import check_names
-from groundslab.schema.base import Check, Section, Table
+from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Boolean, Choice, ListOf, Number, Quantity, list_quantities
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
+from groundslab.schema.section_fields import Table
 
 #: Strengths for which EN 1992-1-1 has rules (3.1.2(2), 3.2.2(3)).
 CONCRETE, STEEL = Range(at_least=12e6, at_most=90e6), Range(at_least=400e6, at_most=600e6)

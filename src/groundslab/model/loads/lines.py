@@ -11,9 +11,10 @@ from groundslab.geometry.plan import Segment, make_segments
 from groundslab.model.loads.acting import LineForce
 from groundslab.model.loads.base import Magnitude, _Load
 from groundslab.model.shapes import BULGE, AnyShape, Place, Shape
-from groundslab.schema.base import Check, Table
+from groundslab.schema.base import Check
 from groundslab.schema.fields import ListOf, Quantity
 from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.section_fields import Table
 
 #: Lines shorter than this [m] go nowhere.
 NO_LENGTH = 1e-9

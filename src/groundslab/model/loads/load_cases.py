@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, ClassVar, Literal, Self
 
-from pydantic import model_validator
-
 from groundslab.errors import Repair
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Boolean, Choice, Factors, ListOf, Number, Quantity, Text
@@ -68,11 +66,10 @@ class LoadCase(Section):
     )
     H_y: Annotated[float, Quantity("force", "H_y", "horizontal force on the slab along y")] = 0.0
 
-    @model_validator(mode="before")
     @classmethod
-    def _psi_of_category(cls, data: Any) -> Any:
+    def complete(cls, data: Mapping[Any, Any]) -> Mapping[Any, Any]:
         """Fill in the psi that are not given, by the category."""
-        category = data.get("category") if isinstance(data, Mapping) else None
+        category = data.get("category")
         if not isinstance(category, str) or category not in PSI:
             return data
         return {**dict(zip(("psi_0", "psi_1", "psi_2"), PSI[category], strict=True)), **data}

@@ -21,11 +21,12 @@ from groundslab.model.loads.acting import (
 from groundslab.model.loads.base import Magnitude, _Load
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Shape
-from groundslab.schema.base import ByKind, Check, Table
+from groundslab.schema.base import Check
 from groundslab.schema.fields import Choice, Number, Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.places import coordinate, place_in_plan
 from groundslab.schema.ranges import Range
+from groundslab.schema.section_fields import ByKind, Table
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry

@@ -12,8 +12,6 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Annotated, ClassVar, Literal
 
-from pydantic import Field
-
 from groundslab.errors import InputError
 from groundslab.model.columns import check_footprint
 from groundslab.model.ground import POSITIVE
@@ -27,11 +25,12 @@ from groundslab.model.plates.further import FurtherPlate
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import Place
 from groundslab.model.supports import check_names
-from groundslab.schema.base import ByKind, Check, Section, Table
+from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Integer, ListOf, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.repairs import remove, use_nearest
+from groundslab.schema.section_fields import ByKind, Table
 from groundslab.schema.wording import describe, one_of, suggestion
 
 #: Patterns have no more forces than this, at all of their places together.
@@ -66,7 +65,7 @@ class Vehicle(Section):
 
     kind: Annotated[Literal["vehicle"], Table("forces at places relative to an origin")] = "vehicle"
     name: Annotated[str, Text("name of the pattern, used by moves")]
-    wheels: Annotated[tuple[Wheel, ...], Field(min_length=1), Table("its wheels", 100)]
+    wheels: Annotated[tuple[Wheel, ...], Table("its wheels", 100)]
 
     def forces(self) -> tuple[Wheel, ...]:
         """Return its forces."""

@@ -12,10 +12,11 @@ from groundslab.geometry.validity import TOO_CLOSE
 from groundslab.model.ground import POISSON, POSITIVE
 from groundslab.model.plate import SHEAR_FACTOR, THERMAL_EXPANSION, Plate, Zone, check_geometry
 from groundslab.model.shapes import CHORD, AnyShape, Shape
-from groundslab.schema.base import Check, Section, Table
+from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.repairs import use_free_name
+from groundslab.schema.section_fields import Table
 from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:

@@ -9,11 +9,12 @@ from typing import Annotated, ClassVar, Literal
 from groundslab.geometry.validity import TOO_CLOSE
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, bounds_of, list_plates, shared_line
-from groundslab.schema.base import ByKind, Check, Section, Table
+from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.repairs import remove, use_nearest
+from groundslab.schema.section_fields import ByKind, Table
 from groundslab.schema.wording import describe, one_of, quote, suggestion
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated, TypeVar
 
 from groundslab.model.loads.load_cases import LimitState
-from groundslab.schema.base import Section, get_field_type
+from groundslab.schema.base import Section
 from groundslab.schema.fields import Choice, ListOf, Number, Quantity
 from groundslab.schema.ranges import Range
 
@@ -33,7 +33,7 @@ def scale_stiffnesses(section: AnySection, factor: float) -> AnySection:
     changes: dict[str, object] = {}
     for name, field in type(section).model_fields.items():
         value = getattr(section, name)
-        kind = get_field_type(field)
+        kind = field.type
         if isinstance(kind, Quantity) and kind.dimension in STIFFNESSES and value is not None:
             changes[name] = value * factor
         elif isinstance(value, Section):

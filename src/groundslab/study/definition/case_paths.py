@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from groundslab.model.model import Model
-from groundslab.schema.base import Section, get_field_type, get_sections
+from groundslab.schema.base import Section
 from groundslab.schema.fields import Factors, FieldType, ListOf, Number
 from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.wording import describe, listed, one_of, quote, suggestion
@@ -64,9 +64,7 @@ def place_of(model: Model, path: str) -> Place:
     left = list(steps)
     while left:
         name = left.pop(0)
-        known = [
-            key for key, info in type(part).model_fields.items() if get_field_type(info) or get_sections(info).parts
-        ]
+        known = [key for key, info in type(part).model_fields.items() if info.type or info.sections.parts]
         where = f"{walked} has" if walked else "the case has"
         if not isinstance(name, str) or name not in known:
             if name in type(part).model_fields:
@@ -76,11 +74,11 @@ def place_of(model: Model, path: str) -> Place:
             raise path_error(path, f"a key that {where}: {one_of(known)}", hint or f"{shown} is none of them")
         info = type(part).model_fields[name]
         walked += f".{name}" if walked else name
-        key = get_field_type(info)
+        key = info.type
         if key is not None:
             return Place(path, steps, *_within(key, getattr(part, name), left, path, walked))
         held = getattr(part, name)
-        if get_sections(info).many:
+        if info.sections.many:
             if not left or not isinstance(left[0], int):
                 count = f"{walked} is a list of {len(held)}"
                 raise path_error(path, f"a position after {walked}, such as {walked}[1]", count)
@@ -93,7 +91,7 @@ def place_of(model: Model, path: str) -> Place:
         if held is None:
             raise path_error(path, f"a case with {walked}", "the case does not have it")
         part = held
-    keys = [key for key, info in type(part).model_fields.items() if get_field_type(info)]
+    keys = [key for key, info in type(part).model_fields.items() if info.type]
     raise path_error(path, f"a key of {walked}: {one_of(keys)}", f"{walked} holds keys, not a value")
 
 

@@ -12,10 +12,11 @@ from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
 
-from groundslab.schema.base import ByKind, Check, Section, Table
+from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Factors, Number, Text
 from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.ranges import Range
+from groundslab.schema.section_fields import ByKind, Table
 from groundslab.schema.wording import describe, quote, suggestion
 from groundslab.study.definition.field_types import Amount, Raw
 from groundslab.study.definition.issues import issues_below, require_one

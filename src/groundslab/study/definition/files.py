@@ -11,7 +11,7 @@ from groundslab import units
 from groundslab.case import casefile
 from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
-from groundslab.schema.fields import FROM_FILE, FieldType, ListOf, Number, Quantity
+from groundslab.schema.fields import FieldType, ListOf, Number, Quantity
 from groundslab.study.definition.distributions import AMOUNTS
 from groundslab.study.definition.schema import StudyFile
 from groundslab.study.definition.setup import Setup, setup_of
@@ -39,7 +39,7 @@ def read(path: str | Path, case: Model | str | Path | None = None) -> StudyInput
     file, model, case_text = None, None, ""
     issues: list[Issue] = []
     try:
-        file = StudyFile.model_validate(tables, context=FROM_FILE)
+        file = StudyFile.model_validate(tables, from_file=True)
     except InputError as error:
         issues += error.issues
     if case is None and isinstance(tables.get("case"), str):

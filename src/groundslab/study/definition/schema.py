@@ -6,13 +6,12 @@ import itertools
 from collections.abc import Iterator, Sequence
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import Field
-
 from groundslab.schema import reference
-from groundslab.schema.base import Check, Section, Table
+from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Boolean, Choice, Integer, ListOf, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
+from groundslab.schema.section_fields import Table
 from groundslab.schema.wording import describe, listed, one_of, quote, suggestion
 from groundslab.study.definition.distributions import DistributionOf
 from groundslab.study.definition.field_types import Amount, OneOrTwo, Raw
@@ -272,7 +271,7 @@ class StudyFile(Section):
     vary: Annotated[tuple[VariedQuantity, ...], Table("quantities of the case that vary")] = ()
     correlation: Annotated[tuple[Correlation, ...], Table("variables that depend on each other")] = ()
     random_field: Annotated[tuple[RandomField, ...], Table("ground that varies from place to place by chance")] = ()
-    keep: Annotated[tuple[RequestedOutput, ...], Field(min_length=1), Table("results to be kept of each variant")]
+    keep: Annotated[tuple[RequestedOutput, ...], Table("results to be kept of each variant")]
     limit_state: Annotated[tuple[LimitState, ...], Table("limits that kept results should not pass")] = ()
 
     @classmethod

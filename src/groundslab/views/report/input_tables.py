@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, Any
 from groundslab.model.remarks.case_use import case_uses
 from groundslab.model.remarks.remarks import find_remarks
 from groundslab.model.shapes import Circle, Polygon, Rectangle
-from groundslab.schema.base import Section, get_field_type, get_meaning, get_sections
+from groundslab.schema.base import Section
 from groundslab.schema.fields import Boolean, Factors, FieldType, Integer, ListOf, Number, Quantity
+from groundslab.schema.section_fields import Field
 from groundslab.units import format_coordinate, together
 from groundslab.views.report.applicable_keys import keys_without_use
 from groundslab.views.report.table_layout import (
@@ -28,8 +29,6 @@ from groundslab.views.report.table_layout import (
 from groundslab.views.summary.combinations import factors_text
 
 if TYPE_CHECKING:
-    from pydantic.fields import FieldInfo
-
     from groundslab.model.loads.load_cases import Combination
     from groundslab.model.model import Model
 
@@ -157,28 +156,28 @@ def _part(part: Section, title: str, hidden: Set[str] = frozenset()) -> Iterator
     rows: list[tuple[Cell, ...]] = []
     below: list[TableLayout] = []
     for name, field in type(part).model_fields.items():
-        value, key = getattr(part, name), get_field_type(field)
+        value, key = getattr(part, name), field.type
         if name in hidden and name not in part.model_fields_set:
             continue
         if key is not None:
             if value is not None and value != ():
                 rows.append(_row(name, key, value, field))
         elif isinstance(value, Rectangle | Polygon | Circle):
-            rows.append((Cell(name), Cell(""), Cell(describe_shape(value)), Cell(get_meaning(field), "muted")))
+            rows.append((Cell(name), Cell(""), Cell(describe_shape(value)), Cell(field.meaning, "muted")))
         elif isinstance(value, Section):
             below += _part(value, _words(name))
         elif isinstance(value, tuple):
             below += _list(value, name, _words(name))
         elif value is not None:
-            rows.append((Cell("kind"), Cell(""), Cell(str(value)), Cell(get_meaning(field), "muted")))
+            rows.append((Cell("kind"), Cell(""), Cell(str(value)), Cell(field.meaning, "muted")))
     if rows:
         yield drop_empty_columns(TableLayout(title, _ITEM, tuple(rows)))
     yield from below
 
 
-def _row(name: str, key: FieldType, value: Any, field: FieldInfo) -> tuple[Cell, ...]:
+def _row(name: str, key: FieldType, value: Any, field: Field) -> tuple[Cell, ...]:
     """Return the row of a key; what a case has that does not say it is called default."""
-    default = not field.is_required() and value == field.get_default()
+    default = not field.required and value == field.default
     meaning = f"{key.meaning} (default)" if default and "by default" not in key.meaning else key.meaning
     words = name if name == key.symbol else name.replace("_", " ")
     symbol = Cell("" if name == key.symbol and name not in GREEK else key.symbol, "symbol")
@@ -192,13 +191,13 @@ def _list(parts: Sequence[Section], name: str, title: str, hidden: Set[str] = fr
         kinds.setdefault(type(part), []).append((number, part))
     for kind, numbered in kinds.items():
         tag = kind.model_fields.get("kind")
-        meaning = f"{tag.default}, {get_meaning(tag)}" if tag is not None and get_field_type(tag) is None else ""
+        meaning = f"{tag.default}, {tag.meaning}" if tag is not None and tag.type is None else ""
         yield _columns(kind, numbered, ": ".join(filter(None, (title, meaning))), hidden)
     for number, part in enumerate(parts, 1):
         called = ", ".join(filter(None, (f"{ONE.get(name, _words(name))} {number}", getattr(part, "name", ""))))
         for inner, field in type(part).model_fields.items():
             value = getattr(part, inner)
-            if get_sections(field).many and value:
+            if field.sections.many and value:
                 yield from _list(value, inner, f"{called}: {inner}")
             elif isinstance(value, Section) and not isinstance(value, Rectangle | Polygon | Circle):
                 yield from _part(value, f"{called}: {inner}")
@@ -211,8 +210,8 @@ def _columns(
     heads, columns = ([TableHeader("no.", number=True)], [[Cell(str(number), "number") for number, _ in numbered]])
     for name, field in kind.model_fields.items():
         values = [getattr(part, name) for _, part in numbered]
-        key, default = get_field_type(field), field.get_default()
-        said = any(value not in (None, "", ()) and (field.is_required() or value != default) for value in values)
+        key, default = field.type, field.default
+        said = any(value not in (None, "", ()) and (field.required or value != default) for value in values)
         if not said and (name not in ALWAYS or name in hidden or key is None):
             continue
         if key is not None:

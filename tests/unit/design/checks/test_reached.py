@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import Any, get_args
+from typing import Any
 
 import numpy as np
 import pytest
@@ -288,23 +288,21 @@ NAMES = re.compile(r"limit|gap|acts|play|tensionless|resist|capacity|_max|max_")
 MEANINGS = re.compile(r"\blimit|yield|largest|at most|\bonly\b|\bplay\b|lift|resistance|capacity")
 
 
-def sections(of: Any, known: set[type]) -> Iterator[type[Section]]:
-    """Yield all classes of sections that a type is made of, each once."""
-    if isinstance(of, type) and issubclass(of, Section) and of not in known:
+def sections(of: type[Section], known: set[type[Section]]) -> Iterator[type[Section]]:
+    """Yield a section and all within it, each once."""
+    if of not in known:
         known.add(of)
         yield of
         for field in of.model_fields.values():
-            yield from sections(field.annotation, known)
-    for part in get_args(of):
-        yield from sections(part, known)
+            for part in field.sections.parts:
+                yield from sections(part, known)
 
 
 def keys_like_limits() -> Iterator[str]:
     """Yield class and key of all fields of the model whose name or meaning speaks of a limit."""
     for section in sections(Model, set()):
         for name, field in section.model_fields.items():
-            meaning = " ".join(str(getattr(each, "meaning", "")) for each in field.metadata)
-            if NAMES.search(name) or MEANINGS.search(meaning):
+            if NAMES.search(name) or MEANINGS.search(field.meaning):
                 yield f"{section.__name__}.{name}"
 
 

@@ -13,7 +13,6 @@ from groundslab.model.combinations import list_combinations, place_patterns
 from groundslab.model.loads.load_types import PointLoad
 from groundslab.model.loads.patterns import Move, Rack, Station, Vehicle, absent_forces, point_loads, stations
 from groundslab.model.model import Model
-from groundslab.schema.fields import FROM_FILE
 
 WHEEL = {"P": "20 kN", "x": "1 m", "y": "0.5 m", "width_x": "0.3 m", "width_y": "0.2 m"}
 VEHICLE: dict[str, Any] = {"kind": "vehicle", "name": "truck", "wheels": [WHEEL, {"P": "5 kN"}]}
@@ -37,7 +36,7 @@ def described(**parts: Any) -> dict[str, Any]:
 
 def read(**parts: Any) -> Model:
     """Return the model of such a file."""
-    return Model.model_validate(described(**parts), context=FROM_FILE)
+    return Model.model_validate(described(**parts), from_file=True)
 
 
 def test_positions_are_at_each_step_and_at_the_end() -> None:
@@ -57,7 +56,7 @@ def test_a_remainder_that_nobody_sees_is_no_position_of_its_own() -> None:
 
 def test_forces_turn_with_the_direction() -> None:
     """A wheel 1 m ahead and 0.5 m to the left, of a vehicle that drives towards +y: by hand."""
-    vehicle = Vehicle.model_validate(VEHICLE, context=FROM_FILE)
+    vehicle = Vehicle.model_validate(VEHICLE, from_file=True)
     ahead, own = point_loads(vehicle, Station(0.0, (10.0, 20.0), math.pi / 2), "live")
     assert (ahead.x, ahead.y) == pytest.approx((9.5, 21.0))
     assert (ahead.width_x, ahead.width_y) == (0.2, 0.3)
@@ -68,7 +67,7 @@ def test_forces_turn_with_the_direction() -> None:
 
 def test_a_rack_has_its_legs_frame_by_frame() -> None:
     """Three frames 2.7 m apart with two legs each, turned by a right angle."""
-    rack = Rack.model_validate(RACK, context=FROM_FILE)
+    rack = Rack.model_validate(RACK, from_file=True)
     legs = point_loads(rack, Station(0, (0, 0), math.pi / 2), "live")
     found = [(round(leg.x, 9), round(leg.y, 9)) for leg in legs]
     assert found == [(0, 0), (-1.1, 0), (0, 2.7), (-1.1, 2.7), (0, 5.4), (-1.1, 5.4)]
@@ -156,7 +155,7 @@ def test_faults_are_told_where_they_are(parts: dict[str, Any], where: str, found
     given = described(**parts)
     given["moves"] = [{key: value for key, value in move.items() if value is not None} for move in given["moves"]]
     with pytest.raises(InputError) as error:
-        Model.model_validate(given, context=FROM_FILE)
+        Model.model_validate(given, from_file=True)
     told = {issue.location: issue.found for issue in error.value.issues}
     assert where in told
     assert found in told[where]
@@ -185,7 +184,7 @@ def test_a_path_needs_a_case() -> None:
     """Without cases all loads act together, and nothing can be at one position after the other."""
     given = described(loads=[{"kind": "uniform", "q": "1 kPa"}], moves=[{**PATH, "case": ""}], cases=[])
     with pytest.raises(InputError, match="a path without a case"):
-        Model.model_validate(given, context=FROM_FILE)
+        Model.model_validate(given, from_file=True)
     fixed = described(loads=[{"kind": "uniform", "q": "1 kPa"}], moves=[{**PLACE, "case": ""}], cases=[])
-    placed = place_patterns(Model.model_validate(fixed, context=FROM_FILE))
+    placed = place_patterns(Model.model_validate(fixed, from_file=True))
     assert sum(isinstance(load, PointLoad) for load in placed.loads) == 6
