@@ -13,7 +13,7 @@ from groundslab.fem.foundation import Column
 from groundslab.fem.plate import bending_rigidity
 from groundslab.geometry.plan import Ring, circle
 from groundslab.meshing.sizing import Sources, along
-from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
+from groundslab.model.consistency import usual_size
 from groundslab.model.loads.acting import AreaPressure, PointForce, rings_of
 from groundslab.model.model import Model
 from groundslab.model.plates.further import AnyPlate
@@ -55,8 +55,7 @@ def local_sizes(model: Model) -> Sources | None:
 
 def _sizes_on(plate: AnyPlate, model: Model) -> Iterator[tuple[Array, float]]:
     """Yield places (p, 2) on a plate with the size of elements [m] there, if it is less than usual."""
-    shortest = min(plate.sides)
-    least, usual = shortest / MOST_ON_SHORT_SIDE, shortest / SHORT_SIDE_ELEMENTS
+    least, usual = min(plate.sides) / MOST_ON_SHORT_SIDE, usual_size(plate.sides)
     size = max(_elastic_length(plate, model), least)
     if size < usual or model.plates:
         size = min(size, usual)

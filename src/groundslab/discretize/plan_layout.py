@@ -29,7 +29,7 @@ from groundslab.fem.shape_functions import unique_integers
 from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import Place, Plan, Ring, Segment, rectangle
 from groundslab.meshing.sizing import Sources
-from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
+from groundslab.model.consistency import usual_size
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.beside import distances_beyond
 from groundslab.model.model import Model
@@ -344,7 +344,7 @@ def _size(model: Model) -> float:
     """Return the largest side that an element may have [m]; on smaller plates it is less, see `local_sizes`."""
     if model.mesh.size is not None:
         return model.mesh.size
-    return max(min(each.sides) for each in model.every_plate) / SHORT_SIDE_ELEMENTS
+    return max(usual_size(each.sides) for each in model.every_plate)
 
 
 def _make_plan_mesh(

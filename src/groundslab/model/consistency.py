@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import sqrt
 
 from groundslab.errors import Edit, Repair
 from groundslab.geometry.plan import MOST_ELEMENTS
@@ -33,7 +34,15 @@ from groundslab.schema.repairs import remove, set_value, use_nearest
 from groundslab.schema.wording import describe, one_of, quote, suggestion
 
 MOST_SURFACES = 200  # each couples with all others at every node
-SHORT_SIDE_ELEMENTS = 12  # of the first mesh, where none is described
+#: The first mesh, where none is described, has so many elements on a plate's shorter side, on that of a long strip
+#: fewer: no more than so many in all, if that leaves the least number.
+SHORT_SIDE_ELEMENTS, LEAST_ON_SHORT_SIDE, USUAL_ELEMENTS = 12, 6, 500
+
+
+def usual_size(sides: tuple[float, float]) -> float:
+    """Return the size of elements [m] of the first mesh of a plate with sides (x, y) [m], where none is described."""
+    x, y = sides
+    return min(max(min(sides) / SHORT_SIDE_ELEMENTS, sqrt(x * y / USUAL_ELEMENTS)), min(sides) / LEAST_ON_SHORT_SIDE)
 
 
 def estimate_elements(plate: Plate, plates: tuple[FurtherPlate, ...], mesh: Mesh) -> float:
@@ -42,7 +51,7 @@ def estimate_elements(plate: Plate, plates: tuple[FurtherPlate, ...], mesh: Mesh
         return mesh.counts[0] * mesh.counts[1]
     total = 0.0
     for x, y in (slab.sides for slab in list_plates(plate, plates)):
-        size = mesh.size if mesh.size is not None else min(x, y) / SHORT_SIDE_ELEMENTS
+        size = mesh.size if mesh.size is not None else usual_size((x, y))
         total += max(1.0, x / size) * max(1.0, y / size)
     return total
 
@@ -242,6 +251,8 @@ def check_supports_on_joints(
     plate: Plate, plates: tuple[FurtherPlate, ...], joints: tuple[AnyJoint, ...], supports: tuple[AnySupport, ...]
 ) -> Iterator[RelativeIssue]:
     """Find supports on the line of a joint, of which nobody knows which plate they hold."""
+    if not joints or not supports:
+        return
     from shapely import LineString, Point
 
     known = {slab.name: slab for slab in list_plates(plate, plates)}

@@ -12,7 +12,7 @@ from groundslab.analysis.ground_comparison.soil_column import on_ground
 from groundslab.arrays import Array
 from groundslab.discretize.ground import Factors
 from groundslab.errors import NotCertified
-from groundslab.model.consistency import SHORT_SIDE_ELEMENTS
+from groundslab.model.consistency import usual_size
 from groundslab.model.ground import Pasternak, Winkler
 from groundslab.model.model import Model
 from groundslab.results.mesh_results import PlateResult
@@ -80,7 +80,7 @@ def _prepare(model: Model, ground: Springs) -> Model:
     """Return a model on springs, whose mesh is not adaptive: settlements need no finer one than the first."""
     changes: dict[str, object] = {"symmetry": "off"}
     if model.mesh.adaptive:
-        changes["size"] = max(min(each.sides) for each in model.every_plate) / SHORT_SIDE_ELEMENTS
+        changes["size"] = max(usual_size(each.sides) for each in model.every_plate)
     return on_ground(model, ground).model_copy(update={"mesh": model.mesh.model_copy(update=changes)})
 
 
