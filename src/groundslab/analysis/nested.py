@@ -60,9 +60,7 @@ def solve_nested(
             coarser, start = start, []
             with suppress(NoEquilibrium, NotConverged, SingularMatrix):
                 on_step = report if model.analysis.nested else _ignore
-                s = _load_system(level, factors)
-                step = _full_load(model, s, level, on_step, False)
-                start = _solve_increments(replace(step, coarser=before), model, coarser)
+                start = _solve_coarser(model, _load_system(level, factors), level, coarser, on_step, before)
         found[coarsening] = start
         if start and len(found) == 1 and coarsening > 0:
             level.add(Solved(factors, start))
@@ -80,6 +78,13 @@ def _solve_finest(
         with suppress(NotConverged):
             return _solve_increments(full, model, coarser)
     return _solve_increments(full, model, [])
+
+
+def _solve_coarser(
+    model: Model, s: System, level: Level, coarser: list[Solution], report: OnStep, before: Level | None
+) -> list[Solution]:
+    """Return the solution of each load increment on one of the coarser meshes; nothing else of them is kept."""
+    return _solve_increments(replace(_full_load(model, s, level, report, False), coarser=before), model, coarser)
 
 
 def _ignore(_: Step) -> None:
