@@ -70,14 +70,19 @@ def _by_size(results: Mapping[str, CombinationResult]) -> Iterator[_Candidate]:
     by_quantity: dict[tuple[str, int], list[tuple[float, float, _Candidate]]] = {}
     for name, found in results.items():
         for value in judge(found) or guess(found):
-            size = value.sign * value.value
+            size, error = _digits(value.sign * value.value), _digits(value.error)
             candidate = _Candidate(name, (value.label, value.sign), value)
-            by_quantity.setdefault(candidate.quantity, []).append((size + value.error, size, candidate))
+            by_quantity.setdefault(candidate.quantity, []).append((size + error, size, candidate))
     for several in by_quantity.values():
         largest = max(size for _, size, _ in several)
         for most, _, candidate in sorted(several, key=lambda each: -each[0]):
             if most >= largest:
                 yield candidate
+
+
+def _digits(value: float) -> float:
+    """Return a value to six digits, so that of two that differ by rounding the first one comes first."""
+    return float(f"{value:.6g}")
 
 
 class _Reach:

@@ -39,8 +39,9 @@ class Prolongation:
         found = dict(zip(names, (self.plate @ columns).T, strict=True))
         found |= {name: np.maximum(found[name], fields.nodal[name].min()) for name in OF_CONTACT}
         found["in_contact"] = (found["in_contact"] > 0.5).astype(np.float64)
-        share = self.plate @ (fields.nodal["contact_area"] / fields.nodal["area"])
-        found["contact_area"] = np.clip(share, 0, 1) * self.finer.area
+        touches = fields.nodal["contact_area"]
+        share = np.clip(self.plate @ (touches / fields.nodal["area"]), 0, 1) * self.finer.area
+        found["contact_area"] = share * (touches.sum() / share.sum()) if share.any() else share
         found["line_force"] = np.where(self.finer.edge_length > 0, found["line_force"], 0.0)
         return MeshedFields(
             forces=np.zeros((0, 9, 5)),

@@ -9,6 +9,7 @@ import numpy as np
 from groundslab.accuracy.cracked_border import error_of_cracks
 from groundslab.arrays import Array, Flags, Integers, Memo
 from groundslab.fem.hanging import find_hanging
+from groundslab.results.contact_zone import lifts_off_springs
 
 if TYPE_CHECKING:
     from groundslab.results.mesh_results import PlateResult
@@ -30,8 +31,8 @@ EXACT = 1e-9
 #: Fields whose errors come from the whole slab.
 OF_THE_WHOLE = {"settlement", "rotation_x", "rotation_y", "gap", "penetration", "line_force"}
 #: The line of lift-off is known to this share of an element's side: a node in the middle of a side has two thirds of
-#: it, all or nothing, and the line may run through the node.
-OF_A_ROW = 1 / 3
+#: it, all or nothing, and the line may run through the node. On springs the settlement tells the line within elements.
+OF_A_ROW, ON_SPRINGS = 1 / 3, 1 / 50
 
 
 def estimate_error(value: float, coarser: float, comparison: Comparison) -> float:
@@ -123,7 +124,7 @@ def error_of_contact_share(results: CombinationResult) -> float | None:
     plate = results.plate
     row = plate.contact_area[line_of_lift_off(plate)].sum() / plate.area.sum()
     changed = estimate_error(plate.contact_share, results.coarser.plate.contact_share, results.comparison)
-    return max(changed, OF_A_ROW * float(row))
+    return max(changed, (ON_SPRINGS if lifts_off_springs(results) else OF_A_ROW) * float(row))
 
 
 def line_of_lift_off(plate: PlateResult) -> Integers:

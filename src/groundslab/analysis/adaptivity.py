@@ -151,12 +151,13 @@ class _Course:
         return {name: errors for name, errors in found.items() if errors}
 
     def _may_fall(self, name: str, value: JudgedValue) -> bool:
-        """Return whether an error is too large and fell from one mesh to the next.
+        """Return whether an error is too large and fell from one mesh to the next, or was not too large before.
 
         On the first mesh, which may be coarser than footprints, no error says how it falls.
         """
         before = self.before.get(name, {}).get(value.label, np.inf)
-        return value.share > self.accuracy and (len(self.made) < 3 + self.drafts or value.share <= PROGRESS * before)
+        falls = value.share <= PROGRESS * before or before <= self.accuracy
+        return value.share > self.accuracy and (len(self.made) < 3 + self.drafts or falls)
 
     def next_sizes(self, results: Results, off: dict[str, list[JudgedValue]]) -> Sources | None:
         """Return places and sizes of elements of the next mesh, None if there is to be none."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from groundslab.arrays import Array
+from groundslab.arrays import Array, Integers
 from groundslab.fem.assembly import scatter
 from groundslab.fem.hanging import carry, find_hanging
 from groundslab.fem.problem import MIDSIDES, TOP
@@ -13,6 +13,7 @@ from groundslab.fem.system import plate_settlement
 from groundslab.results.balance.forces import ground_forces
 from groundslab.results.edge_forces import ground_shear, pressure_forces, split_contact_force
 from groundslab.results.result_mesh import ResultMesh
+from groundslab.results.zero_line import share_below_zero
 from groundslab.solvers.solution import Solution
 
 #: A node touches if so much of the cells around it does.
@@ -41,9 +42,10 @@ def contact_fields(solution: Solution, frame: ResultMesh) -> tuple[dict[str, Arr
         found: Array = np.einsum("ed,ead->ea", problem.contact.depths.area_fraction, values[of])
         return found
 
-    bears = scatter(elements, by_element(touching) * share, len(frame.node))
+    touches = by_element(touching)
+    bears = scatter(elements, _area_that_touches(solution, of, touches) * share, len(frame.node))
     here = frame.node, frame.depth
-    in_contact = bears > 0
+    in_contact = scatter(elements, touches * share, len(frame.node)) > 0
     at_elements = by_element(pressure)
     at_nodes = pressure[here]
     springs = _springs(solution)
@@ -60,6 +62,29 @@ def contact_fields(solution: Solution, frame: ResultMesh) -> tuple[dict[str, Arr
         "contact_area": bears,
         "line_force": np.where(frame.edge_length > 0, line_force[frame.node], 0.0),
     }, np.einsum("ea,ea->e", frame.mean, at_elements)
+
+
+def _area_that_touches(solution: Solution, of: Integers, touches: Array) -> Array:
+    """Return what of the area of each element's nodes touches (mp, 9), where the nodes touch (mp, 9) or do not.
+
+    The plate's settlement on springs alone is smooth where it lifts off, and tells the line within the elements (mp, 9)
+    of which some nodes touch. On other ground a node touches with all of its area.
+    """
+    mixed = np.flatnonzero(touches.any(axis=1) & ~touches.all(axis=1))
+    s = solution.system
+    if not len(mixed) or not lifts_off_smoothly(solution):
+        return touches
+    above = s.problem.contact.initial_gap - plate_settlement(s, solution.U)
+    found = touches.copy()
+    found[mixed] = share_below_zero(carry(s.problem.mesh.elements, above)[of[mixed]])[:, None]
+    return found
+
+
+def lifts_off_smoothly(solution: Solution) -> bool:
+    """Return whether the plate lifts off springs alone, that have no shear, no voids, and have not yielded."""
+    contact = solution.system.problem.contact
+    alone = contact.tensionless and len(contact.depths.depth) == 1 and not solution.slip.any()
+    return alone and not solution.column.A1.any()
 
 
 def _springs(solution: Solution) -> Array | None:

@@ -44,6 +44,13 @@ def require_finite(results: CombinationResult) -> None:
                 )
 
 
+def lifts_off_springs(results: CombinationResult) -> bool:
+    """Return whether the ground is springs alone that have not yielded, off which the plate lifts as it settles."""
+    model = results.solved_model
+    without_shear = not model.ground_carries_shear and results.ground.cells is None
+    return without_shear and not model.contact.voids and not results.plate.penetration.any()
+
+
 def has_line_force(results: CombinationResult) -> bool:
     """Return whether the ground acts by a line force, too, along the plate's edge: it does if it carries shear."""
     return any(k1 > 0 for k1 in results.constants.k1) and bool(results.plate.edge_length.any())

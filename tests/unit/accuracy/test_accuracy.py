@@ -271,14 +271,38 @@ def test_shear_forces_that_have_a_kink_within_elements_converge_more_slowly_than
     assert reductions[0] > reductions[1] + 0.1
 
 
-def test_the_share_in_contact_is_known_to_a_row_of_nodes() -> None:
-    """A strip that lifts off beyond a line across it: about the row of nodes at the line, over its length."""
+def strip_that_lifts_off(ground: dict[str, object], size: float) -> tuple[float, float, float]:
+    """Return the share in contact of a strip that lifts off beyond a line across it, its error, and a row of nodes."""
     plate = {"length_x": 6.0, "length_y": 1.0, "thickness": 0.25, "E": 30e9, "nu": 0.0}
     loads = [{"kind": "patch", "x": (-3.0, -2.0), "y": (-0.5, 0.5), "q": 1e5}]
-    ground = {"kind": "winkler", "k": 2e7}
-    parts = {"contact": {"tensionless": True}, "mesh": {"size": 0.25, "symmetry": "off"}}
+    parts = {"contact": {"tensionless": True}, "mesh": {"size": size, "symmetry": "off"}}
     results = groundslab.solve(slab(plate=plate, loads=loads, ground=ground, **parts)).only
     rows = np.unique(results.plate.nodes[results.plate.in_contact, 0])
-    share = (rows[-1] - rows[-2]) / 6.0
     assert 0.1 < results.plate.contact_share < 0.9
-    assert 0.5 * share < (error_of_contact_share(results) or 0.0) < 1.1 * share
+    return results.plate.contact_share, error_of_contact_share(results) or 0.0, (rows[-1] - rows[-2]) / 6.0
+
+
+def test_the_share_in_contact_is_known_to_a_row_of_nodes() -> None:
+    """On ground with shear: about the row of nodes at the line, over the strip's length."""
+    _, error, row = strip_that_lifts_off({"kind": "pasternak", "k0": 20e6, "k1": 5e6}, 0.25)
+    assert 0.5 * row < error < 1.1 * row
+
+
+@pytest.mark.parametrize("size", [0.5, 0.33, 0.25, 0.1])
+def test_the_share_in_contact_is_known_within_elements_on_springs(size: float) -> None:
+    """On springs: to a small part of that row, and what is told holds the value on elements far smaller."""
+    share, error, row = strip_that_lifts_off({"kind": "winkler", "k": 2e7}, size)
+    truth, *_ = strip_that_lifts_off({"kind": "winkler", "k": 2e7}, 0.04)
+    assert abs(share - truth) < error < 0.3 * row
+
+
+@pytest.mark.parametrize("x", [1.3, 1.6, 2.0])
+@pytest.mark.parametrize("counts", [(15, 10), (24, 16), (47, 31)])
+def test_the_share_in_contact_of_a_rigid_plate(x: float, counts: tuple[int, int]) -> None:
+    """A rigid plate under a force beyond its kern, on springs: three times the distance from the edge."""
+    plate = {"length_x": 6.0, "length_y": 4.0, "thickness": 6.0, "E": 30e12, "nu": 0.0}
+    force = {"kind": "point", "P": 1e6, "x": x, "y": 0.0, "width_x": 0.4, "width_y": 0.4}
+    parts = {"contact": {"tensionless": True}, "mesh": {"counts": counts, "symmetry": "off"}}
+    results = groundslab.solve(slab(plate=plate, loads=[force], ground={"kind": "winkler", "k": 2e7}, **parts)).only
+    error = error_of_contact_share(results) or 0.0
+    assert abs(results.plate.contact_share - 3 * (3.0 - x) / 6.0) < error < 0.003
