@@ -13,11 +13,11 @@ from groundslab.discretize.borders import add_borders, on_lines
 from groundslab.discretize.graded_lines import distances_beyond_edge, towards_edges
 from groundslab.discretize.load_borders import follow_loads
 from groundslab.discretize.symmetry import symmetries
+from groundslab.fem.elimination import elimination_order
 from groundslab.fem.foundation import Column, decay_length, edge_decay
 from groundslab.fem.hanging import connect
 from groundslab.fem.mesh import (
     Mesh,
-    elimination_order,
     extrude,
     first_at_place,
     grid,
@@ -68,7 +68,8 @@ class Meshes:
         if found is None:
             mesh, section = make()
             moving, *_ = connect(mesh.elements)
-            found = mesh, section, elimination_order(Mesh(mesh.nodes, moving))
+            graded = not np.array_equal(moving, mesh.elements)
+            found = mesh, section, elimination_order(Mesh(mesh.nodes, moving), graded)
             if not self.closed:
                 self.made[source] = found
         return found

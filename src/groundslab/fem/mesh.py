@@ -329,47 +329,6 @@ def first_at_place(mesh: Mesh) -> Integers:
     return found
 
 
-def elimination_order(mesh: Mesh) -> Integers:
-    """Return the rank of each node in a nested dissection of the mesh by its coordinates, (n,).
-
-    Elements are halved again and again at the median of their centers' longer extent. A node belongs to the smallest
-    part that holds all its elements; parts are eliminated before the part that they are halves of.
-    """
-    centre = mesh.nodes[mesh.elements[:, 8]]
-    m = len(centre)
-    depth = max(0, int(np.ceil(np.log2(m / 2))))
-    code = np.zeros(m, dtype=np.int64)
-    order = np.arange(m)
-    bounds = np.array([0, m])
-    for _ in range(depth):
-        starts = bounds[:-1]
-        part = np.repeat(np.arange(len(starts)), np.diff(bounds))
-        low = np.minimum.reduceat(centre[order], starts, axis=0)
-        high = np.maximum.reduceat(centre[order], starts, axis=0)
-        axis = np.argmax(high - low, axis=1)
-        order = order[np.lexsort((centre[order, axis[part]], part))]
-        middle = (bounds[:-1] + bounds[1:]) // 2
-        code *= 2
-        code[order] += np.arange(m) >= middle[part]
-        bounds = np.sort(np.concatenate([bounds, middle[middle > starts]]))
-        # a part of one element is not halved: its code goes on with a 1, alone, and keeps its place
-    flat = mesh.elements.ravel()
-    codes = np.repeat(code, 9)
-    lowest = np.full(len(mesh.nodes), np.iinfo(np.int64).max)
-    highest = np.full(len(mesh.nodes), -1)
-    np.minimum.at(lowest, flat, codes)
-    np.maximum.at(highest, flat, codes)
-    unused = highest < 0
-    lowest[unused] = highest[unused] = 0
-    differing = lowest ^ highest
-    height = np.where(differing > 0, np.floor(np.log2(np.maximum(differing, 1))).astype(np.int64) + 1, 0)
-    last_of_part = highest | ((np.int64(1) << height) - 1)
-    rank = np.empty(len(mesh.nodes), dtype=np.int64)
-    # within a separator, along its longer extent, so that neighbors stay neighbors
-    rank[np.lexsort((mesh.nodes[:, 0], mesh.nodes[:, 1], height, last_of_part))] = np.arange(len(mesh.nodes))
-    return rank
-
-
 def renumber_by_rows(mesh: Mesh) -> tuple[Mesh, Integers, Integers]:
     """Return the mesh with nodes and elements numbered by y, then x; old numbers of nodes (n,), elements (m,)."""
     old = np.lexsort((mesh.nodes[:, 0], mesh.nodes[:, 1]))

@@ -54,7 +54,8 @@ class PlateResult:
     area : (n,) array of float
         Each node's share of the plate's area [m2].
     contact_area : (n,) array of float
-        What of it rests on the ground [m2]; beside a void or a cavity only a part may.
+        What of it rests on the ground [m2]; beside a void or a cavity, and where the plate lifts off springs, it may be
+        a part.
     edge_length : (n,) array of float
         Each node's share of the length of the plate's edge [m]; 0 inside.
 

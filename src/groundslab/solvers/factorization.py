@@ -1,6 +1,6 @@
 """Direct solvers of symmetric positive definite systems, by name: pattern -> analysis -> factor -> solution.
 
-Patterns are upper CSR, numbered in an order of elimination that is already good (mesh.elimination_order).
+Patterns are upper CSR, numbered in an order of elimination that is already good (fem/elimination).
 """
 
 from __future__ import annotations
@@ -11,9 +11,10 @@ from contextlib import contextmanager
 from importlib.util import find_spec
 
 from groundslab.errors import InputError, Issue
+from groundslab.optional import import_pardiso
 from groundslab.solvers.direct.cholmod import Cholmod
 from groundslab.solvers.direct.mumps import Mumps
-from groundslab.solvers.direct.pardiso import Pardiso, import_pardiso, load_in_background, pardiso_import_error
+from groundslab.solvers.direct.pardiso import Pardiso, load_in_background, pardiso_import_error
 from groundslab.solvers.direct.protocols import Solver
 from groundslab.solvers.direct.superlu import SuperLU
 

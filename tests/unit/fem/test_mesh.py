@@ -8,11 +8,11 @@ import scipy.sparse as sp
 from scipy.sparse.csgraph import connected_components
 from scipy.sparse.linalg import splu
 
+from groundslab.fem.elimination import elimination_order
 from groundslab.fem.mesh import (
     GRADING,
     Mesh,
     divide_graded,
-    elimination_order,
     extrude,
     first_at_place,
     graded_size,

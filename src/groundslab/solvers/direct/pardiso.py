@@ -7,13 +7,13 @@ import functools
 import os
 import sys
 import threading
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from groundslab.arrays import Array, Indices
 from groundslab.errors import SingularMatrix
+from groundslab.optional import import_pardiso
 from groundslab.solvers.direct.protocols import Factor
 
 
@@ -91,18 +91,6 @@ class Pardiso:
         # PARDISO keeps its factor outside Python's memory
         if getattr(self, "used", False) and not sys.is_finalizing():
             self.handle.free_memory(everything=True)
-
-
-def import_pardiso() -> Any:
-    """Import pypardiso with MKL's path set: its own search, done for every solver, takes longer than solving."""
-    if "PYPARDISO_MKL_RT" not in os.environ:
-        places = ("lib/libmkl_rt.so*", "Library/bin/mkl_rt*.dll")
-        found = [path for place in places for path in sorted(Path(sys.prefix).glob(place))]
-        if found:
-            os.environ["PYPARDISO_MKL_RT"] = str(found[0])
-    from pypardiso import pardiso_wrapper
-
-    return pardiso_wrapper
 
 
 @functools.cache
