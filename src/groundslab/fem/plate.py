@@ -57,8 +57,11 @@ class PlateElement:
 
     def w_functions(self, xy: Array) -> Array:
         """Return T (m, 9, 9) with w = N T w: the identity, or the center's w from the eight others."""
-        T = np.broadcast_to(np.eye(9), (len(xy), 9, 9))
-        return T if self.center_w else _centre_from_boundary(xy)
+        if self.center_w:
+            return np.broadcast_to(np.eye(9), (len(xy), 9, 9))
+        T = np.tile(np.eye(9), (len(xy), 1, 1))
+        T[:, 8, :8], T[:, 8, 8] = _centre_from_boundary(xy), 0.0
+        return T
 
     def covariant_shear(self, points: Array, xy: Array, T: Array, halves: Integers | None = None) -> Array:
         """Return B (m, 2, p, 27) with (w,xi - beta . x,xi ; w,eta - beta . x,eta) = B u at points (p, 2).
@@ -76,13 +79,12 @@ class PlateElement:
 
     def covariant_strain(self, points: Array, xy: Array, u: Array, halves: Integers | None = None) -> Array:
         """Return B u (m, p, 2) for unknowns u (m, 27), see `covariant_shear`."""
-        w, beta = u[:, :9], u[:, 9:].reshape(-1, 2, 9)
+        w, beta = u[:, :9].copy(), u[:, 9:].reshape(-1, 2, 9)
         if self.tied and halves is not None:
-            w = w.copy()
             for some, middle, unknown, share in _whole_sides(xy, halves):
                 w[some, middle] += share * u[some, unknown]
         if not self.center_w:
-            w = (self.w_functions(xy) @ w[..., None])[..., 0]
+            w[:, 8] = (_centre_from_boundary(xy) * w[:, :8]).sum(axis=1)
         found = np.empty((len(u), len(points), 2))
         for axis, each in enumerate(self.sample(points)):
             N, dN = q9(each.points)
@@ -157,14 +159,13 @@ def _tying_functions(points: Array) -> Array:
 
 
 def _centre_from_boundary(xy: Array) -> Array:
-    """Return T (m, 9, 9) whose last row gives the center's w such that every quadratic in x, y is met.
+    """Return the shares (m, 8) of the other nodes' w in the center's, such that every quadratic in x, y is met.
 
     On a parallelogram this is the serendipity rule. On other quadrilaterals the smallest correction of it is taken
     that keeps 1, x, y, x^2, xy, y^2 exact (in the manner of Kikuchi, Okabe and Fujio 1999), without which no element
     with a serendipity w passes the constant-curvature patch test.
     """
-    T = np.tile(np.eye(9), (len(xy), 1, 1))
-    T[:, 8] = np.append(SERENDIPITY_CENTER, 0.0)
+    shares = np.tile(SERENDIPITY_CENTER, (len(xy), 1))
     odd = np.flatnonzero(~parallelograms(xy))
     centred = xy[odd] - xy[odd, 8:]
     x, y = np.moveaxis(centred / np.abs(centred).max(axis=(1, 2), keepdims=True), -1, 0)
@@ -174,9 +175,9 @@ def _centre_from_boundary(xy: Array) -> Array:
     # the smallest correction is A^T (A A^T)^-1 wanted; what the shift does to it is put right by a second step
     inverse = np.linalg.inv(A @ A.swapaxes(1, 2) + 1e-12 * np.eye(6))
     for _ in range(2):
-        left = wanted - np.einsum("eab,eb->ea", A, T[odd, 8, :8] - SERENDIPITY_CENTER)
-        T[odd, 8, :8] += np.einsum("eab,ea->eb", A, np.einsum("eab,eb->ea", inverse, left))
-    return T
+        left = wanted - np.einsum("eab,eb->ea", A, shares[odd] - SERENDIPITY_CENTER)
+        shares[odd] += np.einsum("eab,ea->eb", A, np.einsum("eab,eb->ea", inverse, left))
+    return shares
 
 
 #: The paper's element comes first; the default is "mitc9".
