@@ -43,7 +43,7 @@ from groundslab.case import casefile
 from groundslab.discretize.discretize import discretize
 from groundslab.fem import system
 from groundslab.fem.foundation import single
-from groundslab.fem.sparse import Symmetric
+from groundslab.fem.sparse.symmetric import Symmetric
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
 from groundslab.solvers import contact, factor_reuse, factorization

@@ -6,7 +6,7 @@ import numpy as np
 
 from groundslab.fem.assembly import Pattern, build_pattern
 from groundslab.fem.bearings import Bearings
-from groundslab.fem.sparse import Symmetric
+from groundslab.fem.sparse.symmetric import Symmetric
 
 NODES = np.arange(9)
 

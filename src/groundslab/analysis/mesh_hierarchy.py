@@ -16,7 +16,7 @@ from groundslab.discretize.plan_layout import Meshes
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import Mesh
 from groundslab.fem.problem import Problem
-from groundslab.fem.sparse import Symmetric
+from groundslab.fem.sparse.symmetric import Symmetric
 from groundslab.fem.system import System, build_system, stiffness
 from groundslab.model.model import Model
 from groundslab.results.balance.forces import exact_rigid_products

@@ -13,7 +13,6 @@ from groundslab.discretize.borders import add_borders, on_lines
 from groundslab.discretize.graded_lines import distances_beyond_edge, towards_edges
 from groundslab.discretize.load_borders import follow_loads
 from groundslab.discretize.symmetry import symmetries
-from groundslab.fem.elimination import elimination_order
 from groundslab.fem.foundation import Column, decay_length, edge_decay
 from groundslab.fem.hanging import connect
 from groundslab.fem.mesh import (
@@ -26,6 +25,7 @@ from groundslab.fem.mesh import (
 )
 from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.fem.shape_functions import unique_integers
+from groundslab.fem.sparse.elimination import elimination_order
 from groundslab.fem.vlasov import Soil
 from groundslab.geometry.plan import Place, Plan, Ring, Segment, rectangle
 from groundslab.meshing.sizing import Sources

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Indices, Integers
-from groundslab.fem.sparse import Symmetric
+from groundslab.fem.sparse.symmetric import Symmetric
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array

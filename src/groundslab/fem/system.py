@@ -16,7 +16,7 @@ from groundslab.fem.bearings import Bearings
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column, EdgeDecay, edge_decay, mass_and_slope
 from groundslab.fem.hanging import carry, connect
 from groundslab.fem.problem import TOP, Problem, W
-from groundslab.fem.sparse import Symmetric
+from groundslab.fem.sparse.symmetric import Symmetric
 from groundslab.fem.vlasov import Soil
 
 if TYPE_CHECKING:

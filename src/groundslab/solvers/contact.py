@@ -17,7 +17,7 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import NotConverged, SingularMatrix
 from groundslab.fem.assembly import scatter
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings, Contact, Measures, largest_of_parts
-from groundslab.fem.sparse import Symmetric
+from groundslab.fem.sparse.symmetric import Symmetric
 from groundslab.solvers import interior_point
 from groundslab.solvers.factor_reuse import CachedFactorization, ConstrainedSystem
 

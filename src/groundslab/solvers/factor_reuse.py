@@ -9,7 +9,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags
 from groundslab.errors import SingularMatrix
-from groundslab.fem.sparse import Symmetric
+from groundslab.fem.sparse.symmetric import Symmetric
 from groundslab.solvers.direct.protocols import Factor, Symbolic
 
 #: A factor serves another system of the same matrix whose constraints differ in at most so many unknowns,

@@ -1,6 +1,6 @@
 """Direct solvers of symmetric positive definite systems, by name: pattern -> analysis -> factor -> solution.
 
-Patterns are upper CSR, numbered in an order of elimination that is already good (fem/elimination).
+Patterns are upper CSR, numbered in an order of elimination that is already good (fem/sparse/elimination).
 """
 
 from __future__ import annotations

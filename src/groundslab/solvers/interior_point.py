@@ -20,7 +20,7 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.errors import SingularMatrix
 from groundslab.fem.assembly import scatter
 from groundslab.fem.bearings import CLOSED, OPEN, YIELDING, Bearings, Contact
-from groundslab.fem.sparse import Symmetric
+from groundslab.fem.sparse.symmetric import Symmetric
 from groundslab.solvers.factor_reuse import CachedFactorization, ConstrainedSystem
 
 #: mu starts so many times larger than force times penetration of the glued plate: a smaller one costs many short steps.

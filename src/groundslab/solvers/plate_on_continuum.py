@@ -20,7 +20,7 @@ from groundslab.fem.continuum.media import elastic_length
 from groundslab.fem.continuum.preconditioner import Preconditioner, make_preconditioner
 from groundslab.fem.problem import TOP, Problem, W, free_motions, move_plates
 from groundslab.fem.shape_functions import areas
-from groundslab.fem.sparse import Symmetric
+from groundslab.fem.sparse.symmetric import Symmetric
 from groundslab.fem.system import System
 from groundslab.solvers.bounded_forces import BoundedForces, BoundedSolution
 from groundslab.solvers.factor_reuse import CachedFactorization, ConstrainedSystem

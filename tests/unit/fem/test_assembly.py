@@ -12,9 +12,9 @@ from scipy.sparse import csr_array
 
 from groundslab.fem import assembly
 from groundslab.fem.assembly import Pattern, assemble, build_pattern, find_congruent, number_unknowns, scatter
-from groundslab.fem.elimination import elimination_order
 from groundslab.fem.mesh import grid
-from groundslab.fem.sparse import Symmetric
+from groundslab.fem.sparse.elimination import elimination_order
+from groundslab.fem.sparse.symmetric import Symmetric
 from helpers.quads import quadrilateral
 
 

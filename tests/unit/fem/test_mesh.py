@@ -1,14 +1,10 @@
-"""Meshes: numbering, location, transfer between meshes, order of elimination, mirroring."""
+"""Meshes: numbering, location, transfer between meshes, mirroring."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
-import scipy.sparse as sp
-from scipy.sparse.csgraph import connected_components
-from scipy.sparse.linalg import splu
 
-from groundslab.fem.elimination import elimination_order
 from groundslab.fem.mesh import (
     GRADING,
     Mesh,
@@ -37,13 +33,6 @@ Y = np.array([0.0, 0.7, 1.0, 2.5])
 def square(n: int) -> Mesh:
     """Return n x n elements on the unit square."""
     return grid(np.linspace(0, 1, n + 1), np.linspace(0, 1, n + 1))
-
-
-def graph(mesh: Mesh) -> sp.csr_array:
-    """Return the matrix of which nodes share an element."""
-    m, n = len(mesh.elements), len(mesh.nodes)
-    owns = sp.coo_array((np.ones(9 * m), (np.repeat(np.arange(m), 9), mesh.elements.ravel())), shape=(m, n)).tocsr()
-    return (owns.T @ owns).tocsr()
 
 
 def test_grid_puts_every_node_in_its_place() -> None:
@@ -223,48 +212,6 @@ def test_sides_on_the_boundary() -> None:
     ends, middle = mesh.nodes[sides[:, :2]], mesh.nodes[sides[:, 2]]
     np.testing.assert_allclose(ends.mean(axis=1), middle, atol=1e-15)
     assert np.linalg.norm(np.diff(ends, axis=1)[:, 0], axis=1).sum() == pytest.approx(2 * (6 + 2.5))
-
-
-@pytest.mark.parametrize("shape", [(1, 1), (1, 2), (1, 7), (5, 1), (3, 7), (8, 8), (24, 10)])
-def test_elimination_order_is_a_permutation(shape: tuple[int, int]) -> None:
-    """Every node gets one rank, on meshes of one element, strips and odd counts too."""
-    mesh = grid(np.arange(shape[0] + 1.0), np.arange(shape[1] + 1.0) * 1.7)
-    np.testing.assert_array_equal(np.sort(elimination_order(mesh)), np.arange(len(mesh.nodes)))
-
-
-def test_elimination_order_is_a_nested_dissection() -> None:
-    """The nodes eliminated last are one line across, without them the mesh is two halves, and so on in each half."""
-    mesh = square(16)
-    adjacency, rank = graph(mesh), elimination_order(mesh)
-    parts = [np.arange(len(mesh.nodes))]
-    for separator in (33, 16, 16):
-        halves: list[np.ndarray] = []
-        for part in parts:
-            inside = part[np.argsort(rank[part])][:-separator]
-            count, label = connected_components(adjacency[inside][:, inside])
-            assert count == 2
-            pair = [inside[label == k] for k in (0, 1)]
-            assert abs(len(pair[0]) - len(pair[1])) <= separator
-            halves += pair
-        parts = halves
-    for part in parts:
-        # a part is eliminated in one go
-        assert np.ptp(rank[part]) == len(part) - 1
-
-
-def test_elimination_order_saves_fill() -> None:
-    """On 24 x 24 elements SuperLU's factor, eliminating as numbered, is much smaller than row by row."""
-    mesh = square(24)
-    A = graph(mesh)
-    A = sp.csc_array(A + 100 * sp.eye_array(len(mesh.nodes)))
-
-    def fill(order: np.ndarray) -> int:
-        lu = splu(A[order][:, order], permc_spec="NATURAL", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
-        return int(lu.L.nnz)
-
-    by_rank = np.argsort(elimination_order(mesh))
-    renumber_by_rows = np.arange(len(mesh.nodes))
-    assert fill(by_rank) < 0.6 * fill(renumber_by_rows)
 
 
 @pytest.mark.parametrize("axis", [0, 1])

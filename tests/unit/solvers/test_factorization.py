@@ -12,7 +12,7 @@ import pytest
 from scipy.sparse import csr_array, triu
 
 from groundslab.errors import InputError, SingularMatrix
-from groundslab.fem.sparse import Symmetric
+from groundslab.fem.sparse.symmetric import Symmetric
 from groundslab.solvers import factor_reuse, factorization
 from groundslab.solvers.direct import pardiso, protocols
 

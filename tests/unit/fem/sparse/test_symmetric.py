@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.sparse import csr_array, triu
 
-from groundslab.fem.sparse import Symmetric
+from groundslab.fem.sparse.symmetric import Symmetric
 
 
 def sparse(seed: int, n: int = 12) -> tuple[Symmetric, np.ndarray]:

@@ -1,0 +1,1 @@
+"""Sparse matrices, and the order in which their unknowns are eliminated."""
