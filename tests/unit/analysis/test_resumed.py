@@ -55,7 +55,7 @@ def meshes_of(results: Results) -> tuple[int, ...]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("model", "least"), [(slab(0.008), 3), (far_away(), 1)], ids=["four meshes", "far away"])
+@pytest.mark.parametrize(("model", "least"), [(slab(0.004), 3), (far_away(), 1)], ids=["four meshes", "far away"])
 def test_the_same_end_from_any_mesh(model: Model, least: int, tmp_path: Path) -> None:
     """From results on the first or third mesh as a folder has them come the same results; no mesh is solved twice."""
     whole, before = solve_in_steps(model, tmp_path)
@@ -111,7 +111,7 @@ def test_errors_that_fell_no_more_stay_given_up(monkeypatch: pytest.MonkeyPatch)
 @pytest.mark.slow
 def test_results_of_another_case_or_without_a_next_mesh_are_refused(tmp_path: Path) -> None:
     """Another load makes another case; final results have nothing that goes on."""
-    model = slab(0.03)
+    model = slab(0.01)
     whole, (first, *_) = solve_in_steps(model, tmp_path)
     with pytest.raises(InputError, match="start: found results of another case, expected provisional results"):
         solve(model.replace(title="another"), start=first)
