@@ -53,7 +53,7 @@ width_x = "0.3 m"
 width_y = "0.3 m"
 
 [mesh]
-accuracy = "3 %"
+accuracy = "1 %"
 """
 
 
@@ -719,7 +719,7 @@ def test_a_run_that_is_interrupted_leaves_the_last_finished_mesh(
     kept = tmp_path / "wheel-results-provisional"
     told = capsys.readouterr().err
     assert told.startswith("Provisional: mesh 1 (")
-    assert "3 % asked for" in told
+    assert "1 % asked for" in told
     assert str(kept) in told
     assert not (tmp_path / "wheel-results").exists()
     first = groundslab.load_results(kept).only
@@ -736,7 +736,7 @@ def test_a_run_that_is_interrupted_leaves_the_last_finished_mesh(
 def test_a_run_that_is_killed_leaves_the_last_finished_mesh(tmp_path: Path) -> None:
     """Killed on its second mesh without a chance to clean up, it leaves results on the first one, marked as such."""
     case, kept = tmp_path / "wheel.toml", tmp_path / "wheel-results-provisional"
-    case.write_text(WHEEL.replace("3 %", "0.1 %"), encoding="utf-8")
+    case.write_text(WHEEL.replace("1 %", "0.1 %"), encoding="utf-8")
     command = [sys.executable, "-m", "groundslab", "solve", str(case)]
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
         assert process.stderr is not None
@@ -760,7 +760,7 @@ def test_a_run_that_is_killed_is_resumed(tmp_path: Path) -> None:
     results: list[groundslab.CombinationResult] = []
     for name in ("killed", "whole"):
         case = tmp_path / f"{name}.toml"
-        case.write_text(WHEEL.replace("3 %", "1 %"), encoding="utf-8")
+        case.write_text(WHEEL.replace("1 %", "0.4 %"), encoding="utf-8")
         command = [sys.executable, "-m", "groundslab", "solve", str(case), "--resume"]
         with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
             assert process.stderr is not None
@@ -854,7 +854,7 @@ def test_the_results_on_each_mesh_can_be_viewed(tmp_path: Path, monkeypatch: pyt
     """What is kept after each mesh opens as any results do, and says how far that mesh is off."""
     view = pytest.importorskip("groundslab.workbench.server.view")
     case = tmp_path / "wheel.toml"
-    case.write_text(WHEEL.replace("3 %", "1 %"), encoding="utf-8")
+    case.write_text(WHEEL.replace("1 %", "0.4 %"), encoding="utf-8")
     save, shown = results_folder.save_provisional, []
 
     def save_and_view(results: Results, folder: Path) -> Path | None:
