@@ -73,7 +73,7 @@ def _area_that_touches(solution: Solution, of: Integers, touches: Array) -> Arra
     """
     mixed = np.flatnonzero(touches.any(axis=1) & ~touches.all(axis=1))
     s = solution.system
-    if not len(mixed) or not lifts_off_smoothly(solution):
+    if not len(mixed) or not lifts_off_springs(solution):
         return touches
     above = s.problem.contact.initial_gap - plate_settlement(s, solution.U)
     found = touches.copy()
@@ -81,11 +81,10 @@ def _area_that_touches(solution: Solution, of: Integers, touches: Array) -> Arra
     return found
 
 
-def lifts_off_smoothly(solution: Solution) -> bool:
-    """Return whether the plate lifts off springs alone, that have no shear, no voids, and have not yielded."""
+def lifts_off_springs(solution: Solution) -> bool:
+    """Return whether the ground is springs alone that never yield: the plate lifts off where it settles no more."""
     contact = solution.system.problem.contact
-    alone = contact.tensionless and len(contact.depths.depth) == 1 and not solution.slip.any()
-    return alone and not solution.column.A1.any()
+    return len(contact.depths.depth) == 1 and np.isinf(contact.limit_pressure) and not solution.column.A1.any()
 
 
 def _springs(solution: Solution) -> Array | None:

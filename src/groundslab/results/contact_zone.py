@@ -45,10 +45,10 @@ def require_finite(results: CombinationResult) -> None:
 
 
 def lifts_off_springs(results: CombinationResult) -> bool:
-    """Return whether the ground is springs alone that have not yielded, off which the plate lifts as it settles."""
+    """Return whether the ground is springs alone that never yield, see `contact_fields.lifts_off_springs`."""
     model = results.solved_model
     without_shear = not model.ground_carries_shear and results.ground.cells is None
-    return without_shear and not model.contact.voids and not results.plate.penetration.any()
+    return without_shear and not model.contact.voids and model.contact.limit_pressure is None
 
 
 def has_line_force(results: CombinationResult) -> bool:

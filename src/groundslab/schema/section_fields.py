@@ -13,7 +13,7 @@ from groundslab.schema.wording import listed
 
 #: The default of a field that must be given.
 REQUIRED: Any = inspect.Parameter.empty
-Kind = TypeVar("Kind")
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,7 +123,7 @@ def _field(annotation: Any, default: Any) -> Field:
     return Field(default, type(None) in get_args(bare), first(FieldType), sections, first(Table), first(ByKind))
 
 
-def _first(items: list[Any], kind: type[Kind]) -> Kind | None:
+def _first(items: list[Any], kind: type[T]) -> T | None:
     """Return the first of some items that is of a kind."""
     return next((item for item in items if isinstance(item, kind)), None)
 

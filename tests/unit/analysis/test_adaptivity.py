@@ -18,6 +18,7 @@ from groundslab.analysis.tasks.run import Report, Setting
 from groundslab.discretize.local_sizes import local_sizes
 from groundslab.discretize.plan_layout import Meshes
 from groundslab.fem.shape_functions import areas
+from groundslab.model.consistency import usual_size
 from groundslab.model.remarks.singular_places import near_singular, singular_places
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.record import Step
@@ -130,6 +131,33 @@ def test_errors_that_fall_no_more_are_given_up(monkeypatch: pytest.MonkeyPatch) 
     assert (len(history.unknowns), history.end) == (3, "no progress")
     assert stuck.share > 0.01
     assert len(set(meshes)) == 3
+
+
+@pytest.mark.slow
+def test_an_error_that_was_small_before_is_not_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What smaller elements elsewhere have made too large on the third mesh gets a fourth one."""
+    first = adaptivity.judge(solve(slab({"size": 0.5})).only)[0]
+    shares = iter([0.05, 0.005, 0.05, 0.005])
+
+    def judged(_: CombinationResult) -> list[JudgedValue]:
+        other = dataclasses.replace(first, label="other", share=0.02 if len(made) < 2 else 0.005)
+        made.append(next(shares))
+        return [dataclasses.replace(first, share=made[-1]), other]
+
+    made: list[float] = []
+    monkeypatch.setattr(adaptivity, "judge", judged)
+    history = solve(slab({"accuracy": 0.01})).only.mesh_history
+    assert history is not None
+    assert (len(history.unknowns), history.end) == (4, "accurate")
+
+
+@pytest.mark.parametrize(
+    ("sides", "size"), [((12.0, 12.0), 1.0), ((6.0, 12.0), 0.5), ((10.0, 1.2), 0.024**0.5), ((100.0, 0.5), 0.5 / 6)]
+)
+def test_long_strips_have_fewer_elements_across(sides: tuple[float, float], size: float) -> None:
+    """Twelve on the shorter side, fewer where these would be more than 500 in all, six at least."""
+    assert usual_size(sides) == pytest.approx(size, rel=1e-12)
+    assert usual_size(sides[::-1]) == usual_size(sides)
 
 
 @pytest.mark.slow
