@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterator
+import itertools
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -181,9 +182,10 @@ def stiffness(s: System, column: Column) -> Symmetric:
     def matrices(kinds: Integers) -> Array:
         own = b.of(kinds)
         K, ground = own.between_unknowns(F), functools.cache(own.ground)
-        for i, j, a, c in _coupled(column):
-            mass, slope = ground(*_of_plate(s.problem, i, j))
-            K[..., i, j] += column.A0[a, c] * mass + column.A1[a, c] * slope
+        for a, c in _coupled(column):
+            for i, j in itertools.product(surface_fields(a), surface_fields(c)):
+                mass, slope = ground(*_of_plate(s.problem, i, j))
+                K[..., i, j] += column.A0[a, c] * mass + column.A1[a, c] * slope
         return K
 
     return s.pattern.matrix(assembly.assemble(s.pattern, b.kind, matrices, *_further_blocks(s, column)))
@@ -195,13 +197,24 @@ def _iterated(problem: Problem) -> bool:
 
 
 @dataclass(frozen=True, slots=True)
+class _GroundPart:
+    """What two surfaces of the ground add to a matrix where A0 = 1, and where A1 = 1.
+
+    By the element (k, m), or the sums (k,) over all elements for ground that is the same under each.
+    """
+
+    entry: Indices  # (k,): to which addends
+    mass: Array | csr_array
+    slope: Array | csr_array
+
+
+@dataclass(frozen=True, slots=True)
 class _Parts:
-    """What a matrix has whatever the ground under the elements is, and where the ground is added."""
+    """What a matrix has whatever the ground under the elements is, and what the ground adds."""
 
     plate: Array  # (addends,)
     entry: Indices  # (pairs, F, F)
-    mass: dict[tuple[bool, bool], csr_array]  # by whether rows and columns are w of the plate: (pairs, m)
-    slope: dict[tuple[bool, bool], csr_array]
+    ground: dict[tuple[int, int, bool], _GroundPart]  # by two surfaces, and whether elements differ; as it is asked for
 
 
 #: Kept for further columns of ground.
@@ -211,19 +224,14 @@ _PARTS: Memo[_Parts] = Memo()
 def _sum_of_parts(s: System, column: Column) -> Symmetric:
     """Return the matrix of plate and ground, which is linear in A0 and A1 of each element."""
     known = _PARTS.get(s.blocks.plate, s.pattern, lambda: _make_parts(s))
-    m, surfaces, data = len(s.blocks.kind), column.surfaces, known.plate.copy()
-    A0, A1 = (np.broadcast_to(each, (m, surfaces, surfaces)) for each in (column.A0, column.A1))
-
-    def add(values: Array, entry: Indices) -> None:
-        there = entry >= 0
-        data[entry[there]] += values[there]
-
-    for i, j, a, c in _coupled(column):
-        of_plate = _of_plate(s.problem, i, j)
-        values = known.mass[of_plate] @ A0[:, a, c] + known.slope[of_plate] @ A1[:, a, c]
-        add(values, known.entry[:, i, j])
+    data = known.plate.copy()
+    for a, c in _coupled(column):
+        part = _ground_part(known, s, (a, c, column.varies))
+        A0, A1 = column.A0[..., a, c], column.A1[..., a, c]
+        data[part.entry] += part.mass @ A0 + part.slope @ A1 if column.varies else part.mass * A0 + part.slope * A1
     pairs, blocks = _further_blocks(s, column)
-    add(blocks, known.entry[pairs])
+    entry = known.entry[pairs]
+    data[entry[entry >= 0]] += blocks[entry >= 0]
     return s.pattern.matrix(data)
 
 
@@ -233,22 +241,34 @@ def _make_parts(s: System) -> _Parts:
     F = p.unknown.shape[1]
     none = np.zeros(0, dtype=np.int64), np.zeros((0, F, F))
     plate_alone = assembly.assemble(p, b.kind, lambda kinds: b.of(kinds).between_unknowns(F), *none)
-    sides = (False, True) if not s.problem.plate.element.center_w else (False,)
-    blocks = {(rows, columns): b.ground(rows, columns) for rows in sides for columns in sides}
-    mass, slope = (
-        {which: assembly.sums_over_elements(p, b.kind, both[k]) for which, both in blocks.items()} for k in (0, 1)
-    )
-    return _Parts(plate_alone, assembly.entries_of_pairs(p), mass, slope)
+    return _Parts(plate_alone, assembly.entries_of_pairs(p), {})
 
 
-def _coupled(column: Column) -> Iterator[tuple[int, int, int, int]]:
-    """Yield fields i, j that the ground couples, and the surfaces a, c whose A0 and A1 couple them."""
-    for a in range(column.surfaces):
-        for c in range(column.surfaces):
-            if column.A0[..., a, c].any() or column.A1[..., a, c].any():
-                for i in surface_fields(a):
-                    for j in surface_fields(c):
-                        yield i, j, a, c
+def _ground_part(known: _Parts, s: System, which: tuple[int, int, bool]) -> _GroundPart:
+    """Return what two surfaces of the ground add, by the element if elements differ."""
+    from scipy.sparse import vstack
+
+    if which not in known.ground:
+        a, c, varies = which
+        entry: list[Indices] = []
+        sums: tuple[list[Any], list[Any]] = [], []
+        for i, j in itertools.product(surface_fields(a), surface_fields(c)):
+            places = known.entry[:, i, j]
+            there = places >= 0
+            entry.append(places[there])
+            for found, matrices in zip(sums, s.blocks.ground(*_of_plate(s.problem, i, j)), strict=True):
+                by_element = assembly.sums_over_elements(s.pattern, s.blocks.kind, matrices)
+                found.append((by_element if varies else by_element.sum(axis=1))[there])
+        join: Callable[..., Any] = functools.partial(vstack, format="csr") if varies else np.concatenate
+        known.ground[which] = _GroundPart(np.concatenate(entry), *map(join, sums))
+    return known.ground[which]
+
+
+def _coupled(column: Column) -> Iterator[tuple[int, int]]:
+    """Yield the pairs of the ground's surfaces whose A0 and A1 couple them."""
+    for a, c in itertools.product(range(column.surfaces), repeat=2):
+        if column.A0[..., a, c].any() or column.A1[..., a, c].any():
+            yield a, c
 
 
 def _of_plate(problem: Problem, i: int, j: int) -> tuple[bool, bool]:
