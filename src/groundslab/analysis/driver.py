@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from typing import Any
@@ -10,7 +9,7 @@ from typing import Any
 from groundslab.accuracy.judgment import judge_together
 from groundslab.analysis.adaptivity import Analysis, solve_adaptively
 from groundslab.analysis.load_step import OnStep
-from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions
+from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions, uniform_mesh
 from groundslab.analysis.moved_results import move_along, move_back
 from groundslab.analysis.tasks.run import Report, Setting, run
 from groundslab.analysis.tasks.task import Outcome, Task, solve_task, task_of
@@ -23,7 +22,6 @@ from groundslab.model.combinations import as_solved, list_combinations
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.model.plan_origin import move_to_center
-from groundslab.model.settings import Mesh
 from groundslab.results.record import Step
 from groundslab.results.results import CombinationResult, Results, why_no_start
 from groundslab.solvers import factorization
@@ -134,9 +132,7 @@ def solve_preview(model: Model, name: str, on_step: OnStep | None = None) -> Res
     The slab does not crack, and nothing says how large the errors are. The name may be of no combination: then it is
     the first one.
     """
-    area = sum(math.prod(plate.sides) for plate in model.every_plate)
-    mesh = Mesh(size=math.sqrt(area / PREVIEW_ELEMENTS))
-    coarse = model.model_copy(update={"mesh": mesh, "cracking": None})
+    coarse = model.model_copy(update={"mesh": uniform_mesh(model, PREVIEW_ELEMENTS), "cracking": None})
     local = move_to_center(coarse)
     solved_model = as_solved(local)
     combinations = {combination.name: combination for combination in list_combinations(solved_model)}
@@ -205,7 +201,7 @@ def analyze(model: Model, setting: Setting, report: Report, names: Collection[st
     for combination, task in tasks.items():
         if task not in setting.outcomes and (names is None or combination.name in names):
             first.setdefault(task, combination)
-    setting.outcomes.update(zip(first, run(first, setting, report), strict=True))
+    setting.outcomes.update(run(first, setting, report))
     for combination, task in tasks.items():
         if task in first and combination is not first[task]:
             report(combination)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -19,6 +20,7 @@ from groundslab.fem.problem import Problem
 from groundslab.fem.sparse.symmetric import Symmetric
 from groundslab.fem.system import System, build_system, stiffness
 from groundslab.model.model import Model
+from groundslab.model.settings import Mesh as Wanted
 from groundslab.results.balance.forces import exact_rigid_products
 from groundslab.results.result_mesh import ResultMesh, make_result_mesh
 from groundslab.solvers import warm_start
@@ -35,6 +37,11 @@ ALIKE = 6
 #: A draft with more elements is made coarser once more: it is to be seen soon, and tells no errors.
 LARGE_DRAFT = 2500
 
+#: A combination that is unlike those before starts from a mesh with about so many elements of one size.
+UNIFORM_ELEMENTS = 300
+#: Factors are multiples of each other to so many digits.
+DIGITS = 12
+
 #: Sections of a model on which the mesh of its results depends.
 RESULT_MESH_SECTIONS = ("plate", "plates", "supports", "columns", "loads")
 
@@ -45,6 +52,17 @@ class Solved:
 
     factors: Array  # (cases,)
     solutions: list[Solution]
+
+
+def uniform_mesh(model: Model, elements: int) -> Wanted:
+    """Return what asks for elements of one size, about so many on all plates."""
+    area = sum(math.prod(plate.sides) for plate in model.every_plate)
+    return model.mesh.replace(size=math.sqrt(area / elements), counts=None, refine=())
+
+
+def direction(factors: Array) -> bytes:
+    """Return what is the same for factors (cases,) that are multiples of each other, but for rounding."""
+    return np.round(factors / (np.abs(factors).max(initial=0.0) or 1.0), DIGITS).tobytes()
 
 
 @dataclass(slots=True)
@@ -67,6 +85,7 @@ class Level:
     #: What was solved on the coarsest mesh by this thread, from which it starts others, and by all threads together.
     starts: list[Solved] = field(default_factory=list)
     solved: dict[bytes, Solved] = field(default_factory=dict)
+    multiples: dict[bytes, Solved] = field(default_factory=dict)  # what bears and yields, by the loads' direction
 
     def stiffness(self, column: Column, gamma: float | None) -> Symmetric:
         """Return the matrix for the column that belongs to a gamma; the latest one is cached."""
@@ -111,6 +130,23 @@ class Level:
         known = [(np.count_nonzero(before != coarser), after) for before, after in alike]
         rank, state = min(known, key=lambda each: each[0], default=(np.inf, None))
         return None if state is None or rank > ALIKE else state.astype(np.int64)
+
+    def multiple(self, factors: Array) -> list[Solution]:
+        """Return what was solved on this mesh for a multiple of some factors (cases,), by the ratio, if anything was.
+
+        Bearings, forces and gamma alone. Where a gap, slip or limit sets a scale, none are given.
+        """
+        known = self.multiples.get(direction(factors))
+        law = self.system.problem.contact.bearing.law
+        if known is None or law.offset.any() or (np.isfinite(law.limit_force) & (law.limit_force > 0)).any():
+            return []
+        ratio = np.abs(factors).max() / np.abs(known.factors).max()
+        return [each.scale_forces(ratio) for each in known.solutions]
+
+    def keep_for_multiples(self, solved: Solved) -> None:
+        """Keep what multiples of these loads start from on this mesh."""
+        bare = [each.without_unknowns(self.system) for each in solved.solutions]
+        self.multiples.setdefault(direction(solved.factors), Solved(solved.factors, bare))
 
     def add(self, solved: Solved) -> None:
         """Keep what was solved on the coarsest mesh."""
@@ -169,6 +205,7 @@ class MeshHierarchy:
     levels: dict[int, Level] = field(default_factory=dict)
     coarsenings: list[int] | None = None  # how often each of the meshes is coarsened, once that is known
     earlier: Sequence[Solved] = ()  # on the coarsest of the meshes before these
+    uniform: MeshHierarchy | None = None  # of few elements, from which combinations unlike all others start
 
     def start(self, level: Level, factors: Array) -> list[Solution]:
         """Return the solutions from which a combination of some factors (cases,) starts on the coarsest level.
@@ -217,9 +254,17 @@ class MeshHierarchy:
         elements = len(self.level(self.finest + 1).system.problem.mesh.elements)
         return replace(self, finest=self.finest + (2 if elements > LARGE_DRAFT else 1), coarsenings=None)
 
+    def make_uniform(self) -> MeshHierarchy:
+        """Return nested meshes of the same model with few elements of one size; made once."""
+        if self.uniform is None:
+            model = self.model.model_copy(update={"mesh": uniform_mesh(self.model, UNIFORM_ELEMENTS)})
+            self.uniform = MeshHierarchy(model, self.solver, 0, self.margin, keep=True, factors=self.factors)
+        return self.uniform
+
     def clone(self) -> MeshHierarchy:
         """Return the same hierarchy with factors of its own, for use on another thread."""
-        return replace(self, levels={number: level.clone() for number, level in self.levels.items()})
+        levels = {number: level.clone() for number, level in self.levels.items()}
+        return replace(self, levels=levels, uniform=self.uniform and self.uniform.clone())
 
     def result_mesh(self, solution: Solution, coarsening: int) -> ResultMesh:
         """Return the mesh of the results of a solution on one of the meshes."""

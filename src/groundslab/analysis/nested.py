@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from groundslab.discretize.symmetry import symmetries
 from groundslab.errors import NoEquilibrium, NotConverged, SingularMatrix
 from groundslab.fem.bearings import largest_of_parts
 from groundslab.fem.problem import W
-from groundslab.fem.system import System
+from groundslab.model.ground import ContinuousGround
 from groundslab.model.model import Model
 from groundslab.model.plates.joints import play_of
 from groundslab.results.record import Step
@@ -27,6 +28,11 @@ from groundslab.solvers.solution import Solution
 
 #: The elements' size is halved so many times from one of the nested meshes to the next.
 HALVINGS = 2
+#: After so many steps of contact a combination is told to be unlike those before.
+FEW_STEPS = 6
+
+#: Solutions to start from, and the most steps of contact that are worth it.
+Start = tuple[list[Solution], int]
 
 
 def solve_nested(
@@ -41,50 +47,77 @@ def solve_nested(
     model, found, before = hierarchy.model, dict[int, list[Solution]](), None
     if hierarchy.has_reference(combination):
         level = hierarchy.level(hierarchy.finest)
-        s = _load_system(level, factors)
-        start = hierarchy.matching(combination, s)
+        full = _full_load(model, level, factors, report, True)
+        start = hierarchy.matching(combination, full.system)
         if start:
             with suppress(NotConverged, SingularMatrix):
-                return {hierarchy.finest: _solve_increments(_full_load(model, s, level, report, True), model, start)}
+                return {hierarchy.finest: _solve_increments(full, model, start)}
     start = list[Solution]()
     for coarsening in _coarsenings(hierarchy):
         level = hierarchy.level(coarsening)
-        start = start if found else hierarchy.start(level, factors)
+        start = level.multiple(factors) or (start if found else hierarchy.start(level, factors))
         known = level.solved.get(factors.tobytes())
         if known is not None:
             start = known.solutions
-        elif coarsening == hierarchy.finest:
-            start = _solve_finest(model, _load_system(level, factors), level, start, report, before)
         else:
-            # without equilibrium or convergence on a coarse mesh the next mesh has no start
-            coarser, start = start, []
-            with suppress(NoEquilibrium, NotConverged, SingularMatrix):
-                on_step = report if model.analysis.nested else _ignore
-                start = _solve_coarser(model, _load_system(level, factors), level, coarser, on_step, before)
+            starts = _starts(hierarchy, combination, factors, start, first=not found)
+            finest = coarsening == hierarchy.finest
+            on_step = report if finest or model.analysis.nested else _ignore
+            make_load = partial(_full_load, model, level, factors, on_step, finest, before)
+            start = (_solve_finest if finest else _solve_coarser)(make_load, model, starts)
         found[coarsening] = start
         if start and len(found) == 1 and coarsening > 0:
             level.add(Solved(factors, start))
+        if start and hierarchy.keep:
+            level.keep_for_multiples(Solved(factors, start))
         before = None if level.system.problem.elastic is None else level
     hierarchy.store(combination, start)
     return found
 
 
-def _solve_finest(
-    model: Model, s: System, level: Level, coarser: list[Solution], report: OnStep, before: Level | None
-) -> list[Solution]:
-    """Return the solution of each load increment on the finest mesh, without the coarser ones where they mislead."""
-    full = replace(_full_load(model, s, level, report, True), coarser=before)
-    if coarser and model.analysis.nested:
-        with suppress(NotConverged):
-            return _solve_increments(full, model, coarser)
-    return _solve_increments(full, model, [])
+def _starts(
+    hierarchy: MeshHierarchy, combination: str, factors: Array, start: list[Solution], first: bool
+) -> Iterator[Start]:
+    """Yield solutions to start from on a mesh, each with the most steps of contact that are worth it.
+
+    On the first mesh a combination unlike those before starts from a mesh of few elements of one size, on which its
+    contact zone is found in many steps that cost nothing.
+    """
+    model = hierarchy.model
+    if first and _first(model) > 0 and model.mesh.adaptive and not isinstance(model.ground, ContinuousGround):
+        yield start, FEW_STEPS
+        start = _solve_uniform(hierarchy.make_uniform(), combination, factors) or start
+    yield start if model.analysis.nested else [], model.analysis.max_iterations
 
 
-def _solve_coarser(
-    model: Model, s: System, level: Level, coarser: list[Solution], report: OnStep, before: Level | None
-) -> list[Solution]:
-    """Return the solution of each load increment on one of the coarser meshes; nothing else of them is kept."""
-    return _solve_increments(replace(_full_load(model, s, level, report, False), coarser=before), model, coarser)
+def _solve_uniform(uniform: MeshHierarchy, combination: str, factors: Array) -> list[Solution]:
+    """Return the solutions on a mesh of few elements, if there are any."""
+    with suppress(NoEquilibrium, NotConverged, SingularMatrix):
+        return solve_nested(uniform, combination, factors, _ignore)[uniform.finest]
+    return []
+
+
+def _solve_finest(make_load: Callable[[], LoadStep], model: Model, starts: Iterable[Start]) -> list[Solution]:
+    """Return the solution of each load increment on the finest mesh, without a start if all of them mislead."""
+    load = make_load()
+    for start, steps in starts:
+        if start or steps < load.max_iterations:
+            with suppress(NotConverged):
+                return _solve_increments(replace(load, max_iterations=steps), model, start)
+    return _solve_increments(load, model, [])
+
+
+def _solve_coarser(make_load: Callable[[], LoadStep], model: Model, starts: Iterable[Start]) -> list[Solution]:
+    """Return the solution of each load increment on one of the coarser meshes, nothing else of which is kept.
+
+    Without equilibrium or convergence there the next mesh has no start.
+    """
+    with suppress(NoEquilibrium):
+        load = make_load()
+        for start, steps in starts:
+            with suppress(NotConverged, SingularMatrix):
+                return _solve_increments(replace(load, max_iterations=steps), model, start)
+    return []
 
 
 def _ignore(_: Step) -> None:
@@ -117,11 +150,12 @@ def _solve_from(
     """Return the solutions with the gammas found, started from what is known, if that converges."""
     model = hierarchy.model
     level = hierarchy.level(hierarchy.finest)
-    s = _load_system(level, factors)
-    known = hierarchy.matching(combination, s) if hierarchy.has_reference(combination) else []
+    full = _full_load(model, level, factors, _ignore, True)
+    known = hierarchy.matching(combination, full.system) if hierarchy.has_reference(combination) else []
     gammas = [each.gamma for each in found]
     with suppress(NotConverged, SingularMatrix):
-        solutions = _solve_increments(_full_load(model, s, level, _ignore, True), model, known or found, gammas)
+        solutions = _solve_increments(full, model, known or level.multiple(factors) or found, gammas)
+        level.keep_for_multiples(Solved(factors, solutions))
         hierarchy.store(combination, solutions)
         return solutions
     return solve_nested(hierarchy, combination, factors, _ignore)[hierarchy.finest]
@@ -131,15 +165,6 @@ def required_coarsenings(hierarchy: MeshHierarchy, combinations: Sequence[str]) 
     """Return how often the mesh is coarsened for each of the meshes on which the combinations will be solved."""
     known = all(map(hierarchy.has_reference, combinations))
     return [hierarchy.finest] if known else _coarsenings(hierarchy)
-
-
-def _load_system(level: Level, factors: Array) -> System:
-    """Return the system of a mesh under load cases times factors; raises an error if it cannot be solved."""
-    problem = level.system.problem.combine(factors)
-    require_equilibrium(problem)
-    if problem.elastic is None:
-        require_digits(level.system, level.first_column)
-    return replace(level.system, problem=problem)
 
 
 def _coarsenings(hierarchy: MeshHierarchy) -> list[int]:
@@ -169,10 +194,17 @@ def _first(model: Model) -> int:
     return coarsest(model) if one_sided or iterated else 0
 
 
-def _full_load(model: Model, s: System, level: Level, report: OnStep, finest: bool) -> LoadStep:
-    """Return the full load on a mesh, with no plastic slip before."""
-    slip = np.zeros(len(s.problem.contact.bearing.law))
-    return LoadStep(s, level, 1.0, slip, finest, model.analysis.max_iterations, report)
+def _full_load(
+    model: Model, level: Level, factors: Array, report: OnStep, finest: bool, before: Level | None = None
+) -> LoadStep:
+    """Return load cases times factors on a mesh, with no slip before; raises an error if that cannot be solved."""
+    problem = level.system.problem.combine(factors)
+    require_equilibrium(problem)
+    if problem.elastic is None:
+        require_digits(level.system, level.first_column)
+    slip = np.zeros(len(problem.contact.bearing.law))
+    s = replace(level.system, problem=problem)
+    return LoadStep(s, level, 1.0, slip, finest, model.analysis.max_iterations, report, coarser=before)
 
 
 def _solve_increments(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -37,6 +37,18 @@ class Solution:
     gamma_slope: float = 0.0  # of the step's outcome over gamma
     gamma_iterations: int = 0
     pressed: Pressed | None = None  # what the cells of an elastic continuum carry
+
+    def without_unknowns(self, system: System) -> Solution:
+        """Return it without its unknowns and loads, the system being that of the same mesh without loads."""
+        none = np.zeros(0)
+        return replace(self, system=system, U=none[:, None], contact=replace(self.contact, u=none))
+
+    def scale_forces(self, factor: float) -> Solution:
+        """Return it with the forces and gaps times a factor."""
+        pressed = self.pressed
+        if pressed is not None:
+            pressed = Pressed(factor * pressed.force, factor * pressed.gap)
+        return replace(self, contact=replace(self.contact, force=factor * self.contact.force), pressed=pressed)
 
     def nodes_in(self, *states: int) -> Array:
         """Return -1.0 at the nodes where the ground is in one of some states (see contact), else 1.0, (n,)."""

@@ -6,7 +6,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 
-from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions, Solved
+import numpy as np
+
+from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions, Solved, direction
 from groundslab.analysis.nested import HALVINGS, required_coarsenings
 from groundslab.analysis.tasks.parallel import run_parallel
 from groundslab.analysis.tasks.task import Outcome, Task, ends_in_tails, solve_task
@@ -71,33 +73,49 @@ class Setting:
         return {lasting: finest.solved() for lasting, (finest, *_) in self.grounds.items()}
 
 
-def run(tasks: Mapping[Task, Combination], setting: Setting, report: Report) -> Iterator[Outcome]:
-    """Yield the outcome of each task, for the combination that it is the first of."""
+def run(tasks: Mapping[Task, Combination], setting: Setting, report: Report) -> Iterator[tuple[Task, Outcome]]:
+    """Yield each task with its outcome, for the combination that it is the first of.
+
+    Tasks whose loads are multiples of each other follow one another.
+    """
     name, solver = factorization.choose(setting.model.analysis.solver)
     factorization.warm_up(solver)
     grounds = _prepare_grounds(tasks, setting, solver)
     if setting.draft:
         grounds = {lasting: [finest.draft()] for lasting, (finest, *_) in grounds.items()}
-    lanes = _count_lanes(tasks, grounds, solver)
-    jobs = [partial(_solve, task, combination, setting.model, name) for task, combination in tasks.items()]
-    if lanes == 1:
-        for job in jobs:
-            yield job(grounds, report)
+    lanes = _distribute(tasks, _count_lanes(tasks, grounds, solver))
+    jobs = {task: partial(_solve, task, each, setting.model, name) for task, each in tasks.items()}
+    if len(lanes) == 1:
+        for task in lanes[0]:
+            yield jobs[task](grounds, report)
         return
     _make_what_lanes_share(tasks, setting.model, grounds)
     # whichever lane is faster, each has the same tasks in the same order, and so the same factors to begin with
-    meshes_of_lanes = [grounds, *(_clone(grounds) for _ in range(1, lanes))]
-    by_lane = [[partial(job, meshes) for job in jobs[lane::lanes]] for lane, meshes in enumerate(meshes_of_lanes)]
-    threads = factorization.threads(solver) // lanes
+    meshes_of_lanes = [grounds, *(_clone(grounds) for _ in lanes[1:])]
+    by_lane = [
+        [partial(jobs[task], meshes) for task in lane] for lane, meshes in zip(lanes, meshes_of_lanes, strict=True)
+    ]
+    threads = factorization.threads(solver) // len(lanes)
     yield from run_parallel(by_lane, report, lambda: factorization.use_threads(solver, threads))
+
+
+def _distribute(tasks: Iterable[Task], lanes: int) -> list[list[Task]]:
+    """Return the tasks of each lane; multiples of the same loads follow one another in one of them."""
+    alike: dict[tuple[bool, bytes], list[Task]] = {}
+    for task in tasks:
+        alike.setdefault((task.lasting, direction(np.array(task.factors))), []).append(task)
+    found: list[list[Task]] = [[] for _ in range(lanes)]
+    for group in alike.values():
+        min(found, key=len).extend(group)
+    return [lane for lane in found if lane] or [[]]
 
 
 def _solve(
     task: Task, combination: Combination, model: Model, solver: str, grounds: Grounds, report: Report
-) -> Outcome:
-    """Return the outcome of a task on its ground."""
+) -> tuple[Task, Outcome]:
+    """Return a task with its outcome on its ground."""
     report(combination)
-    return solve_task(task, model, combination, grounds[task.lasting], solver, report)
+    return task, solve_task(task, model, combination, grounds[task.lasting], solver, report)
 
 
 def _prepare_grounds(tasks: Iterable[Task], setting: Setting, solver: Solver) -> Grounds:
