@@ -111,10 +111,14 @@ lock: $(VENV)/dev.stamp ## update the lock files from pyproject.toml
 	$(COMPILE) --group build --constraint lock/dev.txt -o lock/build.txt
 	$(COMPILE) --group node -o lock/node.txt
 
-bench:                  ## time all sizes and the other programs, one by one, and write docs/performance.md; takes hours
+bench: $(VENV)/dev.stamp pages ## time all sizes and the other programs, measure default answers and told errors, write docs/performance.md; takes hours
 	$(PYTHON) bench/run.py $(BENCH)
 	$(PYTHON) bench/time_to_accuracy.py
 	bench/.env/own/bin/python bench/default_answer.py
+	bench/.env/own/bin/python bench/told_errors.py
+	bench/.env/own/bin/python bench/random_slabs.py --accuracy 5
+	bench/.env/own/bin/python bench/random_slabs.py --accuracy 2
+	$(BIN)/python bench/first_figures.py
 	bench/.env/own/bin/python bench/report.py
 	bench/.env/own/bin/python paper/reproduce/reproduce.py --stored --write
 

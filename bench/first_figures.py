@@ -1,11 +1,12 @@
-"""The workbench in a browser: seconds to the first picture, the first figures, the first checks, and the end.
+"""The workbench in a browser: seconds to the first picture and figures, to those of a finished mesh, and to the end.
 
     python bench/first_figures.py                      # three slabs of bench/slabs, into bench/first_figures.json
     python bench/first_figures.py CASE.toml ...        # some cases, printed alone
 
 Size, counts and refinements are taken out of each case. It is opened in a workbench that solves by itself, on one
-thread; time runs from that moment. What the page shows is looked at every few milliseconds: the preview on a coarse
-mesh, figures of the first mesh in the summary, the checks with them, and results whose mesh is refined no more.
+thread; time runs from that moment. What the page shows is looked at every few milliseconds: a picture and figures, both
+of a preview of one combination if that comes first; figures of all combinations on the first mesh, the checks with them,
+and results whose mesh is refined no more.
 """
 
 from __future__ import annotations
@@ -29,9 +30,11 @@ LIMIT = 580.0
 #: What is seen of a run, in the page.
 SEEN = """() => {
   const shown = (selector) => { const e = document.querySelector(selector); return e !== null && e.checkVisibility(); };
-  const figures = shown(".result-full") && document.querySelectorAll(".figures tr").length > 0;
+  const first = shown(".result-full") && document.querySelectorAll(".figures tr").length > 0;
+  const figures = first && !(document.querySelector(".preview-over").textContent.startsWith("Preview"));
   return {
     picture: shown(".preview-over") || shown(".result-full"),
+    first,
     figures,
     checks: figures && [...document.querySelectorAll("[role=tab]")].some((e) =>
       e.textContent.startsWith("Checks") && e.checkVisibility() && e.getAttribute("aria-disabled") !== "true"),
@@ -50,7 +53,7 @@ def examine(path: Path) -> Row:
 
     model = groundslab.load(path)
     mesh = model.mesh.model_copy(update={"size": None, "counts": None, "refine": ()})
-    found: Row = {"slab": path.stem, "picture": None, "figures": None, "checks": None, "end": None}
+    found: Row = {"slab": path.stem, "picture": None, "first": None, "figures": None, "checks": None, "end": None}
     with tempfile.TemporaryDirectory() as folder:
         case = Path(folder) / path.name
         case.write_text(to_toml(model.model_copy(update={"mesh": mesh})), encoding="utf-8")

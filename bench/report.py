@@ -289,12 +289,12 @@ def default_rows() -> str:
 
 def first_rows() -> str:
     """Return the table of what the workbench shows, and when."""
-    names = ("picture", "figures", "checks", "end")
+    names = ("picture", "first", "figures", "checks", "end")
     rows = [
         [row["slab"], *("" if row[name] is None else f"{row[name]:g}" for name in names)]
         for row in json.loads(FIRST.read_text(encoding="utf-8"))
     ]
-    head = ["slab", "first picture [s]", "figures of the first mesh", "checks", "mesh refined no more"]
+    head = ["slab", "first picture [s]", "first figures", "figures of the first mesh", "checks", "mesh refined no more"]
     return table(head, rows)
 
 

@@ -1,4 +1,4 @@
-"""Provisional results while the mesh is refined, marked as that."""
+"""What there is before the last results, marked as that: a preview on a coarse mesh, provisional results."""
 
 from __future__ import annotations
 
@@ -10,6 +10,9 @@ from helpers.browsing import SMALL, Bench, Server
 
 pytestmark = pytest.mark.slow
 
+#: A floor whose 44 combinations take long.
+FLOOR = Path(__file__).parents[2] / "bench" / "slabs" / "floor_forklift.toml"
+
 #: Notes what the label over the picture says.
 RECORD = """
 window.previews = [];
@@ -18,6 +21,19 @@ new MutationObserver(() => {
   if (label && !label.hidden && window.previews.at(-1) !== label.textContent) window.previews.push(label.textContent);
 }).observe(document, { subtree: true, attributes: true, childList: true, characterData: true });
 """
+
+
+def test_a_preview_has_figures(server: Server, bench: Bench, tmp_path: Path) -> None:
+    """Those of the combination in the picture, on a coarse mesh, which is said beside them; there are no checks yet."""
+    case = tmp_path / "floor.toml"
+    case.write_text(FLOOR.read_text(encoding="utf-8"), encoding="utf-8")
+    bench.open(server.start(case))
+    words = "Preview on a coarse mesh, of this combination only"
+    bench.wait_seen(".preview-over:visible", words)
+    bench.wait_seen(".lower .verdict.doubtful", words)
+    assert bench.largest("largest settlement") > 0
+    assert bench.page.locator('.result-status[data-state="solving"]').count() == 1
+    assert bench.page.get_by_role("tab", name="Checks").and_(bench.page.locator(":visible")).count() == 0
 
 
 def test_provisional_results_come_before_the_last(server: Server, bench: Bench, tmp_path: Path) -> None:

@@ -25,7 +25,7 @@ def obey(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
             progress("waits", None)
             time.sleep(0.005)
     elif word == "preview":
-        progress.show("of " + (progress.shown or "nothing"), b"coarse")
+        progress.show("of " + (progress.shown or "nothing"), {"name": progress.shown}, b"coarse")
         while not Path(file).exists():
             progress("waits", None)
             time.sleep(0.005)

@@ -2,10 +2,10 @@
 
 It receives ("solve", run, text, shown, before), ("report", run, file), ("archive", run, file) and ("table", run, name)
 from ``Worker`` through a pipe. It sends ("ready",) when it can receive, ("warm",) when it has warmed up, ("progress",
-run, text, share), ("preview", run, words) followed by the bytes of a scene, ("provisional", run, answer) and ("solved",
-run, answer) followed by the bytes of the scene, ("refused", run, message, issues), ("stopped", run), and ("view",
-message, error) in answer to the last three, followed by the bytes that were asked for if the error is empty. These are
-answered between two steps of a run, too.
+run, text, share), ("preview", run, words, figures) followed by the bytes of a scene, ("provisional", run, answer) and
+("solved", run, answer) followed by the bytes of the scene, ("refused", run, message, issues), ("stopped", run), and
+("view", message, error) in answer to the last three, followed by the bytes that were asked for if the error is empty.
+These are answered between two steps of a run, too.
 """
 
 from __future__ import annotations
@@ -63,13 +63,14 @@ class Answer:
 class Progress:
     """Tells how a run goes on, and shows what there is before its end.
 
-    `tell` is called with a text and the share of combinations that are done, `show` with words about a packed scene and
-    the scene, `keep` with provisional results as a task returns its own. `shown` is the combination that is looked at,
-    None where no preview of it is wanted. `before` is how long the run before took to its first results, if known [s].
+    `tell` is called with a text and the share of combinations that are done, `show` with words about a preview, its
+    figures and its packed scene, `keep` with provisional results as a task returns its own. `shown` is the combination
+    that is looked at, None where no preview of it is wanted. `before` is how long the run before took to its first
+    results, if known [s].
     """
 
     tell: Callable[[str, float | None], None]
-    show: Callable[[str, bytes], None] = lambda _words, _scene: None
+    show: Callable[[str, dict[str, Any], bytes], None] = lambda _words, _figures, _scene: None
     shown: str | None = None
     keep: Callable[[Answer, bytes, Any], None] = lambda _answer, _scene, _kept: None
     before: float | None = None
@@ -183,11 +184,13 @@ def _show_preview(model: Model, progress: Progress, name: str) -> None:
     from groundslab.analysis.driver import solve_preview
     from groundslab.views.scene.binary import pack
     from groundslab.views.scene.fields import scene_of
+    from groundslab.workbench.solver.summary import build_summary
 
     with suppress(GroundslabError):
         preview = solve_preview(model, name, lambda _: progress("a preview on a coarse mesh", None))
         if len(preview):
-            progress.show("on a coarse mesh, of this combination only", pack(scene_of(preview)))
+            (figures,) = build_summary(preview, with_checks=False)["combinations"]
+            progress.show("on a coarse mesh, of this combination only", figures, pack(scene_of(preview)))
 
 
 def warm_up(progress: Progress) -> None:
@@ -260,9 +263,9 @@ def _solve(
             pipe.send(("progress", run, message, share))
             sent = time.monotonic()
 
-    def show(words: str, scene: bytes) -> None:
+    def show(words: str, figures: dict[str, Any], scene: bytes) -> None:
         listen()
-        pipe.send(("preview", run, words))
+        pipe.send(("preview", run, words, figures))
         pipe.send_bytes(scene)
 
     def keep(answer: Answer, scene: bytes, kept: Any) -> None:

@@ -137,7 +137,7 @@ class Schedule:
                 self._notify("progress", active.progress)
         elif kind == "preview":
             if not active.is_cancelled:
-                active.preview = job.to_json() | {"words": rest[0]}, content
+                active.preview = job.to_json() | {"words": rest[0], "figures": rest[1]}, content
                 self._notify("preview", active.preview[0])
         elif kind == "provisional":
             if not active.is_cancelled:

@@ -132,7 +132,12 @@ def test_a_preview_is_there_until_the_run_ends(make: Make, events: Events, tmp_p
     solver, release = make(), tmp_path / "release"
     solver.shown = "ULS 1"
     run = submit(solver, f"preview {release}", 7)
-    assert events.wait("preview", run) == {"run": run, "version": 7, "words": "of ULS 1"}
+    assert events.wait("preview", run) == {
+        "run": run,
+        "version": 7,
+        "words": "of ULS 1",
+        "figures": {"name": "ULS 1"},
+    }
     assert (solver.schedule.get_preview(run), solver.schedule.get_preview(run + 1)) == (b"coarse", None)
     # a page that comes later sees it, too
     assert solver.schedule.get_current_events()[-1] == ("preview", events.wait("preview", run))
@@ -408,13 +413,15 @@ def test_the_analysis_behind_it() -> None:
 
 
 def test_a_preview_is_of_the_combination_that_is_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
-    """It has that combination alone, on another mesh; of one without equilibrium there is none."""
+    """It has that combination and its figures alone, on another mesh; of one without equilibrium there is none."""
     for shown, names in (("down", [["down"]]), ("", [["down"]]), ("up", []), (None, [])):
-        previews: list[bytes] = []
-        tell, show = (lambda *_: None), (lambda _, scene, previews=previews: previews.append(scene))
+        previews: list[tuple[dict[str, Any], bytes]] = []
+        tell, show = (lambda *_: None), (lambda _, *shown, previews=previews: previews.append(shown))
         monkeypatch.setattr(process, "PREVIEW_AFTER", 0.0)
         _, scene, _ = process.solve(TWO, Progress(tell, show, shown))
-        heads = [unpack(each).head for each in previews]
+        heads = [unpack(each).head for _, each in previews]
+        assert [figures["name"] for figures, _ in previews] == [name for each in names for name in each]
+        assert all(figures["certificate"]["holds"] and figures["sections"] for figures, _ in previews)
         assert [[one["name"] for one in head["combinations"]] for head in heads] == names
         assert all(head["mesh"]["nodes"] != unpack(scene).head["mesh"]["nodes"] for head in heads)
 
@@ -430,7 +437,7 @@ def test_a_quick_run_has_no_preview(
     previews: list[bytes] = []
     monkeypatch.setattr(process, "PREVIEW_AFTER", PATIENCE)
     monkeypatch.setattr(process, "MUCH_WORK", much)
-    show = lambda _, scene: previews.append(scene)  # noqa: E731
+    show = lambda *shown: previews.append(shown[-1])  # noqa: E731
     answer, _, _ = process.solve(TWO, Progress(lambda *_: None, show, "down", before=before))
     assert bool(previews) is shows
     assert 0.0 < answer.first <= answer.seconds

@@ -138,7 +138,7 @@ export class Connection {
       const now = this.store.run;
       if (now.kind === "solving" && now.run === run) setRun({ ...now, text, share });
     });
-    on<Preview>("preview", ({ run, words }) => this.store.set("preview", { run, words }));
+    on<Preview>("preview", ({ run, words, figures }) => this.store.set("preview", { run, words, figures }));
     const setSolved = ({ run, version, seconds, design, provisional, update }: Solved) => {
       this.store.set("preview", null);
       this.store.set("solved", { run, version, seconds, design, provisional, update });

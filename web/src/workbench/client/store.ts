@@ -5,7 +5,7 @@ import type { Change, Edit } from "../model/edits";
 import type { Issue } from "../model/issues";
 import { type Path, pathKey, samePath, type Table } from "../model/paths";
 import type { Underlay } from "../model/survey";
-import type { DocState } from "./api";
+import type { CombinationSummary, DocState } from "./api";
 
 /** The state of the connection. */
 export type Connection = "ok" | "away" | "unauthorized";
@@ -31,10 +31,11 @@ export interface Solved {
   update: number;
 }
 
-/** The picture of a run that has not ended; what it is, in words. */
+/** The picture of a run that has not ended; what it is, in words; the figures of its combination. */
 export interface Preview {
   run: number;
   words: string;
+  figures: CombinationSummary;
 }
 
 /** The comparison of ground models: of which run, how far it is; why there is none. */

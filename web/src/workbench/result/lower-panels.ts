@@ -2,7 +2,7 @@
 import type { Scene } from "../../viewer/data/scene";
 import { SectionPanel } from "../../viewer/panels/section-panel";
 import { ValuePanel } from "../../viewer/panels/value-panel";
-import { fill, h } from "../../viewer/shared/dom";
+import { h } from "../../viewer/shared/dom";
 import type { Api, CombinationSummary, Summary } from "../client/api";
 import { type Tab, type Tabs, tabs } from "../controls/tabs";
 import type { keepSection } from "./keep-section";
@@ -54,10 +54,9 @@ export class LowerPanels {
   /** Show the summary of a result, with the figures of the combination shown, and what the picture has. */
   show(summary: Summary | null, one: CombinationSummary | null): void {
     const { view, pick, preview } = this.picture;
-    showSummary(this.summaryBox, one, summary);
-    if (!summary && preview.isShown)
-      fill(this.summaryBox, h("p", { class: "empty" }, "Figures appear when the result is ready."));
-    if (one && one.refused === null) this.summaryBox.prepend(this.reference.keepButton);
+    showSummary(this.summaryBox, one, preview.figures ? null : summary);
+    if (preview.figures) this.summaryBox.prepend(h("p", { class: "verdict doubtful" }, preview.words));
+    else if (one && one.refused === null) this.summaryBox.prepend(this.reference.keepButton);
     this.reference.show(summary, one?.name ?? "");
     showCertificates(this.certificateBox, summary, (n) => view.show(n, view.field));
     const bad = summary?.combinations.filter((combination) => verdictOf(combination) !== "certified").length ?? 0;

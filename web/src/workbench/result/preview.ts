@@ -1,9 +1,10 @@
-// The picture of a run that has no results yet: on a coarser mesh, and marked as that; and the mark of provisional ones.
+// Picture and figures of a run that has no results yet: of one combination on a coarser mesh, and marked as that; and the
+// mark of provisional results.
 import { fieldsOf, isEnvelope } from "../../viewer/data/fields";
 import { decodeScene, type Scene } from "../../viewer/data/scene";
 import type { ResultView } from "../../viewer/panels/result-view";
 import { h, setText } from "../../viewer/shared/dom";
-import { type Api, Lost, Refused } from "../client/api";
+import { type Api, type CombinationSummary, Lost, Refused } from "../client/api";
 import type { Store } from "../client/store";
 
 export interface PreviewHooks {
@@ -28,7 +29,8 @@ function hasShown(scene: Scene, view: ResultView): boolean {
 /** Shows the previews that the store names, and says over the picture what they are. */
 export class Preview {
   readonly label = h("p", { class: "preview-over", hidden: true });
-  isShown = false;
+  /** The figures of the preview that is shown, if one is. */
+  figures: CombinationSummary | null = null;
 
   constructor(
     private readonly store: Store,
@@ -39,15 +41,20 @@ export class Preview {
     store.on(["preview"], () => void this.fetch());
     store.on(["run"], () => {
       const { kind } = store.run;
-      if (this.isShown && (kind === "refused" || kind === "cancelled")) this.hooks.onEnd();
+      if (this.figures && (kind === "refused" || kind === "cancelled")) this.hooks.onEnd();
     });
   }
 
   /** Show no preview any more, but results; say that they are provisional, in words, if they are. */
   end(provisional = ""): void {
-    this.isShown = false;
+    this.figures = null;
     this.mark(provisional);
     this.label.classList.toggle("provisional", provisional !== "");
+  }
+
+  /** What is shown in place of results, in words. */
+  get words(): string {
+    return this.label.textContent ?? "";
   }
 
   private mark(words: string): void {
@@ -63,7 +70,7 @@ export class Preview {
       if (this.store.preview !== preview || !hasShown(scene, this.view)) return;
       this.mark(`Preview ${preview.words}`);
       this.label.classList.remove("provisional");
-      this.isShown = true;
+      this.figures = preview.figures;
       this.view.setScene(scene, this.view.field || "settlement");
       this.hooks.onShow();
     } catch (error) {

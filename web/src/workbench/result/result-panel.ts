@@ -177,8 +177,8 @@ export class ResultPanel {
     const { choice, scene } = picture.view;
     const shown = isEnvelope(choice) ? null : (scene?.head.combinations[choice]?.name ?? "");
     this.tellShown(shown);
-    // of a preview there may be no summary yet, or that of the result before
-    const one = summary?.combinations.find(({ name }) => name === shown) ?? null;
+    // with a preview there may be no summary yet, or that of the result before
+    const one = picture.preview.figures ?? summary?.combinations.find(({ name }) => name === shown) ?? null;
     picture.tellRefused(one);
     this.lower.show(summary, one);
   }
