@@ -5,7 +5,7 @@
 
 Size, counts and refinements are taken out of each case. It is opened in a workbench that solves by itself, on one
 thread; time runs from that moment. What the page shows is looked at every few milliseconds: a picture and figures, both
-of a preview of one combination if that comes first; figures of all combinations on the first mesh, the checks with them,
+of a preview of one combination if that comes first; figures of all combinations on the first mesh, checks with them,
 and results whose mesh is refined no more.
 """
 
