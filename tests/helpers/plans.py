@@ -7,7 +7,7 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from groundslab.fem.shape_functions import gauss, jacobian, q9
+from groundslab.fem.shape_functions import determinants, gauss, q9
 from groundslab.geometry.plan import Plan, Ring, circle, rectangle
 from groundslab.meshing import mesh
 from groundslab.meshing.backends import Maker, with_gmsh, with_netgen
@@ -82,7 +82,7 @@ def meshed(plan: Plan, maker: Maker | None = None) -> PlanMesh:
 def areas(result: PlanMesh) -> np.ndarray:
     """Return the area of each element."""
     points, weights = gauss(3)
-    areas: np.ndarray = jacobian(q9(points)[1], result.xy)[2] @ weights
+    areas: np.ndarray = determinants(q9(points)[1], result.xy) @ weights
     return areas
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.fem.assembly import scatter
 from groundslab.fem.problem import Problem, W
-from groundslab.fem.shape_functions import areas, gauss, gradients, jacobian, q9
+from groundslab.fem.shape_functions import areas, determinants, gauss, gradients, inverse_jacobian, q9
 from groundslab.fem.system import surface_settlement
 from groundslab.results.balance.forces import pressing_forces, resistance
 from groundslab.results.patch_recovery import extrapolation
@@ -76,7 +76,7 @@ def _plate_errors(solution: Solution, recovered: Array) -> Array:
     compliance, S = np.linalg.inv(problem.plate.bending)[rigidity], problem.plate.shear[rigidity]
     error = N @ recovered - own_forces(problem, solution.U, points)
     moments, shear = error[..., :3], error[..., 3:]
-    dA = jacobian(dN, problem.mesh.nodes[problem.mesh.elements[problem.plate.elements]])[2] * weights
+    dA = determinants(dN, problem.mesh.nodes[problem.mesh.elements[problem.plate.elements]]) * weights
     of_moments, of_shear = ((moments @ compliance) * moments).sum(axis=2), (shear**2).sum(axis=2) / S[:, None]
     return np.column_stack([(dA * each).sum(axis=1) for each in (of_moments, of_shear)])
 
@@ -108,7 +108,7 @@ def _ground_errors(solution: Solution) -> Array:
             # the slope beyond the line, of the other sign, makes the mean zero
             star[parts[mesh.xy[..., axis] == 0.0], axis] = 0.0
     error = np.einsum("pa,eaxs->epxs", q9(at_three)[0], star[parts]) - outer
-    dA = jacobian(q9(at_three)[1], mesh.xy)[2] * weights
+    dA = determinants(q9(at_three)[1], mesh.xy) * weights
     A1 = np.broadcast_to(column.A1, (m, S, S))
     squares: Array = np.einsum("ep,epxs,est,epxt->e", dA, error, A1, error, optimize=True)
     return squares
@@ -126,5 +126,5 @@ def _parts(problem: Problem) -> tuple[Integers, int]:
 def _slopes(points: Array, xy: Array, w: Array) -> Array:
     """Return the slopes along x and y (m, p, 2, S) of surfaces (S, m, 9) at points (p, 2) of elements."""
     _, dN = q9(points)
-    inverse = jacobian(dN, xy)[1]
+    inverse, _ = inverse_jacobian(dN, xy)
     return np.stack([gradients(dN, inverse, each) for each in w], axis=-1)

@@ -15,7 +15,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers, Memo
 from groundslab.fem.assembly import scatter
 from groundslab.fem.mesh import Mesh, local_coordinates, locate
-from groundslab.fem.shape_functions import gauss, gauss_line, jacobian, q9
+from groundslab.fem.shape_functions import determinants, gauss, gauss_line, q9
 from groundslab.geometry.plan import Segment
 
 if TYPE_CHECKING:
@@ -50,7 +50,7 @@ def integrate_over_elements(mesh: Mesh, elements: Integers, pressure: Pressure =
     N, dN = q9(points)
     xy = mesh.nodes[mesh.elements[elements]]
     q = pressure(np.einsum("pa,eax->epx", N, xy))
-    return (q * jacobian(dN, xy)[2] * weights) @ N
+    return (q * determinants(dN, xy) * weights) @ N
 
 
 def nodal_area(mesh: Mesh, elements: Integers) -> Array:

@@ -21,9 +21,10 @@ from groundslab.fem.shape_functions import (
     SERENDIPITY_CENTER,
     along_axes,
     derivatives,
+    determinants,
     gauss,
     gradients,
-    jacobian,
+    inverse_jacobian,
     parallelograms,
     q9,
 )
@@ -232,7 +233,7 @@ def _bending_stiffness(xy: Array, D: Array) -> Array:
 def _shear_stiffness(element: PlateElement, xy: Array, S: Array, T: Array, halves: Integers | None) -> Array:
     """Return int S B_s^T B_s dA (m, 27, 27), from covariant strains by the metric of the element."""
     points, weights = gauss(element.shear_points)
-    _, inverse, det = jacobian(q9(points)[1], xy)
+    inverse, det = inverse_jacobian(q9(points)[1], xy)
     metric = np.einsum("epxi,epxj,ep->ijep", inverse, inverse, det * weights * S[:, None])[..., None]
     B = element.covariant_shear(points, xy, T, halves)
     of_xi, of_eta = B[:, 0], B[:, 1]
@@ -248,7 +249,7 @@ def free_couples(xy: Array, D: Array, curvature: Array) -> Array:
     temperature.
     """
     points, weights = gauss(3)
-    dA = jacobian(q9(points)[1], xy)[2] * weights
+    dA = determinants(q9(points)[1], xy) * weights
     moment = np.einsum("eij,ej->ei", D[:, :, :2], curvature)
     f = np.einsum("ep,epcu,ec->eu", dA, bending_strain(points, xy), moment)
     couples: Array = f[:, 9:].reshape(-1, 2, 9).swapaxes(0, 1)
@@ -263,7 +264,7 @@ def section_forces(
     M = -D kappa: sagging positive; Q = S (grad w - beta), so that Q is the divergence of M.
     """
     _, dN = q9(points)
-    inverse = jacobian(dN, xy)[1]
+    inverse, _ = inverse_jacobian(dN, xy)
     beta_x, beta_y = (gradients(dN, inverse, u[:, 9 * k : 9 * (k + 1)]) for k in (1, 2))
     kappa = np.stack([beta_x[..., 0], beta_y[..., 1], beta_x[..., 1] + beta_y[..., 0]], axis=-1)
     strain = along_axes(inverse, element.covariant_strain(points, xy, u, halves))

@@ -51,24 +51,34 @@ def gauss(n: int) -> tuple[Array, Array]:
     return np.column_stack([X.ravel(), Y.ravel()]), np.outer(w, w).ravel()
 
 
-def jacobian(dN: Array, xy: Array) -> tuple[Array, Array, Array]:
-    """Return J (m, p, 2, 2) with rows x,xi and x,eta, its inverse and its determinant (m, p) (paper (2.11)).
+def determinants(dN: Array, xy: Array) -> Array:
+    """Return det J (m, p) [m2] of the Jacobian with rows x,xi and x,eta (paper (2.11)).
 
     dN (p, 2, 9) are derivatives at p points, xy (m, 9, 2) the nodes of m elements [m].
     """
-    # one product of two matrices
-    J = (xy.swapaxes(1, 2).reshape(-1, 9) @ dN.reshape(-1, 9).T).reshape(len(xy), 2, len(dN), 2).transpose(0, 2, 3, 1)
-    det = J[..., 0, 0] * J[..., 1, 1] - J[..., 0, 1] * J[..., 1, 0]
-    inverse = np.empty_like(J)
-    inverse[..., 0, 0], inverse[..., 1, 1] = J[..., 1, 1], J[..., 0, 0]
-    inverse[..., 0, 1], inverse[..., 1, 0] = -J[..., 0, 1], -J[..., 1, 0]
-    return J, inverse / det[..., None, None], det
+    (x_xi, x_eta), (y_xi, y_eta) = _slopes(dN, xy)
+    return x_xi * y_eta - x_eta * y_xi
+
+
+def inverse_jacobian(dN: Array, xy: Array) -> tuple[Array, Array]:
+    """Return the inverse of J (m, p, 2, 2) and det J (m, p), see `determinants`."""
+    (x_xi, x_eta), (y_xi, y_eta) = _slopes(dN, xy)
+    det = x_xi * y_eta - x_eta * y_xi
+    inverse = np.empty((*det.shape, 2, 2))
+    inverse[..., 0, 0], inverse[..., 0, 1] = y_eta / det, -y_xi / det
+    inverse[..., 1, 0], inverse[..., 1, 1] = -x_eta / det, x_xi / det
+    return inverse, det
+
+
+def _slopes(dN: Array, xy: Array) -> list[list[Array]]:
+    """Return x,xi and x,eta, y,xi and y,eta (m, p) each."""
+    return [[xy[..., axis] @ dN[:, along].T for along in (0, 1)] for axis in (0, 1)]
 
 
 def derivatives(points: Array, xy: Array) -> tuple[Array, Array, Array]:
     """Return N,x and N,y (m, p, 9) [1/m] and det J (m, p) [m2] at points (p, 2) of elements xy (m, 9, 2) [m]."""
     _, dN = q9(points)
-    _, inverse, det = jacobian(dN, xy)
+    inverse, det = inverse_jacobian(dN, xy)
     along_xi, along_eta = dN[:, 0], dN[:, 1]
     x, y = (inverse[:, :, k, :1] * along_xi + inverse[:, :, k, 1:] * along_eta for k in (0, 1))
     return x, y, det
@@ -81,14 +91,14 @@ def along_axes(inverse: Array, covariant: Array) -> Array:
 
 
 def gradients(dN: Array, inverse: Array, values: Array) -> Array:
-    """Return the derivatives by x and y (m, p, 2) of nodal values (m, 9), with dN and inverse as in `jacobian`."""
+    """Return the derivatives by x and y (m, p, 2) of nodal values (m, 9); inverse as in `inverse_jacobian`."""
     return along_axes(inverse, (values @ dN.reshape(-1, 9).T).reshape(len(values), len(dN), 2))
 
 
 def areas(xy: Array) -> Array:
     """Return the areas (m,) [m2] of elements with nodes xy (m, 9, 2)."""
     points, weights = gauss(3)
-    return jacobian(q9(points)[1], xy)[2] @ weights
+    return determinants(q9(points)[1], xy) @ weights
 
 
 def parallelograms(xy: Array) -> Flags:

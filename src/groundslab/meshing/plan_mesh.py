@@ -9,7 +9,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.errors import InputError, Issue
-from groundslab.fem.shape_functions import gauss, jacobian, q9
+from groundslab.fem.shape_functions import determinants, gauss, q9
 from groundslab.geometry.places import same_place_in
 from groundslab.geometry.plan import MOST_ELEMENTS, NOTHING, Plan, format_place
 from groundslab.geometry.validity import find_issues
@@ -73,7 +73,7 @@ def on_bounds(plan: Plan, nodes: Array) -> Array:
 def check_area(plan: Plan, result: PlanMesh) -> None:
     """Raise if the mesh does not cover the plan: nothing that a mesher leaves out may go unnoticed."""
     points, weights = gauss(3)
-    area = jacobian(q9(points)[1], result.xy)[2] @ weights
+    area = determinants(q9(points)[1], result.xy) @ weights
     for what, meshed, expected in (
         ("the plate", float(area[result.section >= 0].sum()), plan.area),
         ("plate and ground", float(area.sum()), plan.area if plan.beyond is None else plan.beyond.area),

@@ -16,7 +16,7 @@ from groundslab.fem.foundation import Column
 from groundslab.fem.hanging import collect
 from groundslab.fem.mesh import SIDES
 from groundslab.fem.problem import Problem
-from groundslab.fem.shape_functions import gauss, gauss_line, jacobian, lagrange, q9
+from groundslab.fem.shape_functions import gauss, gauss_line, inverse_jacobian, lagrange, q9
 from groundslab.fem.system import System, surface_settlement
 from groundslab.results.balance.forces import apply
 
@@ -62,7 +62,7 @@ def ground_shear(s: System, U: Array, column: Column) -> Array:
     A1 = column.at(under).A1[..., 0, :]
     acting = np.einsum("...j,jea->ea" if A1.ndim == 1 else "ej,jea->ea", A1, w[:, elements])
     _, dN = q9(gauss(2)[0])
-    _, inverse, _ = jacobian(dN, problem.mesh.xy[under])
+    inverse, _ = inverse_jacobian(dN, problem.mesh.xy[under])
     shear: Array = np.einsum("epxi,pia,ea->epx", inverse, dN, acting, optimize=True)
     return shear
 

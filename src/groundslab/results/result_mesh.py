@@ -13,7 +13,7 @@ from groundslab.fem.hanging import find_hanging
 from groundslab.fem.load_vectors import nodal_area
 from groundslab.fem.mesh import SIDES, Mesh, bounding_boxes, locate, mirror, renumber_by_rows, sides_along
 from groundslab.fem.problem import Problem
-from groundslab.fem.shape_functions import gauss, jacobian, q9, unique_integers
+from groundslab.fem.shape_functions import determinants, gauss, q9, unique_integers
 from groundslab.geometry.plan import Place, Segment
 from groundslab.model.loads.acting import LineForce, borders_of
 from groundslab.model.model import Model
@@ -310,7 +310,7 @@ def _means(mesh: Mesh) -> Array:
     """Return int N dA of each element over its area, (m, 9)."""
     points, weights = gauss(3)
     N, dN = q9(points)
-    share = jacobian(dN, mesh.xy)[2] * weights
+    share = determinants(dN, mesh.xy) * weights
     means: Array = share @ N / share.sum(axis=1, keepdims=True)
     return means
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.fem.shape_functions import jacobian, q9
+from groundslab.fem.shape_functions import determinants, q9
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
@@ -210,7 +210,7 @@ def _pairs(grid: Grid, xy: Array) -> _Pairs:
     for start in range(0, len(xy), _CHUNK):
         part = xy[start : start + _CHUNK]
         x, y = (part[..., axis] @ N.T for axis in (0, 1))
-        dA = (jacobian(dN, part)[2] * weights).ravel()
+        dA = (determinants(dN, part) * weights).ravel()
         pair = (np.arange(start, start + len(part))[:, None] * size + grid.number(x, y)).ravel()
         order = np.argsort(pair, kind="stable")
         pair = pair[order]

@@ -118,7 +118,10 @@ class ElasticGround:
         from scipy.interpolate import RegularGridInterpolator
 
         def settle(medium: Medium, of: Flexibility) -> Array:
-            operator = _WIDE.get(of, wide, lambda: make_operator(medium, wide))
+            known = _WIDE.get(of, None, dict)
+            if wide not in known:
+                known[wide] = make_operator(medium, wide)
+            operator = known[wide]
             found: Array = RegularGridInterpolator(wide.centers, operator.settle(force))(places)
             return found
 
@@ -146,7 +149,7 @@ class ElasticGround:
 
 
 #: Operators of wider grids, by those of the cells.
-_WIDE: Memo[Flexibility] = Memo()
+_WIDE: Memo[dict[Grid, Flexibility]] = Memo()
 
 
 def make_operator(medium: Medium, grid: Grid) -> Flexibility:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+from collections.abc import Hashable
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -12,7 +14,7 @@ from groundslab.fem.continuum.kernels import SurfaceKernel, layered_kernel
 from groundslab.fem.continuum.transfer import ElasticLayer, surface_compliance
 
 
-class Medium(Protocol):
+class Medium(Hashable, Protocol):
     """Ground that is the same everywhere over the plan."""
 
     def compliance(self, k: Array) -> Array:
@@ -75,11 +77,18 @@ class StressedLayers:
         return SurfaceKernel(2 * float(flexible[0]), smooth, float(depths[0]))
 
 
+@functools.lru_cache(64)
+def _compliances(medium: Medium) -> tuple[Array, Array]:
+    """Return lengths l (n,) [m] from far below to far above those of slabs, and T(1 / l) (n,) [m/Pa]."""
+    lengths = np.geomspace(1e-4, 1e5, 2000)
+    return lengths, medium.compliance(1 / lengths)
+
+
 def elastic_length(medium: Medium, D: float) -> float:
     """Return the length l [m] at which ground and a plate of bending rigidity D [N m] resist waves cos(x / l) alike.
 
     There 1 / T(1 / l) = D / l^4, which is smaller the longer the waves are.
     """
-    lengths = np.geomspace(1e-4, 1e5, 2000)
-    ratio = np.log(D * medium.compliance(1 / lengths) / lengths**4)
+    lengths, T = _compliances(medium)
+    ratio = np.log(D * T / lengths**4)
     return float(np.exp(np.interp(0.0, -ratio, np.log(lengths))))

@@ -7,8 +7,10 @@ from itertools import product
 
 import numpy as np
 
-from groundslab.arrays import Array
+from groundslab.arrays import Array, Memo
+from groundslab.fem.continuum.cells import Grid
 from groundslab.fem.continuum.elastic_ground import ElasticGround
+from groundslab.fem.continuum.media import Medium
 
 #: T(k) is interpolated between so many wave numbers.
 TABLE = 400
@@ -39,22 +41,31 @@ class Preconditioner:
 
 def make_preconditioner(ground: ElasticGround, D: float) -> Preconditioner:
     """Return the preconditioner for a plate of a bending rigidity D [N m] on a ground."""
-    grid = ground.cells.grid
+    medium, grid = ground.medium, ground.cells.grid
+    by_ground, by_plate = _SETTLED.get(ground.flexibility, medium, lambda: _settled(medium, grid))
+    return Preconditioner(ground, grid.dx * grid.dy / (by_ground + by_plate / D))
+
+
+#: Of grids on their ground, for plates of further rigidities.
+_SETTLED: Memo[tuple[Array, Array]] = Memo()
+
+
+def _settled(medium: Medium, grid: Grid) -> tuple[Array, Array]:
+    """Return the mean settlement of cells by waves of pressures that are means over cells, (nx, ny) each.
+
+    By the ground [m/Pa], and by a plate of a bending rigidity of one [N m2/Pa].
+    """
     k_x = np.arange(grid.nx, dtype=np.float64) * (np.pi / (grid.nx * grid.dx))
     k_y = np.arange(grid.ny, dtype=np.float64) * (np.pi / (grid.ny * grid.dy))
-    settled = np.zeros((grid.nx, grid.ny))
+    by_ground, by_plate = np.zeros((2, grid.nx, grid.ny))
     for i, j in product(range(-ALIASES, ALIASES + 1), repeat=2):
-        settled += _settle(ground, D, k_x + 2 * np.pi * i / grid.dx, k_y + 2 * np.pi * j / grid.dy)
-    return Preconditioner(ground, grid.dx * grid.dy / settled)
-
-
-def _settle(ground: ElasticGround, D: float, k_x: Array, k_y: Array) -> Array:
-    """Return the mean settlement of cells by waves of pressures that are means over cells, (nx, ny) [m/Pa]."""
-    grid = ground.cells.grid
-    # the mean is left to equilibrium
-    k = np.maximum(np.hypot(k_x[:, None], k_y), np.pi / (2 * max(grid.nx * grid.dx, grid.ny * grid.dy)))
-    table = np.geomspace(k.min(), k.max(), TABLE)
-    T = np.exp(np.interp(np.log(k), np.log(table), np.log(ground.medium.compliance(table))))
-    means = np.sinc(k_x * grid.dx / (2 * np.pi))[:, None] * np.sinc(k_y * grid.dy / (2 * np.pi))
-    found: Array = means**2 * (T + 1 / (D * k**4))
-    return found
+        along_x, along_y = k_x + 2 * np.pi * i / grid.dx, k_y + 2 * np.pi * j / grid.dy
+        # the mean is left to equilibrium
+        least = np.pi / (2 * max(grid.nx * grid.dx, grid.ny * grid.dy))
+        k = np.maximum(np.hypot(along_x[:, None], along_y), least)
+        table = np.geomspace(k.min(), k.max(), TABLE)
+        T = np.exp(np.interp(np.log(k), np.log(table), np.log(medium.compliance(table))))
+        means = np.sinc(along_x * grid.dx / (2 * np.pi))[:, None] * np.sinc(along_y * grid.dy / (2 * np.pi))
+        by_ground += means**2 * T
+        by_plate += means**2 / k**4
+    return by_ground, by_plate
