@@ -57,15 +57,16 @@ def _settled(medium: Medium, grid: Grid) -> tuple[Array, Array]:
     """
     k_x = np.arange(grid.nx, dtype=np.float64) * (np.pi / (grid.nx * grid.dx))
     k_y = np.arange(grid.ny, dtype=np.float64) * (np.pi / (grid.ny * grid.dy))
+    # the mean is left to equilibrium
+    least = np.pi / (2 * max(grid.nx * grid.dx, grid.ny * grid.dy))
+    most = (2 * ALIASES + 1) * np.pi * np.hypot(1 / grid.dx, 1 / grid.dy)
+    table = np.geomspace(least, most, TABLE)
+    T = np.log(medium.compliance(table))
     by_ground, by_plate = np.zeros((2, grid.nx, grid.ny))
     for i, j in product(range(-ALIASES, ALIASES + 1), repeat=2):
         along_x, along_y = k_x + 2 * np.pi * i / grid.dx, k_y + 2 * np.pi * j / grid.dy
-        # the mean is left to equilibrium
-        least = np.pi / (2 * max(grid.nx * grid.dx, grid.ny * grid.dy))
         k = np.maximum(np.hypot(along_x[:, None], along_y), least)
-        table = np.geomspace(k.min(), k.max(), TABLE)
-        T = np.exp(np.interp(np.log(k), np.log(table), np.log(medium.compliance(table))))
         means = np.sinc(along_x * grid.dx / (2 * np.pi))[:, None] * np.sinc(along_y * grid.dy / (2 * np.pi))
-        by_ground += means**2 * T
+        by_ground += means**2 * np.exp(np.interp(np.log(k), np.log(table), T))
         by_plate += means**2 / k**4
     return by_ground, by_plate
