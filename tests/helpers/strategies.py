@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from hypothesis import strategies as st
@@ -149,6 +150,13 @@ def extents(draw: st.DrawFn, length: float) -> tuple[float, float]:
     return start * length, min(end, 0.5) * length
 
 
+@st.composite
+def whole_extents(draw: st.DrawFn, length: float) -> tuple[float, float]:
+    """Return start and end of a stretch of a side in whole sixteenths of it, so that no part between is tiny."""
+    start = draw(st.integers(0, 14))
+    return (start / 16 - 0.5) * length, (draw(st.integers(start + 2, 16)) / 16 - 0.5) * length
+
+
 def contacts(plate: Plate) -> st.SearchStrategy[Contact]:
     """Return contact with and without tension, gap and voids."""
     voids = st.builds(Void, depth=st.floats(1e-4, 1e-2), x=extents(plate.length_x), y=extents(plate.length_y))
@@ -261,9 +269,9 @@ def line_supports(draw: st.DrawFn, plate: Plate, name: str) -> LineSupport:
 
 
 @st.composite
-def shapes(draw: st.DrawFn, plate: Plate) -> Rectangle | Circle | Polygon:
-    """Return shapes that lie on a plate."""
-    x, y = draw(extents(plate.length_x)), draw(extents(plate.length_y))
+def shapes(draw: st.DrawFn, plate: Plate, along: Callable[..., Any] = extents) -> Rectangle | Circle | Polygon:
+    """Return shapes that lie on a plate, over stretches along its sides."""
+    x, y = draw(along(plate.length_x)), draw(along(plate.length_y))
     kind = draw(st.sampled_from(["rectangle", "circle", "polygon"]))
     if kind == "rectangle":
         return Rectangle(x=x, y=y)
@@ -354,13 +362,15 @@ def any_load(draw: st.DrawFn, plate: Plate, case: str, columns: list[Column], su
 
 @st.composite
 def rich_contacts(draw: st.DrawFn, plate: Plate, whole: bool) -> Contact:
-    """Return contact with voids of any shape, cavities, a limit of the pressure and, if whole, measured gaps."""
+    """Return contact with voids of any shape, cavities, a limit of the pressure and, if whole, measured gaps.
+
+    The mesh follows voids: they are as large as elements may be.
+    """
     if draw(st.integers(0, 5)) == 0:
         return Contact(tensionless=False)
     depth = st.none() | st.floats(1e-4, 1e-2)
-    void = st.builds(Void, depth=depth, x=extents(plate.length_x), y=extents(plate.length_y)) | st.builds(
-        Void, depth=depth, shape=shapes(plate)
-    )
+    x, y = whole_extents(plate.length_x), whole_extents(plate.length_y)
+    void = st.builds(Void, depth=depth, x=x, y=y) | st.builds(Void, depth=depth, shape=shapes(plate, whole_extents))
     gap_point = st.builds(GapPoint, x=numbers(-5, 5), y=numbers(-5, 5), gap=numbers(-1e-3, 1e-2))
     return Contact(
         gap=draw(st.just(0) | numbers(0.0, 1e-2)),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import re
 import shutil
 import warnings
 from pathlib import Path
@@ -67,14 +68,41 @@ def room(problem: Problem) -> float:
     in shares of the load, of which the least distance from both limits of every force, as a share of what it can bear,
     is made as large as possible.
     """
+    if not problem.contact.tensionless:
+        return 1.0
+    if not problem.load[:, :TOP].any():
+        return 0.0
+    two_sided, one_sided, capacity, wanted = equilibrium(problem)
+    # forces are r = t * share + s with s >= 0 and r <= capacity - t * share
+    m, n = two_sided.shape[1], one_sided.shape[1]
+    share = np.minimum(capacity, 1 / max(n, 1))
+    A = np.hstack([two_sided, one_sided, (one_sided @ share)[:, None]])
+    above = np.hstack([np.zeros((n, m)), np.eye(n), 2 * share[:, None]])
+    bounds = [(None, None)] * m + [(0, None)] * n + [(None, 1.0)]
+    found = linprog(np.append(np.zeros(m + n), -1.0), A_eq=A, b_eq=wanted, A_ub=above if n else None,
+                    b_ub=capacity if n else None, bounds=bounds, method="highs")  # fmt: skip
+    return float(-found.fun) if found.status == 0 else -1.0
+
+
+def balanced_share(problem: Problem) -> float:
+    """Return the largest share of the loading that bearings and held nodes balance where it acts."""
+    two_sided, one_sided, capacity, wanted = equilibrium(problem)
+    A = np.hstack([two_sided, one_sided, -wanted[:, None]])
+    bounds = [(None, None)] * two_sided.shape[1] + [(0.0, each) for each in capacity] + [(0.0, None)]
+    found = linprog(np.append(np.zeros(A.shape[1] - 1), -1.0), A_eq=A, b_eq=np.zeros(3), bounds=bounds, method="highs")
+    return float(-found.fun)
+
+
+def equilibrium(problem: Problem) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Return what unit forces that may push and pull, and such that may push, add to the three sums of the loading.
+
+    (3, m) and (3, n), with what each of the n can bear (n,) and the sums that are to be balanced (3,), as shares of all
+    loads.
+    """
     b, law, nodes = problem.contact.bearing, problem.contact.bearing.law, problem.mesh.nodes
     size = np.ptp(nodes[problem.plate.nodes], axis=0).max()
     F = problem.load[:, :TOP] * [1.0, 1 / size, 1 / size]
     total = np.abs(F).sum()
-    if not problem.contact.tensionless:
-        return 1.0
-    if total == 0:
-        return 0.0
 
     def rows(node: np.ndarray, field: np.ndarray) -> np.ndarray:
         x, y = (nodes[node] / size).T
@@ -91,17 +119,7 @@ def room(problem: Problem) -> float:
     one_sided = rows(b.node[use], np.full(use.sum(), W)) * up
     capacity = np.minimum(law.limit_force[use] / total, 1e3)
     wanted = rows(np.arange(len(nodes)), np.full(len(nodes), W)) @ F[:, 0] + [0.0, *F[:, 1:].sum(axis=0)]
-    # forces are r = t * share + s with s >= 0 and r <= capacity - t * share
-    share = np.minimum(capacity, 1 / max(use.sum(), 1))
-    A = np.hstack([two_sided, one_sided, (one_sided @ share)[:, None]])
-    m, n = two_sided.shape[1], one_sided.shape[1]
-    above = np.hstack([np.zeros((n, m)), np.eye(n), 2 * share[:, None]])
-    bounds = [(None, None)] * m + [(0, None)] * n + [(None, 1.0)]
-    cost = np.append(np.zeros(m + n), -1.0)
-    bounds[m : m + n] = [(0, None)] * n
-    found = linprog(cost, A_eq=A, b_eq=wanted / total, A_ub=above if n else None, b_ub=capacity if n else None,
-                    bounds=bounds, method="highs")  # fmt: skip
-    return float(-found.fun) if found.status == 0 else -1.0
+    return two_sided, one_sided, capacity, wanted / total
 
 
 def judge(model: Model) -> tuple[int, int]:
@@ -144,6 +162,8 @@ def is_true(refusal: NoEquilibrium, problem: Problem) -> None:
     elif "more than ground and supports can carry" in said:
         law, b = problem.contact.bearing.law, problem.contact.bearing
         assert law.limit_force[~law.bilateral & ((b.support < 0) | (law.sign < 0))].sum() <= F.sum() * (1 + 1e-5)
+    elif share := re.search(r"can balance where they act: ([\d.]+) % of them", said):
+        assert float(share[1]) / 100 == pytest.approx(balanced_share(problem), abs=1e-4)
     else:
         assert "cannot be balanced" in said
 
