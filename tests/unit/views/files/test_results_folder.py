@@ -650,21 +650,21 @@ class TestRecover:
 
 #: Writes new results in a process that dies at the n-th call of a function of ``os``, before or after it acts.
 DYING = f"""
-import os, signal, sys
+import itertools, os, signal, sys
 sys.path.insert(0, {str(ROOT / "tests")!r})
 from helpers import synthetic
 from groundslab.views.files import npz as archive, results_folder as store, vtk as vtu
 from groundslab.views.summary import sections as summary
 function, number, moment, folder = sys.argv[1], int(sys.argv[2]), sys.argv[3], sys.argv[4]
-original, calls = getattr(os, function), []
+original, calls = getattr(os, function), itertools.count(1)  # counted in whatever thread
 def die():
     os.kill(os.getpid(), signal.SIGKILL) if hasattr(signal, "SIGKILL") else os._exit(9)
 def fatal(*arguments, **options):
-    calls.append(arguments)
-    if len(calls) == number and moment == "before":
+    call = next(calls)
+    if call == number and moment == "before":
         die()
     value = original(*arguments, **options)
-    if len(calls) == number:
+    if call == number:
         die()
     return value
 setattr(os, function, fatal)
