@@ -26,8 +26,8 @@ from pathlib import Path
 
 #: Files that file managers put into any folder that is looked at.
 LITTER = frozenset({".DS_Store", "Thumbs.db", "desktop.ini"})
-#: So many files are flushed to disk at the same time.
-SYNCING_THREADS = 16
+#: So many files are flushed to disk or removed at the same time: a disk makes each of them wait.
+THREADS = 16
 #: Age after which a folder left half written is removed [s].
 STALE = 3600.0
 #: Pauses [s] between trials on Windows, where a virus scanner may hold a new file for a moment.
@@ -206,8 +206,19 @@ def _replace_folder(staging: Path, target: Path) -> None:
 
 def _discard(previous: Path, target: Path) -> None:
     """Remove an old folder, renamed first, so that no half of it counts."""
+    from concurrent.futures import ThreadPoolExecutor
+
+    def remove(path: Path) -> None:
+        if path.is_dir() and not path.is_symlink():
+            shutil.rmtree(path, ignore_errors=True)
+        else:
+            with suppress(OSError):
+                path.unlink()
+
     rubbish = helper(target, f"partial-{secrets.token_hex(4)}")
     _rename(previous.rename, rubbish)
+    with ThreadPoolExecutor(THREADS) as pool:
+        list(pool.map(remove, rubbish.iterdir()))
     shutil.rmtree(rubbish, ignore_errors=True)
 
 
@@ -240,7 +251,7 @@ def _sync(folder: Path) -> None:
 
     paths = [folder, *folder.rglob("*")]
     folders = [path for path in paths if path.is_dir()]
-    with ThreadPoolExecutor(SYNCING_THREADS) as pool:
+    with ThreadPoolExecutor(THREADS) as pool:
         # errors are raised here
         list(pool.map(_sync_file, set(paths).difference(folders)))
         list(pool.map(_sync_names, folders))
