@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Memo
+from groundslab.geometry.nearest import nearest_distance
 from groundslab.geometry.plan import Segment, numbers_within
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.acting import PointForce, borders_of
@@ -53,11 +54,11 @@ def find_limits(model: Model, plate: PlateResult) -> Limits:
     lifted = ~plate.in_contact | (pulled & (not isinstance(model.ground, ContinuousGround)))
     if not lifted.any():
         return limits
-    from scipy.spatial import KDTree
-
     reach = AWAY * max(sheet.thickness for sheet in model.every_plate)
-    distance, _ = KDTree(plate.nodes[lifted]).query(plate.nodes, distance_upper_bound=1.001 * reach)
-    return Limits(limits.shear_forces, limits.pressures & ((distance > reach) | ~plate.in_contact))
+    near = limits.pressures & plate.in_contact
+    pressures = limits.pressures.copy()
+    pressures[near] = nearest_distance(plate.nodes[near], plate.nodes[lifted], 1.001 * reach) > reach
+    return Limits(limits.shear_forces, pressures)
 
 
 def limits_without_contact(model: Model, nodes: Array) -> Limits:

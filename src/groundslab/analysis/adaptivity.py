@@ -18,6 +18,7 @@ from groundslab.discretize.plan_layout import Meshes, has_coarser
 from groundslab.discretize.symmetry import symmetries
 from groundslab.fem.mesh import Mesh
 from groundslab.fem.shape_functions import areas
+from groundslab.geometry.nearest import nearest_distance
 from groundslab.meshing.sizing import Sources, join
 from groundslab.model.combinations import list_combinations
 from groundslab.model.ground import ContinuousGround
@@ -235,12 +236,10 @@ def _reduction(share: float, accuracy: float) -> float:
 
 def _near_values(mesh: Mesh, h: Array, judged: list[JudgedValue], accuracy: float) -> Array:
     """Return sizes (m,) [m] with which errors at the places of values fall to the accuracy; no limit elsewhere."""
-    from scipy.spatial import KDTree
-
     found = np.full(len(h), np.inf)
     for each in judged:
         if len(each.around):
-            away = KDTree(each.around).query(mesh.xy[:, 8])[0] / h
+            away = nearest_distance(mesh.xy[:, 8], each.around, np.inf) / h
             reduction = max(_reduction(each.share, accuracy), LEAST_REDUCTION)
             around = ALONG if each.label == CONTACT else AROUND
             for reach, less in ((around, LEAST_REDUCTION), (around / 2, reduction)):

@@ -18,6 +18,7 @@ import numpy as np
 from groundslab.design.demands.design_moments import derive_fields, fields_of
 from groundslab.errors import GroundslabError
 from groundslab.fem.mesh import in_space
+from groundslab.geometry.nearest import nearest_of_same
 from groundslab.results.fields import ELEMENT_FIELDS, PLATE_FIELDS, POINT_FIELDS, RANGED_FIELDS
 
 if TYPE_CHECKING:
@@ -141,9 +142,7 @@ def match(some: Array, among: Array) -> Integers:
     """Return for each place in ``some`` (k, 2) its index in ``among`` (n, 2), rounding aside."""
     if np.array_equal(some, among):
         return np.arange(len(some))
-    from scipy.spatial import KDTree
-
-    distance, nearest = KDTree(among).query(some)
+    nearest, distance = nearest_of_same(some, among)
     if distance.max(initial=0.0) > 1e-9 * np.ptp(among, axis=0).max():
         raise GroundslabError("the plate has nodes that the ground below it lacks")
-    return np.asarray(nearest, dtype=np.int64)
+    return nearest
