@@ -171,6 +171,10 @@ def locate(mesh: Mesh, points: Array, reach: float = NEAR, boxes: STRtree | None
     return element, place
 
 
+#: Points that are located at a time, few enough to stay near the processor.
+_CHUNK = 2**12
+
+
 def local_coordinates(mesh: Mesh, element: Integers, points: Array) -> Array:
     """Return where points (c, 2) lie in elements (c,) of a mesh, on the reference square, by Newton's method.
 
@@ -182,21 +186,30 @@ def local_coordinates(mesh: Mesh, element: Integers, points: Array) -> Array:
     C = np.einsum("ia,jb,mbax->xijm", MONOMIALS, MONOMIALS, (xy - xy[:, 8:])[:, GRID])
     curved = np.maximum(abs(C[:, 2]), abs(C[:, :, 2])).max(axis=(0, 1)) > 1e-14 * abs(xy).max(axis=(1, 2))
     local = np.zeros((2, len(points)))
-    for powers, left in ((2, np.flatnonzero(~curved[which])), (3, np.flatnonzero(curved[which]))):
-        own = C[:, :powers, :powers, which[left]]
-        offset = (points[left] - xy[which[left], 8]).T
-        for _ in range(20):
-            if not len(left):
-                break
-            before = local[:, left]
-            (x, x_xi, x_eta), (y, y_xi, y_eta) = (_polynomial(each, *before) for each in own)
-            dx, dy = offset - (x, y)
-            step = np.array([y_eta * dx - x_eta * dy, x_xi * dy - y_xi * dx]) / (x_xi * y_eta - x_eta * y_xi)
-            local[:, left] = np.clip(before + step, -1.5, 1.5)
-            # Newton's steps shrink by their squares: after one so small nothing but rounding is left
-            on = (abs(local[:, left] - before) > 1e-10).any(axis=0)
-            left, own, offset = left[on], own[..., on], offset[:, on]
+    for powers, some in ((2, np.flatnonzero(~curved[which])), (3, np.flatnonzero(curved[which]))):
+        for start in range(0, len(some), _CHUNK):
+            left = some[start : start + _CHUNK]
+            own, offset = C[:, :powers, :powers, which[left]], (points[left] - xy[which[left], 8]).T
+            local[:, left] = _invert(own, offset)
     return local.T
+
+
+def _invert(C: Array, offset: Array) -> Array:
+    """Return where polynomials with coefficients C (2, n, n, c) are an offset (2, c): (2, c), by Newton's method."""
+    local, left = np.zeros(offset.shape), np.arange(offset.shape[1])
+    for _ in range(20):
+        if not len(left):
+            break
+        before = local[:, left]
+        (x, x_xi, x_eta), (y, y_xi, y_eta) = (_polynomial(each, *before) for each in C)
+        dx, dy = offset - (x, y)
+        step = np.array([y_eta * dx - x_eta * dy, x_xi * dy - y_xi * dx]) / (x_xi * y_eta - x_eta * y_xi)
+        local[:, left] = np.clip(before + step, -1.5, 1.5)
+        # Newton's steps shrink by their squares: after one so small nothing but rounding is left
+        on = (abs(local[:, left] - before) > 1e-10).any(axis=0)
+        if not on.all():
+            left, C, offset = left[on], C[..., on], offset[:, on]
+    return local
 
 
 def _polynomial(C: Array, xi: Array, eta: Array) -> tuple[Array, Array, Array]:
