@@ -129,8 +129,8 @@ def solve_combinations(
 def solve_preview(model: Model, name: str, on_step: OnStep | None = None) -> Results:
     """Solve one combination on a mesh of few elements, for a first look while all are solved.
 
-    The slab does not crack, and nothing says how large the errors are. The name may be of no combination: then it is
-    the first one.
+    The slab does not crack, and the errors are those of that mesh. The name may be of no combination: then it is the
+    first one.
     """
     coarse = model.model_copy(update={"mesh": uniform_mesh(model, PREVIEW_ELEMENTS), "cracking": None})
     local = move_to_center(coarse)

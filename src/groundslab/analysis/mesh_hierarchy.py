@@ -134,11 +134,16 @@ class Level:
     def multiple(self, factors: Array) -> list[Solution]:
         """Return what was solved on this mesh for a multiple of some factors (cases,), by the ratio, if anything was.
 
-        Bearings, forces and gamma alone. Where a gap, slip or limit sets a scale, none are given.
+        Bearings, forces and gamma alone. Where a gap, play or limit sets a scale, none are given.
         """
         known = self.multiples.get(direction(factors))
         law = self.system.problem.contact.bearing.law
-        if known is None or law.offset.any() or (np.isfinite(law.limit_force) & (law.limit_force > 0)).any():
+        if (
+            known is None
+            or not factors.any()
+            or law.offset.any()
+            or (np.isfinite(law.limit_force) & (law.limit_force > 0)).any()
+        ):
             return []
         ratio = np.abs(factors).max() / np.abs(known.factors).max()
         return [each.scale_forces(ratio) for each in known.solutions]

@@ -55,11 +55,11 @@ def solve_nested(
     start = list[Solution]()
     for coarsening in _coarsenings(hierarchy):
         level = hierarchy.level(coarsening)
-        start = level.multiple(factors) or (start if found else hierarchy.start(level, factors))
         known = level.solved.get(factors.tobytes())
         if known is not None:
             start = known.solutions
         else:
+            start = level.multiple(factors) or (start if found else hierarchy.start(level, factors))
             starts = _starts(hierarchy, combination, factors, start, first=not found)
             finest = coarsening == hierarchy.finest
             on_step = report if finest or model.analysis.nested else _ignore
@@ -85,7 +85,7 @@ def _starts(
     """
     model = hierarchy.model
     if first and _first(model) > 0 and model.mesh.adaptive and not isinstance(model.ground, ContinuousGround):
-        yield start, FEW_STEPS
+        yield start, min(FEW_STEPS, model.analysis.max_iterations)
         start = _solve_uniform(hierarchy.make_uniform(), combination, factors) or start
     yield start if model.analysis.nested else [], model.analysis.max_iterations
 
@@ -101,8 +101,10 @@ def _solve_finest(make_load: Callable[[], LoadStep], model: Model, starts: Itera
     """Return the solution of each load increment on the finest mesh, without a start if all of them mislead."""
     load = make_load()
     for start, steps in starts:
-        if start or steps < load.max_iterations:
-            with suppress(NotConverged):
+        tried = steps < load.max_iterations
+        if start or tried:
+            # after few steps what would hold the plate may not be found yet
+            with suppress(NotConverged, *([NoEquilibrium] if tried else [])):
                 return _solve_increments(replace(load, max_iterations=steps), model, start)
     return _solve_increments(load, model, [])
 

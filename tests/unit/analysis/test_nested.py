@@ -9,13 +9,17 @@ from unittest.mock import patch
 import numpy as np
 import pytest
 
-from groundslab.analysis import driver, mesh_hierarchy
+from groundslab.analysis import driver, mesh_hierarchy, nested
+from groundslab.analysis.load_step import LoadStep
 from groundslab.analysis.tasks import run
+from groundslab.errors import NeutralEquilibrium
 from groundslab.fem.system import System
 from groundslab.model.model import Model
 from groundslab.results.record import Step
+from groundslab.results.results import Results
 from groundslab.solvers.direct.protocols import Solver
 from groundslab.solvers.factor_reuse import CachedFactorization, ConstrainedSystem
+from groundslab.solvers.solution import Solution
 
 
 def test_a_coarser_factor_is_gone_before_the_finest_one_is_made() -> None:
@@ -112,3 +116,24 @@ def test_lanes_have_multiples_together() -> None:
     assert run._distribute([a, more_a], 2) == [[a, more_a]]
     lasting = run.Task((1.5, 0.0), cracks=False, lasting=True)
     assert run._distribute([a, lasting], 2) == [[a], [lasting]], "on other ground"
+
+
+def test_few_steps_refuse_nothing() -> None:
+    """A plate that nothing seems to hold after the few steps that are tried is solved with all steps."""
+    limits: list[int] = []
+    solve_increments = nested._solve_increments
+
+    def floating_at_first(full: LoadStep, *arguments: Any) -> list[Solution]:
+        limits.append(full.max_iterations)
+        if full.max_iterations == nested.FEW_STEPS:
+            raise NeutralEquilibrium("nothing holds it")
+        return solve_increments(full, *arguments)
+
+    model = lifting({})
+    shown: list[Results] = []
+    with patch.object(nested, "_solve_increments", floating_at_first):
+        driver.solve(model.model_copy(update={"mesh": model.mesh.replace(counts=None)}), on_mesh=shown.append)
+    assert [*shown[0]] == ["char", "both", "uls", "tenth"]
+    assert not shown[0].refused
+    assert nested.FEW_STEPS in limits
+    assert model.analysis.max_iterations in limits
