@@ -1,7 +1,9 @@
-"""Types of arrays, and a cache of values derived from what holds them."""
+"""Types of arrays, and a cache of values derived from what holds them; loads NumPy."""
 
 from __future__ import annotations
 
+import importlib.util
+import sys
 import weakref
 from collections.abc import Callable
 from typing import Generic, TypeVar
@@ -37,3 +39,21 @@ class Memo(Generic[T]):
             kept = beside, make()
             self._kept[key] = kept
         return kept[1]
+
+
+def _defer_import(package: str, name: str) -> None:
+    """Have a module of a package load when it is first used, even if all names of the package are taken before."""
+    module = f"{package}.{name}"
+    spec = None if module in sys.modules else importlib.util.find_spec(module)
+    if spec is None or spec.loader is None:
+        return
+    spec.loader = importlib.util.LazyLoader(spec.loader)
+    sys.modules[module] = deferred = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(deferred)
+    setattr(sys.modules[package], name, deferred)
+
+
+# SciPy takes all names of NumPy when it is loaded. To load these two, which nothing here needs, would take half of the
+# time that its matrices take.
+for _name in ("f2py", "testing"):
+    _defer_import("numpy", _name)

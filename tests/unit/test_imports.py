@@ -110,7 +110,10 @@ def test_front_imports_nothing() -> None:
     ("command", "unused"),
     [
         ("check", {"scipy", "matplotlib", "rich", "numpy.ma"}),
-        ("solve", {"scipy.linalg", "scipy.spatial", "scipy.optimize", "matplotlib", "pint"}),
+        (
+            "solve",
+            {"scipy.linalg", "scipy.spatial", "scipy.optimize", "matplotlib", "pint", "ssl", "numpy.f2py.f2py2e"},
+        ),
     ],
 )
 def test_commands_import_what_they_use(command: str, unused: set[str], tmp_path: Path) -> None:
@@ -127,6 +130,20 @@ def test_commands_import_what_they_use(command: str, unused: set[str], tmp_path:
     environment = {**os.environ, "PYTHONPATH": str(PACKAGE.parent)}
     run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True, env=environment)
     assert not unused & set(run.stderr.split())
+
+
+def test_modules_of_numpy_that_are_not_needed_load_when_used() -> None:
+    """Of two modules that SciPy would load the parts come with their first use."""
+    program = (
+        "import sys, groundslab.arrays, scipy.sparse, numpy\n"
+        "parts = {'numpy.f2py.f2py2e', 'numpy.testing._private.utils'}\n"
+        "assert not parts & set(sys.modules)\n"
+        "numpy.testing.assert_allclose(1, 1)\n"
+        "assert numpy.f2py.get_include()\n"
+        "assert parts <= set(sys.modules)"
+    )
+    environment = {**os.environ, "PYTHONPATH": str(PACKAGE.parent)}
+    subprocess.run([sys.executable, "-c", program], check=True, env=environment)
 
 
 def test_public_names_can_all_be_had() -> None:

@@ -6,12 +6,12 @@ They are VTK's unstructured grids in XML, their data in compressed blocks.
 from __future__ import annotations
 
 import base64
+import html
 import sys
 import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
-from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
@@ -81,7 +81,7 @@ def _data_array(name: str, values: NDArray[Any]) -> Iterator[bytes]:
     data = values.tobytes()
     blocks = [zlib.compress(data[start : start + BLOCK], LEVEL) for start in range(0, len(data), BLOCK)]
     sizes = np.array([len(blocks), BLOCK, len(data) % BLOCK, *map(len, blocks)], dtype=np.uint64)
-    about = f'type="{kind}{8 * values.dtype.itemsize}" Name={quoteattr(name)}{components} format="binary"'
+    about = f'type="{kind}{8 * values.dtype.itemsize}" Name="{html.escape(name)}"{components} format="binary"'
     yield f"<DataArray {about}>\n".encode()
     yield base64.b64encode(sizes.tobytes())
     yield base64.b64encode(b"".join(blocks))
