@@ -17,7 +17,7 @@ PYTEST    := OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(JOBS)
 WITH_NODE := PATH="$$PWD/$(BIN):$$PATH"
 COMPILE   := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --no-annotate --no-strip-extras
 
-.PHONY: demo verify verify-light docs test test-fast test-solvers test-oldest coverage lint types check lock pages pages-test dist dist-test licenses bench clean help
+.PHONY: demo verify verify-light docs test test-fast test-slow test-solvers test-oldest coverage lint types check lock pages pages-test dist dist-test licenses bench clean help
 
 help:                   ## list the targets
 	@sed -n 's/^\([a-z-]*\): .*## /\1\t/p' $(MAKEFILE_LIST)
@@ -54,6 +54,9 @@ test: lint types pages  ## lint, types and every test
 
 test-fast: $(VENV)/dev.stamp pages ## all tests but the slow ones
 	$(PYTEST) -m "not slow"
+
+test-slow: $(VENV)/dev.stamp pages ## the slow tests
+	$(PYTEST) -m slow
 
 coverage: $(VENV)/dev.stamp pages ## the fast tests, and how much of the code they run
 	$(PYTEST) -m "not slow" --cov --cov-report=term

@@ -1,4 +1,4 @@
-"""An option for all tests: the direct solver that stands for "auto"; a fixture for tests that interrupt processes."""
+"""What holds for all tests: the solver that stands for "auto", examples that are always the same; interrupts."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import signal
 from collections.abc import Iterator
 
 import pytest
+from hypothesis.internal.conjecture import providers
 
 from groundslab.solvers import factorization
 
@@ -19,6 +20,11 @@ def pytest_configure(config: pytest.Config) -> None:
     """Let "auto" be the solver asked for."""
     if name := config.getoption("--solver"):
         factorization.automatic = lambda: str(name)
+    # Hypothesis also draws constants from all modules that happen to be loaded, so that a test's examples would depend
+    # on the tests before it in the same process; it has no setting for that
+    if hasattr(providers, "_get_local_constants"):
+        nothing = providers._local_constants
+        providers._get_local_constants = lambda: nothing
 
 
 @pytest.fixture
