@@ -20,7 +20,6 @@ from .errors import NoResult as NoResult
 from .errors import NotCertified as NotCertified
 from .errors import NotConverged as NotConverged
 from .errors import SingularMatrix as SingularMatrix
-from .model.columns import Column as Column
 from .model.combinations import place_patterns as place_patterns
 from .model.design.bars import Bars as Bars
 from .model.design.bars import BarZone as BarZone
@@ -81,6 +80,8 @@ from .model.settings import Refinement as Refinement
 from .model.shapes import Circle as Circle
 from .model.shapes import Polygon as Polygon
 from .model.shapes import Rectangle as Rectangle
+from .model.structure.columns import Column as Column
+from .model.structure.walls import Wall as Wall
 from .model.supports import LineSupport as LineSupport
 from .model.supports import Pile as Pile
 from .model.supports import PointSupport as PointSupport

@@ -183,6 +183,21 @@ def test_a_slab_is_drawn_by_typed_lengths_and_places(server: Server, bench: Benc
     bench.wait_text('case = "live"')
 
 
+def test_walls_are_drawn_and_loads_stand_along_them(server: Server, bench: Bench, case: Path) -> None:
+    """W draws a wall of the usual thickness; a load that names it stands along it."""
+    case.write_text(case.read_text() + '\n[[loads]]\nkind = "line"\nq = "20 kN/m"\nwall = "W1"\n')
+    bench.open(server.start(case))
+    bench.page.locator("svg.drawing").focus()
+    bench.page.keyboard.press("w")
+    bench.drag((-2.0, -1.0), (1.0, -1.0))
+    bench.until(lambda: "walls" in _data(bench))
+    assert _data(bench)["walls"] == [
+        {"name": "W1", "thickness": "250 mm", "points": [["-2 m", "-1 m"], ["1 m", "-1 m"]]}
+    ]
+    bench.page.wait_for_selector(".symbol.wall", state="attached")
+    bench.page.wait_for_selector('.symbol.load[data-path*="loads"] path.wall', state="attached")
+
+
 def test_plates_are_drawn_and_joined(server: Server, bench: Bench, case: Path) -> None:
     """A further plate beside the slab is drawn and joined to it; a circle is drawn where the mesh is finer."""
     # without it nothing would press the further plate down

@@ -13,6 +13,7 @@ import groundslab
 from groundslab.case import casefile
 from groundslab.cli import main
 from groundslab.model.combinations import list_combinations
+from groundslab.model.loads.acting import LineForce
 from helpers.paths import DOCS, EXAMPLES
 
 
@@ -42,9 +43,11 @@ def run(text: str, **names: object) -> dict[str, object]:
 def test_cases_of_the_page_on_input_load() -> None:
     """The smallest case loads, and with each of the other blocks put behind it."""
     smallest, *others = blocks("input.md", "toml")
-    assert len(others) == 7
-    shapes, checks, aci, cracks, combinations, moves, floor = others
+    assert len(others) == 8
+    shapes, wall, checks, aci, cracks, combinations, moves, floor = others
     assert len(casefile.loads(f"{smallest}\n{shapes}").loads) == 5
+    core = casefile.loads(f"{smallest}\n{wall}")
+    assert core.acting[-1][1] == LineForce(core.walls[0].edges, q=(250e3, 250e3), width=0.3)
     named = smallest.replace('q = "10 kPa"', 'q = "10 kPa"\ncase = "design loads"')
     assert len(casefile.loads(f"{named}\n{combinations}").combinations) == 1
     assert casefile.loads(f"{named}\n{combinations}\n{checks}").limits is not None

@@ -7,7 +7,6 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from groundslab.model.columns import Column
 from groundslab.model.design.bars import MESHES, Bars, BarZone
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, Selvadurai, SoilLayer, Vlasov, Winkler
@@ -28,6 +27,7 @@ from groundslab.model.outputs import Output, OutputLine, OutputPoint, OutputStri
 from groundslab.model.plate import Edges, Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.shapes import Circle, Polygon, Rectangle
+from groundslab.model.structure.columns import Column
 from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.model.varying_ground import Borehole, GapPoint, SoilZone, Void
 from groundslab.schema.base import Section

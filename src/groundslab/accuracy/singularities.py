@@ -12,7 +12,7 @@ from groundslab.arrays import Array, Flags, Memo
 from groundslab.geometry.nearest import nearest_distance
 from groundslab.geometry.plan import Segment, numbers_within
 from groundslab.model.ground import ContinuousGround
-from groundslab.model.loads.acting import PointForce, borders_of
+from groundslab.model.loads.acting import LineForce, PointForce, borders_of
 from groundslab.model.remarks.singular_places import corners_of, near_places, near_singular
 
 if TYPE_CHECKING:
@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 #: Values are judged so many thicknesses away from there.
 AWAY = 1.0
+#: Shear forces are judged so many thicknesses away from a wall's faces, which is nearer than d, where they are read.
+FROM_FACES = 0.75
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +40,8 @@ _WITHOUT_CONTACT: Memo[Limits] = Memo()
 def find_limits(model: Model, plate: PlateResult) -> Limits:
     """Return at which nodes of the plate (n,) shear forces and pressures are judged.
 
-    Shear forces around footprints and where they are singular, at the plate's corners too if ground with shear goes on
+    Shear forces under walls and next to their faces grow from one side to the other, and are read at d from the faces.
+    Those around footprints and where they are singular, at the plate's corners too if ground with shear goes on
     beyond them, have no meaning in design, where punching is checked instead. Nor have those within a thickness of the
     plate's edges, a quarter of the width of a narrow plate, where they are what the twisting moment has become.
     Pressures on ground without shear follow the settlement; with shear they have no limit where section forces have
@@ -74,6 +77,10 @@ def limits_without_contact(model: Model, nodes: Array) -> Limits:
     edges = [edge for plate in model.every_plate for ring in plate.rings() for edge in ring.segments()]
     narrowest = min(min(plate.sides) for plate in model.every_plate)
     shear_forces = ~(singular | _near(nodes, footprints, reach) | _near(nodes, edges, min(reach, narrowest / 4)))
+    thinnest = min(plate.thickness for plate in model.every_plate)
+    for _, shape in model.acting:
+        if isinstance(shape, LineForce) and shape.width:
+            shear_forces &= ~_near(nodes, [*shape.edges], shape.width / 2 + FROM_FACES * thinnest)
     if not model.ground_carries_shear:
         return Limits(shear_forces, np.ones(len(nodes), dtype=bool))
     return Limits(shear_forces, ~(singular | _near(nodes, [*_creases(model)], reach)))

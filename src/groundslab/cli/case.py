@@ -26,8 +26,8 @@ def describe_dxf(dxf: argparse.ArgumentParser) -> None:
         action="extend",
         default=[],
         metavar="WHAT=NAME",
-        help="names of layers; WHAT is outline, openings, zones, columns, point_loads, line_loads or area_loads, whose "
-        "usual layers are OUTLINE, OPENINGS, ZONES, COLUMNS, LOADS, LOAD_LINE and LOAD_AREA",
+        help="names of layers; WHAT is outline, openings, zones, columns, walls, point_loads, line_loads or "
+        "area_loads, whose usual layers are OUTLINE, OPENINGS, ZONES, COLUMNS, WALLS, LOADS, LOAD_LINE and LOAD_AREA",
     )
     dxf.add_argument("--unit", help='unit of the drawing, such as "mm" (default: the one stated in the drawing)')
     dxf.add_argument(
@@ -75,14 +75,14 @@ def check_case(options: argparse.Namespace) -> int:
     ]
     combinations = list_combinations(model)
     lines += [f'  no equilibrium in "{name}": {error}' for name, error in lost.items()]
-    lines += _columns_and_supports(model) + _cases_and_combinations(model, combinations)
+    lines += _structure_and_supports(model) + _cases_and_combinations(model, combinations)
     lines += [f"  remark: {remark.words}" for remark in find_remarks(model, combinations)]
     print_stdout("\n".join(lines))
     return EXIT_DESIGN_FAILS if lost else EXIT_OK
 
 
-def _columns_and_supports(model: Model) -> list[str]:
-    """Return the columns and supports of a model in words, a line each."""
+def _structure_and_supports(model: Model) -> list[str]:
+    """Return the columns, walls and supports of a model in words, a line each."""
     from groundslab.geometry.plan import format_place
 
     lines = []
@@ -92,6 +92,7 @@ def _columns_and_supports(model: Model) -> list[str]:
         else:
             size = f"{column.width_x:g} m x {column.width_y:g} m"
         lines.append(f"  column {column.name}: {size} at {format_place((column.x, column.y))} m")
+    lines += [f"  wall {wall.name}: {wall.thickness:g} m thick, {wall.length:.6g} m long" for wall in model.walls]
     for number, support in enumerate(model.supports, 1):
         where = " to ".join(map(format_place, support.points))
         firm = "elastic" if support.elastic else "rigid"

@@ -18,6 +18,7 @@ from groundslab.design.tables.reinforcement import reinforcement
 from groundslab.design.tables.summary import acting_cases, combinations, extremes, tilts
 from groundslab.design.tables.supports import joint_table, support_table
 from groundslab.design.tables.table import Column, Table
+from groundslab.design.tables.walls import wall_table
 from groundslab.model.ground import ContinuousGround
 from groundslab.results.results import Results
 
@@ -27,10 +28,10 @@ __all__ = ["Column", "Table", "fields_of_envelope", "table_makers", "tables_of"]
 def tables_of(combined: Results) -> tuple[Table, ...]:
     """Return the tables of results: combinations, extremes, envelopes and tilt, and those that the model asks for.
 
-    Load cases have a table of what acts where. Points, section lines, design strips, supports, joints, columns, piles
-    that punch the plate, reinforcement and laid bars have a table each if the model names any, and so have checks; on a
-    continuum, the soil below the points too. Discretization errors stand in columns at the right. docs/results.md
-    explains every column.
+    Load cases have a table of what acts where. Points, section lines, design strips, supports, joints, walls, columns,
+    piles that punch the plate, reinforcement and laid bars have a table each if the model names any, and so have
+    checks; on a continuum, the soil below the points too. Discretization errors stand in columns at the right.
+    docs/results.md explains every column.
 
     Parameters
     ----------
@@ -89,6 +90,7 @@ def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
         "strips": (model.output.strips, strips),
         "supports": (model.supports, support_table),
         "joints": (model.joints, joint_table),
+        "walls": (model.walls, wall_table),
     }
     makers |= {name: partial(errors.with_errors, make, combined) for name, (asked, make) in wanted.items() if asked}
     if model.columns:

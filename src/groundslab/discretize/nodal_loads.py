@@ -20,7 +20,7 @@ from groundslab.model.loads.acting import (
     PointForce,
     SupportSettlement,
 )
-from groundslab.model.loads.clipping import clip_line, get_plate_region
+from groundslab.model.loads.clipping import get_plate_region, spread_line
 from groundslab.model.model import Model
 
 #: Points each way by which a load beside the plate acts on an elastic continuum.
@@ -128,7 +128,10 @@ def _on_plate(
     if isinstance(shape, LineForce):
         forces = np.zeros((len(elements), 9))
         couples = no_couples
-        for piece in clip_line(model.plate, shape, model.plates):
+        along, areas = spread_line(model.plate, shape, model.plates)
+        for area, pressure in areas:
+            forces += load_vectors.integrate_over_polygon(mesh, elements, area, pressure)
+        for piece in along:
             if any(piece.q):
                 forces += load_vectors.integrate_along_line(mesh, elements, piece.edge, piece.q)
             if any(piece.m):

@@ -8,7 +8,6 @@ from math import sqrt
 from groundslab.errors import Edit, Repair
 from groundslab.geometry.plan import MOST_ELEMENTS
 from groundslab.geometry.validity import TOO_CLOSE, find_issues
-from groundslab.model.columns import Column
 from groundslab.model.design.limits import SoilStrength
 from groundslab.model.ground import AnyGround, ContinuousGround, Continuum, Layered, SoilLayer, Winkler, carry_shear
 from groundslab.model.loads.load_cases import Combination, LoadCase, check_case_names, check_factors
@@ -21,6 +20,8 @@ from groundslab.model.plates.joints import AnyJoint
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.serviceability.cracking import Cracking
 from groundslab.model.settings import SIDES, Beyond, Contact, Mesh
+from groundslab.model.structure.columns import Column
+from groundslab.model.structure.walls import Wall
 from groundslab.model.supports import (
     AnySupport,
     check_line_supports,
@@ -167,6 +168,14 @@ def check_columns(
     covered = PlateRegion(plate, plates)
     for position, column in enumerate(columns):
         yield from on_plate(covered, column, ("columns", position))
+
+
+def check_walls(plate: Plate, plates: tuple[FurtherPlate, ...], walls: tuple[Wall, ...]) -> Iterator[RelativeIssue]:
+    """Find walls without a unique name, or whose axis leaves the plate."""
+    yield from check_names("walls", [wall.name for wall in walls], needed=True)
+    covered = PlateRegion(plate, plates)
+    for position, wall in enumerate(walls):
+        yield from on_plate(covered, wall, ("walls", position))
 
 
 def check_supports(

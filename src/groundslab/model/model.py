@@ -10,7 +10,6 @@ from typing import Annotated, Any, ClassVar, Self
 
 from groundslab.geometry.plan import Ring
 from groundslab.model import consistency, varying_ground
-from groundslab.model.columns import Column
 from groundslab.model.design.floors import Floor, check_floor
 from groundslab.model.design.limits import Limits, SoilStrength
 from groundslab.model.design.reinforcement import Reinforcement, check_bar_distances, check_bar_zones
@@ -19,10 +18,11 @@ from groundslab.model.loads.acting import Acting
 from groundslab.model.loads.beside import check_ground_loads
 from groundslab.model.loads.clipping import check_distributed_loads
 from groundslab.model.loads.en1990 import check_combine
+from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations
 from groundslab.model.loads.load_types import AnyLoad, Load, PointLoad
 from groundslab.model.loads.patterns import Move, Pattern, check_patterns, check_positions
-from groundslab.model.loads.placement import check_load_columns, check_point_loads
+from groundslab.model.loads.placement import check_load_columns, check_load_walls, check_point_loads
 from groundslab.model.outputs import Output, Project, Report, check_output
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, check_plates, list_plates
@@ -30,6 +30,8 @@ from groundslab.model.plates.joints import Joint, check_joints
 from groundslab.model.serviceability.cracking import Cracking, check_cracking
 from groundslab.model.serviceability.long_term import LongTerm, scale_stiffnesses
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
+from groundslab.model.structure.columns import Column
+from groundslab.model.structure.walls import Wall
 from groundslab.model.supports import Support, check_piles
 from groundslab.schema import reference
 from groundslab.schema.base import Check, Section
@@ -62,6 +64,8 @@ class Model(Section):
         check_combine,
         consistency.check_columns,
         check_load_columns,
+        consistency.check_walls,
+        check_load_walls,
         check_patterns,
         check_positions,
         consistency.check_supports,
@@ -97,6 +101,9 @@ class Model(Section):
     ] = ()
     columns: Annotated[
         tuple[Column, ...], Table("columns on the plate, which loads name; punching is checked", 10_000)
+    ] = ()
+    walls: Annotated[
+        tuple[Wall, ...], Table("walls on the plate, which loads name; shear is checked from their faces on", 10_000)
     ] = ()
     cases: Annotated[
         tuple[LoadCase, ...], Table("load cases; without any, all loads act together, without factors")
@@ -169,8 +176,10 @@ class Model(Section):
         return list_plates(self.plate, self.plates)
 
     def shapes(self, load: AnyLoad) -> tuple[Acting, ...]:
-        """Return the acting shapes of a load, at the place of its column if it names one."""
-        return (load.on(self.columns) if isinstance(load, PointLoad) else load).acts
+        """Return the acting shapes of a load, at the place of its column or wall if it names one."""
+        if isinstance(load, PointLoad):
+            return load.on(self.columns).acts
+        return (load.on(self.walls) if isinstance(load, LineLoad | LineMoment) else load).acts
 
     @property
     def acting(self) -> tuple[tuple[AnyLoad, Acting], ...]:

@@ -16,6 +16,7 @@ from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import determinants, gauss, q9, unique_integers
 from groundslab.geometry.plan import Place, Segment
 from groundslab.model.loads.acting import LineForce, borders_of
+from groundslab.model.loads.clipping import lines_without_width
 from groundslab.model.model import Model
 from groundslab.model.remarks.singular_places import near_places, singular_places
 from groundslab.results import patch_recovery
@@ -257,7 +258,7 @@ def _lines_of_jumps(model: Model) -> Iterator[Segment]:
     """Yield the lines across which section forces jump: those that carry forces or couples, and line supports."""
     for _, shape in model.acting:
         if isinstance(shape, LineForce):
-            yield from shape.edges
+            yield from lines_without_width(model.plate, shape, model.plates)
     for support in model.supports:
         yield from support.edges
 

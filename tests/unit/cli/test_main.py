@@ -21,9 +21,9 @@ from groundslab.analysis import adaptivity, driver
 from groundslab.case import casefile
 from groundslab.cli import console, main
 from groundslab.errors import InputError, Issue, NoEquilibrium, NotCertified, NotConverged, SingularMatrix
-from groundslab.model.columns import Column
 from groundslab.model.combinations import as_solved, list_combinations
 from groundslab.model.settings import Mesh
+from groundslab.model.structure.columns import Column
 from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.results.record import MeshHistory
 from groundslab.results.results import Results, results_of

@@ -11,12 +11,12 @@ from groundslab.analysis.check import check
 from groundslab.analysis.driver import solve
 from groundslab.case.casefile import loads, to_toml
 from groundslab.errors import InputError
-from groundslab.model.columns import Column
 from groundslab.model.ground import Layered, Pasternak, Vlasov, Winkler
 from groundslab.model.loads.load_types import PointLoad
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 from groundslab.model.settings import Beyond, Contact
+from groundslab.model.structure.columns import Column
 from groundslab.views.summary.sections import description_of_ground
 
 PLATE = {"length_x": 6, "length_y": 4, "thickness": 0.25, "E": 30e9, "nu": 0.2}

@@ -71,7 +71,7 @@ def test_shapes_are_refused_where_they_make_no_sense() -> None:
         (lambda: Polygon(points=[(1, 1), (1, 1), (1, 1)]), "one place"),
         (lambda: LineLoad(q=1, points=[(0, 0)]), "points"),
         (lambda: LineLoad(q=1, points=[(0, 0), (0, 0)]), "points"),
-        (lambda: LineLoad(q=1), "points: found nothing, expected the line's points, or a shape"),
+        (lambda: LineLoad(q=1), "points: found nothing, expected the line's points, a shape"),
         (lambda: LineLoad(q=1, points=[(0, 0), (1, 0)], bulges=[1, 1]), "bulges: found 2 bulges, expected at most 1"),
         (lambda: LineLoad(q=1, points=[(0, 0), (1, 0)], bulges=[1e4]), "bulges"),
         (lambda: LineLoad(q=1, q_end=2, shape=Circle(radius=1)), "q_end together with a shape"),

@@ -71,6 +71,8 @@ def to_case(drawing: Drawing, title: str = "") -> str:
         text += ["", f"# Zone {number} of the drawing.", *_ZONE, *(f"# {line}" for line in shape)]
     columns, lines = _column_lines(drawing)
     text += lines
+    for number, wall in enumerate(drawing.walls, 1):
+        text += _wall_lines(wall, number)
     text += ["", *_GROUND]
     under = _column_tree(columns)
     others = _other_shapes(drawing)
@@ -79,7 +81,7 @@ def to_case(drawing: Drawing, title: str = "") -> str:
         text += _spread_over(mark, others) or _load_lines("point", mark, value, _place_point(mark, columns, under))
     for line in drawing.line_loads:
         value = _value_line("q", line.value, "force per length", "20 kN/m")
-        text += _load_lines("line", line, value, _place_line(line))
+        text += _load_lines("line", line, value, _place_line(line, "[loads.shape]"))
     for area in drawing.area_loads:
         value = _value_line("q", area.value, "pressure", "10 kPa")
         holes = [row for hole in area.holes for row in _shape_lines("[[loads.holes]]", hole)]
@@ -111,6 +113,17 @@ def _column_lines(drawing: Drawing) -> tuple[list[Footprint], list[str]]:
         text += ["", f"# Column {number} of the drawing, for information only: {why}."]
         text += [f"#   {line}" for line in lines]
     return columns, text
+
+
+def _wall_lines(wall: LineMark, number: int) -> list[str]:
+    """Return the lines of a wall; one without a thickness is there to be filled in."""
+    said = [f"# {wall.text}"] if wall.text else []
+    place = ["[[walls]]", f'name = "W{number}"', *_place_line(wall, "[walls.shape]")]
+    thickness = 'thickness = "250 mm"  # fill in'
+    if wall.value is not None:
+        thickness = f'thickness = "{units.write(wall.value, "length")}"'
+    lines = [*place[:2], thickness, *place[2:]]
+    return ["", *said, *(lines if wall.value is not None else (f"# {line}" for line in lines))]
 
 
 def _footprint_lines(column: Footprint, number: int) -> list[str]:
@@ -159,10 +172,10 @@ def _quantity_text(value: float, dimension: str) -> str:
     return text if units.parse(text, dimension) == value else units.write(value, dimension)
 
 
-def _place_line(load: LineMark) -> list[str]:
-    """Return the lines that say where a line load stands: a circle, or points and bulges."""
-    circle = _circle_lines(Ring(load.points, load.bulges)) if load.closed else None
-    return ["[loads.shape]", *circle] if circle else _point_lines(load.corners(), load.bulges)
+def _place_line(line: LineMark, head: str) -> list[str]:
+    """Return the lines that say where a line runs: a circle below its head, or points and bulges."""
+    circle = _circle_lines(Ring(line.points, line.bulges)) if line.closed else None
+    return [head, *circle] if circle else _point_lines(line.corners(), line.bulges)
 
 
 def _shape_lines(head: str, curve: Ring) -> list[str]:

@@ -108,13 +108,14 @@ class Layers:
     openings: str = "OPENINGS"
     zones: str = "ZONES"
     columns: str = "COLUMNS"
+    walls: str = "WALLS"
     point_loads: str = "LOADS"
     line_loads: str = "LOAD_LINE"
     area_loads: str = "LOAD_AREA"
 
 
-#: Loads whose layers may go on behind their name with a value, as in "LOAD_LINE 25 kN_m".
-WITH_VALUE = ("line_loads", "area_loads")
+#: What layers may go on behind their name with a value for, as in "LOAD_LINE 25 kN_m" and "WALLS 25 cm".
+WITH_VALUE = ("walls", "line_loads", "area_loads")
 
 
 class Roles:
@@ -146,10 +147,13 @@ class Roles:
 
 
 def assign_roles(layers: Layers, context: ReadContext) -> Roles:
-    """Return the role of each layer."""
+    """Return the role of each layer; a usual name that another role was given is that one's."""
     roles: dict[str, str] = {}
-    for role in (field.name for field in fields(layers)):
-        name: str = getattr(layers, role)
+    names = {field.name: str(getattr(layers, field.name)) for field in fields(layers)}
+    given = {name.lower() for role, name in names.items() if name != getattr(Layers(), role)}
+    for role, name in names.items():
+        if role != "outline" and name == getattr(Layers(), role) and name.lower() in given:
+            continue
         if name and name.lower() in roles:
             expected = "a separate layer"
             context.issues.append(

@@ -28,7 +28,10 @@ class PointMark:
 
 @dataclass(frozen=True, slots=True)
 class LineMark:
-    """A line load: points [m] and the bulge of the edge after each, value [N/m] or None, what is written beside it."""
+    """A line load or a wall: points [m], the bulge of the edge after each, value or None, what is written beside it.
+
+    The value is a force per length [N/m], or a thickness [m].
+    """
 
     points: tuple[Place, ...]
     bulges: tuple[float, ...]  # one less than points if it is open
@@ -45,7 +48,7 @@ class LineMark:
         return self.points + (self.points[:1] if self.closed else ())
 
     def segments(self) -> tuple[Segment, ...]:
-        """Return the edges that the load stands on."""
+        """Return the edges that it stands on."""
         return make_segments(self.corners(), self.bulges)
 
 
@@ -81,6 +84,7 @@ class Drawing:
     openings: tuple[Ring, ...]
     zones: tuple[Ring, ...]
     columns: tuple[Ring | Place, ...]
+    walls: tuple[LineMark, ...]  # their values are thicknesses
     point_loads: tuple[PointMark, ...]
     line_loads: tuple[LineMark, ...]
     area_loads: tuple[AreaMark, ...]
@@ -104,6 +108,9 @@ def center(drawing: Drawing) -> Drawing:
     def move_area(area: AreaMark) -> AreaMark:
         return replace(area, curve=move_ring(area.curve), holes=tuple(map(move_ring, area.holes)))
 
+    def move_line(line: LineMark) -> LineMark:
+        return replace(line, points=tuple(map(move, line.points)))
+
     columns = tuple(move_ring(column) if isinstance(column, Ring) else move(column) for column in drawing.columns)
     loads = [(load, move((load.x, load.y))) for load in drawing.point_loads]
     return replace(
@@ -113,7 +120,8 @@ def center(drawing: Drawing) -> Drawing:
         zones=tuple(map(move_ring, drawing.zones)),
         columns=columns,
         point_loads=tuple(replace(load, x=x, y=y) for load, (x, y) in loads),
-        line_loads=tuple(replace(load, points=tuple(map(move, load.points))) for load in drawing.line_loads),
+        walls=tuple(map(move_line, drawing.walls)),
+        line_loads=tuple(map(move_line, drawing.line_loads)),
         area_loads=tuple(map(move_area, drawing.area_loads)),
         origin=origin,
     )

@@ -24,7 +24,7 @@ from groundslab.case.dxf.document import (
 )
 from groundslab.case.dxf.drawing import CLOSE, GAP, MOST_EDGES, MOST_ENTITIES, Drawing, ReadContext, Source, abort
 from groundslab.case.dxf.entities import BlockCounts, iterate_entities
-from groundslab.case.dxf.loads.distributed_loads import read_area_loads, read_line_loads
+from groundslab.case.dxf.loads.distributed_loads import read_area_loads, read_lines_with_values
 from groundslab.case.dxf.loads.labelling import DIMENSION, Label, read_label
 from groundslab.case.dxf.loads.point_loads import read_point_loads
 from groundslab.errors import InputError, Issue
@@ -83,7 +83,10 @@ def read(
         points, len(curves_of["columns"]), tolerance, context
     )
     marks = read_point_loads(entities["point_loads"], tolerance, context)
-    line_loads = read_line_loads(lines["line_loads"], texts["line_loads"], roles, tolerance, context)
+    walls, line_loads = (
+        read_lines_with_values(role, lines[role], texts[role], roles, tolerance, context)
+        for role in ("walls", "line_loads")
+    )
     area_loads = read_area_loads(curves_of["area_loads"], texts["area_loads"], roles, context)
     if context.issues or outline is None:
         raise context.to_error()
@@ -92,6 +95,7 @@ def read(
         openings=tuple(opening.curve for opening in openings),
         zones=tuple(closed.curve for closed in curves_of["zones"]),
         columns=tuple(columns),
+        walls=tuple(walls),
         point_loads=tuple(marks),
         line_loads=tuple(line_loads),
         area_loads=tuple(area_loads),

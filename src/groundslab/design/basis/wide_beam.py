@@ -18,9 +18,9 @@ from groundslab.design.demands.line_traversal import interpolation, pieces
 from groundslab.design.demands.perimeter_loads import effective_depth, footprint_of
 from groundslab.design.demands.perimeters import outline
 from groundslab.fem.mesh import Mesh
-from groundslab.model.columns import Column
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.plates.region import PlateRegion
+from groundslab.model.structure.columns import Column
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult
 

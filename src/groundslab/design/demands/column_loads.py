@@ -22,7 +22,7 @@ from groundslab.model.loads.acting import (
     Pressure,
     SupportSettlement,
 )
-from groundslab.model.loads.clipping import clip_line
+from groundslab.model.loads.clipping import LinePiece, spread_line
 from groundslab.model.loads.load_types import PointLoad
 from groundslab.model.model import Model
 from groundslab.model.plates.further import first_sections
@@ -127,7 +127,10 @@ class _Inside:
             pieces = _pieces(self.part, shape.to_shapely())
             return sum((self.pressed(self.elements, piece, shape.pressure) for piece in pieces), np.zeros(3))
         if isinstance(shape, LineForce):
-            return _on_line(shape, model, self.part, chord)
+            along, areas = spread_line(model.plate, shape, model.plates)
+            pieces = [(piece, pressure) for area, pressure in areas for piece in _pieces(self.part, area)]
+            pressed = sum((self.pressed(self.elements, *each) for each in pieces), np.zeros(3))
+            return pressed + _on_line(along, self.part, chord)
         if isinstance(shape, PointForce):
             return _on_footprint(shape, self.part, chord)
         if isinstance(shape, PlateAction):
@@ -166,17 +169,17 @@ def _of_plate(results: CombinationResult, elements: Integers, name: str) -> Flag
 
 def factored_sum(results: CombinationResult, force: Mapping[str, float]) -> float:
     """Return the sum of forces by load case [N], each with the factor of its case in a combination."""
-    factors = _factors(results)
+    factors = factors_of(results)
     return sum(factors.get(case, 0.0) * of_case for case, of_case in force.items())
 
 
 def factored_sums(results: CombinationResult, sums: Mapping[str, Array]) -> Array:
     """Return the sum of values (3,) by load case, those of each case with its factor in a combination."""
-    factors = _factors(results)
+    factors = factors_of(results)
     return sum((factors.get(case, 0.0) * of_case for case, of_case in sums.items()), np.zeros(3))
 
 
-def _factors(results: CombinationResult) -> dict[str, float]:
+def factors_of(results: CombinationResult) -> dict[str, float]:
     """Return the factors of the load cases in a combination."""
     return dict(results.factors) if results.solved_model.cases else {"": 1.0}
 
@@ -188,12 +191,12 @@ def _pieces(part: Polygon, area: BaseGeometry) -> list[Polygon]:
     return [piece for piece in get_parts(intersection(part, area)) if piece.geom_type == "Polygon" and piece.area > 0]
 
 
-def _on_line(line: LineForce, model: Model, part: Polygon, chord: float) -> Array:
-    """Return force and first moments (3,) of a line force on a part of the plate."""
+def _on_line(line: Sequence[LinePiece], part: Polygon, chord: float) -> Array:
+    """Return force and first moments (3,) of the pieces of a line force on a part of the plate."""
     from shapely import LineString, Point, get_coordinates, get_parts, intersection
 
     sums = np.zeros(3)
-    for piece in clip_line(model.plate, line, model.plates):
+    for piece in line:
         n = piece.edge.chords(chord)
         places = np.arange(n + 1) / n
         flat = LineString(piece.edge.at(places))

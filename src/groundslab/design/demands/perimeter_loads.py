@@ -23,9 +23,9 @@ from groundslab.fem.assembly import scatter
 from groundslab.fem.mesh import SIDES, Mesh, sides_on_boundary
 from groundslab.fem.shape_functions import gauss_line, lagrange
 from groundslab.geometry.places import same_place
-from groundslab.model.columns import Column
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
+from groundslab.model.structure.columns import Column
 from groundslab.model.supports import LineSupport
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult

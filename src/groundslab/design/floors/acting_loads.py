@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Integers
+from groundslab.design.demands.column_loads import factors_of
 from groundslab.design.demands.perimeters import RectangularColumn, RoundColumn
 from groundslab.design.floors.yield_lines import Location
 from groundslab.geometry.plan import FLAT
@@ -76,11 +77,6 @@ class Borders:
         if self.ring.exterior.distance(point) < reach:
             return "edge", True
         return ("edge" if any(opening.distance(point) < reach for opening in self.openings) else "internal"), False
-
-
-def factors_of(results: CombinationResult) -> dict[str, float]:
-    """Return the factor of each case in a combination."""
-    return dict(results.factors) if results.solved_model.cases else {"": 1.0}
 
 
 def forces(results: CombinationResult, borders: Borders, h: float, l: float, transfer: float) -> list[Force]:  # noqa: E741

@@ -36,6 +36,10 @@ VALUES: dict[str, tuple[str, ...]] = {
         "force", "least force per length", "greatest force per length", "least settlement", "greatest settlement",
         "moment M_x", "moment M_y",
     ),
+    "walls": (
+        "settlement at the start", "settlement at the end", "least settlement", "greatest settlement", "deflection",
+        "deflection over length",
+    ),
     "joints": ("force", "greatest force per length", "greatest step"),
     "columns": (
         "settlement", "settlement difference", "angular distortion", "angular distortion without tilt", *_PUNCHING,

@@ -19,13 +19,13 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.geometry.places import same_place
 from groundslab.geometry.plan import Ring
-from groundslab.model.columns import Column
 from groundslab.model.design.bars import Bars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import CHORD
+from groundslab.model.structure.columns import Column
 
 if TYPE_CHECKING:
     from shapely import Polygon

@@ -81,6 +81,7 @@ class LineForce:
     edges: tuple[Segment, ...]
     q: tuple[float, float] = (0.0, 0.0)  # at start and end [N/m], downwards positive
     m: tuple[float, float] = (0.0, 0.0)  # [N m/m], positive if it presses what lies to the left down
+    width: float = 0.0  # across the line, over which they are spread [m]
 
     @property
     def length(self) -> float:

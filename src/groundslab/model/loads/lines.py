@@ -1,98 +1,75 @@
-"""Forces and moments along lines."""
+"""Forces and moments along lines and on walls."""
 
 from __future__ import annotations
 
-import itertools
-import math
-from collections.abc import Iterator
-from typing import Annotated, ClassVar, Literal
+from collections.abc import Iterator, Mapping
+from typing import Annotated, ClassVar, Literal, TypeVar
 
-from groundslab.geometry.plan import Segment, make_segments
+from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.acting import LineForce
 from groundslab.model.loads.base import Magnitude, _Load
-from groundslab.model.shapes import BULGE, AnyShape, Place, Shape
+from groundslab.model.shapes import AnyShape
+from groundslab.model.structure.lines import (
+    LineBulges,
+    LinePoints,
+    LineShape,
+    Points,
+    check_line,
+    check_line_length,
+    line_segments,
+)
+from groundslab.model.structure.walls import Wall
 from groundslab.schema.base import Check
-from groundslab.schema.fields import ListOf, Quantity
+from groundslab.schema.fields import Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.section_fields import Table
 
-#: Lines shorter than this [m] go nowhere.
-NO_LENGTH = 1e-9
 
-
-def _check_line(
-    points: tuple[tuple[float, float], ...] | None, shape: AnyShape | None, along: dict[str, object], value: str
+def _check_place(
+    points: Points | None, shape: AnyShape | None, wall: str, along: Mapping[str, object], end: str, value: str
 ) -> Iterator[RelativeIssue]:
-    """Find a line that is given by neither points nor a shape, or by both; `along` holds what only points can have."""
-    if points is None and shape is None:
-        yield RelativeIssue(("points",), "nothing", "the line's points, or a shape whose edge is loaded")
-    if shape is None:
+    """Find a line that is given twice, or not at all; `along` holds what only points can have, `end` one of them."""
+    if not wall:
+        if points is None and shape is None:
+            expected = "the line's points, a shape whose edge is loaded, or the name of a wall"
+            yield RelativeIssue(("points",), "nothing", expected)
+            return
+        yield from check_line(points, shape, along, f"all of a shape's edge bears the same {value}")
         return
-    for name, given in {"points": points, **along}.items():
-        if given is not None:
-            hint = f"all of a shape's edge bears the same {value}"
-            yield RelativeIssue((name,), f"{name} together with a shape", "one of them", hint)
+    given = {"points": points, "shape": shape, **{name: what for name, what in along.items() if name != end}}
+    for name in (name for name, what in given.items() if what is not None):
+        yield RelativeIssue((name,), f"{name} together with a wall", "one of them", "the wall says where its load acts")
 
 
-def _check_points_or_shape(
-    points: tuple[tuple[float, float], ...] | None,
+def _check_force(
+    points: Points | None,
     bulges: tuple[float, ...],
     shape: AnyShape | None,
+    width: float | None,
+    wall: str,
     q_end: float | None,
 ) -> Iterator[RelativeIssue]:
-    yield from _check_line(points, shape, {"bulges": bulges or None, "q_end": q_end}, "q")
+    along = {"bulges": bulges or None, "q_end": q_end}
+    yield from _check_place(points, shape, wall, along, "q_end", "q")
+    yield from _check_width(width, wall)
 
 
-def _check_moment_points_or_shape(
-    points: tuple[tuple[float, float], ...] | None,
+def _check_moment(
+    points: Points | None,
     bulges: tuple[float, ...],
     shape: AnyShape | None,
+    width: float | None,
+    wall: str,
     m_end: float | None,
 ) -> Iterator[RelativeIssue]:
-    yield from _check_line(points, shape, {"bulges": bulges or None, "m_end": m_end}, "m")
+    along = {"bulges": bulges or None, "m_end": m_end}
+    yield from _check_place(points, shape, wall, along, "m_end", "m")
+    yield from _check_width(width, wall)
 
 
-def _check_line_length(
-    points: tuple[tuple[float, float], ...] | None, bulges: tuple[float, ...]
-) -> Iterator[RelativeIssue]:
-    if points is None:
-        return
-    if len(points) < 2:
-        yield RelativeIssue(("points",), f"{len(points)} point", "at least two")
-    elif len(bulges) >= len(points):
-        expected = f"at most {len(points) - 1}, one for each of the line's pieces"
-        yield RelativeIssue(("bulges",), f"{len(bulges)} bulges", expected)
-    for position, (a, b) in enumerate(itertools.pairwise(points), start=1):
-        if math.dist(a, b) < NO_LENGTH:
-            found = f"({b[0]!r}, {b[1]!r}) m twice"
-            yield RelativeIssue(("points", position), found, "another place than the one before")
-
-
-LinePoints = Annotated[
-    tuple[tuple[float, float], ...] | None,
-    ListOf(Place, "x, y", "the line's points, in order"),
-]
-LineBulges = Annotated[
-    tuple[float, ...],
-    ListOf(
-        BULGE,
-        "b",
-        "for the piece after each point, tan of a quarter of its arc's angle, positive if counterclockwise; 0 for a "
-        "straight piece",
-        least=0,
-    ),
-]
-LineShape = Annotated[Shape | None, Table("closed curve along which the load acts, such as a circle; not with points")]
-
-
-def _line_segments(
-    points: tuple[tuple[float, float], ...] | None, bulges: tuple[float, ...], shape: AnyShape | None
-) -> tuple[Segment, ...]:
-    """Return the straight pieces and arcs of a line, one after the other."""
-    if shape is not None:
-        return shape.ring().segments()
-    assert points is not None
-    return make_segments(points, bulges)
+def _check_width(width: float | None, wall: str) -> Iterator[RelativeIssue]:
+    if wall and width is not None:
+        yield RelativeIssue(("width",), "width together with a wall", "one of them", "the wall has a thickness")
 
 
 def _at_ends(start: float, end: float | None) -> tuple[float, float]:
@@ -100,10 +77,31 @@ def _at_ends(start: float, end: float | None) -> tuple[float, float]:
     return start, start if end is None else end
 
 
-class LineLoad(_Load):
-    """A force per length along a line of straight pieces and arcs, or along the edge of a shape."""
+OnLine = TypeVar("OnLine", "LineLoad", "LineMoment")
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_points_or_shape, _check_line_length)
+LineWidth = Annotated[
+    float | None,
+    Quantity("length", "t", "width across the line over which it is spread, as of a wall; none by default", POSITIVE),
+]
+OnWall = Annotated[
+    str, Text("wall along which it acts and over whose thickness it is spread, one of [[walls]]; instead of points")
+]
+
+
+def _on_wall(load: OnLine, walls: tuple[Wall, ...]) -> OnLine:
+    """Return a load with the line and the thickness of its wall, itself if it stands on none."""
+    if not load.wall:
+        return load
+    wall = next(wall for wall in walls if wall.name == load.wall)
+    line = {"points": wall.points, "bulges": wall.bulges, "shape": wall.shape, "width": wall.thickness}
+    # nothing is checked again: a wall's line is valid for a load, too
+    return load.model_copy(update={"wall": "", **line})
+
+
+class LineLoad(_Load):
+    """A force per length along a line of straight pieces and arcs, along the edge of a shape, or on a wall."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_check_force, check_line_length)
 
     kind: Annotated[Literal["line"], Table("force per length along a line of straight pieces and arcs")] = "line"
     q: Annotated[float, Quantity("force per length", "q", "force per length, downwards positive")]
@@ -113,6 +111,8 @@ class LineLoad(_Load):
     points: LinePoints = None
     bulges: LineBulges = ()
     shape: LineShape = None
+    width: LineWidth = None
+    wall: OnWall = ""
 
     @property
     def magnitudes(self) -> tuple[Magnitude, ...]:
@@ -123,13 +123,18 @@ class LineLoad(_Load):
     @property
     def acts(self) -> tuple[LineForce]:
         """The force along the line."""
-        return (LineForce(_line_segments(self.points, self.bulges, self.shape), q=_at_ends(self.q, self.q_end)),)
+        edges = line_segments(self.points, self.bulges, self.shape)
+        return (LineForce(edges, q=_at_ends(self.q, self.q_end), width=self.width or 0.0),)
+
+    def on(self, walls: tuple[Wall, ...]) -> LineLoad:
+        """Return the load with the line and the thickness of its wall, itself if it stands on none."""
+        return _on_wall(self, walls)
 
 
 class LineMoment(_Load):
-    """A moment per length along a line of straight pieces and arcs, or along the edge of a shape."""
+    """A moment per length along a line of straight pieces and arcs, along the edge of a shape, or on a wall."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_moment_points_or_shape, _check_line_length)
+    checks: ClassVar[tuple[Check, ...]] = (_check_moment, check_line_length)
 
     kind: Annotated[
         Literal["line moment"], Table("moment per length about a line, as from a wall fixed in the plate")
@@ -149,6 +154,8 @@ class LineMoment(_Load):
     points: LinePoints = None
     bulges: LineBulges = ()
     shape: LineShape = None
+    width: LineWidth = None
+    wall: OnWall = ""
 
     @property
     def magnitudes(self) -> tuple[Magnitude, ...]:
@@ -159,4 +166,9 @@ class LineMoment(_Load):
     @property
     def acts(self) -> tuple[LineForce]:
         """The couple along the line."""
-        return (LineForce(_line_segments(self.points, self.bulges, self.shape), m=_at_ends(self.m, self.m_end)),)
+        edges = line_segments(self.points, self.bulges, self.shape)
+        return (LineForce(edges, m=_at_ends(self.m, self.m_end), width=self.width or 0.0),)
+
+    def on(self, walls: tuple[Wall, ...]) -> LineMoment:
+        """Return the load with the line and the thickness of its wall, itself if it stands on none."""
+        return _on_wall(self, walls)

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, TypeGuard
 
 from groundslab.geometry.areas import equal_area_polygon
 from groundslab.geometry.plan import rectangle
-from groundslab.model.columns import Column, check_footprint, footprint
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.acting import (
     AreaPressure,
@@ -21,6 +20,7 @@ from groundslab.model.loads.acting import (
 from groundslab.model.loads.base import Magnitude, _Load
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Shape
+from groundslab.model.structure.columns import Column, check_footprint, footprint
 from groundslab.schema.base import Check
 from groundslab.schema.fields import Choice, Number, Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue

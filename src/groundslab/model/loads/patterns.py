@@ -13,10 +13,8 @@ from itertools import pairwise
 from typing import Annotated, ClassVar, Literal
 
 from groundslab.errors import InputError
-from groundslab.model.columns import check_footprint
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.en1990 import MOST_COMBINATIONS, make_combinations
-from groundslab.model.loads.lines import NO_LENGTH
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_case_names
 from groundslab.model.loads.load_types import PointLoad
 from groundslab.model.loads.placement import on_plate
@@ -24,6 +22,8 @@ from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import Place
+from groundslab.model.structure.columns import check_footprint
+from groundslab.model.structure.lines import NO_LENGTH
 from groundslab.model.supports import check_names
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Integer, ListOf, Number, Quantity, Text

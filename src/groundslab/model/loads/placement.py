@@ -1,4 +1,4 @@
-"""Checks that point loads, columns, outputs and voids lie on the plate."""
+"""Checks that point loads, columns, walls, outputs and voids lie on the plate, and that loads name what there is."""
 
 from __future__ import annotations
 
@@ -7,12 +7,14 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Protocol
 
 from groundslab.geometry.plan import format_place
-from groundslab.model.columns import Column
+from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_types import AnyLoad, PointLoad, Spread
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import CHORD
+from groundslab.model.structure.columns import Column
+from groundslab.model.structure.walls import Wall
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.repairs import use_nearest
 from groundslab.schema.wording import describe, one_of, suggestion
@@ -89,11 +91,29 @@ def check_point_loads(
 
 def check_load_columns(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...]) -> Iterator[RelativeIssue]:
     """Find loads on unknown columns."""
-    names = [column.name for column in columns]
-    known = set(names)
+    yield from _check_names_of(loads, "column", [column.name for column in columns])
+
+
+def check_load_walls(loads: tuple[AnyLoad, ...], walls: tuple[Wall, ...]) -> Iterator[RelativeIssue]:
+    """Find loads on unknown walls, and those that vary along a wall without ends."""
+    yield from _check_names_of(loads, "wall", [wall.name for wall in walls])
+    closed = {wall.name for wall in walls if wall.shape is not None}
     for position, load in enumerate(loads):
-        if isinstance(load, PointLoad) and load.column and load.column not in known:
-            expected = one_of(names) if names else "a column, and [[columns]] that says where it is"
-            place = ("loads", position, "column")
-            hint, repairs = suggestion(load.column, names), use_nearest(place, load.column, names)
-            yield RelativeIssue(place, describe(load.column), expected, hint, repairs)
+        if isinstance(load, LineLoad | LineMoment) and load.wall in closed:
+            key = "q_end" if isinstance(load, LineLoad) else "m_end"
+            if getattr(load, key) is not None:
+                found = f"{key} on wall {describe(load.wall)}, a closed curve"
+                hint = "all of a closed wall bears the same"
+                yield RelativeIssue(("loads", position, key), found, "a wall with two ends", hint)
+
+
+def _check_names_of(loads: tuple[AnyLoad, ...], key: str, names: list[str]) -> Iterator[RelativeIssue]:
+    """Find loads on unknown columns, or on unknown walls."""
+    known = {"", *names}
+    for position, load in enumerate(loads):
+        name = getattr(load, key, "")
+        if name not in known:
+            expected = one_of(names) if names else f"a {key}, and [[{key}s]] that says where it is"
+            place = ("loads", position, key)
+            hint, repairs = suggestion(name, names), use_nearest(place, name, names)
+            yield RelativeIssue(place, describe(name), expected, hint, repairs)

@@ -11,7 +11,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from groundslab.model.columns import overlapping_columns
 from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.clipping import find_clipped_loads
 from groundslab.model.loads.load_cases import SERVICEABILITY, Combination, LimitState
@@ -19,6 +18,7 @@ from groundslab.model.loads.load_types import SelfWeight
 from groundslab.model.loads.patterns import absent_forces
 from groundslab.model.remarks.case_use import CaseUse, case_uses
 from groundslab.model.remarks.resultants import case_forces
+from groundslab.model.structure.columns import overlapping_columns
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import listed, quote
 from groundslab.units import show
@@ -165,7 +165,7 @@ def _on_columns(model: Model) -> Iterator[Remark]:
 
 def _on_clipped_loads(model: Model) -> Iterator[Remark]:
     """Yield the loads of which a part does not act."""
-    for clipped in find_clipped_loads(model.plate, model.loads, model.plates):
+    for clipped in find_clipped_loads(model.plate, model.loads, model.plates, model.walls):
         yield Remark(("loads", clipped.number - 1), clipped.words())
 
 

@@ -148,7 +148,7 @@ def draw_loads(
             (mark,) = axes.plot(*shape.place, "v", color=LOAD, markeredgecolor="white", markersize=6.5, zorder=5.5)
             mark.set(linestyle="none", clip_on=False, markeredgewidth=0.5)
             entries["point load"] = mark
-        elif isinstance(shape, LineForce):
+        elif isinstance(shape, LineForce) and not getattr(load, "wall", ""):
             (line,) = axes.plot(*shape.flat(chord).T, color=LOAD, linewidth=1.6, clip_on=False, zorder=5)
             line.set(path_effects=white_outline(2.6))
             entries["line load" if any(shape.q) else "line moment"] = line
@@ -189,6 +189,29 @@ def draw_columns(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]
         drawn = draw_ring(axes, around, edgecolor=INK, facecolor=LOAD if brings else "white", linewidth=0.6, zorder=5)
         entries["column with load" if brings else "column"] = drawn
     return entries
+
+
+def draw_walls(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) -> Entries:
+    """Draw the walls, those filled that bring a load."""
+    entries: Entries = {}
+    loaded = {getattr(load, "wall", "") for load in model.loads if takes_part(load)}
+    for wall in model.walls:
+        brings = wall.name in loaded
+        look = {"edgecolor": INK, "facecolor": LOAD if brings else "white", "linewidth": 0.6, "zorder": 4.8}
+        area = wall.area(DRAWN_CHORD * max(model.sides))
+        entries["wall with load" if brings else "wall"] = _draw_area(axes, area, **look)
+    return entries
+
+
+def _draw_area(axes: Axes, area: BaseGeometry, **look: Any) -> Any:
+    """Draw an area with its holes."""
+    from matplotlib.patches import PathPatch
+    from matplotlib.path import Path
+
+    curves = [Path(around, closed=True) for around in _borders(area)]
+    patch = PathPatch(Path.make_compound_path(*curves), clip_on=False, joinstyle="miter", **look)
+    axes.add_patch(patch)
+    return patch
 
 
 def draw_supports(axes: Axes, model: Model) -> Entries:

@@ -1,4 +1,4 @@
-"""The plan of a case before it is solved: plate, ground, columns, supports, loads and outputs, with dimensions."""
+"""The plan of a case before it is solved: plate, ground, structure, supports, loads and outputs, with dimensions."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def draw_case_plan(model: Model, placed: Model) -> Figure:
         labels.reserve((column["x"], column["y"]), 1.3)
     legend = _draw_ground(axes, plan, labels) | symbols.draw_plate(axes, model, fill=style.PANEL)
     legend |= symbols.draw_voids(axes, model) | symbols.draw_supports(axes, model)
-    legend |= symbols.draw_columns(axes, model, lambda _: True)
+    legend |= symbols.draw_columns(axes, model, lambda _: True) | symbols.draw_walls(axes, model, lambda _: True)
     legend |= symbols.draw_loads(axes, placed, everywhere=False)
     legend |= _draw_outputs(axes, plan, labels)
     _label_parts(plan, labels)
@@ -61,7 +61,7 @@ def draw_case_plan(model: Model, placed: Model) -> Figure:
 def describe_omissions(model: Model) -> tuple[str, ...]:
     """Return how to read the plan of a model, and what it does not show, in sentences."""
     plan = plan_of(model)
-    labels = "L and a number: the load of that number in the case; loads on columns have no label."
+    labels = "L and a number: the load of that number in the case; loads on columns and walls have no label."
     notes = ["Dimensions in meters.", labels]
     everywhere = [f"L{n} ({load['kind']})" for n, load in enumerate(plan["loads"], 1) if not stands_in_plan(load)]
     if model.moves:
@@ -160,9 +160,11 @@ def _draw_outputs(axes: Axes, plan: Data, labels: Labels) -> dict[str, Any]:
 
 
 def _label_parts(plan: Data, labels: Labels) -> None:
-    """Name columns and supports, and write the thickness of zones."""
+    """Name columns, walls and supports, and write the thickness of zones."""
     for column in plan["columns"]:
         labels.add((column["x"], column["y"]), column["name"], style.INK)
+    for wall in plan["walls"]:
+        labels.add(middle(wall["points"]), wall["name"], style.INK, 3.0)
     for support in plan["supports"]:
         labels.add(middle(support["points"]), support["name"], style.SUPPORT, 3.0)
     for zone in plan["zones"]:
@@ -170,13 +172,13 @@ def _label_parts(plan: Data, labels: Labels) -> None:
 
 
 def _label_loads(axes: Axes, plan: Data, labels: Labels) -> None:
-    """Write the numbers of the loads; those at one place share a label, those on a column have none."""
+    """Write the numbers of the loads; those at one place share a label, those on a column or a wall have none."""
     groups: dict[tuple[Any, ...], list[int]] = {}
     columns = {(column["x"], column["y"]) for column in plan["columns"]}
     for number, load in enumerate(plan["loads"], 1):
         if "footprint" in load:
             symbols.draw_ring(axes, np.array(load["footprint"]), edgecolor=style.LOAD, linewidth=0.6, zorder=5)
-        if stands_in_plan(load):
+        if stands_in_plan(load) and not load.get("wall"):
             curves = [load.get("ring") or load["points"], *load.get("holes", ())]
             key = ("ring" in load, *(tuple(tuple(place) for place in curve) for curve in curves))
             groups.setdefault(key, []).append(number)

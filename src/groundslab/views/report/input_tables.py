@@ -43,6 +43,7 @@ SECTIONS = {
     "beyond": "Ground beyond the plate",
     "contact": "Contact",
     "columns": "Columns",
+    "walls": "Walls",
     "supports": "Supports",
     "cases": "Load cases",
     "loads": "Loads",

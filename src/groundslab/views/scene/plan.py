@@ -13,13 +13,14 @@ from groundslab.model.loads.acting import AreaPressure, LineForce, PlateAction, 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
     from groundslab.geometry.plan import Place, Ring
-    from groundslab.model.columns import Column
     from groundslab.model.loads.acting import Acting, Pressure
     from groundslab.model.loads.load_types import AnyLoad
     from groundslab.model.model import Model
     from groundslab.model.outputs import OutputLine, OutputPoint, OutputStrip
     from groundslab.model.plate import Zone
     from groundslab.model.plates.further import AnyPlate, FurtherPlate
+    from groundslab.model.structure.columns import Column
+    from groundslab.model.structure.walls import Wall
     from groundslab.model.supports import AnySupport
     from groundslab.model.varying_ground import Borehole, Void
 
@@ -76,6 +77,7 @@ def plan_of(model: Model) -> Data:
         "zones": zones("plate.zones", plate),
         "plates": [further(number, other) for number, other in enumerate(model.plates, 1)],
         "columns": listed("columns", model.columns, lambda column: _place(column) | {"ring": ring(column.ring())}),
+        "walls": listed("walls", model.walls, lambda wall: _wall(wall, chord)),
         "supports": listed("supports", model.supports, _support),
         "loads": listed("loads", model.loads, lambda load: _load(load, model, chord)),
         "boreholes": listed("boreholes", model.boreholes, _place),
@@ -85,6 +87,14 @@ def plan_of(model: Model) -> Data:
         "strips": listed("output.strips", output.strips, lambda strip: _ends(strip) | {"width": strip.width}),
         "points": listed("output.points", output.points, _place),
     }
+
+
+def _wall(wall: Wall, chord: float) -> Data:
+    """Return the name of a wall, its thickness and its axis."""
+    from shapely import get_coordinates
+
+    axis = get_coordinates(wall.to_shapely(chord))
+    return {"name": wall.name, "thickness": wall.thickness, "points": _rounded(axis)}
 
 
 def load_parts(load: AnyLoad) -> list[list[Any]]:
@@ -119,6 +129,8 @@ def _load(load: AnyLoad, model: Model, chord: float) -> Data:
     if getattr(load, "column", ""):
         # the column is drawn
         about.pop("footprint", None)
+    if wall := getattr(load, "wall", ""):
+        about["wall"] = wall
     return about | {"parts": load_parts(load)}
 
 

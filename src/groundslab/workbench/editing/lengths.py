@@ -104,8 +104,8 @@ def translate(item: Any, by: tuple[float, float], step: float, location: str) ->
         raise InputError([Issue(location, describe(item), "an item with coordinates")])
     translated = _translate(item, by, step, location)
     if translated == item and any(by):
-        column = item.get("column")
-        hint = f"move the column {describe(column)}" if column else ""
+        host = next((key for key in ("column", "wall") if item.get(key)), None)
+        hint = f"move the {host} {describe(item[host])}" if host else ""
         raise InputError([Issue(location, "an item without coordinates", "an item with coordinates", hint)])
     return translated
 

@@ -734,6 +734,31 @@ class TestSpreadLoads:
         total = 80e3 + 15e3 * (arc + 3) + 7.5e3 * math.pi + 40e3 * math.pi
         assert f"line loads: 5 (sum {units.show(total, 'force')}, 1 without a value)" in dxf.report_text(drawing)
 
+    def test_walls(self, drawn: Any) -> None:
+        """Axes with the thickness beside them or in the layer's name; one without is there to be filled in."""
+
+        def draw(space: Modelspace) -> None:
+            outline(space, [(-9, -9), (9, -9), (9, 9), (-9, 9)])
+            space.add_lwpolyline([(-5, -5), (5, -5), (5, 5)], dxfattribs=on("WALLS"))
+            beside(space, "WALLS", 0, -4.8, "core t = 300 mm")
+            space.add_circle((0, 0), 2, on("WALLS 25 cm"))
+            space.add_line((7, -8), (8, -8), on("walls"))
+            space.add_line((-8, 8), (8, 8), on("LOAD_LINE"))
+            beside(space, "LOAD_LINE", 0, 8.1, "20 kN/m")
+
+        drawing = drawn(draw)
+        assert [(wall.value, wall.text) for wall in drawing.walls] == [
+            (0.3, "core t = 300 mm"), (0.25, ""), (None, ""),
+        ]  # fmt: skip
+        assert (True, "wall of 250 mm, by the name of its layer") in said(drawing, "CIRCLE")
+        assert "walls: 3, " in dxf.report_text(drawing)
+        text = dxf.to_case(drawing)
+        assert '# thickness = "250 mm"  # fill in' in text
+        model = casefile.loads(filled(text))
+        assert [(wall.name, wall.thickness) for wall in model.walls] == [("W1", 0.3), ("W2", 0.25), ("W3", 0.25)]
+        assert model.walls[0].points == ((-5, -5), (5, -5), (5, 5))
+        assert model.walls[1].shape == Circle(centre=(0, 0), radius=2)
+
     def test_area_loads(self, drawn: Any) -> None:
         """Closed curves are area loads; one inside another is a hole, or a load of its own if it has a value."""
 
@@ -921,7 +946,7 @@ class TestOutput:
 
         text = dxf.report_text(drawn(draw))
         assert text.startswith("unit: m (1 m)\noutline: 8.9 m x 6 m")
-        assert "openings: 1, zones: 1, columns: 2, point loads: 2 (sum 320 kN)" in text
+        assert "openings: 1, zones: 1, columns: 2, walls: 0, point loads: 2 (sum 320 kN)" in text
         assert text.index("layer ") < text.index("ignored:") < text.index("taken:")
         assert "  ZONES     1      1\n" in text
         assert "text is read only next to point loads" in text

@@ -63,6 +63,20 @@ def test_shear_begins_at_d_from_a_wall_on_its_worse_side() -> None:
     assert check.place[1] == pytest.approx(e + D)
 
 
+def test_shear_begins_at_d_from_the_faces_of_a_thick_wall() -> None:
+    """With half of 0.2 m more on either side, 134.4 kN/m are left on the side of the nearer edge."""
+    q, e, half = 1.5 * 300e3, 0.3, 0.1
+    y = e + D + half
+    near = q / B * (B / 2 - y + 12 * e / B**2 * ((B / 2) ** 2 - y**2) / 2)
+    wall = {"name": "W", "thickness": 2 * half, "points": WALL["points"]}
+    on_wall = {"kind": "line", "q": 300e3, "wall": "W", "case": "G"}
+    check = shear_of(solve(strip([on_wall], {"G": 1.5}, walls=[wall])))
+    assert near / 1e3 == pytest.approx(134.4, abs=0.1)
+    assert check.demand == pytest.approx(near / 1e3, rel=0.01)
+    assert check.place is not None
+    assert check.place[1] == pytest.approx(y)
+
+
 def test_shear_counts_up_to_a_wall_that_pulls() -> None:
     """A wall that pulls 100 kN/m out of a slab under 100 kPa: the force nearer than d counts (ACI 7.4.3.2(a))."""
     loads = [{"kind": "uniform", "q": 100e3, "case": "G"}, {**WALL, "q": -100e3, "case": "W"}]

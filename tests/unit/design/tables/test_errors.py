@@ -47,6 +47,7 @@ def slab(size: float, **changes: Any) -> Model:
             {"name": "A", "x": -1.1, "y": 0.1, "width_x": 0.5, "width_y": 0.5},
             {"name": "B", "x": 1.5, "y": 0.5, "diameter": 0.5},
         ],
+        "walls": [{"name": "W", "thickness": 0.2, "points": [(-2, 1), (2, 1)]}],
         "output": {
             "points": [{"name": "P", "x": 0.3, "y": 0.2}],
             "lines": [{"name": "L", **across}],
@@ -62,7 +63,7 @@ def tables(size: float) -> dict[str, Table]:
     """Return all tables: of the slab, below it on a continuum, and of a joint between two slabs."""
     left, right = ({"kind": "rectangle", "x": x, "y": (-2, 2)} for x in ((-3, 0), (0, 3)))
     sheet = {"thickness": 0.3, "E": 30e9, "nu": 0.2}
-    none: dict[str, Any] = {"supports": [], "columns": [], "output": {}, "reinforcement": None}
+    none: dict[str, Any] = {"supports": [], "columns": [], "walls": [], "output": {}, "reinforcement": None}
     joined: dict[str, Any] = {
         "plate": {"name": "left", "outline": left, **sheet},
         "plates": [{"name": "right", "outline": right, **sheet}],

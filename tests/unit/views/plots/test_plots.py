@@ -23,7 +23,6 @@ from groundslab.errors import InputError, NotConverged
 from groundslab.fem import vlasov
 from groundslab.fem.mesh import Mesh
 from groundslab.fem.vlasov import Soil
-from groundslab.model.columns import Column
 from groundslab.model.ground import InterfaceLayer, Layered, SoilLayer, Vlasov
 from groundslab.model.loads.lines import LineLoad
 from groundslab.model.loads.load_cases import Combination
@@ -32,6 +31,7 @@ from groundslab.model.outputs import Output, OutputLine
 from groundslab.model.plate import Edges, Plate, Zone
 from groundslab.model.settings import Contact
 from groundslab.model.shapes import Polygon, Rectangle
+from groundslab.model.structure.columns import Column
 from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.model.varying_ground import Borehole, Void
 from groundslab.results.contact_zone import contact_function

@@ -35,6 +35,10 @@ export interface Place extends Named {
 export interface Column extends Place {
   ring: Ring;
 }
+export interface Wall extends Named {
+  points: Point[];
+  thickness: number; // [m]
+}
 export interface Support extends Named {
   kind: "point" | "line";
   points: Point[];
@@ -76,6 +80,7 @@ export interface Plan {
   zones: Zone[];
   plates?: FurtherPlate[]; // beside the first one
   columns: Column[];
+  walls?: Wall[];
   supports: Support[];
   loads: Load[];
   boreholes: Place[];

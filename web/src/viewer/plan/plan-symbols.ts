@@ -1,6 +1,6 @@
 // The symbols of a solved plan.
 import { labelLoads } from "../data/load-labels";
-import type { Area, Line, Load, Place, Plan } from "../data/scene";
+import type { Area, Line, Load, Place, Plan, Wall } from "../data/scene";
 import { plainSymbols } from "../shared/symbols";
 import { type PlanSymbol, thicknessText } from "./symbols";
 
@@ -56,9 +56,14 @@ export function symbolsOf(plan: Plan, layers: Layers, factors: ReadonlyMap<strin
     ...(layers.output ? output : []),
     ...(layers.loads ? labelLoads(plan.loads, factors).flatMap(({ load, text }) => loadSymbol(load, text)) : []),
     ...(layers.supports ? supports : []),
+    ...(layers.columns ? (plan.walls ?? []).map(wallSymbol) : []),
     ...(layers.columns ? plan.columns.map((each) => ({ ...point("column", each), foot: each.ring })) : []),
   ];
   return layers.labels ? symbols : symbols.map((symbol) => ({ ...symbol, texts: [] }));
+}
+
+function wallSymbol({ name, points, thickness }: Wall): PlanSymbol {
+  return { kind: "wall", shape: "line", points, texts: [name], width: thickness };
 }
 
 /** Return the symbol of a load, none if it acts on the entire slab. */

@@ -16,6 +16,7 @@ export type Kind =
   | "opening"
   | "zone"
   | "column"
+  | "wall"
   | "support"
   | "load"
   | "borehole"
@@ -39,7 +40,7 @@ export interface PlanSymbol {
   hidden?: boolean; // a point load that another one at the same place stands for
   upward?: boolean; // a point load that lifts
   elastic?: boolean; // a support
-  width?: number; // of a strip [m]
+  width?: number; // of a strip, of a wall [m]
 }
 
 const ARROW = 26; // px: length of a point load's arrow
@@ -69,6 +70,8 @@ export function drawSymbol(camera: Camera, symbol: PlanSymbol): SVGElement[] {
     case "soil zone":
     case "void":
       return [drawArea(pixels), drawText(leftTop(pixels), text, [5, 13])];
+    case "wall":
+      return drawWall(pixels, (symbol.width ?? 0) * camera.scale, text);
     case "column":
       return drawColumn(at, toPixels(symbol.foot ?? []), text);
     case "support":
@@ -144,6 +147,25 @@ function drawColumn(at: Readonly<Point>, foot: Ring, name: string): SVGElement[]
   const size = Math.max(0, ...foot.map(([x, y]) => Math.max(Math.abs(x - at[0]), Math.abs(y - at[1]))));
   const body = size < 3.5 ? svg("rect", { x: at[0] - 3.5, y: at[1] - 3.5, width: 7, height: 7 }) : drawArea(foot);
   return [body, drawText(at, name, [Math.max(size, 4) + 4, Math.max(size, 4) + 9])];
+}
+
+/** Draw a wall as wide as it is [px], at least as it can be seen. */
+function drawWall(axis: Ring, width: number, name: string): SVGElement[] {
+  return [drawArea(bandAround(axis, Math.max(width, 3) / 2)), drawText(middleOf(axis), name, [6, -8])];
+}
+
+/** Return the outline of a band around a line, its corners mitered; of a closed line its last corner is open. */
+function bandAround(line: Ring, half: number): Point[] {
+  const sides = [1, -1].map((side) =>
+    line.map((at, i): Point => {
+      const [before, after] = [line[i - 1] ?? at, line[i + 1] ?? at];
+      const [[ux, uy], [vx, vy]] = [directionOf(before, at), directionOf(at, after)];
+      const [nx, ny] = [-(uy + vy), ux + vx]; // along the miter
+      const reach = (side * half) / Math.max((nx * nx + ny * ny) / (i > 0 && i < line.length - 1 ? 2 : 1), 0.1);
+      return [at[0] + nx * reach, at[1] + ny * reach];
+    }),
+  );
+  return [...sides[0]!, ...sides[1]!.toReversed()];
 }
 
 function drawPointSupport(at: Readonly<Point>, elastic: boolean, name: string): SVGElement[] {

@@ -28,7 +28,7 @@ export interface Item {
   foot: Ring | null;
   /** The footprints of the forces of a pattern that stands. */
   feet?: readonly Ring[];
-  /** Whether it can be moved and reshaped; a load on a column goes with the column. */
+  /** Whether it can be moved and reshaped; a load on a column or a wall goes with that. */
   movable: boolean;
 }
 
@@ -50,6 +50,7 @@ const SOURCES: readonly Source[] = [
   { kind: "void", list: ["contact", "voids"] },
   { kind: "gap", list: ["contact", "gaps"], word: "measured gap" },
   { kind: "support", list: ["supports"] },
+  { kind: "wall", list: ["walls"] },
   { kind: "column", list: ["columns"] },
   { kind: "load", list: ["loads"] },
   { kind: "move", list: ["moves"], word: "pattern" },
@@ -96,19 +97,15 @@ function itemsFrom(source: Source, data: Table, plan: Table | null): Item[] {
     if (!isTable(table)) return [];
     const path = [...source.list, n];
     const title = titleOf(source.word ?? source.kind, table, n);
-    const host = source.kind === "load" ? columnOf(data, table) : null;
-    if (host) {
-      const geometry: Geometry = { type: "point", at: path, x: host.x, y: host.y };
-      return [{ kind: source.kind, path, title, table, geometry, foot: null, movable: false }];
-    }
+    const host = source.kind === "load" ? (columnOf(data, table, path) ?? wallOf(data, table, path)) : null;
+    if (host) return [{ kind: source.kind, path, title, table, geometry: host, foot: null, movable: false }];
     if (source.kind === "load" && UNPLACED.has(String(table.kind))) return [];
     if (source.kind === "joint") {
       const joint = readJoint(data, path);
       return joint ? [{ kind: "joint", path, title, table, geometry: joint, foot: null, movable: false }] : [];
     }
     const at = source.below ? [...path, source.below] : path;
-    const drawn = readGeometry(data, at) ?? (table.shape === undefined ? null : readGeometry(data, [...path, "shape"]));
-    const geometry = drawn ?? fromPlan(plan, path);
+    const geometry = readOwn(data, at, table, path) ?? fromPlan(plan, path);
     const feet = geometry && source.kind === "move" ? { feet: patternFeet(data, table, geometry) } : {};
     return geometry
       ? [
@@ -125,6 +122,11 @@ function itemsFrom(source: Source, data: Table, plan: Table | null): Item[] {
         ]
       : [];
   });
+}
+
+/** Return the geometry that a table has itself, or in its shape. */
+function readOwn(data: Table, at: Path, table: Table, path: Path): Geometry | null {
+  return readGeometry(data, at) ?? (table.shape === undefined ? null : readGeometry(data, [...path, "shape"]));
 }
 
 /** Return the title of an item: its kind and its name, else its number. */
@@ -154,11 +156,20 @@ export function titleOfAll(data: Table, paths: readonly Path[]): string {
 }
 
 /** Return where the column is that a load names, null if it names none that is known. */
-function columnOf(data: Table, load: Table): { x: number; y: number } | null {
+function columnOf(data: Table, load: Table, at: Path): Geometry | null {
   if (typeof load.column !== "string" || !load.column) return null;
   const column = listAt(data, ["columns"]).find((each) => isTable(each) && each.name === load.column);
   const [x, y] = [parseLength(valueAt(column, ["x"])), parseLength(valueAt(column, ["y"]))];
-  return x !== null && y !== null ? { x, y } : null;
+  return x !== null && y !== null ? { type: "point", at, x, y } : null;
+}
+
+/** Return the axis of the wall that a load names, null if it names none that is known. */
+function wallOf(data: Table, load: Table, at: Path): Geometry | null {
+  if (typeof load.wall !== "string" || !load.wall) return null;
+  const n = listAt(data, ["walls"]).findIndex((each) => isTable(each) && each.name === load.wall);
+  if (n < 0) return null;
+  const geometry = readOwn(data, ["walls", n], tableAt(data, ["walls", n]), ["walls", n]);
+  return geometry && { ...geometry, at };
 }
 
 /** The outline of a column's cross-section or a load's footprint, null if there is none. */
@@ -204,10 +215,15 @@ export function countItems(items: readonly { kind: string; title: string }[]): s
   return [...counts].map(([kind, count]) => `${count} ${kind}${count === 1 ? "" : "s"}`).join(", ");
 }
 
-/** Return the loads that go with columns which are moved. */
-export function loadsOn(items: readonly Item[], columns: readonly Item[]): Item[] {
-  const names = new Set(columns.filter(({ kind }) => kind === "column").map(({ table }) => table.name));
-  return items.filter(({ kind, movable, table }) => kind === "load" && !movable && names.has(table.column ?? ""));
+/** Return the loads that go with columns and walls which are moved. */
+export function loadsOn(items: readonly Item[], hosts: readonly Item[]): Item[] {
+  const names = (host: Item["kind"]) =>
+    new Set(hosts.filter(({ kind }) => kind === host).map(({ table }) => table.name));
+  const [columns, walls] = [names("column"), names("wall")];
+  return items.filter(
+    ({ kind, movable, table }) =>
+      kind === "load" && !movable && (columns.has(table.column ?? "") || walls.has(table.wall ?? "")),
+  );
 }
 
 /** The rectangle around everything drawn, null if there is nothing. */

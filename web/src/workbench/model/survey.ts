@@ -42,6 +42,7 @@ export const ROLES: readonly (readonly [string, string])[] = [
   ["openings", "openings"],
   ["zones", "zones"],
   ["columns", "columns"],
+  ["walls", "walls"],
   ["point_loads", "point loads"],
   ["line_loads", "line loads"],
   ["area_loads", "area loads"],

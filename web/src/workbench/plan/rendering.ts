@@ -54,19 +54,19 @@ function symbolOf(item: Item, loads: readonly Item[], highlights: Highlights): P
   const { kind, table, geometry, foot } = item;
   const ring = ringOf(geometry);
   const closed = isClosed(geometry);
-  const isWall = kind === "load" && /^line/.test(String(table.kind));
+  const isLine = kind === "wall" || (kind === "load" && /^line/.test(String(table.kind)));
   const texts = kind === "load" ? loadTexts(item, loads, highlights) : textsOf(item);
   return {
     kind,
-    shape: geometry.type === "point" ? "point" : closed && !isWall ? "area" : "line",
-    points: closed && isWall ? [...ring, ...ring.slice(0, 1)] : ring,
+    shape: geometry.type === "point" ? "point" : closed && !isLine ? "area" : "line",
+    points: closed && isLine ? [...ring, ...ring.slice(0, 1)] : ring,
     texts: texts ?? [],
     foot,
     holes: kind === "load" ? holesOf(item) : kind === "move" ? (item.feet ?? []) : [],
     hidden: texts === null,
     upward: /^\s*-/.test(String(table.P ?? "")),
     elastic: table.stiffness !== undefined,
-    width: parseLength(table.width) ?? 0,
+    width: parseLength(kind === "wall" ? table.thickness : table.width) ?? 0,
   };
 }
 

@@ -13,9 +13,9 @@ export interface ToolBar {
 
 const GROUPS: readonly (readonly ToolName[])[] = [
   ["select"],
-  ["slab", "opening", "zone", "column", "plate", "joint"],
+  ["slab", "opening", "zone", "column", "wall", "plate", "joint"],
   ["point load", "line load", "area load"],
-  ["support", "wall"],
+  ["support", "line support"],
   ["borehole", "soil zone", "void"],
   ["section line", "refinement"],
 ];
@@ -60,10 +60,10 @@ function makeButton({ name, label, key, hint }: Tool | Generator, choose: () => 
   const attributes = {
     type: "button",
     class: "tool",
-    title: `${label} (${key}). ${hint}`,
-    "aria-keyshortcuts": key,
+    title: `${label}${key && ` (${key})`}. ${hint}`,
+    "aria-keyshortcuts": key || null,
     "data-tool": name,
     onclick: choose,
   };
-  return h("button", attributes, toolIcon(name), h("span", {}, label), h("kbd", {}, key));
+  return h("button", attributes, toolIcon(name), h("span", {}, label), key ? h("kbd", {}, key) : "");
 }

@@ -17,11 +17,12 @@ const ROWS: readonly [ToolName, string, string, Draws, string][] = [
   ["opening", "Opening", "O", "shape", `Cut an opening. ${SHAPE}`],
   ["zone", "Thickness", "T", "shape", `Draw a zone with a different thickness. ${SHAPE}`],
   ["column", "Column", "C", "point", "Click to place columns. Press Escape to finish."],
+  ["wall", "Wall", "W", "line", `Draw the axis of a wall. ${LINE}`],
   ["point load", "Point load", "P", "point", "Click a point or a column. Press Escape to finish."],
   ["line load", "Line load", "L", "line", LINE],
   ["area load", "Area load", "A", "shape", SHAPE],
   ["support", "Support", "S", "point", "Click to place point supports. Press Escape to finish."],
-  ["wall", "Line support", "W", "line", LINE],
+  ["line support", "Line support", "", "line", LINE],
   ["borehole", "Borehole", "H", "point", "Click to place boreholes. Press Escape to finish."],
   ["soil zone", "Soil zone", "G", "shape", `Draw an area with different ground. ${SHAPE}`],
   ["void", "Void", "U", "shape", `Draw an area where there is a gap below the slab. ${SHAPE}`],
@@ -34,6 +35,7 @@ const ROWS: readonly [ToolName, string, string, Draws, string][] = [
 export interface Tool {
   name: ToolName;
   label: string;
+  /** The key that chooses it, empty if none does. */
   key: string;
   draws: Draws;
   hint: string;

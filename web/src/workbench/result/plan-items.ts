@@ -33,6 +33,7 @@ function describe({ path, name = "", x, y, start, end, points, ring }: Source): 
 export function itemsIn(plan: Plan, list: string): PlanItem[] {
   const lists: Record<string, readonly Source[]> = {
     columns: plan.columns,
+    walls: plan.walls ?? [],
     supports: plan.supports,
     loads: plan.loads.filter((load) => !load.everywhere),
     boreholes: plan.boreholes,
@@ -50,6 +51,7 @@ export function itemsIn(plan: Plan, list: string): PlanItem[] {
 /** Lists whose items are picked, those before others where several are at one place. */
 const PICKED = [
   "columns",
+  "walls",
   "supports",
   "loads",
   "boreholes",

@@ -15,6 +15,7 @@ const GROUPS: readonly { name: string; label: string; tables: Record<string, str
   },
   { name: "envelope", label: "Envelope", tables: { envelope: "envelope" } },
   { name: "columns", label: "Columns", tables: { column_envelope: "extremes", columns: "all combinations" } },
+  { name: "walls", label: "Walls", tables: { walls: "" } },
   {
     name: "supports",
     label: "Supports",

@@ -45,6 +45,42 @@ describe("the drawing", () => {
     expect(supports.map((group) => group.querySelectorAll(".area").length)).toEqual([0, 1]);
   });
 
+  it("draws walls as thick as they are, and loads on them along their axes", () => {
+    const data: Table = {
+      walls: [
+        {
+          name: "W1",
+          thickness: "1 m",
+          points: [
+            ["0 m", "0 m"],
+            ["4 m", "0 m"],
+            ["4 m", "4 m"],
+          ],
+        },
+      ],
+      loads: [{ kind: "line", q: "20 kN/m", wall: "W1" }],
+    };
+    const [wall] = drawn(data, "wall");
+    const path = wall!.querySelector(".area")!.getAttribute("d")!;
+    const corners = [...path.matchAll(/(-?[\d.]+) (-?[\d.]+)/g)].map(([, x, y]) =>
+      camera.toPlan([Number(x), Number(y)]),
+    );
+    const expected = [
+      [0, 0.5],
+      [3.5, 0.5],
+      [3.5, 4],
+      [4.5, 4],
+      [4.5, -0.5],
+      [0, -0.5],
+    ];
+    expect(corners.length).toBe(expected.length);
+    for (const corner of expected)
+      expect(Math.min(...corners.map(([x, y]) => Math.hypot(x - corner[0]!, y - corner[1]!)))).toBeLessThan(0.1);
+    const [load] = itemsOf(data, null).filter((item) => item.kind === "load");
+    expect(load!.movable).toBe(false);
+    expect(ringOf(load!.geometry).length).toBe(3);
+  });
+
   it("has circles and arcs whose chords turn by two degrees at most", () => {
     const circle = ringOf(readGeometry({ o: { kind: "circle", radius: "1 mm" } }, ["o"])!);
     expect(circle.length).toBe(180);

@@ -1,4 +1,4 @@
-"""Loads along lines and on areas, and their values."""
+"""Loads along lines and on areas, walls, and their values."""
 
 from __future__ import annotations
 
@@ -27,14 +27,15 @@ if TYPE_CHECKING:
 CHORDS = 16  # of an arc, to see what is near it
 
 
-def read_line_loads(
+def read_lines_with_values(
+    role: str,
     lines: Sequence[tuple[Source, DrawnLine]],
     texts: Sequence[labelling.Label],
     roles: Roles,
     tolerance: float,
     context: ReadContext,
 ) -> list[LineMark]:
-    """Return the line loads with the values that stand beside them or in the names of their layers."""
+    """Return line loads, or walls, with the values that stand beside them or in the names of their layers."""
     from shapely import LineString
 
     nodes, middles = PointIndex(tolerance), PointIndex(tolerance)
@@ -59,12 +60,12 @@ def read_line_loads(
         marks.append(
             labelling.PendingLoad(source, start, LineString([start, *(p for edge in edges for p in divide_edge(edge))]))
         )
-    labelling.assign_texts(marks, texts, "line_loads", context)
-    defaults = _read_layer_values([mark.source.layer for mark in marks], "line_loads", roles, context)
+    labelling.assign_texts(marks, texts, role, context)
+    defaults = _read_layer_values([mark.source.layer for mark in marks], role, roles, context)
     loads = []
     for mark, parts in zip(marks, drawn, strict=True):
-        value, how = labelling.choose_value(mark, "line_loads", context, defaults)
-        context.report_entity(mark.source, True, f"line load{how}")
+        value, how = labelling.choose_value(mark, role, context, defaults)
+        context.report_entity(mark.source, True, f"{role.replace('_', ' ').removesuffix('s')}{how}")
         starts, ends_of, bulges = zip(*parts, strict=True)
         closed = len(parts) > 1 and math.dist(starts[0], ends_of[-1]) <= tolerance
         points = starts if closed else (*starts, ends_of[-1])

@@ -30,8 +30,12 @@ _GROUPED = re.compile(r"\d{1,3}(?:,\d{3})+\.\d+|\d{1,3}(?:,\d{3}){2,}")
 _GROUPED_BY_POINTS = re.compile(r"\d{1,3}(?:\.\d{3})+,\d+")
 #: Its comma may stand for the decimal point, or before thousands.
 _EITHER = re.compile(r"[1-9]\d{0,2},\d{3}")
-#: What a load is given in, by what its layer holds.
-DIMENSION = {"point_loads": "force", "line_loads": "force per length", "area_loads": "pressure"}
+#: What a load is given in, and a wall by its thickness, by what the layer holds.
+DIMENSION = {
+    "point_loads": "force", "walls": "length", "line_loads": "force per length", "area_loads": "pressure",
+}  # fmt: skip
+#: Of these dimensions none is mistaken for another.
+ALONE = ("force", "length")
 LONGEST = 200  # letters of a text, of which no more is read
 
 
@@ -86,7 +90,7 @@ def _find_quantity(words: str, dimension: str) -> float | str | None:
     numbers = [value for value in read if isinstance(value, float)]
     if numbers:
         return numbers[0]
-    others = {dimension} if dimension == "force" else DIMENSION.values()
+    others = {dimension} if dimension in ALONE else {*DIMENSION.values()} - {"length"}
     if any(isinstance(_quantity(text, other), float) for text in texts for other in others):
         return "it is not a name, a number and a unit" if values else f"it is no {dimension}"
     return None

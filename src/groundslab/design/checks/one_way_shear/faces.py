@@ -1,6 +1,7 @@
 """Where one-way shear begins beside walls and footprints: at d from them (EN 1992-1-1 6.2.1(8), ACI 318-19 7.4.3.2).
 
-A line load has no width: d counts from its axis. Of a force with a footprint that is no column it counts from the face.
+d counts from the face of a wall, and of a force with a footprint that is no column; of a line load without a width from
+its axis.
 Only what presses on the plate in a combination has such a part around it; beside a wall that pulls, shear counts up to
 its axis (ACI 318-19 7.4.3.2(a)). Where several loads stand on a line, their sum decides, piece by piece.
 """
@@ -14,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.floors.acting_loads import factors_of
+from groundslab.design.demands.column_loads import factors_of
 from groundslab.fem.mesh import Mesh, locate
 from groundslab.geometry.plan import FLAT
 from groundslab.model.loads.acting import LineForce, PointForce
@@ -39,6 +40,7 @@ class Bearer:
 
     shape: BaseGeometry
     force: dict[str, Array]  # by load case: q at both ends of a line (2,) [N/m], P of a footprint (1,) [N]
+    face: float = 0.0  # how far the face is from a line [m]
 
     def presses(self, factors: dict[str, float]) -> bool:
         """Return whether the loads press on the plate in a combination, all along the piece."""
@@ -57,23 +59,23 @@ def pressing(results: CombinationResult, every: list[Bearer]) -> tuple[int, ...]
     return tuple(position for position, bearer in enumerate(every) if bearer.presses(factors))
 
 
-def region_within_d(plate: PlateResult, shapes: list[BaseGeometry], d: Array) -> BaseGeometry:
-    """Return the part of the plan nearer than d to some shapes, d (n,) [m] being the effective depth at the nodes.
+def region_within_d(plate: PlateResult, some: list[Bearer], d: Array) -> BaseGeometry:
+    """Return the part of the plan nearer than d to the faces of some, d (n,) [m] being the depth at the nodes.
 
     Of different depths along a shape the least one counts.
     """
     from shapely import line_merge, union_all
 
     mesh = Mesh(plate.nodes, plate.elements)
-    by_depth: dict[float, list[BaseGeometry]] = {}
-    for shape in shapes:
-        element, _ = locate(mesh, _samples(shape))
+    by_reach: dict[float, list[BaseGeometry]] = {}
+    for bearer in some:
+        element, _ = locate(mesh, _samples(bearer.shape))
         under = mesh.elements[element[element >= 0]]
         if len(under):
-            by_depth.setdefault(float(d[under].min()), []).append(shape)
-    merged = ((depth, union_all(some)) for depth, some in by_depth.items())
-    joined = ((depth, line_merge(shape) if shape.geom_type == "MultiLineString" else shape) for depth, shape in merged)
-    return union_all([shape.buffer(depth, cap_style="flat", join_style="mitre") for depth, shape in joined])
+            by_reach.setdefault(bearer.face + float(d[under].min()), []).append(bearer.shape)
+    merged = ((reach, union_all(shapes)) for reach, shapes in by_reach.items())
+    joined = ((reach, line_merge(shape) if shape.geom_type == "MultiLineString" else shape) for reach, shape in merged)
+    return union_all([shape.buffer(reach, cap_style="flat", join_style="mitre") for reach, shape in joined])
 
 
 def _samples(shape: BaseGeometry) -> Array:
@@ -92,22 +94,22 @@ def _lines(model: Model) -> Iterator[Bearer]:
     from shapely import LineString, STRtree, get_parts, union_all
 
     size = max(model.sides)
-    loaded: list[tuple[str, LineString, tuple[float, float]]] = []
+    loaded: list[tuple[str, LineString, tuple[float, float], float]] = []
     for load, shape in model.acting:
         if isinstance(shape, LineForce) and any(shape.q):
             for piece in clip_line(model.plate, shape, model.plates):
                 n = piece.edge.chords(FLAT * size)
-                loaded.append((load.case, LineString(piece.edge.at(np.arange(n + 1) / n)), piece.q))
+                loaded.append((load.case, LineString(piece.edge.at(np.arange(n + 1) / n)), piece.q, shape.width / 2))
     if not loaded:
         return
-    tree = STRtree([line for _, line, _ in loaded])
-    for part in get_parts(union_all([line for _, line, _ in loaded])):
+    tree = STRtree([line for _, line, _, _ in loaded])
+    for part in get_parts(union_all([line for _, line, _, _ in loaded])):
         middle = part.interpolate(0.5, normalized=True)
         force = dict[str, Array]()
-        for number in tree.query(middle, predicate="dwithin", distance=SAME * size):
-            case, line, q = loaded[number]
+        on_it = [loaded[number] for number in tree.query(middle, predicate="dwithin", distance=SAME * size)]
+        for case, line, q, _ in on_it:
             force[case] = force.get(case, np.zeros(2)) + _at_ends(part, line, q)
-        yield Bearer(part, force)
+        yield Bearer(part, force, min(face for *_, face in on_it))
 
 
 def _at_ends(part: LineString, line: LineString, q: tuple[float, float]) -> Array:

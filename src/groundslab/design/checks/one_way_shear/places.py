@@ -13,9 +13,9 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.basis.design_code import ShearRule
 from groundslab.design.by_plate import distances_to_edges, farthest_from_edges, results_by_plate
 from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, region_within_d
+from groundslab.design.demands.column_loads import factors_of
 from groundslab.design.demands.line_traversal import interpolation, pieces
 from groundslab.design.demands.perimeters import outline
-from groundslab.design.floors.acting_loads import factors_of
 from groundslab.design.required_bars import largest_areas, required_areas
 from groundslab.fem.mesh import Mesh
 from groundslab.model.design.floors import TR34Floor
@@ -85,20 +85,20 @@ class ShearPlaces:
         """Return the places of a combination."""
         which = pressing(results, self.bearers)
         if which not in self._known:
-            self._known[which] = self._sort(results, [self.bearers[position].shape for position in which])
+            self._known[which] = self._sort(results, [self.bearers[position] for position in which])
         return self._known[which]
 
-    def _sort(self, results: CombinationResult, shapes: list[BaseGeometry]) -> PlacesByReach:
-        """Return the places sorted by their distance from some shapes."""
+    def _sort(self, results: CombinationResult, some: list[Bearer]) -> PlacesByReach:
+        """Return the places sorted by their distance from the faces of what presses on the plate."""
         from shapely import contains_xy
 
         nodes = self.nodes
-        region = region_within_d(results.plate, shapes, nodes.d)
+        region = region_within_d(results.plate, some, nodes.d)
         if region.is_empty:
             return PlacesByReach((nodes,), nodes.of(np.zeros_like(nodes.counts)))
         near = np.asarray(contains_xy(region, *nodes.xy.T))
         beyond = nodes.of(nodes.counts & ~near)
-        at_d = _on_border(results, region, shapes, nodes, self.reach)
+        at_d = _on_border(results, region, [bearer.shape for bearer in some], nodes, self.reach)
         return PlacesByReach((beyond,) if at_d is None else (beyond, at_d), nodes.of(nodes.counts & near))
 
 

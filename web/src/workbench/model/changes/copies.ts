@@ -95,6 +95,7 @@ function withReferences(table: Table, renamed: ReadonlyMap<string, string>): Tab
   const result = { ...table };
   for (const [key, list] of [
     ["column", "columns"],
+    ["wall", "walls"],
     ["support", "supports"],
   ] as const) {
     const name = renamed.get(`${list} ${String(table[key])}`);
@@ -143,8 +144,13 @@ function sidesAsRectangle(data: Table): Table {
 
 /** Return why copies of tables at other places make no sense, empty if they do. */
 export function whyNotCopied(tables: readonly ListedTable[]): string {
-  const columns = new Set(namesIn(tables.filter(({ list }) => list[0] === "columns").map(({ table }) => table)));
-  const lonely = tables.find(({ table }) => typeof table.column === "string" && !columns.has(table.column));
-  if (lonely) return `a load is attached to column ${String(lonely.table.column)}, which is not selected`;
+  for (const [key, hosts] of [
+    ["column", "columns"],
+    ["wall", "walls"],
+  ] as const) {
+    const chosen = new Set(namesIn(tables.filter(({ list }) => list[0] === hosts).map(({ table }) => table)));
+    const lonely = tables.find(({ table }) => typeof table[key] === "string" && table[key] && !chosen.has(table[key]));
+    if (lonely) return `a load is attached to ${key} ${String(lonely.table[key])}, which is not selected`;
+  }
   return tables.some(({ table }) => hasPlace(table)) ? "" : "nothing in the selection has a position on the plan";
 }

@@ -19,6 +19,7 @@ export type NewKind =
   | "area load"
   | "support"
   | "wall"
+  | "line support"
   | "borehole"
   | "soil zone"
   | "void"
@@ -112,8 +113,12 @@ export function outlineEdits(data: Table, outline: Table): Edit[] {
 /** Return the change that adds a drawn line. */
 export function addLine(kind: NewKind, data: Table, line: Ring, loadCase: string): Addition {
   const points = line.map(toText);
-  if (kind === "wall")
+  if (kind === "line support")
     return addItem(data, ["supports"], { ...defaultsFor("LineSupport", data), points }, "line support");
+  if (kind === "wall") {
+    const name = freeName(namesIn(listAt(data, ["walls"])), "W1");
+    return addItem(data, ["walls"], { name, thickness: wallThickness(data), points }, `wall ${name}`);
+  }
   if (kind === "section line") {
     const name = freeName(namesIn(listAt(data, ["output", "lines"])), "line 1");
     const value = { name, start: points[0] ?? [], end: points.at(-1) ?? [] };
@@ -151,6 +156,11 @@ function columnSize(data: Table): Table {
   const last = listAt(data, ["columns"]).findLast(isTable) ?? {};
   const size = Object.entries(last).filter(([key]) => ["diameter", "width_x", "width_y"].includes(key));
   return size.length > 0 ? Object.fromEntries(size) : { width_x: "400 mm", width_y: "400 mm" };
+}
+
+/** Return the thickness of the last wall, else a usual one. */
+function wallThickness(data: Table): Json {
+  return listAt(data, ["walls"]).findLast(isTable)?.thickness ?? "250 mm";
 }
 
 /** Return the name of the column that stands at a place, null if none does. */

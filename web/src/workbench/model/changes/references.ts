@@ -8,6 +8,7 @@ import { isTable, type Json, listAt, type Path, samePath, type Table } from "../
 /** Which key of which list calls the names of a list. */
 const REFERENCES: readonly { names: string; list: string; key: string }[] = [
   { names: "columns", list: "loads", key: "column" },
+  { names: "walls", list: "loads", key: "wall" },
   { names: "supports", list: "loads", key: "support" },
   { names: "cases", list: "loads", key: "case" },
   { names: "cases", list: "moves", key: "case" },

@@ -32,6 +32,29 @@ describe("names that others call", () => {
     });
   });
 
+  it("are those of walls, which go with the loads on them", () => {
+    const walled: Table = {
+      walls: [{ name: "W1", thickness: "25 cm" }, { name: "W2" }],
+      loads: [
+        { kind: "line", q: "20 kN/m", wall: "W1" },
+        { kind: "line moment", m: "1 kNm/m", wall: "W1" },
+        { kind: "line", q: "20 kN/m", wall: "W2" },
+      ],
+    };
+    const renamed = renameReferences(walled, ["walls", 0, "name"], "core");
+    expect(renamed.map((edit) => ("path" in edit ? edit.path : []))).toEqual([
+      ["loads", 0, "wall"],
+      ["loads", 1, "wall"],
+    ]);
+    const { edits, text } = removeItem(walled, ["walls", 0]);
+    expect(text).toBe("remove wall W1 and its 2 loads");
+    expect(edits.map((edit) => ("path" in edit ? edit.path : []))).toEqual([
+      ["loads", 1],
+      ["loads", 0],
+      ["walls", 0],
+    ]);
+  });
+
   it("are changed in paths of vehicles, too", () => {
     const moved: Table = {
       cases: [{ name: "truck" }],

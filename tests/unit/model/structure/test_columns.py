@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from groundslab.cli import main
-from groundslab.model.columns import Column, overlapping_columns
+from groundslab.model.structure.columns import Column, overlapping_columns
 
 CASE = """
 [plate]

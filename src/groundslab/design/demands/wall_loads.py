@@ -1,0 +1,78 @@
+"""What walls carry, and how the plate settles along them."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.design.demands.column_loads import factors_of
+from groundslab.model.model import Model
+from groundslab.model.structure.walls import Wall
+from groundslab.results.mesh_results import PlateResult
+from groundslab.results.results import CombinationResult
+
+#: Places along a wall at which the settlement is looked up.
+PLACES = 101
+
+
+@dataclass(frozen=True, slots=True)
+class WallLoads:
+    """The loads that name a wall, by load case: at its start and at its end, linear between."""
+
+    force: dict[str, Array]  # (2,) [N/m], downwards positive
+    couple: dict[str, Array]  # (2,) [N m/m], positive if it presses what lies to the left down
+
+    def in_combination(self, results: CombinationResult) -> tuple[Array, Array]:
+        """Return force (2,) [N/m] and couple (2,) [N m/m] at both ends in a combination."""
+        factors = factors_of(results)
+
+        def total(by_case: dict[str, Array]) -> Array:
+            return sum((factors.get(case, 0.0) * ends for case, ends in by_case.items()), np.zeros(2))
+
+        return total(self.force), total(self.couple)
+
+
+def loads_on_wall(model: Model, wall: Wall) -> WallLoads:
+    """Return the loads that name a wall."""
+    force: dict[str, Array] = defaultdict(lambda: np.zeros(2))
+    couple: dict[str, Array] = defaultdict(lambda: np.zeros(2))
+    for load in model.loads:
+        if getattr(load, "wall", "") == wall.name:
+            for line in model.shapes(load):
+                force[load.case] += getattr(line, "q", (0.0, 0.0))
+                couple[load.case] += getattr(line, "m", (0.0, 0.0))
+    return WallLoads(dict(force), dict(couple))
+
+
+@dataclass(frozen=True, slots=True)
+class WallSettlement:
+    """The settlement of the plate along a wall's axis."""
+
+    way: Array  # (p,): from the start [m]
+    w: Array  # (p,) [m]
+
+    @property
+    def deflection(self) -> float:
+        """The largest distance [m] of the settlement from the straight line between both ends, sagging positive."""
+        chord = self.w[0] + (self.w[-1] - self.w[0]) * self.way / self.way[-1]
+        off = self.w - chord
+        return float(off[np.argmax(np.abs(off))])
+
+
+def settlement_along(wall: Wall) -> Callable[[PlateResult], WallSettlement]:
+    """Return the function that gives the settlement of a plate along a wall."""
+    edges = wall.edges
+    starts = np.concatenate([[0.0], np.cumsum([edge.length for edge in edges])])
+    way = np.linspace(0.0, starts[-1], PLACES)
+    number = np.clip(np.searchsorted(starts, way, side="right") - 1, 0, len(edges) - 1)
+    parts = np.clip((way - starts[number]) / np.array([edge.length for edge in edges])[number], 0.0, 1.0)
+    places = np.concatenate([edge.at(parts[number == n]) for n, edge in enumerate(edges)])
+
+    def along(plate: PlateResult) -> WallSettlement:
+        return WallSettlement(way, plate.value_at("settlement", *places.T))
+
+    return along

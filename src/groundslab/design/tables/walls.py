@@ -1,0 +1,42 @@
+"""The table of walls: what stands on them, how the plate settles and bends along them."""
+
+from __future__ import annotations
+
+from groundslab.design.basis.combinations import solved_results
+from groundslab.design.demands.wall_loads import loads_on_wall, settlement_along
+from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.results.results import Results
+
+_HEADS = (
+    ("combination", ""), ("wall", ""), ("length", "m"), ("load", "kN"),
+    ("least load per length", "kN/m"), ("greatest load per length", "kN/m"), ("moment per length", "kNm/m"),
+    ("settlement at the start", "mm"), ("settlement at the end", "mm"),
+    ("least settlement", "mm"), ("greatest settlement", "mm"),
+    ("deflection", "mm"), ("deflection over length", "mm/m"),
+)  # fmt: skip
+_NOTES = (
+    "The load is the sum of the line loads that name the wall, with the factors of their cases. The moment per length "
+    "is that of the line moments that name it, at the end where it is largest.",
+    "The deflection is the largest distance of the settlement along the wall from the straight line between the "
+    "settlements of its ends, positive where the wall sags; a closed wall has none.",
+)
+
+
+def wall_table(combined: Results) -> Table:
+    """Return load, settlement and deflection of each wall in each combination."""
+    model = combined.model
+    walls = [(wall, loads_on_wall(model, wall), settlement_along(wall)) for wall in model.walls]
+    rows: list[list[Cell]] = []
+    for results in solved_results(combined):
+        for wall, loads, along in walls:
+            force, couple = loads.in_combination(results)
+            line = along(results.plate)
+            w = line.w * 1e3
+            bent: list[Cell] = [None, None]
+            if not wall.closed:
+                bent = [line.deflection * 1e3, line.deflection / wall.length * 1e3]
+            most = max(couple, key=abs)
+            about: list[Cell] = [results.combination, wall.name, wall.length, wall.length * force.mean() / 1e3]
+            ends: list[Cell] = [w[0], w[-1]] if not wall.closed else [None, None]
+            rows.append([*about, force.min() / 1e3, force.max() / 1e3, most / 1e3, *ends, w.min(), w.max(), *bent])
+    return table_of("walls", "Walls", _HEADS, rows, _NOTES)

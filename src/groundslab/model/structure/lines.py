@@ -1,0 +1,68 @@
+"""Lines in plan on which something stands: straight pieces and arcs one after the other, or the edge of a shape."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator, Mapping
+from typing import Annotated
+
+from groundslab.geometry.plan import Segment, make_segments
+from groundslab.model.shapes import BULGE, AnyShape, Place, Shape
+from groundslab.schema.fields import ListOf
+from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.section_fields import Table
+
+#: Lines shorter than this [m] go nowhere.
+NO_LENGTH = 1e-9
+
+Points = tuple[tuple[float, float], ...]
+
+LinePoints = Annotated[Points | None, ListOf(Place, "x, y", "the line's points, in order")]
+LineBulges = Annotated[
+    tuple[float, ...],
+    ListOf(
+        BULGE,
+        "b",
+        "for the piece after each point, tan of a quarter of its arc's angle, positive if counterclockwise; 0 for a "
+        "straight piece",
+        least=0,
+    ),
+]
+LineShape = Annotated[Shape | None, Table("closed curve along which it runs, such as a circle; not with points")]
+
+
+def check_line(
+    points: Points | None, shape: AnyShape | None, along: Mapping[str, object], hint: str, edge: str = "loaded"
+) -> Iterator[RelativeIssue]:
+    """Find a line that is given by neither points nor a shape, or by both; `along` holds what only points can have."""
+    if points is None and shape is None:
+        yield RelativeIssue(("points",), "nothing", f"the line's points, or a shape whose edge is {edge}")
+    if shape is None:
+        return
+    for name, given in {"points": points, **along}.items():
+        if given is not None:
+            yield RelativeIssue((name,), f"{name} together with a shape", "one of them", hint)
+
+
+def check_line_length(points: Points | None, bulges: tuple[float, ...]) -> Iterator[RelativeIssue]:
+    """Find lines of less than two points, pieces without length, and more bulges than pieces."""
+    if points is None:
+        return
+    if len(points) < 2:
+        yield RelativeIssue(("points",), f"{len(points)} point", "at least two")
+    elif len(bulges) >= len(points):
+        expected = f"at most {len(points) - 1}, one for each of the line's pieces"
+        yield RelativeIssue(("bulges",), f"{len(bulges)} bulges", expected)
+    for position, (a, b) in enumerate(itertools.pairwise(points), start=1):
+        if math.dist(a, b) < NO_LENGTH:
+            found = f"({b[0]!r}, {b[1]!r}) m twice"
+            yield RelativeIssue(("points", position), found, "another place than the one before")
+
+
+def line_segments(points: Points | None, bulges: tuple[float, ...], shape: AnyShape | None) -> tuple[Segment, ...]:
+    """Return the straight pieces and arcs of a line, one after the other."""
+    if shape is not None:
+        return shape.ring().segments()
+    assert points is not None
+    return make_segments(points, bulges)
