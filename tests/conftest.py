@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Iterator
+from contextlib import suppress
 
 import pytest
-from hypothesis.internal.conjecture import providers
 
 from groundslab.solvers import factorization
 
@@ -20,9 +20,11 @@ def pytest_configure(config: pytest.Config) -> None:
     """Let "auto" be the solver asked for."""
     if name := config.getoption("--solver"):
         factorization.automatic = lambda: str(name)
-    # Hypothesis also draws constants from all modules that happen to be loaded, so that a test's examples would depend
-    # on the tests before it in the same process; it has no setting for that
-    if hasattr(providers, "_get_local_constants"):
+    # Hypothesis since 6.131 also draws constants from all modules that happen to be loaded, so that a test's examples
+    # would depend on the tests before it in the same process; it has no setting for that
+    with suppress(ImportError, AttributeError):
+        from hypothesis.internal.conjecture import providers
+
         nothing = providers._local_constants
         providers._get_local_constants = lambda: nothing
 

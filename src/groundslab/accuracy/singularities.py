@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 
 #: Values are judged so many thicknesses away from there.
 AWAY = 1.0
-#: Shear forces are judged so many thicknesses away from a wall's faces, which is nearer than d, where they are read.
+#: Shear forces are judged so many thicknesses away from a wall's faces: in all but thin slabs nearer than d, where they
+#: are read with errors of their own.
 FROM_FACES = 0.75
 
 

@@ -20,7 +20,8 @@ from groundslab.model.loads.acting import (
     PointForce,
     SupportSettlement,
 )
-from groundslab.model.loads.clipping import get_plate_region, spread_line
+from groundslab.model.loads.clipping import get_plate_region
+from groundslab.model.loads.spreading import spread_line
 from groundslab.model.model import Model
 
 #: Points each way by which a load beside the plate acts on an elastic continuum.

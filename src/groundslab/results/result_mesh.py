@@ -16,7 +16,7 @@ from groundslab.fem.problem import Problem
 from groundslab.fem.shape_functions import determinants, gauss, q9, unique_integers
 from groundslab.geometry.plan import Place, Segment
 from groundslab.model.loads.acting import LineForce, borders_of
-from groundslab.model.loads.clipping import lines_without_width
+from groundslab.model.loads.spreading import lines_without_width
 from groundslab.model.model import Model
 from groundslab.model.remarks.singular_places import near_places, singular_places
 from groundslab.results import patch_recovery

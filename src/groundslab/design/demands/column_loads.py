@@ -22,8 +22,9 @@ from groundslab.model.loads.acting import (
     Pressure,
     SupportSettlement,
 )
-from groundslab.model.loads.clipping import LinePiece, spread_line
+from groundslab.model.loads.clipping import LinePiece
 from groundslab.model.loads.load_types import PointLoad
+from groundslab.model.loads.spreading import spread_line
 from groundslab.model.model import Model
 from groundslab.model.plates.further import first_sections
 from groundslab.results.results import CombinationResult

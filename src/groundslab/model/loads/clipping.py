@@ -30,7 +30,6 @@ from groundslab.schema.wording import quote
 from groundslab.units import together
 
 if TYPE_CHECKING:
-    from shapely import Polygon
     from shapely.geometry.base import BaseGeometry
 
 #: A part of a line shorter than this, relative to the line, is nothing but rounding.
@@ -38,8 +37,6 @@ NO_PART = 1e-9
 
 #: A load that reaches further off the plate than so many times its longer side was not meant so.
 FAR = 1e3
-#: Arcs with a width are chords that turn by this angle [rad] at most: 0.04 thousandths of the radius off on average.
-TURN = math.radians(2.0)
 #: The tangents around an arc span this angle [rad] at most.
 TANGENT = 2 * math.pi / 256
 
@@ -143,101 +140,6 @@ def _clip_line(region: PlateRegion, line: LineForce) -> list[LinePiece]:
         for edge, start in zip(line.edges, ways.tolist(), strict=False)
         for low, high in _parts_on_plate(region, edge)
     ]
-
-
-def spread_line(
-    plate: Plate, line: LineForce, plates: tuple[FurtherPlate, ...] = ()
-) -> tuple[list[LinePiece], list[tuple[Polygon, Pressure]]]:
-    """Return the parts of a line force that lie on a plate, and those that have a width as pressures on areas.
-
-    A pressure is linear across the width, with the force and the couple of the line. A part whose width does not lie on
-    the plate entirely acts along its axis: of a force nothing is cut off.
-    """
-    region = get_plate_region(plate, plates)
-    pieces = _clip_line(region, line)
-    if not line.width:
-        return pieces, []
-    along: list[LinePiece] = []
-    areas: list[tuple[Polygon, Pressure]] = []
-    for piece in pieces:
-        if _has_room(region, piece.edge, line.width):
-            areas += _spread(piece, line.width)
-        else:
-            along.append(piece)
-    return along, areas
-
-
-def lines_without_width(plate: Plate, line: LineForce, plates: tuple[FurtherPlate, ...] = ()) -> list[Segment]:
-    """Return the edges along which a line force acts without being spread: section forces jump across them."""
-    return [piece.edge for piece in spread_line(plate, line, plates)[0]] if line.width else [*line.edges]
-
-
-def _has_room(region: PlateRegion, axis: Segment, width: float) -> bool:
-    """Return whether a width about an edge lies on the plate, and within the radius of an arc."""
-    from shapely import LineString
-
-    if not axis.straight and axis.radius <= width / 2:
-        return False
-    faces = [parallel(axis, side * width / 2) for side in (-1.0, 1.0)]
-    return all(region.grown.covers(LineString(_enclosing_line(face))) for face in faces)
-
-
-def parallel(edge: Segment, distance: float) -> Segment:
-    """Return the edge at a distance to the left of another one, to the right if that is negative [m]."""
-    ends = np.array([0.0, 1.0])
-    start, end = map(tuple, (edge.at(ends) + distance * edge.left(ends)).tolist())
-    radius = 0.0 if edge.straight else edge.radius - math.copysign(distance, distance * edge.sweep)
-    return replace(edge, start=start, end=end, radius=radius)
-
-
-def _spread(piece: LinePiece, width: float) -> Iterator[tuple[Polygon, Pressure]]:
-    """Yield areas with pressures that together make a piece of a line: one, of arcs that vary one for each chord."""
-    edge = piece.edge
-    if edge.straight:
-        yield _band(edge, np.array([0.0, 1.0]), width), _pressure_across(edge, piece.q, piece.m, width)
-        return
-    parts = np.linspace(0, 1, max(2, math.ceil(abs(edge.sweep) / TURN)) + 1)
-    if piece.q[0] == piece.q[1] and not any(piece.m):
-        area = _band(edge, parts, width)
-        yield area, Pressure(piece.force / area.area)
-        return
-    curvature = math.copysign(1 / edge.radius, edge.sweep)
-    for low, high in itertools.pairwise(parts.tolist()):
-        start, end = map(tuple, edge.at(np.array([low, high])).tolist())
-        chord = Segment(start, end)
-        longer = edge.length * (high - low) / chord.length
-        q, m = (
-            (longer * (ends[0] + (ends[1] - ends[0]) * low), longer * (ends[0] + (ends[1] - ends[0]) * high))
-            for ends in (piece.q, piece.m)
-        )
-        yield _band(edge, np.array([low, high]), width), _pressure_across(chord, q, m, width, curvature)
-
-
-def _band(edge: Segment, parts: Array, width: float) -> Polygon:
-    """Return the area of a width about an edge, by the places after parts (p,) of it."""
-    from shapely import Polygon
-
-    axis, across = edge.at(parts), width / 2 * edge.left(parts)
-    return Polygon(np.vstack([axis + across, (axis - across)[::-1]]))
-
-
-def _pressure_across(
-    edge: Segment, q: tuple[float, float], m: tuple[float, float], width: float, curvature: float = 0.0
-) -> Pressure:
-    """Return the pressure about a straight edge with its force per length q and its couple per length m.
-
-    At n to the left of it p = a + b n, with q and m the sums of p and p n over the width. About the chord of an arc,
-    which is longer at its outer side, these count 1 - curvature n times.
-    """
-    (dx, dy) = ((edge.end[k] - edge.start[k]) / edge.length for k in (0, 1))
-    nx, ny = -dy, dx
-    span = width * (1 - (curvature * width) ** 2 / 12)
-    mean = [(force + curvature * couple) / span for force, couple in zip(q, m, strict=True)]
-    tilt = [12 * couple / width**3 + curvature * a for couple, a in zip(m, mean, strict=True)]
-    growth, bend = ((ends[1] - ends[0]) / edge.length for ends in (mean, tilt))
-    slope = (growth * dx + tilt[0] * nx, growth * dy + tilt[0] * ny)
-    second = (2 * bend * dx * nx, bend * (dx * ny + dy * nx), 2 * bend * dy * ny)
-    return Pressure(mean[0], slope, second, edge.start)
 
 
 @dataclass(frozen=True, slots=True)
@@ -348,7 +250,7 @@ def _parts_on_plate(region: PlateRegion, edge: Segment) -> list[tuple[float, flo
     """Return the parts of an edge, from 0 to 1, that lie on the plate."""
     from shapely import LineString, Point
 
-    if region.grown.covers(LineString(_enclosing_line(edge))):
+    if region.grown.covers(LineString(enclosing_line(edge))):
         return [(0.0, 1.0)]
     cuts = {0.0, 1.0}
     for side in (region.edges.edges[k] for k in region.edges.find_near(edge, 0.0)):
@@ -363,7 +265,7 @@ def _parts_on_plate(region: PlateRegion, edge: Segment) -> list[tuple[float, flo
     return parts
 
 
-def _enclosing_line(edge: Segment) -> Array:
+def enclosing_line(edge: Segment) -> Array:
     """Return the corners (p, 2) of lines that an edge does not leave to the outside: tangents of an arc."""
     if edge.straight:
         return np.array([edge.start, edge.end])
