@@ -80,6 +80,10 @@ from .model.settings import Refinement as Refinement
 from .model.shapes import Circle as Circle
 from .model.shapes import Polygon as Polygon
 from .model.shapes import Rectangle as Rectangle
+from .model.structure.beams import Beam as Beam
+from .model.structure.beams import GivenSection as GivenSection
+from .model.structure.beams import RectangularSection as RectangularSection
+from .model.structure.beams import RibSection as RibSection
 from .model.structure.columns import Column as Column
 from .model.structure.walls import Wall as Wall
 from .model.supports import LineSupport as LineSupport

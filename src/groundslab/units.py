@@ -60,6 +60,10 @@ DIMENSIONS: dict[str, Dimension] = {
     ),
     "share": Dimension("a share", "5 %", "%", (0, 0, 0, 0), ((0.01, "%"),), 1e-6, 1.0),
     "area per length": Dimension("an area per length", "5 cm^2/m", "m^2/m", (1, 0, 0, 0), ((1e-4, "cm^2/m"),)),
+    "area": Dimension("an area", "60 cm^2", "m^2", (2, 0, 0, 0), ((1e-4, "cm^2"), (1.0, "m^2")), 1e-9),
+    "second moment of area": Dimension(
+        "a second moment of area", "8000 cm^4", "m^4", (4, 0, 0, 0), ((1e-8, "cm^4"), (1.0, "m^4")), 1e-14
+    ),
     "slope": Dimension("a slope", "2 mm/m", "m/m", (0, 0, 0, 0), ((1e-3, "mm/m"), (1.0, "m/m"))),
     "temperature difference": Dimension(
         "a temperature difference", "15 K", "K", (0, 0, 0, 1), ((1.0, "K"),), largest=1e6

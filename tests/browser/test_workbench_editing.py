@@ -198,6 +198,19 @@ def test_walls_are_drawn_and_loads_stand_along_them(server: Server, bench: Bench
     bench.page.wait_for_selector('.symbol.load[data-path*="loads"] path.wall', state="attached")
 
 
+def test_beams_are_drawn_as_the_one_before(server: Server, bench: Bench, case: Path) -> None:
+    """The first beam has a usual section, a further one that of the last."""
+    bench.open(server.start(case))
+    bench.tool("beam")
+    bench.drag((-2.0, -1.0), (1.0, -1.0))
+    bench.until(lambda: "beams" in _data(bench))
+    (beam,) = _data(bench)["beams"]
+    assert beam["name"] == "B1"
+    assert beam["points"] == [["-2 m", "-1 m"], ["1 m", "-1 m"]]
+    assert beam["section"] == {"kind": "rectangle", "width": "400 mm", "height": "800 mm"}
+    bench.page.wait_for_selector(".symbol.beam", state="attached")
+
+
 def test_plates_are_drawn_and_joined(server: Server, bench: Bench, case: Path) -> None:
     """A further plate beside the slab is drawn and joined to it; a circle is drawn where the mesh is finer."""
     # without it nothing would press the further plate down

@@ -1,14 +1,14 @@
-"""The largest discretization error of the values that are judged: extremes of the fields, and what supports carry.
+"""The largest discretization error of the values that are judged: extremes of fields and beams, forces of supports.
 
 Errors are judged against what governs: the largest displacement, principal moment, shear force, pressure and support
-force of the slab over all combinations. Of what is nothing beside these nothing is asked. Where moments and shear
-forces have no limit as the mesh is refined, their means are judged (`singular_places`); where other values have none,
-they are not (`singularities`).
+force of the slab, moment and shear force of beams, over all combinations. Of what is nothing beside these nothing is
+asked. Where moments and shear forces have no limit as the mesh is refined, their means are judged (`singular_places`);
+where other values have none, they are not (`singularities`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from functools import partial
 from typing import TYPE_CHECKING
@@ -18,7 +18,7 @@ import numpy as np
 from groundslab.accuracy.values import add_errors, error_of_contact_share, estimate_error, line_of_lift_off
 from groundslab.arrays import Array, Flags, Memo
 from groundslab.results.fields import PLATE_FIELDS, extreme_node, place_of
-from groundslab.results.record import LargestValues
+from groundslab.results.record import BeamResult, LargestValues
 
 if TYPE_CHECKING:
     from groundslab.results.results import CombinationResult
@@ -95,7 +95,15 @@ def _largest_of(results: CombinationResult) -> LargestValues:
         shear=float(shear[limits.shear_forces].max(initial=0.0)),
         pressure=float(np.abs(plate.pressure[limits.pressures]).max(initial=0.0)),
         support=max((abs(support.total) for support in results.supports), default=0.0),
+        beam_moment=max((float(np.abs(beam.moment).max()) for beam in results.beams), default=0.0),
+        beam_shear=max((_shear_of(beam, results) for beam in results.beams), default=0.0),
     )
+
+
+def _shear_of(beam: BeamResult, results: CombinationResult) -> float:
+    """Return the largest shear force of a beam [N] a plate's thickness away from its ends."""
+    away = max(plate.thickness for plate in results.model.every_plate)
+    return float(np.abs(beam.shear[beam.away_from_ends(away)]).max(initial=0.0))
 
 
 def judged_values(results: CombinationResult) -> Iterator[tuple[str, JudgedValue]]:
@@ -122,6 +130,28 @@ def judged_values(results: CombinationResult) -> Iterator[tuple[str, JudgedValue
             error = estimate_error(support.total, coarser.supports[number].total, comparison)
         middle = place_of(support.nodes.mean(axis=0)[None], 0) if len(support.nodes) else None
         yield "support", JudgedValue(error, support.total, "force of supports", middle)
+    yield from _of_beams(results, coarser)
+
+
+def _of_beams(results: CombinationResult, coarser: CombinationResult | None) -> Iterator[tuple[str, JudgedValue]]:
+    """Yield the judged values of beams, as `judged_values`: extreme moments, and the largest shear force.
+
+    coarser are the results on the coarser mesh, if there is one.
+    """
+    figures: dict[str, tuple[int, Callable[[BeamResult], float]]] = {
+        "moment of beams": (1, lambda beam: float(beam.moment.max())),
+        "least moment of beams": (-1, lambda beam: float(beam.moment.min())),
+        "shear force of beams": (1, partial(_shear_of, results=results)),
+    }
+    for number, beam in enumerate(results.beams):
+        middle = place_of(beam.nodes[len(beam.nodes) // 2][None], 0)
+        for label, (sign, figure) in figures.items():
+            value = figure(beam)
+            error = USUAL * abs(value)
+            if coarser is not None and results.comparison is not None:
+                error = estimate_error(value, figure(coarser.beams[number]), results.comparison)
+            against = "beam_shear" if label.startswith("shear") else "beam_moment"
+            yield against, JudgedValue(error, value, label, middle, sign=sign)
 
 
 def _extreme(

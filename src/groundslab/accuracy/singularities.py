@@ -46,9 +46,9 @@ def find_limits(model: Model, plate: PlateResult) -> Limits:
     beyond them, have no meaning in design, where punching is checked instead. Nor have those within a thickness of the
     plate's edges, a quarter of the width of a narrow plate, where they are what the twisting moment has become.
     Pressures on ground without shear follow the settlement; with shear they have no limit where section forces have
-    none, and jump where loads, lines, zones and voids begin, and around where the plate has lifted off. There they are
-    zero, but may not be so on a coarser mesh. So they do along edges at which the ground would pull: a strip lifts off
-    there, narrower than any element.
+    none, and jump at beams and where loads, lines, zones and voids begin, and around where the plate has lifted off.
+    There they are zero, but may not be so on a coarser mesh. So they do along edges at which the ground would pull: a
+    strip lifts off there, narrower than any element.
     On an elastic continuum they have no limit along the edges of the plate.
     """
     limits = _WITHOUT_CONTACT.get(plate.nodes, model, lambda: limits_without_contact(model, plate.nodes))
@@ -101,8 +101,8 @@ def _creases(model: Model) -> Iterator[Segment]:
     """Yield the lines along which the pressure of ground with shear jumps or has no limit."""
     for _, shape in model.acting:
         yield from borders_of(shape)
-    for support in model.supports:
-        yield from support.edges
+    for line in (*model.supports, *model.beams):
+        yield from line.edges
     zones = [zone for plate in model.every_plate for zone in plate.zones]
     soil, voids = model.soil_zones, model.contact.voids
     # under the edges of a plate the pressure of an elastic continuum has no limit

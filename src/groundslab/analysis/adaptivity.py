@@ -13,7 +13,7 @@ from groundslab.accuracy.governing import find_governing
 from groundslab.accuracy.judgment import AGAINST, CONTACT, JudgedValue, judge, judge_together
 from groundslab.accuracy.values import OF_THE_WHOLE
 from groundslab.arrays import Array
-from groundslab.discretize.local_sizes import local_sizes
+from groundslab.discretize.plan.local_sizes import local_sizes
 from groundslab.discretize.plan_layout import Meshes, has_coarser
 from groundslab.discretize.symmetry import symmetries
 from groundslab.fem.mesh import Mesh

@@ -14,10 +14,10 @@ from groundslab.geometry.plan import Place
 from groundslab.model.combinations import as_solved
 from groundslab.model.model import Model
 from groundslab.results.mesh_results import GroundResult, PlateResult
-from groundslab.results.record import JointResult, SupportResult
+from groundslab.results.record import BeamResult, JointResult, SupportResult
 from groundslab.results.results import CombinationResult, Comparison, Increment, Results
 
-WithNodes = TypeVar("WithNodes", PlateResult, GroundResult, SupportResult, JointResult)
+WithNodes = TypeVar("WithNodes", PlateResult, GroundResult, SupportResult, JointResult, BeamResult)
 State = TypeVar("State", CombinationResult, Comparison, Increment)
 
 
@@ -57,6 +57,7 @@ def _move_combination(results: CombinationResult, models: tuple[Model, Model], b
         solved_model=models[1],
         supports=_move_each(results.supports, by),
         joints=_move_each(results.joints, by),
+        beams=_move_each(results.beams, by),
         increments=tuple(_move_state(each, by) for each in results.increments),
         comparison=comparison and _move_comparison(comparison, by),
     )
@@ -64,8 +65,12 @@ def _move_combination(results: CombinationResult, models: tuple[Model, Model], b
 
 def _move_comparison(other: Comparison, by: Place) -> Comparison:
     """Return what the coarser mesh gave, moved."""
-    supports, joints = _move_each(other.supports, by), _move_each(other.joints, by)
-    return replace(_move_state(other, by), supports=supports, joints=joints)
+    return replace(
+        _move_state(other, by),
+        supports=_move_each(other.supports, by),
+        joints=_move_each(other.joints, by),
+        beams=_move_each(other.beams, by),
+    )
 
 
 def _move_state(state: State, by: Place) -> State:
@@ -78,12 +83,12 @@ _NODES: Memo[Array] = Memo()
 
 
 def _move_nodes(part: WithNodes, by: Place) -> WithNodes:
-    """Return the plate, the ground, a support or a joint, moved."""
+    """Return the plate, the ground, a support, a joint or a beam, moved."""
     return replace(part, nodes=_NODES.get(part.nodes, by, lambda: part.nodes + by))
 
 
 def _move_each(parts: tuple[WithNodes, ...], by: Place) -> tuple[WithNodes, ...]:
-    """Return supports or joints, moved."""
+    """Return supports, joints or beams, moved."""
     return tuple(_move_nodes(part, by) for part in parts)
 
 

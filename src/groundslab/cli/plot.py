@@ -31,7 +31,8 @@ def describe(plot: argparse.ArgumentParser) -> None:
     plot.add_argument(
         "--kind",
         metavar="KIND",
-        help="plan, deformed (the plate in space), lines (values along section lines), mesh (the elements), soil "
+        help="plan, deformed (the plate in space), lines (values along section lines), beams (their moments and "
+        "shear forces), mesh (the elements), soil "
         "(layers, moduli, mode), stress (in the depth of a continuum, along section lines) or convergence (default: "
         "plan; lines if --line is given)",
     )
@@ -46,7 +47,7 @@ def describe(plot: argparse.ArgumentParser) -> None:
         "--envelope",
         metavar="STATE",
         help="draw the largest and smallest values over the combinations of a limit state, such as ultimate or "
-        "quasi-permanent; for plan and lines",
+        "quasi-permanent; for plan, lines and beams",
     )
     plot.add_argument(
         "--line",

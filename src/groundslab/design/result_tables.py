@@ -10,6 +10,7 @@ from groundslab.design.checks import check_design
 from groundslab.design.checks_table import checks_table
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.tables import errors
+from groundslab.design.tables.beams import beam_table
 from groundslab.design.tables.columns import column_envelope, column_table
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
 from groundslab.design.tables.locations import lines, points, soil, strips
@@ -28,9 +29,9 @@ __all__ = ["Column", "Table", "fields_of_envelope", "table_makers", "tables_of"]
 def tables_of(combined: Results) -> tuple[Table, ...]:
     """Return the tables of results: combinations, extremes, envelopes and tilt, and those that the model asks for.
 
-    Load cases have a table of what acts where. Points, section lines, design strips, supports, joints, walls, columns,
-    piles that punch the plate, reinforcement and laid bars have a table each if the model names any, and so have
-    checks; on a continuum, the soil below the points too. Discretization errors stand in columns at the right.
+    Load cases have a table of what acts where. Points, section lines, design strips, supports, joints, walls, beams,
+    columns, piles that punch the plate, reinforcement and laid bars have a table each if the model names any, and so
+    have checks; on a continuum, the soil below the points too. Discretization errors stand in columns at the right.
     docs/results.md explains every column.
 
     Parameters
@@ -91,6 +92,7 @@ def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
         "supports": (model.supports, support_table),
         "joints": (model.joints, joint_table),
         "walls": (model.walls, wall_table),
+        "beams": (model.beams, beam_table),
     }
     makers |= {name: partial(errors.with_errors, make, combined) for name, (asked, make) in wanted.items() if asked}
     if model.columns:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
+from groundslab.discretize.beams import beams_on
 from groundslab.discretize.constraints import (
     JointLine,
     concatenate,
@@ -77,6 +78,7 @@ def discretize(
         contact=_contact(model, gap, below, bearing),
         shear_at_edges=carries_shear(ground),
         links=make_links(model, plan, lines, surfaces, fields, carries_shear(ground)),
+        beams=beams_on(model, plan, materials(model)),
         edges=edges,
         corners=corners,
         mesh_plan=plan.mesh_plan,

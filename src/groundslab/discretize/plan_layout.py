@@ -9,9 +9,9 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.discretize.borders import add_borders, on_lines
-from groundslab.discretize.graded_lines import distances_beyond_edge, towards_edges
-from groundslab.discretize.load_borders import follow_loads
+from groundslab.discretize.plan.borders import add_borders, on_lines
+from groundslab.discretize.plan.graded_lines import distances_beyond_edge, towards_edges
+from groundslab.discretize.plan.load_borders import follow_loads
 from groundslab.discretize.symmetry import symmetries
 from groundslab.fem.foundation import Column, decay_length, edge_decay
 from groundslab.fem.hanging import connect
@@ -35,6 +35,7 @@ from groundslab.model.loads.beside import distances_beyond
 from groundslab.model.model import Model
 from groundslab.model.plates.further import first_sections
 from groundslab.model.settings import SIDES, Side
+from groundslab.model.structure.beams import curved_beams
 from groundslab.model.supports import plan_of_plate
 
 #: A mesh is made coarser for the nested iteration while its plate keeps at least this many elements each way.
@@ -372,10 +373,13 @@ def plan_of(model: Model, symmetry: tuple[bool, bool], width: float) -> Plan:
     def meshed(x0: float, x1: float, y0: float, y1: float) -> Ring:
         return rectangle(max(x0, low[0]), x1, max(y0, low[1]), y1)
 
-    plan = plan_of_plate(model.plate, model.supports, meshed(*_reach(model, width)) if width else None, model.plates)
+    beyond = meshed(*_reach(model, width)) if width else None
+    lines = tuple(beam.line for beam in model.beams if beam.line)
+    plan = plan_of_plate(model.plate, model.supports, beyond, model.plates, lines)
     if any(symmetry):
         plan = replace(plan, outline=meshed(*model.plate.bounds))
-    plan = add_borders(plan, model.void_rings + model.zone_rings)
+    curved = curved_beams(model.beams, model.every_plate)
+    plan = add_borders(plan, (*curved, *model.void_rings, *model.zone_rings))
     plan = replace(plan, origin=model.origin)
     return follow_loads(plan, model) if model.mesh.adaptive else plan
 

@@ -19,6 +19,7 @@ from groundslab.fem.continuum.elastic_ground import ElasticGround
 from groundslab.fem.foundation import Column
 from groundslab.fem.hanging import find_hanging
 from groundslab.fem.mesh import Mesh
+from groundslab.fem.parts.beams import Beams
 from groundslab.fem.parts.contact import ContactConditions
 from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.fem.parts.plates import Plates
@@ -72,6 +73,7 @@ class Problem:
     contact: ContactConditions  # between plate and ground, and at supports
     shear_at_edges: bool  # whether the ground carries shear, so that a line force acts along them, too
     links: Links  # across joints between plates
+    beams: Beams  # along sides of the plates' elements
     edges: Integers  # (e, 3): end, end and middle node of each outer side on which infinite ground follows
     corners: Integers  # (c,): nodes at which two such edges meet
     mesh_plan: MeshPlan

@@ -11,11 +11,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Indices, Integers, Memo
-from groundslab.fem import assembly, plate
-from groundslab.fem.assembly import Pattern, find_congruent
+from groundslab.fem import assembly
+from groundslab.fem.assembly import Pattern
 from groundslab.fem.bearings import Bearings
-from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column, EdgeDecay, edge_decay, mass_and_slope
+from groundslab.fem.element_blocks import Blocks, blocks
+from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column, EdgeDecay, edge_decay
 from groundslab.fem.hanging import carry, connect
+from groundslab.fem.parts import beams
 from groundslab.fem.problem import TOP, Problem, W
 from groundslab.fem.sparse.symmetric import Symmetric
 from groundslab.fem.vlasov import Soil
@@ -51,96 +53,21 @@ def on_plate_edge(problem: Problem) -> Flags:
 
 
 @dataclass(frozen=True, slots=True)
-class Blocks:
-    """Element matrices of the different kinds of elements, and the kind of each one.
-
-    Elements that are alike share one matrix: of the same shape, rigidity or none, voids and hanging nodes. Of the
-    ground, int N N and int grad N grad N are kept, to be scaled by the column. All are between the element's own nodes;
-    T makes w at these from the nodes that have one, and P values of all fields from those of the nodes that move it.
-    """
-
-    kind: Integers  # (m,)
-    plate: Array  # (u, 27, 27), zero beside the plate
-    mass: Array  # (u, 9, 9)
-    slope: Array  # (u, 9, 9)
-    T: Array  # (u, 9, 9)
-    P: Array  # (u, 9, 9): see `hanging.connect`
-
-    def of(self, kinds: Integers) -> Blocks:
-        """Return the blocks of some kinds (k,), renumbered."""
-        return Blocks(
-            np.arange(len(kinds)), *(each[kinds] for each in (self.plate, self.mass, self.slope, self.T, self.P))
-        )
-
-    def between_unknowns(self, fields: int) -> Array:
-        """Return the plate's matrices between unknowns of nodes, (u, 9, 9, F, F)."""
-        K = np.zeros((len(self.plate), 9, 9, fields, fields))
-        by_field = self.plate.reshape(-1, TOP, 9, TOP, 9)
-        hangs = self.hangs
-        if hangs.any():
-            P, by_field = self.P[hangs], by_field.copy()
-            by_field[hangs] = np.einsum("eba,eibjc,ecd->eiajd", P, by_field[hangs], P, optimize=True)
-        K[..., :TOP, :TOP] = by_field.transpose(0, 2, 4, 1, 3)
-        return K
-
-    @property
-    def hangs(self) -> Flags:
-        """Return which kinds have a node that hangs, (u,)."""
-        return np.asarray((np.diagonal(self.P, axis1=1, axis2=2) < 1).any(axis=1))
-
-    def ground(self, plate_rows: bool, plate_columns: bool) -> tuple[Array, Array]:
-        """Return mass and slope (u, 9, 9) between fields, rows and columns being w of the plate or of the ground."""
-        mass, slope, hang = self.mass, self.slope, bool(self.hangs.any())
-        if plate_rows or hang:
-            R = self.T @ self.P if plate_rows else self.P
-            mass, slope = np.swapaxes(R, 1, 2) @ mass, np.swapaxes(R, 1, 2) @ slope
-        if plate_columns or hang:
-            C = self.T @ self.P if plate_columns else self.P
-            mass, slope = mass @ C, slope @ C
-        return mass, slope
-
-
-def blocks(problem: Problem) -> Blocks:
-    """Return the element matrices of a problem, each computed once for all elements of its kind."""
-    xy = problem.mesh.xy
-    sheet = problem.plate
-    depths = problem.contact.depths
-    sections = len(sheet.bending)
-    masses = depths.mass_kinds
-    shapes, shape = find_congruent(xy)
-    _, hanging, P, halves = connect(problem.mesh.elements)
-    section = np.full(len(xy), sections)  # none
-    section[sheet.elements] = sheet.rigidity
-    all_kinds = ((shape * (sections + 1) + section) * len(masses) + depths.mass_kind) * len(P) + hanging
-    kinds, kind = np.unique(all_kinds, return_inverse=True)
-    kinds, P, halves = kinds // len(P), P[kinds % len(P)], halves[kinds % len(P)]
-    kinds, masses = kinds // len(masses), masses[kinds % len(masses)]
-    xy, section = xy[shapes[kinds // (sections + 1)]], kinds % (sections + 1)
-    under = np.flatnonzero(section < sections)
-    K, T = np.zeros((len(kinds), 27, 27)), np.tile(np.eye(9), (len(kinds), 1, 1))
-    section = section[under]
-    T[under] = sheet.element.w_functions(xy[under])
-    rigidities = sheet.bending[section], sheet.shear[section]
-    K[under] = plate.stiffness(sheet.element, xy[under], *rigidities, T[under], halves[under])
-    mass, slope = mass_and_slope(xy)
-    on_diagonal = masses[:, 1:] * mass.sum(axis=2)
-    return Blocks(kind, K, masses[:, :1, None] * mass + on_diagonal[:, :, None] * np.eye(9), slope, T, P)
-
-
-@dataclass(frozen=True, slots=True)
 class System:
     """A problem with its pattern and its element matrices; both hold for every column of ground."""
 
     problem: Problem
     pattern: Pattern
     blocks: Blocks
+    beams: Array  # (b, 3, 3, 3, 3): stiffness of the pieces of beams, see `parts.beams`
 
 
 def build_system(problem: Problem, like: System | None = None) -> System:
     """Return the system of a problem; what is the same in a similar system on the same mesh is reused."""
     mesh, unknown, linked = problem.mesh, problem.unknown, problem.links.nodes
+    along_beams = beams.stiffness(mesh.nodes[problem.beams.sides], problem.beams.rigidity)
     if like is None or like.problem.mesh is not mesh:
-        return System(problem, _pattern(problem), blocks(problem))
+        return System(problem, _pattern(problem), blocks(problem), along_beams)
     known = like.problem
     depths, known_depths = problem.contact.depths, known.contact.depths
     sheet, known_sheet = problem.plate, known.plate
@@ -156,7 +83,7 @@ def build_system(problem: Problem, like: System | None = None) -> System:
         )
     )
     pattern = like.pattern if same_unknowns else _pattern(problem)
-    return System(problem, pattern, like.blocks if same_plate else blocks(problem))
+    return System(problem, pattern, like.blocks if same_plate else blocks(problem), along_beams)
 
 
 def _pattern(problem: Problem) -> Pattern:
@@ -292,19 +219,42 @@ def edge_decays(problem: Problem, column: Column) -> tuple[EdgeDecay, EdgeDecay]
 
 
 def _further_blocks(s: System, column: Column) -> tuple[Integers, Array]:
-    """Return what no element adds, tails and links: which node pairs (t,), ascending, and their blocks (t, F, F)."""
+    """Return what no element adds: which node pairs (t,), ascending, and their blocks (t, F, F)."""
+    parts = [_tail_blocks(s, column)]
+    if len(s.problem.links.joint):
+        parts.append(_link_blocks(s, column))
+    if len(s.beams):
+        parts.append(_beam_blocks(s))
+    if len(parts) == 1:
+        return parts[0]
+    pairs, which = np.unique(np.concatenate([own for own, _ in parts]), return_inverse=True)
+    total = np.zeros((len(pairs), *parts[0][1].shape[1:]))
+    np.add.at(total, which, np.concatenate([blocks for _, blocks in parts]))
+    return pairs, total
+
+
+def _link_blocks(s: System, column: Column) -> tuple[Integers, Array]:
+    """Return the node pairs (t,) of links and their blocks (t, F, F)."""
     links = s.problem.links
-    pairs, blocks = _tail_blocks(s, column)
-    if not len(links.joint):
-        return pairs, blocks
     first, second = links.nodes.T
     both = links.fields[:, :, None] & links.fields[:, None, :]
     own = link_stiffness(s, column)[:, None, None] * both
-    of_links = (s.pattern.pairs(a, b) for a, b in ((first, first), (second, second), (first, second)))
-    numbers, which = np.unique(np.concatenate([pairs, *of_links]), return_inverse=True)
-    total = np.zeros((len(numbers), *blocks.shape[1:]))
-    np.add.at(total, which, np.concatenate([blocks, own, own, -own]))
-    return numbers, total
+    pairs = [s.pattern.pairs(a, b) for a, b in ((first, first), (second, second), (first, second))]
+    return np.concatenate(pairs), np.concatenate([own, own, -own])
+
+
+def _beam_blocks(s: System) -> tuple[Integers, Array]:
+    """Return the node pairs (t,) of beams and their blocks (t, F, F), rows being of the node eliminated first."""
+    sides, rank, F = s.problem.beams.sides, s.pattern.rank, s.pattern.unknown.shape[1]
+    pairs, found = [], []
+    for a, c in itertools.combinations_with_replacement(range(3), 2):
+        one, other = sides[:, a], sides[:, c]
+        own = np.zeros((len(sides), F, F))
+        turned = (rank[one] > rank[other])[:, None, None]
+        own[:, :TOP, :TOP] = np.where(turned, s.beams[:, c, a], s.beams[:, a, c])
+        pairs.append(s.pattern.pairs(one, other))
+        found.append(own)
+    return np.concatenate(pairs), np.concatenate(found)
 
 
 def link_stiffness(s: System, column: Column) -> Array:

@@ -30,6 +30,7 @@ from groundslab.model.plates.joints import Joint, check_joints
 from groundslab.model.serviceability.cracking import Cracking, check_cracking
 from groundslab.model.serviceability.long_term import LongTerm, scale_stiffnesses
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
+from groundslab.model.structure.beams import Beam, check_beams
 from groundslab.model.structure.columns import Column
 from groundslab.model.structure.walls import Wall
 from groundslab.model.supports import Support, check_piles
@@ -70,6 +71,7 @@ class Model(Section):
         check_positions,
         consistency.check_supports,
         check_piles,
+        check_beams,
         consistency.check_settlement_loads,
         varying_ground.check_soil_zone_types,
         varying_ground.check_soil_zone_extent,
@@ -105,6 +107,7 @@ class Model(Section):
     walls: Annotated[
         tuple[Wall, ...], Table("walls on the plate, which loads name; shear is checked from their faces on", 10_000)
     ] = ()
+    beams: Annotated[tuple[Beam, ...], Table("beams and ribs cast with the plate, which stiffen it", 1000)] = ()
     cases: Annotated[
         tuple[LoadCase, ...], Table("load cases; without any, all loads act together, without factors")
     ] = ()
@@ -167,8 +170,8 @@ class Model(Section):
 
     @property
     def plain(self) -> bool:
-        """Return whether the plate is a plain rectangle without supports that the mesh has to follow."""
-        return self.plate.plain and not self.supports and not self.plates
+        """Return whether the plate is a plain rectangle without supports and beams that the mesh has to follow."""
+        return self.plate.plain and not (self.supports or self.beams or self.plates)
 
     @property
     def every_plate(self) -> tuple[AnyPlate, ...]:

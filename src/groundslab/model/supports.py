@@ -241,8 +241,12 @@ def plan_of_plate(
     supports: tuple[AnySupport, ...],
     beyond: Ring | None = None,
     plates: tuple[FurtherPlate, ...] = (),
+    lines: tuple[tuple[tuple[float, float], ...], ...] = (),
 ) -> Plan:
-    """Return the plan of a plate, and of further ones, with supports; sections are numbered as by `first_sections`."""
+    """Return the plan of a plate, and of further ones, with supports and further lines that the mesh is to follow.
+
+    Sections are numbered as by `first_sections`.
+    """
     every = list_plates(plate, plates)
     starts = first_sections(every)
     return Plan(
@@ -255,7 +259,7 @@ def plan_of_plate(
         ),
         beyond,
         tuple(support.points[0] for support in supports if not support.edges),
-        tuple(support.points for support in supports if support.edges),
+        (*(support.points for support in supports if support.edges), *lines),
         others=tuple((slab.ring(), start) for slab, start in zip(plates, starts[1:], strict=True)),
     )
 

@@ -1,12 +1,14 @@
-"""What an analysis records besides the fields: what supports and joints carry, constants, steps, the certificate."""
+"""What an analysis records besides the fields: supports, joints, beams, constants, steps, the certificate."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Literal
 
+import numpy as np
+
 if TYPE_CHECKING:
-    from groundslab.arrays import Array
+    from groundslab.arrays import Array, Flags
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,6 +61,8 @@ class LargestValues:
         The largest contact pressure [Pa], where pressures are judged.
     support : float
         The largest force of a support [N].
+    beam_moment, beam_shear : float
+        The largest bending moment [N m], and the largest shear force [N], of a beam.
     """
 
     displacement: float
@@ -66,6 +70,8 @@ class LargestValues:
     shear: float
     pressure: float
     support: float
+    beam_moment: float = 0.0
+    beam_shear: float = 0.0
 
     @property
     def share(self) -> float:
@@ -101,6 +107,44 @@ class JointResult:
     def total(self) -> float:
         """The sum of the forces [N], positive if they press the second plate down."""
         return float(self.force.sum())
+
+
+@dataclass(frozen=True, slots=True)
+class BeamResult:
+    """A beam: its section forces at k places along it, from its start to its end; twice at places where they jump.
+
+    Attributes
+    ----------
+    name : str
+        Name of the beam.
+    nodes : (k, 2) array of float
+        Coordinates of the places [m].
+    way : (k,) array of float
+        Where they lie along the beam, from its start [m].
+    settlement : (k,) array of float
+        Settlement of beam and plate there [m].
+    moment : (k,) array of float
+        Bending moment M [N m], positive where the beam sags; that of a rib includes the couple of the axial forces in
+        rib and flange.
+    shear : (k,) array of float
+        Shear force V [N]: dM/ds where the plate does not bend the beam.
+    torsion : (k,) array of float
+        Torsional moment T [N m]: -G J times the twist, which is positive if what lies to the left turns down along it.
+    """
+
+    name: str
+    nodes: Array
+    way: Array
+    settlement: Array
+    moment: Array
+    shear: Array
+    torsion: Array
+
+    def away_from_ends(self, distance: float) -> Flags:
+        """Return which places (k,) lie at least so far [m] from its ends, a quarter of the length of a short one."""
+        length = self.way[-1]
+        away: Flags = np.minimum(self.way, length - self.way) >= min(distance, length / 4)
+        return away
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,6 +17,7 @@ from groundslab.fem.system import plate_settlement, surface_settlement
 from groundslab.fem.vlasov import Soil
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
+from groundslab.results.balance.beam_forces import beam_results
 from groundslab.results.balance.forces import resistance
 from groundslab.results.contact_fields import contact_fields
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
@@ -83,6 +84,7 @@ def recover(
         factors=combination.factors if model.cases else (),
         supports=support_results(model, solution),
         joints=joint_results(model, solution),
+        beams=beam_results(model, solution),
         increments=recovered.increments,
         comparison=recovered.comparison,
     )

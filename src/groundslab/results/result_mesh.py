@@ -255,12 +255,12 @@ def _disc_points(centres: Array, radius: Array, singular: Sequence[Place]) -> tu
 
 
 def _lines_of_jumps(model: Model) -> Iterator[Segment]:
-    """Yield the lines across which section forces jump: those that carry forces or couples, and line supports."""
+    """Yield the lines across which section forces jump: those of forces and couples, of line supports and beams."""
     for _, shape in model.acting:
         if isinstance(shape, LineForce):
             yield from lines_without_width(model.plate, shape, model.plates)
-    for support in model.supports:
-        yield from support.edges
+    for each in (*model.supports, *model.beams):
+        yield from each.edges
 
 
 def _borders_of_springs(model: Model) -> Iterator[Segment]:

@@ -13,6 +13,7 @@ from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
 from groundslab.results.record import (
+    BeamResult,
     Certificate,
     Constants,
     JointResult,
@@ -93,6 +94,8 @@ class Comparison:
         That error over the one of the coarser mesh, at least a half on an elastic continuum.
     joints : tuple of JointResult
         What the joints carry, at nodes of the coarser mesh.
+    beams : tuple of BeamResult
+        The section forces of the beams, at nodes of the coarser mesh.
     moment_reduction, shear_reduction : (n,) array of float or None
         By what the parts of moments and of shear forces in that error fell in the elements that meet at each node of
         the plate.
@@ -106,6 +109,7 @@ class Comparison:
     energy_error: float
     reduction: float
     joints: tuple[JointResult, ...] = ()
+    beams: tuple[BeamResult, ...] = ()
     moment_reduction: Array | None = None
     shear_reduction: Array | None = None
 
@@ -147,6 +151,8 @@ class CombinationResult:
         What the supports carry.
     joints : tuple of JointResult
         What the joints between plates carry.
+    beams : tuple of BeamResult
+        The section forces of the beams.
     increments : tuple of Increment
         The states under smaller shares of the load, if it was applied in increments.
     comparison : Comparison or None
@@ -173,6 +179,7 @@ class CombinationResult:
     factors: tuple[tuple[str, float], ...]
     supports: tuple[SupportResult, ...]
     joints: tuple[JointResult, ...] = ()
+    beams: tuple[BeamResult, ...] = ()
     increments: tuple[Increment, ...] = ()
     comparison: Comparison | None = None
     largest: LargestValues | None = None
@@ -200,6 +207,7 @@ class CombinationResult:
             ground=other.ground,
             supports=other.supports,
             joints=other.joints,
+            beams=other.beams,
             constants=other.constants,
             increments=(),
             comparison=None,

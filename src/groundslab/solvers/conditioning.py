@@ -27,8 +27,13 @@ def stiffness_ratio(s: System, column: Column) -> float:
 
 
 def plate_stiffness(s: System) -> float:
-    """Return the largest stiffness of the plate's elements against settlements [N/m]."""
-    return float(np.abs(s.blocks.plate[:, :9, :9]).max())
+    """Return the largest stiffness of the plate's elements, or of beams, against settlements [N/m]."""
+    return float(max(np.abs(s.blocks.plate[:, :9, :9]).max(), _of_beams(s)))
+
+
+def _of_beams(s: System) -> float:
+    """Return the largest stiffness of beams against settlements [N/m]."""
+    return float(np.abs(s.beams[..., 0, 0]).max(initial=0.0))
 
 
 def require_digits(s: System, column: Column) -> None:
@@ -36,9 +41,10 @@ def require_digits(s: System, column: Column) -> None:
     ratio = stiffness_ratio(s, column)
     carried = s.problem.loading.size.any() and free_motions(s.problem).shape[1] > 0
     if ratio > TOO_RIGID and carried:
+        what, key = ("a beam", "beams.E") if _of_beams(s) * 2 > plate_stiffness(s) else ("the plate", "plate.E")
         raise IllConditioned(
-            f"the plate is {ratio:.1e} times as stiff as the ground, beyond what numbers of 16 digits can tell (about "
-            f"{TOO_RIGID:.0e}); a plate.E a thousand times smaller is as rigid"
+            f"{what} is {ratio:.1e} times as stiff as the ground, beyond what numbers of 16 digits can tell (about "
+            f"{TOO_RIGID:.0e}); a {key} a thousand times smaller is as rigid"
         )
     if not s.problem.contact.tensionless:
         return

@@ -19,10 +19,11 @@ from groundslab.fem.concrete.cracked_section import (
     orthotropic_rigidity,
     secant_stiffness,
 )
+from groundslab.fem.element_blocks import blocks
 from groundslab.fem.hanging import collect
 from groundslab.fem.problem import BETA_X, BETA_Y, Problem, plate_unknowns
 from groundslab.fem.shape_functions import gauss
-from groundslab.fem.system import System, blocks
+from groundslab.fem.system import System
 
 
 def laws(problem: Problem) -> CrackedSections:
@@ -52,7 +53,7 @@ def with_stiffness(s: System, B: Array) -> System:
         plate=replace(problem.plate, bending=D, shear=law.shear, rigidity=np.arange(len(elements)), stiffness=B),
         loading=replace(problem.loading, load=load, free_curvature=free),
     )
-    return System(own, s.pattern, blocks(own))
+    return System(own, s.pattern, blocks(own), s.beams)
 
 
 def mean_moments(problem: Problem, U: Array) -> Array:

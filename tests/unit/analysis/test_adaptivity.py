@@ -15,7 +15,7 @@ from groundslab.accuracy.singularities import find_limits
 from groundslab.analysis import adaptivity, driver, mesh_hierarchy, nested
 from groundslab.analysis.driver import Variants, analyze
 from groundslab.analysis.tasks.run import Report, Setting
-from groundslab.discretize.local_sizes import local_sizes
+from groundslab.discretize.plan.local_sizes import local_sizes
 from groundslab.discretize.plan_layout import Meshes
 from groundslab.fem.shape_functions import areas
 from groundslab.model.consistency import usual_size

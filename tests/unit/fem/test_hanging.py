@@ -10,7 +10,7 @@ import pytest
 from groundslab.analysis.driver import solve
 from groundslab.arrays import Array, Integers
 from groundslab.discretize.discretize import discretize
-from groundslab.discretize.local_sizes import local_sizes
+from groundslab.discretize.plan.local_sizes import local_sizes
 from groundslab.discretize.plan_layout import Meshes
 from groundslab.fem.hanging import carry, collect, connect, find_halves, find_hanging
 from groundslab.fem.mesh import Mesh, grid, sides_on_boundary

@@ -40,6 +40,10 @@ VALUES: dict[str, tuple[str, ...]] = {
         "settlement at the start", "settlement at the end", "least settlement", "greatest settlement", "deflection",
         "deflection over length",
     ),
+    "beams": (
+        "greatest moment", "least moment", "largest shear force", "largest torsional moment", "least settlement",
+        "greatest settlement",
+    ),
     "joints": ("force", "greatest force per length", "greatest step"),
     "columns": (
         "settlement", "settlement difference", "angular distortion", "angular distortion without tilt", *_PUNCHING,
@@ -61,7 +65,7 @@ _ALIKE = {
     "design moment": "governed by",
 }
 #: Values of the largest size, whose signs may differ between both meshes.
-_SIZES = {"largest deflection"}
+_SIZES = {"largest deflection", "largest shear force", "largest torsional moment"}
 
 
 def with_errors(make: Callable[[Results], Table], combined: Results) -> Table:

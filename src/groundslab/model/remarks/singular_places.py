@@ -51,7 +51,8 @@ def notes_on_singular_places(model: Model, mark: str = "") -> tuple[str, ...]:
 def singular_places(model: Model) -> dict[str, list[Place]]:
     """Return the places at which moments have no limit, by what is there.
 
-    Forces and supports without a footprint, the ends and bends of line loads and line supports, and corners: those that
+    Forces and supports without a footprint, the ends and bends of line loads and line supports, the ends of beams, and
+    corners: those that
     point into the plate, those of zones of other thickness or material, where the border of such a zone meets the
     plate's edge, and corners between a clamped and a free edge (Williams 1952).
     """
@@ -67,6 +68,7 @@ def singular_places(model: Model) -> dict[str, list[Place]]:
         "forces without a footprint": [*forces_without_footprint(model)],
         "point supports": [support.points[0] for support in model.supports if not support.edges],
         "ends and bends of lines": ends,
+        "ends of beams": [place for beam in model.beams for place in beam.ends],
         "corners": corners,
     }
     return {what: places for what, places in by_kind.items() if places}

@@ -5,13 +5,18 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator, Mapping
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
+
+import numpy as np
 
 from groundslab.geometry.plan import Segment, make_segments
 from groundslab.model.shapes import BULGE, AnyShape, Place, Shape
 from groundslab.schema.fields import ListOf
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.section_fields import Table
+
+if TYPE_CHECKING:
+    from shapely import LineString, Polygon
 
 #: Lines shorter than this [m] go nowhere.
 NO_LENGTH = 1e-9
@@ -58,6 +63,23 @@ def check_line_length(points: Points | None, bulges: tuple[float, ...]) -> Itera
         if math.dist(a, b) < NO_LENGTH:
             found = f"({b[0]!r}, {b[1]!r}) m twice"
             yield RelativeIssue(("points", position), found, "another place than the one before")
+
+
+def flat_line(edges: tuple[Segment, ...], chord: float) -> LineString:
+    """Return a line of straight pieces and arcs, arcs as chords at most so far off [m]."""
+    from shapely import LineString
+
+    places = [edge.at(np.arange(edge.chords(chord)) / edge.chords(chord)) for edge in edges]
+    return LineString(np.concatenate([*places, [edges[-1].end]]))
+
+
+def line_area(axis: LineString, width: float, *, closed: bool) -> Polygon:
+    """Return the area of a width [m] about an axis, its corners mitered."""
+    from shapely import LinearRing
+
+    line = LinearRing(axis.coords) if closed else axis
+    area: Polygon = line.buffer(width / 2, cap_style="flat", join_style="mitre")
+    return area
 
 
 def line_segments(points: Points | None, bulges: tuple[float, ...], shape: AnyShape | None) -> tuple[Segment, ...]:

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
-import numpy as np
-
 from groundslab.geometry.plan import Segment
 from groundslab.model.ground import POSITIVE
 from groundslab.model.shapes import AnyShape
@@ -16,6 +14,8 @@ from groundslab.model.structure.lines import (
     LineShape,
     check_line,
     check_line_length,
+    flat_line,
+    line_area,
     line_segments,
 )
 from groundslab.schema.base import Check, Section
@@ -23,8 +23,7 @@ from groundslab.schema.fields import Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 
 if TYPE_CHECKING:
-    from shapely import Polygon
-    from shapely.geometry.base import BaseGeometry
+    from shapely import LineString, Polygon
 
 
 def _check_points_or_shape(
@@ -54,21 +53,13 @@ class Wall(Section):
         """Return whether the axis ends where it starts."""
         return self.shape is not None or (self.points is not None and self.points[0] == self.points[-1])
 
-    def to_shapely(self, chord: float) -> BaseGeometry:
+    def to_shapely(self, chord: float) -> LineString:
         """Return the axis, arcs as chords at most so far off [m]."""
-        from shapely import LineString
-
-        places = [edge.at(np.arange(edge.chords(chord)) / edge.chords(chord)) for edge in self.edges]
-        return LineString(np.concatenate([*places, [self.edges[-1].end]]))
+        return flat_line(self.edges, chord)
 
     def area(self, chord: float) -> Polygon:
         """Return what the wall stands on, arcs as chords at most so far off [m]."""
-        from shapely import LinearRing
-
-        axis = self.to_shapely(chord)
-        line = LinearRing(axis.coords) if self.closed else axis
-        area: Polygon = line.buffer(self.thickness / 2, cap_style="flat", join_style="mitre")
-        return area
+        return line_area(self.to_shapely(chord), self.thickness, closed=self.closed)
 
     @property
     def length(self) -> float:

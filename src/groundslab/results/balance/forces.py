@@ -1,4 +1,4 @@
-"""Forces on nodes by what plate, ground and joints do, from the solution and element matrices alone."""
+"""Forces on nodes by what plate, beams, ground and joints do, from the solution and element matrices alone."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from groundslab.arrays import Array, Integers, Memo
 from groundslab.fem.assembly import scatter
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
 from groundslab.fem.hanging import collect
+from groundslab.fem.parts.beams import without_motion
 from groundslab.fem.problem import (
     TOP,
     Problem,
@@ -82,6 +83,16 @@ def plate_forces(s: System, U: Array) -> Array:
     n = len(problem.mesh.nodes)
     forces = np.column_stack([scatter(elements, f[:, 9 * i : 9 * i + 9], n) for i in range(3)])
     return collect(problem.mesh.elements, forces)
+
+
+def beam_forces(s: System, U: Array) -> Array:
+    """Return the forces (n, 3) that the deformation of beams puts on w, beta_x, beta_y of each node."""
+    forces = np.zeros((len(U), TOP))
+    sides = s.problem.beams.sides
+    if len(sides):
+        u = without_motion(s.problem.mesh.nodes[sides], U[sides][..., :TOP])
+        np.add.at(forces, sides, np.einsum("bacij,bcj->bai", s.beams, u))
+    return forces
 
 
 def ground_forces(s: System, U: Array, column: Column) -> Array:
@@ -173,16 +184,16 @@ _RESISTANCE: Memo[Resistance] = Memo()
 
 
 def resistance(solution: Solution) -> Resistance:
-    """Return the forces with which plate, ground and joints resist."""
+    """Return the forces with which plate, beams, ground and joints resist."""
     return _RESISTANCE.get(solution.U, solution.system, lambda: _resist(solution))
 
 
 def _resist(solution: Solution) -> Resistance:
-    """Return the forces with which plate, ground and joints resist."""
+    """Return the forces with which plate, beams, ground and joints resist."""
     s, U, column = solution.system, solution.U, solution.column
     ground = ground_forces(s, U, column) if solution.pressed is None else pressing_forces(solution)
     inner = np.zeros_like(U)
-    inner[:, :TOP] += plate_forces(s, U)
+    inner[:, :TOP] += plate_forces(s, U) + beam_forces(s, U)
     for surface in range(column.surfaces):
         for field in surface_fields(surface):
             inner[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]

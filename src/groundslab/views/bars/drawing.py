@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 
 #: Layers of a drawing, with the color of each: a number of AutoCAD's palette, whose 7 is black on white.
 LAYERS = {
-    "OUTLINE": 7, "OPENINGS": 8, "COLUMNS": 8, "WALLS": 8, "BAR_ZONES": 6, "BARS_BOTTOM_X": 5, "BARS_BOTTOM_Y": 3,
-    "BARS_TOP_X": 1, "BARS_TOP_Y": 30, "LABELS": 7, "TABLE": 7,
+    "OUTLINE": 7, "OPENINGS": 8, "COLUMNS": 8, "WALLS": 8, "BEAMS": 8, "BAR_ZONES": 6, "BARS_BOTTOM_X": 5,
+    "BARS_BOTTOM_Y": 3, "BARS_TOP_X": 1, "BARS_TOP_Y": 30, "LABELS": 7, "TABLE": 7,
 }  # fmt: skip
 #: The layer with broken lines.
 BROKEN = "BAR_ZONES"
@@ -109,6 +109,8 @@ def _face(model: Model, face: str, h: float) -> Iterator[Shape]:
         yield Text("LABELS", (column.x + 0.6 * h, column.y + 0.6 * h), h, column.name)
     for wall in model.walls:
         yield from (Line("WALLS", np.asarray(ring.coords)[:-1], closed=True) for ring in _rings(wall.area(chord)))
+    for beam in model.beams:
+        yield from (Line("BEAMS", np.asarray(ring.coords)[:-1], closed=True) for ring in _rings(beam.area(chord)))
     sets = [bar_set for bar_set in bar_sets(model) if bar_set.layer.startswith(face)]
     for name, region in {bar_set.zone: bar_set.region for bar_set in sets if bar_set.zone}.items():
         pieces = getattr(region, "geoms", [region])

@@ -8,7 +8,7 @@ import stat
 import zipfile
 from dataclasses import asdict, dataclass, fields, replace
 from functools import cache, lru_cache
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from groundslab.fem.continuum.pressed_cells import PressedCells
 from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
 from groundslab.results.record import (
+    BeamResult,
     Certificate,
     Constants,
     JointResult,
@@ -38,7 +39,7 @@ if TYPE_CHECKING:
     from groundslab.model.model import Model
 
 #: The version of the archive's layout; it grows when an array changes its name, unit or meaning.
-FORMAT = 8
+FORMAT = 9
 
 
 #: Longest text of a library's reason.
@@ -49,8 +50,6 @@ MESH = {"nodes", "elements"}
 CELLS = "ground.cells"
 #: Nodal fields of a comparison itself.
 REDUCTIONS = ("moment_reduction", "shear_reduction")
-
-Named = TypeVar("Named", SupportResult, JointResult)
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,17 +76,20 @@ class _About:
     factors: tuple[tuple[str, float], ...]
     supports: tuple[str, ...]
     joints: tuple[str, ...]
+    beams: tuple[str, ...]
     increments: tuple[float, ...]
     comparison: tuple[float, float, Constants] | None  # error in energy, its reduction, the coarser mesh's constants
     largest: LargestValues | None
     mesh_history: MeshHistory | None
 
 
+#: What has a name each, by the part of the results.
+NAMED: dict[str, type[Any]] = {"supports": SupportResult, "joints": JointResult, "beams": BeamResult}
 #: What an archive says of results as they have it themselves.
 PLAIN = [
     item.name
     for item in fields(_About)
-    if item.name not in ("format", "version", "supports", "joints", "increments", "comparison")
+    if item.name not in ("format", "version", "supports", "joints", "beams", "increments", "comparison")
 ]
 
 
@@ -101,19 +103,21 @@ def write(results: CombinationResult, path: Path) -> None:
     arrays: dict[str, Any] = _arrays("", results)
     for number, increment in enumerate(results.increments):
         arrays |= _arrays(f"increments.{number}.", increment)
-    arrays |= _named_arrays("supports", results.supports) | _named_arrays("joints", results.joints)
+    for name in NAMED:
+        arrays |= _named_arrays(name, getattr(results, name))
     other = results.comparison
     if other is not None:
         arrays |= _arrays("coarser.", other)
         arrays |= {f"coarser.{name}": field for name in REDUCTIONS if (field := getattr(other, name)) is not None}
-        arrays |= _named_arrays("coarser.supports", other.supports)
-        arrays |= _named_arrays("coarser.joints", other.joints)
+        for name in NAMED:
+            arrays |= _named_arrays(f"coarser.{name}", getattr(other, name))
     about = _About(
         format=FORMAT,
         version=__version__,
         **{name: getattr(results, name) for name in PLAIN},
         supports=tuple(support.name for support in results.supports),
         joints=tuple(joint.name for joint in results.joints),
+        beams=tuple(beam.name for beam in results.beams),
         increments=tuple(increment.share for increment in results.increments),
         comparison=None if other is None else (other.energy_error, other.reduction, other.constants),
     )
@@ -221,8 +225,7 @@ def _results(arrays: dict[str, Any], alike: CombinationResult | None) -> Combina
         solved_model=_read_model(str(arrays["solved_model" if "solved_model" in arrays else "model"])),
         **_parts("", arrays),
         **{name: getattr(about, name) for name in PLAIN},
-        supports=_named(SupportResult, "supports", about.supports, arrays),
-        joints=_named(JointResult, "joints", about.joints, arrays),
+        **_all_named("", about, arrays),
         increments=tuple(
             Increment(share, **_parts(f"increments.{number}.", arrays)) for number, share in enumerate(about.increments)
         ),
@@ -244,11 +247,9 @@ def _comparison(about: _About, arrays: dict[str, Any]) -> Comparison:
     """Return the comparison with the coarser mesh."""
     assert about.comparison is not None
     energy_error, reduction, constants = about.comparison
-    supports = _named(SupportResult, "coarser.supports", about.supports, arrays)
     return Comparison(
         **_parts("coarser.", arrays),
-        supports=supports,
-        joints=_named(JointResult, "coarser.joints", about.joints, arrays),
+        **_all_named("coarser.", about, arrays),
         constants=constants,
         energy_error=energy_error,
         reduction=reduction,
@@ -290,8 +291,8 @@ def _parts(below: str, arrays: dict[str, Any]) -> dict[str, Any]:
     return parts
 
 
-def _named_arrays(below: str, named: Sequence[Named]) -> dict[str, Any]:
-    """Return the arrays of supports or joints by their names, which begin with `below`."""
+def _named_arrays(below: str, named: Sequence[Any]) -> dict[str, Any]:
+    """Return the arrays of supports, joints or beams by their names, which begin with `below`."""
     return {
         f"{below}.{number}.{item.name}": getattr(part, item.name)
         for number, part in enumerate(named)
@@ -300,12 +301,16 @@ def _named_arrays(below: str, named: Sequence[Named]) -> dict[str, Any]:
     }
 
 
-def _named(kind: type[Named], below: str, names: Sequence[str], arrays: dict[str, Any]) -> tuple[Named, ...]:
-    """Return the supports or joints of these names from the arrays whose names begin with `below`."""
-    keys = [item.name for item in fields(kind) if item.name != "name"]
-    return tuple(
-        kind(name=name, **{key: arrays[f"{below}.{number}.{key}"] for key in keys}) for number, name in enumerate(names)
-    )
+def _all_named(below: str, about: _About, arrays: dict[str, Any]) -> dict[str, Any]:
+    """Return supports, joints and beams from the arrays whose names begin with `below`."""
+    found: dict[str, Any] = {}
+    for part, kind in NAMED.items():
+        keys = [item.name for item in fields(kind) if item.name != "name"]
+        found[part] = tuple(
+            kind(name=name, **{key: arrays[f"{below}{part}.{number}.{key}"] for key in keys})
+            for number, name in enumerate(getattr(about, part))
+        )
+    return found
 
 
 def _refusal(path: Path, found: str) -> InputError:

@@ -11,9 +11,10 @@ import numpy as np
 if TYPE_CHECKING:
     from groundslab.fem.continuum.pressed_cells import PressedCells
     from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-    from groundslab.results.record import JointResult, SupportResult
+    from groundslab.results.record import BeamResult, JointResult, SupportResult
     from groundslab.results.results import CombinationResult, Comparison, Increment
 
+    Named: TypeAlias = SupportResult | JointResult | BeamResult
     State: TypeAlias = CombinationResult | Comparison | Increment
 
 #: NumPy's type by the annotation of a field.
@@ -44,10 +45,7 @@ def _faults(results: CombinationResult) -> Iterator[str]:
     layers = len(results.constants.k0) or 1
     yield from _of_state("", results, layers)
     yield from _within_plate(results)
-    for number, support in enumerate(results.supports, 1):
-        yield from _of_support(f"support {number}", support)
-    for number, joint in enumerate(results.joints, 1):
-        yield from _of_support(f"joint {number}", joint)
+    yield from _of_named("", results)
     for increment in results.increments:
         yield from _of_state(f"increment {increment.share:g}: ", increment, layers)
         if not 0 < increment.share <= 1:
@@ -58,10 +56,7 @@ def _faults(results: CombinationResult) -> Iterator[str]:
         if len(other.constants.k0) != len(results.constants.k0) or len(other.constants.k1) != len(other.constants.k0):
             yield "constants of a comparison with another number of layers"
         yield from _of_state("coarser: ", other, layers)
-        for number, support in enumerate(other.supports, 1):
-            yield from _of_support(f"coarser: support {number}", support)
-        for number, joint in enumerate(other.joints, 1):
-            yield from _of_support(f"coarser: joint {number}", joint)
+        yield from _of_named("coarser: ", other)
         if not (0 <= other.energy_error <= 1 and 0 <= other.reduction <= LARGEST):
             yield "errors of a comparison that are none"
         for name in ("moment_reduction", "shear_reduction"):
@@ -142,7 +137,7 @@ def _of_mesh(name: str, mesh: PlateResult | GroundResult) -> Iterator[str]:
 
 def _of_arrays(
     name: str,
-    part: PlateResult | ElementResult | GroundResult | PressedCells | SupportResult | JointResult,
+    part: PlateResult | ElementResult | GroundResult | PressedCells | Named,
     usual: tuple[int, ...] | None,
     shapes: Mapping[str, tuple[int, ...]] | None = None,
 ) -> Iterator[str]:
@@ -203,8 +198,10 @@ def _of_constants(results: CombinationResult) -> Iterator[str]:
         yield "counts below 0, or larger than any result's"
 
 
-def _of_support(name: str, support: SupportResult | JointResult) -> Iterator[str]:
-    """Yield what is wrong with a support or a joint."""
-    # none where another support has them all
-    k = len(support.nodes) if np.ndim(support.nodes) else 0
-    yield from _of_arrays(name, support, (k,), {"nodes": (k, 2)})
+def _of_named(name: str, state: CombinationResult | Comparison) -> Iterator[str]:
+    """Yield what is wrong with supports, joints and beams."""
+    for what in ("support", "joint", "beam"):
+        for number, part in enumerate(getattr(state, f"{what}s"), 1):
+            # none where another support has them all
+            k = len(part.nodes) if np.ndim(part.nodes) else 0
+            yield from _of_arrays(f"{name}{what} {number}", part, (k,), {"nodes": (k, 2)})

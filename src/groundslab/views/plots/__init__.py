@@ -40,11 +40,11 @@ def plot(
         "w", "moment_x" or "m_x", ...), principal moments "m_1" and "m_2", design moments "bottom_x", ...,
         "discretization_error", "stiffness_ratio", bars "required_bottom_x", ... Without any, a usual choice.
     kind : str, optional
-        "plan" (default), "deformed", "lines" (with a line), "mesh", "soil", "stress", "convergence"; see docs/plots.md.
+        "plan" (default), "deformed", "lines" (with a line), "beams", "mesh", "soil", "stress" or "convergence".
     combination : str or sequence of str, optional
         Names of the combinations to draw; without any, all that are certified.
     envelope : str, optional
-        Limit state whose combinations are drawn by their largest and smallest values, for plans and lines.
+        Limit state whose combinations are drawn by their largest and smallest values, for plans, lines and beams.
     line : sequence of float, optional
         Section line x1, y1, x2, y2 [m], or several of these; without any, the lines of the case.
     mesh : bool, default: False
@@ -118,10 +118,11 @@ def _sheet(request: PlotRequest) -> Figure:
 
 def _drawing_module(request: PlotRequest) -> Any:
     """Return the module that draws a kind."""
-    from groundslab.views.plots import convergence, deformed, plan, sections
+    from groundslab.views.plots import beams, convergence, deformed, plan, sections
     from groundslab.views.plots.ground import soil, stress
 
     modules = {
-        "deformed": deformed, "lines": sections, "soil": soil, "stress": stress, "convergence": convergence,
+        "deformed": deformed, "lines": sections, "beams": beams, "soil": soil, "stress": stress,
+        "convergence": convergence,
     }  # fmt: skip
     return modules.get(request.kind, plan)

@@ -85,7 +85,7 @@ def resolve(names: Sequence[str]) -> tuple[PlotQuantity, ...]:
     return tuple(QUANTITIES[name] for name in dict.fromkeys(SYMBOLS.get(name, name) for name in names))
 
 
-Kind = Literal["plan", "deformed", "lines", "mesh", "soil", "stress", "convergence"]
+Kind = Literal["plan", "deformed", "lines", "beams", "mesh", "soil", "stress", "convergence"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
 #: What is drawn if no quantity is named.
 DEFAULT_QUANTITIES: dict[str, tuple[str, ...]] = {
@@ -149,6 +149,7 @@ class PlotRequest:
         return {
             "convergence": len(self.histories),
             "mesh": 1,
+            "beams": len(self.combined.model.beams),
             "soil": len(self.combined.model.boreholes) + len(self.combined.model.soil_zones) + 1,
             "lines": len(self.quantities) * len(self.lines),
             "stress": len(self.combinations) * len(self.lines),
@@ -184,6 +185,8 @@ def parse_request(
     if chosen_kind == "lines" and not (lines or listed_lines):
         hint = "give one as x1,y1,x2,y2 in meters, or name it under [[output.lines]] in the case"
         issues.append(Issue("line", "no section line", "at least one", hint))
+    if chosen_kind == "beams" and not combined.model.beams:
+        issues.append(Issue("kind", "a case without beams", "one with beams"))
     if issues:
         raise InputError(issues)
     assert chosen_kind in KINDS
@@ -299,7 +302,7 @@ def _find_conflicts(
     states = get_args(LimitState)
     if envelope not in states:
         issues.append(Issue("envelope", quote(envelope), f"one of {listed(states)}", suggestion(envelope, states)))
-    if kind not in ("plan", "lines"):
+    if kind not in ("plan", "lines", "beams"):
         issues.append(Issue("envelope", "an envelope", f"none, as kind is {quote(kind)}"))
     if combinations:
         issues.append(Issue("envelope", "an envelope of named combinations", "one of the two"))

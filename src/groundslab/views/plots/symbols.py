@@ -203,6 +203,15 @@ def draw_walls(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) 
     return entries
 
 
+def draw_beams(axes: Axes, model: Model) -> Entries:
+    """Draw the beams by their broken edges; those without a width by their axes."""
+    entries: Entries = {}
+    look = {"edgecolor": INK, "facecolor": "none", "linewidth": 0.6, "linestyle": (0, (5, 2)), "zorder": 4.6}
+    for beam in model.beams:
+        entries["beam"] = _draw_area(axes, beam.area(DRAWN_CHORD * max(model.sides)), **look)
+    return entries
+
+
 def _draw_area(axes: Axes, area: BaseGeometry, **look: Any) -> Any:
     """Draw an area with its holes."""
     from matplotlib.patches import PathPatch

@@ -35,6 +35,10 @@ _GROUND = {
     "constrained modulus": "The ground is linearly elastic, its layers are compressed by the stresses in a homogeneous "
     "half-space",
 }
+_BEAMS = (
+    "Beams and ribs bend, shear and twist with the plate, linearly elastic and uncracked, their axes in its middle "
+    "plane; a rib has a flange of its effective width. They add stiffness, but no weight."
+)
 _SMOOTHED = (
     "Moments and shear forces at nodes are smoothed over the elements that meet there, never across a change of "
     "thickness or material. Under a point load or a rigid point support they grow without limit as the mesh is refined."
@@ -108,12 +112,14 @@ def _of_ground(model: Model) -> str:
 
 
 def _of_supports(model: Model) -> Iterator[str]:
-    """Yield what supports, piles and joints do beside being elastic."""
+    """Yield what supports, piles, beams and joints do beside being elastic."""
     limited = [support.name or f"support {number}" for number, support in enumerate(model.supports, 1)
                if support.limit is not None or getattr(support, "limit_tension", None)]  # fmt: skip
     if limited:
         names = ", ".join(limited[:5]) + (f" and {len(limited) - 5} more" if len(limited) > 5 else "")
         yield f"Supports and piles with a limit yield there and keep that force: {names}."
+    if model.beams:
+        yield _BEAMS
     if model.joints:
         yield "Joints transfer shear by the difference in settlement across them, and no moments."
 

@@ -49,6 +49,7 @@ def draw_case_plan(model: Model, placed: Model) -> Figure:
     legend = _draw_ground(axes, plan, labels) | symbols.draw_plate(axes, model, fill=style.PANEL)
     legend |= symbols.draw_voids(axes, model) | symbols.draw_supports(axes, model)
     legend |= symbols.draw_columns(axes, model, lambda _: True) | symbols.draw_walls(axes, model, lambda _: True)
+    legend |= symbols.draw_beams(axes, model)
     legend |= symbols.draw_loads(axes, placed, everywhere=False)
     legend |= _draw_outputs(axes, plan, labels)
     _label_parts(plan, labels)
@@ -160,11 +161,11 @@ def _draw_outputs(axes: Axes, plan: Data, labels: Labels) -> dict[str, Any]:
 
 
 def _label_parts(plan: Data, labels: Labels) -> None:
-    """Name columns, walls and supports, and write the thickness of zones."""
+    """Name columns, walls, beams and supports, and write the thickness of zones."""
     for column in plan["columns"]:
         labels.add((column["x"], column["y"]), column["name"], style.INK)
-    for wall in plan["walls"]:
-        labels.add(middle(wall["points"]), wall["name"], style.INK, 3.0)
+    for part in (*plan["walls"], *plan["beams"]):
+        labels.add(middle(part["points"]), part["name"], style.INK, 3.0)
     for support in plan["supports"]:
         labels.add(middle(support["points"]), support["name"], style.SUPPORT, 3.0)
     for zone in plan["zones"]:

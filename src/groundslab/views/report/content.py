@@ -114,6 +114,7 @@ def build_page(
         "tables": list(map(_table, tables)),
         "history": list_steps(entries),
         "pictures": list(drawings.draw_pictures(combined)),
+        "beams": list(drawings.draw_beams(combined)),
         "refused": [(name, refusal_words(error)) for name, error in combined.refused.items()],
     }
 

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.views.plots import plot
+from groundslab.views.plots import beams, plot, style
 from groundslab.views.plots.export import to_inline_svg
 from groundslab.views.plots.ground.soil import draw_columns, soil_columns
 from groundslab.views.plots.plan import draw_mesh
-from groundslab.views.plots.request import PlottedCombination
+from groundslab.views.plots.request import PlottedCombination, parse_request
 from groundslab.views.report import load_plan
 from groundslab.views.report.case_plan import describe_omissions, draw_case_plan
 
@@ -82,6 +82,18 @@ def draw_stress(results: CombinationResult) -> Drawing | None:
         return None
     caption = f"Vertical stress in the ground, without the soil's own weight, of the combination {results.combination}."
     return Drawing(to_inline_svg(partial(plot, results, kind="stress"), "stress", caption), caption)
+
+
+def draw_beams(combined: Results) -> Iterator[Drawing]:
+    """Yield moments and shear forces along the beams, some beams together."""
+    if not (combined.model.beams and combined.results):
+        return
+    request = parse_request(combined, (), "beams", None, None, None)
+    for number, part in enumerate(style.batch(beams.curves_along(request), beams.ON_PAGE), 1):
+        names = ", ".join(curves.name for curves in part)
+        caption = f"Bending moment, positive downwards where the beam sags, and shear force along {names}."
+        draw = partial(beams.draw_curves, request, part, titled=False)
+        yield Drawing(to_inline_svg(draw, f"beams{number}", caption), caption)
 
 
 def find_governing(combined: Results) -> dict[str, str]:

@@ -44,6 +44,7 @@ SECTIONS = {
     "contact": "Contact",
     "columns": "Columns",
     "walls": "Walls",
+    "beams": "Beams",
     "supports": "Supports",
     "cases": "Load cases",
     "loads": "Loads",

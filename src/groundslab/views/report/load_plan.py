@@ -52,6 +52,7 @@ def draw_load_plan(model: Model, placed: Model, case: LoadCase | None) -> Figure
     symbols.draw_plate(axes, model, fill=style.PANEL)
     symbols.draw_columns(axes, placed, belongs)
     symbols.draw_walls(axes, placed, belongs)
+    symbols.draw_beams(axes, model)
     for path in _paths(model, case):
         axes.plot(*zip(*path.points, strict=True), color=style.LOAD, linewidth=0.6, linestyle=(0, (6, 3)))
     symbols.draw_loads(axes, placed, belongs, everywhere=False)

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from groundslab.model.outputs import OutputLine, OutputPoint, OutputStrip
     from groundslab.model.plate import Zone
     from groundslab.model.plates.further import AnyPlate, FurtherPlate
+    from groundslab.model.structure.beams import Beam
     from groundslab.model.structure.columns import Column
     from groundslab.model.structure.walls import Wall
     from groundslab.model.supports import AnySupport
@@ -78,6 +79,7 @@ def plan_of(model: Model) -> Data:
         "plates": [further(number, other) for number, other in enumerate(model.plates, 1)],
         "columns": listed("columns", model.columns, lambda column: _place(column) | {"ring": ring(column.ring())}),
         "walls": listed("walls", model.walls, lambda wall: _wall(wall, chord)),
+        "beams": listed("beams", model.beams, lambda beam: _beam(beam, chord)),
         "supports": listed("supports", model.supports, _support),
         "loads": listed("loads", model.loads, lambda load: _load(load, model, chord)),
         "boreholes": listed("boreholes", model.boreholes, _place),
@@ -95,6 +97,14 @@ def _wall(wall: Wall, chord: float) -> Data:
 
     axis = get_coordinates(wall.to_shapely(chord))
     return {"name": wall.name, "thickness": wall.thickness, "points": _rounded(axis)}
+
+
+def _beam(beam: Beam, chord: float) -> Data:
+    """Return the name of a beam, its width, 0 without one, and its axis."""
+    from shapely import get_coordinates
+
+    axis = get_coordinates(beam.to_shapely(chord))
+    return {"name": beam.name, "width": beam.width, "points": _rounded(axis)}
 
 
 def load_parts(load: AnyLoad) -> list[list[Any]]:

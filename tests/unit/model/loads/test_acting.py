@@ -11,7 +11,7 @@ from matplotlib import pyplot
 
 import groundslab
 from groundslab.design.demands.column_loads import sum_of_others
-from groundslab.discretize.local_sizes import local_sizes
+from groundslab.discretize.plan.local_sizes import local_sizes
 from groundslab.discretize.symmetry import symmetries
 from groundslab.geometry.plan import segment
 from groundslab.model.loads.acting import LineForce, borders_of

@@ -39,6 +39,11 @@ export interface Wall extends Named {
   points: Point[];
   thickness: number; // [m]
 }
+
+export interface Beam extends Named {
+  points: Point[];
+  width: number; // [m], 0 without one
+}
 export interface Support extends Named {
   kind: "point" | "line";
   points: Point[];
@@ -81,6 +86,7 @@ export interface Plan {
   plates?: FurtherPlate[]; // beside the first one
   columns: Column[];
   walls?: Wall[];
+  beams?: Beam[];
   supports: Support[];
   loads: Load[];
   boreholes: Place[];

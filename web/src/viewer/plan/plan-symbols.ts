@@ -1,6 +1,6 @@
 // The symbols of a solved plan.
 import { labelLoads } from "../data/load-labels";
-import type { Area, Line, Load, Place, Plan, Wall } from "../data/scene";
+import type { Area, Beam, Line, Load, Place, Plan, Wall } from "../data/scene";
 import { plainSymbols } from "../shared/symbols";
 import { type PlanSymbol, thicknessText } from "./symbols";
 
@@ -56,6 +56,7 @@ export function symbolsOf(plan: Plan, layers: Layers, factors: ReadonlyMap<strin
     ...(layers.output ? output : []),
     ...(layers.loads ? labelLoads(plan.loads, factors).flatMap(({ load, text }) => loadSymbol(load, text)) : []),
     ...(layers.supports ? supports : []),
+    ...(layers.columns ? (plan.beams ?? []).map(beamSymbol) : []),
     ...(layers.columns ? (plan.walls ?? []).map(wallSymbol) : []),
     ...(layers.columns ? plan.columns.map((each) => ({ ...point("column", each), foot: each.ring })) : []),
   ];
@@ -64,6 +65,10 @@ export function symbolsOf(plan: Plan, layers: Layers, factors: ReadonlyMap<strin
 
 function wallSymbol({ name, points, thickness }: Wall): PlanSymbol {
   return { kind: "wall", shape: "line", points, texts: [name], width: thickness };
+}
+
+function beamSymbol({ name, points, width }: Beam): PlanSymbol {
+  return { kind: "beam", shape: "line", points, texts: [name], width };
 }
 
 /** Return the symbol of a load, none if it acts on the entire slab. */

@@ -17,6 +17,7 @@ export type Kind =
   | "zone"
   | "column"
   | "wall"
+  | "beam"
   | "support"
   | "load"
   | "borehole"
@@ -40,7 +41,7 @@ export interface PlanSymbol {
   hidden?: boolean; // a point load that another one at the same place stands for
   upward?: boolean; // a point load that lifts
   elastic?: boolean; // a support
-  width?: number; // of a strip, of a wall [m]
+  width?: number; // of a strip, a wall, a beam [m]
 }
 
 const ARROW = 26; // px: length of a point load's arrow
@@ -71,7 +72,8 @@ export function drawSymbol(camera: Camera, symbol: PlanSymbol): SVGElement[] {
     case "void":
       return [drawArea(pixels), drawText(leftTop(pixels), text, [5, 13])];
     case "wall":
-      return drawWall(pixels, (symbol.width ?? 0) * camera.scale, text);
+    case "beam":
+      return drawBand(pixels, (symbol.width ?? 0) * camera.scale, text);
     case "column":
       return drawColumn(at, toPixels(symbol.foot ?? []), text);
     case "support":
@@ -149,8 +151,8 @@ function drawColumn(at: Readonly<Point>, foot: Ring, name: string): SVGElement[]
   return [body, drawText(at, name, [Math.max(size, 4) + 4, Math.max(size, 4) + 9])];
 }
 
-/** Draw a wall as wide as it is [px], at least as it can be seen. */
-function drawWall(axis: Ring, width: number, name: string): SVGElement[] {
+/** Draw a wall or a beam as wide as it is [px], at least as it can be seen. */
+function drawBand(axis: Ring, width: number, name: string): SVGElement[] {
   return [drawArea(bandAround(axis, Math.max(width, 3) / 2)), drawText(middleOf(axis), name, [6, -8])];
 }
 

@@ -51,6 +51,7 @@ const SOURCES: readonly Source[] = [
   { kind: "gap", list: ["contact", "gaps"], word: "measured gap" },
   { kind: "support", list: ["supports"] },
   { kind: "wall", list: ["walls"] },
+  { kind: "beam", list: ["beams"] },
   { kind: "column", list: ["columns"] },
   { kind: "load", list: ["loads"] },
   { kind: "move", list: ["moves"], word: "pattern" },

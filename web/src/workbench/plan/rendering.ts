@@ -6,7 +6,7 @@ import { drawSymbol, drawText, type PlanSymbol } from "../../viewer/plan/symbols
 import { svg } from "../../viewer/shared/dom";
 import { isClosed, type Ring, readGeometry, ringOf } from "../model/geometry";
 import type { Item } from "../model/items";
-import { listAt, type Path, pathKey, samePath, startsWith } from "../model/paths";
+import { isTable, type Json, listAt, type Path, pathKey, samePath, startsWith } from "../model/paths";
 import { formatDecimals, parseLength } from "../model/quantities";
 
 /** Which items are drawn how. */
@@ -54,7 +54,7 @@ function symbolOf(item: Item, loads: readonly Item[], highlights: Highlights): P
   const { kind, table, geometry, foot } = item;
   const ring = ringOf(geometry);
   const closed = isClosed(geometry);
-  const isLine = kind === "wall" || (kind === "load" && /^line/.test(String(table.kind)));
+  const isLine = kind === "wall" || kind === "beam" || (kind === "load" && /^line/.test(String(table.kind)));
   const texts = kind === "load" ? loadTexts(item, loads, highlights) : textsOf(item);
   return {
     kind,
@@ -66,8 +66,14 @@ function symbolOf(item: Item, loads: readonly Item[], highlights: Highlights): P
     hidden: texts === null,
     upward: /^\s*-/.test(String(table.P ?? "")),
     elastic: table.stiffness !== undefined,
-    width: parseLength(kind === "wall" ? table.thickness : table.width) ?? 0,
+    width: parseLength(widthOf(item)) ?? 0,
   };
+}
+
+/** Return how wide an item is: a wall by its thickness, a beam by its section. */
+function widthOf({ kind, table }: Item): Json | undefined {
+  if (kind === "wall") return table.thickness;
+  return kind === "beam" && isTable(table.section) ? table.section.width : table.width;
 }
 
 function nameOf(item: Item): string {

@@ -13,7 +13,7 @@ export interface ToolBar {
 
 const GROUPS: readonly (readonly ToolName[])[] = [
   ["select"],
-  ["slab", "opening", "zone", "column", "wall", "plate", "joint"],
+  ["slab", "opening", "zone", "column", "wall", "beam", "plate", "joint"],
   ["point load", "line load", "area load"],
   ["support", "line support"],
   ["borehole", "soil zone", "void"],

@@ -14,6 +14,7 @@ const PATHS: Record<ToolName | GeneratorName, string> = {
   "area load": "M2 5l3-2h9l-3 2zM2 5v7l9 .0V5M11 12l3-2V3M4.5 7v3M8 7v3",
   support: "M8 3l5 8H3zM2 13.5h12",
   wall: "M1 6h14v4H1zM4 10l4-4M8 10l4-4",
+  beam: "M1 6h3M6 6h4M12 6h3M1 10h3M6 10h4M12 10h3",
   "line support": "M2 5h12M3 9l3-4M7 9l3-4M11 9l3-4",
   borehole: "M8 2a6 6 0 1 0 .01 0M8 2v12M2 8h12",
   "soil zone": "M2 4h12v8H2zM4 7h2M8 6h2M11 9h2M5 10h2",

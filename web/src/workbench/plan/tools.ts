@@ -18,6 +18,7 @@ const ROWS: readonly [ToolName, string, string, Draws, string][] = [
   ["zone", "Thickness", "T", "shape", `Draw a zone with a different thickness. ${SHAPE}`],
   ["column", "Column", "C", "point", "Click to place columns. Press Escape to finish."],
   ["wall", "Wall", "W", "line", `Draw the axis of a wall. ${LINE}`],
+  ["beam", "Beam", "", "line", `Draw the axis of a beam or rib. ${LINE}`],
   ["point load", "Point load", "P", "point", "Click a point or a column. Press Escape to finish."],
   ["line load", "Line load", "L", "line", LINE],
   ["area load", "Area load", "A", "shape", SHAPE],

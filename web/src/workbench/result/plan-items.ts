@@ -34,6 +34,7 @@ export function itemsIn(plan: Plan, list: string): PlanItem[] {
   const lists: Record<string, readonly Source[]> = {
     columns: plan.columns,
     walls: plan.walls ?? [],
+    beams: plan.beams ?? [],
     supports: plan.supports,
     loads: plan.loads.filter((load) => !load.everywhere),
     boreholes: plan.boreholes,
@@ -52,6 +53,7 @@ export function itemsIn(plan: Plan, list: string): PlanItem[] {
 const PICKED = [
   "columns",
   "walls",
+  "beams",
   "supports",
   "loads",
   "boreholes",

@@ -15,7 +15,7 @@ export interface Sheet {
   readonly title: string;
 }
 
-const LISTS = ["columns", "walls", "loads", "cases", "combinations", "supports", "boreholes"];
+const LISTS = ["columns", "walls", "beams", "loads", "cases", "combinations", "supports", "boreholes"];
 
 /**
  * Return all tables.

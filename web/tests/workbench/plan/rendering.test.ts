@@ -81,6 +81,26 @@ describe("the drawing", () => {
     expect(ringOf(load!.geometry).length).toBe(3);
   });
 
+  it("draws beams as wide as their sections", () => {
+    const data: Table = {
+      beams: [
+        {
+          name: "B1",
+          points: [
+            ["0 m", "0 m"],
+            ["4 m", "0 m"],
+          ],
+          section: { kind: "rib", width: "50 cm", height: "60 cm", effective_width: "2 m" },
+        },
+      ],
+    };
+    const [beam] = drawn(data, "beam");
+    const path = beam!.querySelector(".area")!.getAttribute("d")!;
+    const ys = [...path.matchAll(/(-?[\d.]+) (-?[\d.]+)/g)].map(([, x, y]) => camera.toPlan([Number(x), Number(y)])[1]);
+    expect(Math.max(...ys)).toBeCloseTo(0.25, 1);
+    expect(Math.min(...ys)).toBeCloseTo(-0.25, 1);
+  });
+
   it("has circles and arcs whose chords turn by two degrees at most", () => {
     const circle = ringOf(readGeometry({ o: { kind: "circle", radius: "1 mm" } }, ["o"])!);
     expect(circle.length).toBe(180);

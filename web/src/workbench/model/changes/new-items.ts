@@ -19,6 +19,7 @@ export type NewKind =
   | "area load"
   | "support"
   | "wall"
+  | "beam"
   | "line support"
   | "borehole"
   | "soil zone"
@@ -119,6 +120,10 @@ export function addLine(kind: NewKind, data: Table, line: Ring, loadCase: string
     const name = freeName(namesIn(listAt(data, ["walls"])), "W1");
     return addItem(data, ["walls"], { name, thickness: wallThickness(data), points }, `wall ${name}`);
   }
+  if (kind === "beam") {
+    const name = freeName(namesIn(listAt(data, ["beams"])), "B1");
+    return addItem(data, ["beams"], { name, points, section: beamSection(data) }, `beam ${name}`);
+  }
   if (kind === "section line") {
     const name = freeName(namesIn(listAt(data, ["output", "lines"])), "line 1");
     const value = { name, start: points[0] ?? [], end: points.at(-1) ?? [] };
@@ -161,6 +166,12 @@ function columnSize(data: Table): Table {
 /** Return the thickness of the last wall, else a usual one. */
 function wallThickness(data: Table): Json {
   return listAt(data, ["walls"]).findLast(isTable)?.thickness ?? "250 mm";
+}
+
+/** Return the section of the last beam, else a usual one. */
+function beamSection(data: Table): Json {
+  const last = listAt(data, ["beams"]).findLast(isTable)?.section;
+  return last ?? { kind: "rectangle", width: "400 mm", height: "800 mm" };
 }
 
 /** Return the name of the column that stands at a place, null if none does. */

@@ -7,7 +7,7 @@ import re
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from groundslab.discretize.borders import MOST_BORDERS, add_borders
+from groundslab.discretize.plan.borders import MOST_BORDERS, add_borders
 from groundslab.geometry.places import same_place_in
 from groundslab.geometry.plan import FLAT, Place, Plan, Ring
 from groundslab.geometry.validity import find_issues

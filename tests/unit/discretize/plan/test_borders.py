@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from groundslab import Model, meshing
-from groundslab.discretize.borders import add_borders
 from groundslab.discretize.discretize import discretize
+from groundslab.discretize.plan.borders import add_borders
 from groundslab.fem.mesh import grid
 from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.fem.problem import Problem

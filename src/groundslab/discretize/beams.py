@@ -1,0 +1,76 @@
+"""Beams of a model on a mesh: the sides of elements along which they run, and what stiffness each piece has."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from groundslab.arrays import Array, Integers
+from groundslab.discretize.plan_layout import Layout
+from groundslab.errors import InputError, Issue
+from groundslab.fem.hanging import find_hanging
+from groundslab.fem.mesh import SIDES, sides_along
+from groundslab.fem.parts.beams import Beams, lengths_of
+from groundslab.geometry.plan import Segment
+from groundslab.model.model import Model
+from groundslab.model.structure.beams import Beam
+
+#: A mesh meets a beam if it follows its line but for this share, which arcs as parabolas may take.
+MET = 1e-4
+
+
+def beams_on(model: Model, plan: Layout, sections: list[tuple[float, float, float]]) -> Beams:
+    """Return the beams of a model on its mesh; sections are E [Pa], nu and thickness [m] of each of the plate's.
+
+    A rib between two sections of the plate has as its flange the thinner one.
+    """
+    parts = [_along(plan, beam, number) for number, beam in enumerate(model.beams)]
+    sides = np.concatenate([np.zeros((0, 3), dtype=np.int64), *(sides for sides, _, _ in parts)])
+    start, length = (np.concatenate([np.zeros(0), *(part[k] for part in parts)]) for k in (1, 2))
+    number = np.repeat(np.arange(len(parts)), [len(sides) for sides, _, _ in parts])
+    rigidity = np.empty((len(sides), 3))
+    beside = _sections_beside(plan, sides, np.array([t for _, _, t in sections])) if len(sides) else number
+    for which, section in np.unique(np.column_stack([number, beside]), axis=0).tolist():
+        own = (number == which) & (beside == section)
+        rigidity[own] = model.beams[which].rigidities(*sections[section])
+    return Beams(sides, number, start, length, rigidity)
+
+
+def _along(plan: Layout, beam: Beam, number: int) -> tuple[Integers, Array, Array]:
+    """Return the sides (b, 3) along a beam from its start to its end, where each starts, and its length, (b,) [m]."""
+    mesh, elements = plan.mesh, plan.mesh.elements[plan.plate_elements]
+    hanging = find_hanging(mesh.elements)[:, 0]
+    found, starts, lengths, before = [], [], [], 0.0
+    for edge in beam.edges:
+        sides = sides_along(mesh, elements, [edge])
+        # of two halves beside a longer side, the longer one
+        sides = sides[~np.isin(sides[:, 2], hanging)]
+        part = _parts(edge, mesh.nodes[sides[:, 2]])
+        order = np.argsort(part)
+        sides, left = sides[order], edge.left(part[order])
+        way = mesh.nodes[sides[:, 1]] - mesh.nodes[sides[:, 0]]
+        backwards = way[:, 0] * left[:, 1] < way[:, 1] * left[:, 0]
+        sides[backwards] = sides[backwards][:, [1, 0, 2]]
+        length = lengths_of(mesh.nodes[sides])
+        found.append(sides)
+        starts.append(before + np.cumsum(length) - length)
+        lengths.append(length)
+        before += float(length.sum())
+    if abs(before - beam.length) > MET * beam.length:
+        said = f"sides of elements along {before:g} m of a line of {beam.length:g} m"
+        raise InputError([Issue(f"beams[{number + 1}]", said, "a mesh that meets every beam")])
+    return np.concatenate(found), np.concatenate(starts), np.concatenate(lengths)
+
+
+def _parts(edge: Segment, places: Array) -> Array:
+    """Return after which part of an edge each of some places (p, 2) on it comes, (p,)."""
+    return np.array([edge.part((float(x), float(y))) for x, y in places])
+
+
+def _sections_beside(plan: Layout, sides: Integers, thickness: Array) -> Integers:
+    """Return the section of the plate beside each of some sides (b, 3), of two the thinner one, (b,)."""
+    elements = plan.mesh.elements[plan.plate_elements]
+    by_thickness = np.argsort(-thickness, kind="stable")
+    of_node = np.full(len(plan.mesh.nodes), -1)
+    for section in by_thickness:
+        of_node[elements[plan.section == section][:, SIDES[:, 2]]] = section
+    return of_node[sides[:, 2]]

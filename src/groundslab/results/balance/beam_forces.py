@@ -1,0 +1,117 @@
+"""Section forces of beams along their axes, recovered from the Gauss points of their pieces."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from groundslab.arrays import Array, Flags, Integers, Memo
+from groundslab.fem.mesh import sides_along
+from groundslab.fem.parts.beams import POINTS, section_forces
+from groundslab.fem.problem import TOP, Problem
+from groundslab.fem.system import plate_settlement
+from groundslab.geometry.nearest import nearest_distance
+from groundslab.model.loads.acting import borders_of
+from groundslab.model.model import Model
+from groundslab.model.remarks.singular_places import forces_without_footprint
+from groundslab.results.record import BeamResult
+from groundslab.solvers.solution import Solution
+
+#: Places this close, relative to the plate's length, are one.
+NEAR = 1e-8
+#: Where the axis turns by more than this [rad], section forces jump.
+KINK = 1e-3
+
+
+@dataclass(frozen=True, slots=True)
+class Stations:
+    """Where along beams section forces are told: at the ends of their pieces, twice where they jump."""
+
+    beam: Integers  # (k,): number
+    node: Integers  # (k,): of the problem's mesh
+    way: Array  # (k,) [m]: along the beam
+    points: Integers  # (k, 4): Gauss points of pieces, numbered 2 piece + point, from which each takes its values
+    weights: Array  # (k, 4)
+
+
+def beam_results(model: Model, solution: Solution) -> tuple[BeamResult, ...]:
+    """Return the section forces of each beam.
+
+    They are most accurate at the Gauss points of a piece. Between two places where they or their slopes may jump (ends,
+    kinks, other beams, supports, borders of loads and of zones) they are smooth: a parabola through the Gauss points of
+    the two pieces about a place gives the values there.
+    """
+    if not model.beams:
+        return ()
+    problem = solution.system.problem
+    b = problem.beams
+    stations = _STATIONS.get(problem.mesh.nodes, model.loads, lambda: _make_stations(model, problem))
+    at_points = section_forces(problem.mesh.nodes[b.sides], b.rigidity, solution.U[b.sides][..., :TOP])
+    M, T, V = np.einsum("kp,kpr->rk", stations.weights, at_points.reshape(-1, 3)[stations.points])
+    w = plate_settlement(solution.system, solution.U)
+    found = []
+    for number, beam in enumerate(model.beams):
+        own = stations.beam == number
+        node = stations.node[own]
+        found.append(
+            BeamResult(beam.name, problem.mesh.nodes[node], stations.way[own], w[node], M[own], V[own], T[own])
+        )
+    return tuple(found)
+
+
+#: Those of a mesh with its beams.
+_STATIONS: Memo[Stations] = Memo()
+
+
+def _make_stations(model: Model, problem: Problem) -> Stations:
+    """Return the stations of all beams of a problem, from one beam's start to its end after the other."""
+    b = problem.beams
+    first = np.flatnonzero(~_goes_on(model, problem))
+    parts = []
+    for begin, end in zip(first, [*first[1:], len(b.sides)], strict=True):
+        n = end - begin
+        place = np.arange(n + 1)
+        piece = begin + np.minimum(place, n - 1)
+        node, way = b.sides[piece, 0], b.start[piece]
+        node[-1], way[-1] = b.sides[end - 1, 1], b.start[end - 1] + b.length[end - 1]
+        # the two pieces about the place, at ends the two nearest; a run may be one piece alone
+        before = begin + np.clip(place - 1, 0, max(n - 2, 0))
+        after = np.minimum(before + 1, end - 1)
+        parts.append((b.number[piece], node, way, np.column_stack([before, before, after, after])))
+    beam, node, way, pieces = (np.concatenate(each) for each in zip(*parts, strict=True))
+    at = (b.start + b.length / 2)[:, None] + b.length[:, None] / 2 * POINTS
+    points = 2 * pieces + [0, 1, 0, 1]
+    x = at.ravel()[points] - way[:, None]
+    x /= np.abs(x).max(axis=1, keepdims=True)
+    alone = (pieces[:, :1] == pieces[:, 2:3]).astype(bool)
+    A = np.stack([np.ones_like(x), x, np.where(alone, 0.0, x * x)], axis=2)
+    return Stations(beam, node, way, points, np.linalg.pinv(A)[:, 0])
+
+
+def _goes_on(model: Model, problem: Problem) -> Flags:
+    """Return which pieces of beams (b,) go on smoothly from the piece before: nothing meets the beam there."""
+    b, nodes = problem.beams, problem.mesh.nodes
+    start, end, middle = (nodes[b.sides[:, k]] for k in range(3))
+    leaving, arriving = (2 * middle - 1.5 * start - 0.5 * end)[1:], (0.5 * start + 1.5 * end - 2 * middle)[:-1]
+    size = np.linalg.norm(leaving, axis=1) * np.linalg.norm(arriving, axis=1)
+    across = arriving[:, 0] * leaving[:, 1] - arriving[:, 1] * leaving[:, 0]
+    at = b.sides[1:, 0]
+    same = (b.number[1:] == b.number[:-1]) & (b.sides[:-1, 1] == at)
+    goes_on = same & (np.abs(across) <= KINK * size) & ~_meeting(model, problem)[at]
+    return np.concatenate([[False], goes_on])
+
+
+def _meeting(model: Model, problem: Problem) -> Flags:
+    """Return at which nodes (n,) a beam meets another one, a force or support at a point, or a border across it."""
+    b, n = problem.beams, len(problem.mesh.nodes)
+    points = [*forces_without_footprint(model), *(each.points[0] for each in model.supports if not each.edges)]
+    meets = nearest_distance(problem.mesh.nodes, np.reshape(points, (-1, 2)), near := NEAR * problem.length) < near
+    touching = np.unique(np.column_stack([b.sides[:, :2].ravel(), np.repeat(b.number, 2)]), axis=0)
+    meets |= np.bincount(touching[:, 0], minlength=n) > 1
+    borders = [edge for _, shape in model.acting for edge in borders_of(shape)]
+    borders += [edge for support in model.supports for edge in support.edges]
+    borders += [edge for plate in model.every_plate for zone in plate.zones for edge in zone.shape.ring().segments()]
+    sides = sides_along(problem.mesh, problem.mesh.elements[problem.plate.elements], borders)
+    meets[sides[~np.isin(sides[:, 2], b.sides[:, 2])][:, :2]] = True
+    return meets

@@ -1,0 +1,107 @@
+"""Section forces along beams: moment and shear force of several combinations."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from groundslab.views.plots import style
+from groundslab.views.plots.annotations import TitleLine, draw_title
+from groundslab.views.plots.panels import NOT_CERTIFIED
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from groundslab.arrays import Array
+    from groundslab.views.plots.request import PlotRequest
+
+#: Boxes of the curves [mm].
+LEFT, HIGH, ABOVE, BETWEEN, BELOW = 17.0, 30.0, 12.0, 4.0, 13.0
+#: So many beams are on a page.
+ON_PAGE = 3
+#: What is drawn of each beam: its attribute, its label, and whether positive values point down.
+DRAWN = (("moment", "M [kNm]", True), ("shear", "V [kN]", False))
+
+
+@dataclass(frozen=True, slots=True)
+class BeamCurves:
+    """What is drawn of one beam: places along it, and values by what is drawn, one row for each curve."""
+
+    name: str
+    way: Array  # (k,) [m]
+    values: dict[str, Array]  # (curves, k)
+    names: tuple[str, ...]  # of the curves
+    band: bool  # whether the curves are the largest and the smallest of many
+
+
+def draw_sheet(request: PlotRequest) -> Figure:
+    """Return all beams on one sheet."""
+    return draw_curves(request, curves_along(request))
+
+
+def draw_pages(request: PlotRequest) -> list[Figure]:
+    """Return the beams on pages."""
+    return [draw_curves(request, part) for part in style.batch(curves_along(request), ON_PAGE)]
+
+
+def curves_along(request: PlotRequest) -> list[BeamCurves]:
+    """Return the curves of each beam; of more combinations than can be told apart the largest and the smallest."""
+    names = tuple(combination.name for combination in request.combinations)
+    band = bool(request.envelope) or len(names) > len(style.CYCLE)
+    found = []
+    for beams in zip(*(combination.results.beams for combination in request.combinations), strict=True):
+        values = {name: np.stack([getattr(beam, name) for beam in beams]) / 1e3 for name, _, _ in DRAWN}
+        if band:
+            values = {name: np.stack([rows.max(axis=0), rows.min(axis=0)]) for name, rows in values.items()}
+        words = (f"largest of {len(names)} combinations", "smallest") if band else names
+        found.append(BeamCurves(beams[0].name, beams[0].way, values, words, band))
+    return found
+
+
+def draw_curves(request: PlotRequest, curves: Sequence[BeamCurves], *, titled: bool = True) -> Figure:
+    """Return beams one below the other."""
+    page = style.Page(style.PAGE_WIDTH)
+    top = 0.0
+    if titled:
+        certified = all(combination.certified for combination in request.combinations)
+        top = page.write_heading(request.combined.model.title, ["Beams"], "" if certified else NOT_CERTIFIED)
+    width = style.PAGE_WIDTH - LEFT - style.MARGIN - 3
+    legend: dict[str, Any] = {}
+    for beam in curves:
+        top += ABOVE
+        for row, (what, label, downwards) in enumerate(DRAWN):
+            axes = page.add_axes(LEFT, top, width, HIGH)
+            legend |= _draw(axes, beam, what)
+            axes.set(xlim=(0.0, float(beam.way[-1])), ylabel=label)
+            axes.margins(y=0.08)
+            if downwards:
+                axes.invert_yaxis()
+            if row == 0:
+                draw_title(axes, [TitleLine(style.plain_text(beam.name, 80), style.BASE, style.INK, "bold")])
+            axes.tick_params(labelbottom=row == len(DRAWN) - 1)
+            top += HIGH + BETWEEN
+        axes.set_xlabel("distance s along the beam [m]")
+        top += BELOW - BETWEEN
+    return page.finish(top, legend if any(len(beam.names) > 1 for beam in curves) else {})
+
+
+def _draw(axes: Axes, beam: BeamCurves, what: str) -> dict[str, Any]:
+    """Draw one section force along a beam; return the entries in the legend."""
+    axes.axhline(0.0, color=style.GREY, linewidth=0.6, zorder=1)
+    looks = [(style.INK, "-"), (style.INK, "--")] if beam.band else zip(style.CYCLE, style.STROKES, strict=True)
+    entries: dict[str, Any] = {}
+    for name, values, (color, stroke) in zip(beam.names, beam.values[what], looks, strict=False):
+        # where a value jumps both stand at one place, so that the line goes straight from one to the other
+        (line,) = axes.plot(beam.way, values, color=color, linestyle=stroke, linewidth=1.1)
+        entries[style.plain_text(name, 60)] = line
+    if beam.band:
+        axes.fill_between(beam.way, *beam.values[what], color=style.FAINT, linewidth=0, zorder=0.5)
+    axes.grid(color=style.FAINT, linewidth=0.4)
+    axes.set_axisbelow(True)
+    axes.spines[["top", "right"]].set_visible(False)
+    return entries

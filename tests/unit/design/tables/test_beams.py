@@ -1,0 +1,109 @@
+"""The table, the figures and the files of beams."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import groundslab as gs
+from groundslab.design.result_tables import tables_of
+from groundslab.errors import InputError
+from groundslab.results.record import BeamResult
+from groundslab.views.report.html import render_report
+
+
+@pytest.fixture(scope="module")
+def results() -> gs.Results:
+    """Return the results of a raft with two ribs in two cases."""
+    rib = {"kind": "rib", "width": 0.3, "height": 0.4, "effective_width": 1.0}
+
+    def load(x: float, case: str) -> dict[str, Any]:
+        return {"kind": "point", "x": x, "y": 0.5, "P": 300e3, "width_x": 0.4, "width_y": 0.4, "case": case}
+
+    return gs.solve(
+        gs.Model(
+            plate={"length_x": 6.0, "length_y": 4.0, "thickness": 0.25, "E": 30e9, "nu": 0.2},
+            ground={"kind": "winkler", "k": 20e6},
+            beams=[
+                {"name": "long", "points": [(-3.0, 0.5), (3.0, 0.5)], "section": rib},
+                {"name": "short", "points": [(2.0, -2.0), (2.0, 2.0)], "section": rib},
+            ],
+            cases=[{"name": "G"}, {"name": "Q"}],
+            loads=[load(-1.0, "G"), load(1.0, "Q")],
+            mesh={"size": 0.4},
+        )
+    )
+
+
+def table(results: gs.Results) -> Any:
+    """Return the table of beams."""
+    return next(table for table in tables_of(results) if table.name == "beams")
+
+
+def test_a_row_for_each_beam_and_combination_with_its_extremes(results: gs.Results) -> None:
+    """Extremes are those of the section forces; shear and torsion away from the ends; errors stand at the right."""
+    found = table(results)
+    assert list(zip(found["combination"], found["beam"], strict=True)) == [
+        ("G", "long"), ("G", "short"), ("Q", "long"), ("Q", "short"),
+    ]  # fmt: skip
+    beam = results["G"].beams[0]
+    assert found["greatest moment"][0] == pytest.approx(beam.moment.max() / 1e3)
+    assert found["least moment"][0] == pytest.approx(beam.moment.min() / 1e3)
+    assert np.interp(found["from the start to it"][0], beam.way, beam.moment) == pytest.approx(beam.moment.max())
+    inside = (beam.way >= 0.25) & (beam.way <= 5.75)
+    assert abs(found["largest shear force"][0]) == pytest.approx(np.abs(beam.shear[inside]).max() / 1e3)
+    assert found["greatest settlement"][0] == pytest.approx(beam.settlement.max() * 1e3)
+    assert all(error >= 0 for error in found["error of greatest moment"])
+
+
+def test_section_forces_stand_twice_where_another_beam_crosses(results: gs.Results) -> None:
+    """At 5 m along the long one, whose torsion the short one takes up in bending; its own ends stand once."""
+    long, short = results["Q"].beams
+    assert np.count_nonzero(np.isclose(long.way, 5.0)) == 2
+    assert np.count_nonzero(np.isclose(short.way, 2.5)) == 2
+    assert np.count_nonzero(long.way == 0.0) == 1
+    jump = np.diff(long.torsion[np.isclose(long.way, 5.0)])[0]
+    assert jump != pytest.approx(0.0, abs=1e-3 * np.abs(long.torsion).max())
+
+
+def test_beams_are_kept_in_folders(results: gs.Results, tmp_path: Path) -> None:
+    """Section forces come back as they were, those of the coarser mesh too."""
+    gs.save_results(results, tmp_path / "out")
+    loaded = gs.load_results(tmp_path / "out")
+    for name in ("G", "Q"):
+        one, other = results[name], loaded[name]
+        assert one.coarser is not None
+        assert other.coarser is not None
+        for a, b in zip((*one.beams, *one.coarser.beams), (*other.beams, *other.coarser.beams), strict=True):
+            assert a.name == b.name
+            for field in ("nodes", "way", "settlement", "moment", "shear", "torsion"):
+                assert np.array_equal(getattr(a, field), getattr(b, field))
+
+
+def test_beams_have_figures(results: gs.Results) -> None:
+    """Two axes for each beam; without beams there is nothing to draw."""
+    figure = gs.plot(results, kind="beams")
+    assert [axes.get_ylabel() for axes in figure.axes] == ["M [kNm]", "V [kN]"] * 2
+    assert len(gs.plot(results, kind="beams", combination="G").axes[0].lines) == 2
+    bare = results.model.model_copy(update={"beams": ()})
+    with pytest.raises(InputError, match="without beams"):
+        gs.plot(gs.solve(bare), kind="beams")
+
+
+def test_the_ends_of_short_beams_leave_something_to_read() -> None:
+    """Away from the ends is a quarter of the length at most."""
+    way = np.linspace(0.0, 1.0, 9)
+    beam = BeamResult("short", np.zeros((9, 2)), way, way, way, way, way)
+    assert way[beam.away_from_ends(0.1)] == pytest.approx(way[1:-1])
+    assert way[beam.away_from_ends(2.0)] == pytest.approx(way[2:-2])
+
+
+def test_reports_draw_beams(results: gs.Results) -> None:
+    """Their diagrams, their table and what is assumed of them."""
+    page = render_report(results)
+    assert "Bending moment, positive downwards where the beam sags, and shear force along long, short." in page
+    assert "Beams and ribs bend, shear and twist with the plate" in page
+    assert "largest torsional moment" in page

@@ -1,0 +1,122 @@
+"""Beams: sections, where they may run, and what is wrong with them otherwise."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+import groundslab as gs
+from groundslab.errors import InputError
+from groundslab.model.structure.beams import torsion_constant
+
+SECTION = {"kind": "rectangle", "width": 0.3, "height": 0.6}
+ACROSS = {"name": "A", "points": [(-3.0, 0.0), (3.0, 0.0)], "section": SECTION}
+
+
+def model(*beams: dict[str, Any], **others: Any) -> gs.Model:
+    """Return a plate of 6 m by 4 m with beams."""
+    parts: dict[str, Any] = {
+        "plate": {"length_x": 6.0, "length_y": 4.0, "thickness": 0.2, "E": 30e9, "nu": 0.2},
+        "ground": {"kind": "winkler", "k": 20e6},
+        "beams": beams,
+        "loads": [{"kind": "uniform", "q": 10e3}],
+    }
+    return gs.Model(**parts | others)
+
+
+def issues(*beams: dict[str, Any], **others: Any) -> list[str]:
+    """Return what is wrong with beams."""
+    with pytest.raises(InputError) as caught:
+        model(*beams, **others)
+    return [f"{issue.location}: {issue.found}" for issue in caught.value.issues]
+
+
+def test_a_square_has_the_torsion_constant_of_the_tables() -> None:
+    """0.1406 a^4 for a square, 0.229 a b^3 for sides of 2 to 1, a b^3 / 3 for a thin strip (Timoshenko 1951)."""
+    assert torsion_constant(1.0, 1.0) == pytest.approx(0.1406, rel=2e-3)
+    assert torsion_constant(2.0, 1.0) == torsion_constant(1.0, 2.0) == pytest.approx(0.229 * 2, rel=2e-3)
+    assert torsion_constant(0.01, 1.0) == pytest.approx(0.01**3 / 3, rel=1e-2)
+
+
+def test_rigidities_are_those_of_the_plate_unless_the_beam_has_its_own() -> None:
+    """E I, G J and G A_v with E and nu of the plate, or of the beam."""
+    own = ACROSS | {"E": 200e9, "nu": 0.3}
+    of_plate, of_beam = (model(beam).beams[0].rigidities(30e9, 0.2, 0.2) for beam in (ACROSS, own))
+    second_moment, A = 0.3 * 0.6**3 / 12, 0.3 * 0.6 * 5 / 6
+    assert of_plate[::2] == pytest.approx((30e9 * second_moment, 30e9 / 2.4 * A))
+    assert of_beam[::2] == pytest.approx((200e9 * second_moment, 200e9 / 2.6 * A))
+    assert of_plate[1] / of_beam[1] == pytest.approx(30 / 2.4 / (200 / 2.6))
+
+
+def test_a_flange_of_another_material_counts_by_its_stiffness() -> None:
+    """Two equal parts, one twice as stiff: the common axis lies a third of the distance from the stiffer one."""
+    rib = ACROSS | {"section": {"kind": "rib", "width": 0.5, "height": 0.2, "effective_width": 0.5}, "E": 60e9}
+    bending = model(rib).beams[0].rigidities(30e9, 0.2, 0.2)[0]
+    second_moment, A, e = 0.5 * 0.2**3 / 12, 0.5 * 0.2, 0.2
+    about_common = 60e9 * (second_moment + A * (e / 3) ** 2) + 30e9 * A * (2 * e / 3) ** 2
+    assert bending == pytest.approx(about_common)
+
+
+@pytest.mark.parametrize(
+    ("beams", "said"),
+    [
+        ([ACROSS | {"points": [(-3.0, 0.0), (4.0, 0.0)]}], "beams[1].points: 1 m of 7 m that do not lie on the plate"),
+        ([ACROSS | {"points": [(0.0, 0.0), (0.0, 0.0)]}], "beams[1].points[2]: (0.0, 0.0) m twice"),
+        ([ACROSS | {"points": [(0.0, 0.0)]}], "beams[1].points: 1 point"),
+        ([ACROSS, ACROSS], "beams[2].name: \"A\" again"),
+        ([ACROSS, ACROSS | {"name": "B", "points": [(1.0, 0.0), (5.0, 0.0)]}], "beams[2].points: 2 m of 4 m that"),
+        ([ACROSS, ACROSS | {"name": "B", "points": [(1.0, 0.0), (2.0, 0.0)]}], "beams[2]: a beam along 1 m of \"A\""),
+        ([ACROSS | {"points": [(-3.0, 1.9999), (3.0, 1.9999)]}], "beams[1].points: 0.0001 m between it and plate"),
+        ([ACROSS | {"section": SECTION | {"width": 0.0}}], "beams[1].section.width: 0"),
+        ([ACROSS | {"section": {"kind": "tee"}}], "beams[1].section.kind: \"tee\""),
+        ([{"name": "A", "section": SECTION}], "beams[1].points: nothing"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_is_told(beams: list[dict[str, Any]], said: str) -> None:
+    """Where it is, and what was found there."""
+    assert any(each.startswith(said) for each in issues(*beams)), issues(*beams)
+
+
+def test_a_beam_keeps_clear_of_openings() -> None:
+    """One over an opening is told; one along its edge runs."""
+    holed = {"length_x": 6.0, "length_y": 4.0, "thickness": 0.2, "E": 30e9, "nu": 0.2,
+             "openings": [{"kind": "rectangle", "x": (-1.0, 1.0), "y": (-1.0, 1.0)}]}  # fmt: skip
+    assert issues(ACROSS, plate=holed) == ["beams[1].points: 2 m of 6 m that do not lie on the plate"]
+    beside = model(ACROSS | {"points": [(-3.0, 1.0), (3.0, 1.0)]}, plate=holed)
+    assert gs.solve(beside).only.beams[0].way[-1] == pytest.approx(6.0)
+
+
+def test_a_beam_stays_on_one_plate() -> None:
+    """One across a joint is told, one along it too; beams of either side run."""
+    plates = [{"name": "other", "outline": {"kind": "rectangle", "x": (3.0, 9.0), "y": (-2.0, 2.0)},
+               "thickness": 0.2, "E": 30e9, "nu": 0.2}]  # fmt: skip
+    plate = {"name": "one", "length_x": 6.0, "length_y": 4.0, "thickness": 0.2, "E": 30e9, "nu": 0.2}
+    joined: dict[str, Any] = {
+        "plate": plate, "plates": plates, "joints": [{"kind": "hinge", "between": ["one", "other"]}],
+    }  # fmt: skip
+    over = ACROSS | {"points": [(-3.0, 0.0), (6.0, 0.0)]}
+    upon = ACROSS | {"points": [(3.0, -2.0), (3.0, 2.0)]}
+    assert issues(over, **joined) == ["beams[1].points: a beam that goes from one plate to another"]
+    assert issues(upon, **joined) == ['beams[1]: a beam along the joint "one - other"']
+    beside = ACROSS | {"name": "B", "points": [(3.0, 0.0), (9.0, 0.0)]}
+    found = gs.solve(model(ACROSS, beside, **joined)).only
+    assert found.certificate.holds
+    assert [beam.way[-1] for beam in found.beams] == pytest.approx([6.0, 6.0])
+
+
+def test_a_beam_too_stiff_for_sixteen_digits_is_told() -> None:
+    """A beam as stiff as nothing else."""
+    with pytest.raises(gs.IllConditioned, match=r"a beam is .* times as stiff as the ground"):
+        gs.solve(model(ACROSS | {"E": 1e18}))
+
+
+def test_a_beam_follows_a_closed_shape() -> None:
+    """Around a rectangle and around a circle, as far as their circumferences."""
+    for shape, length in (
+        ({"kind": "rectangle", "x": (-2.0, 2.0), "y": (-1.0, 1.0)}, 12.0),
+        ({"kind": "circle", "centre": (0.0, 0.0), "radius": 1.0}, 6.283185),
+    ):
+        found = gs.solve(model({"name": "ring", "shape": shape, "section": SECTION}, mesh={"size": 0.5})).only
+        assert found.certificate.holds
+        assert found.beams[0].way[-1] == pytest.approx(length, rel=1e-4)

@@ -1,0 +1,310 @@
+"""Beams and ribs in plates against closed forms, and under uplift against a small program of its own."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+import groundslab as gs
+from groundslab.arrays import Array
+from groundslab.results.record import BeamResult
+from groundslab.verification.analytic_beams import beam_on_springs
+
+#: A beam of 0.3 m by 0.6 m of concrete [N m2], and one that does not shear.
+E = 30e9
+EI = E * 0.3 * 0.6**3 / 12
+STIFF: dict[str, Any] = {"kind": "properties", "second_moment": 0.3 * 0.6**3 / 12, "shear_area": 10.0}
+#: A strip so narrow that it bends along the beam alone: its width and thickness [m], and its springs [Pa/m].
+B, T = 0.1, 0.2
+K = 5e6
+#: Its Young's modulus [Pa], and the stiffness of strip and beam together, of which the beam has its share [N m2].
+SOFT = E / 10
+WHOLE = EI + SOFT * B * T**3 / 12
+
+
+def strip(length: float, beams: list[dict[str, Any]], loads: list[dict[str, Any]], **others: Any) -> gs.Model:
+    """Return a strip on springs that pull, with beams and loads."""
+    parts: dict[str, Any] = {
+        "plate": {"length_x": length, "length_y": B, "thickness": T, "E": SOFT, "nu": 0.0},
+        "ground": {"kind": "winkler", "k": K},
+        "contact": {"tensionless": False},
+        "beams": beams,
+        "loads": loads,
+        "mesh": {"size": 0.1},
+    }
+    return gs.Model(**parts | others)
+
+
+def along(length: float, section: dict[str, Any] = STIFF) -> dict[str, Any]:
+    """Return a beam from one end of a strip to the other, of concrete."""
+    return {"name": "beam", "points": [(-length / 2, 0.0), (length / 2, 0.0)], "section": section, "E": E}
+
+
+def force(x: float, P: float) -> dict[str, Any]:
+    """Return a force on the beam."""
+    return {"kind": "point", "x": x, "y": 0.0, "P": P}
+
+
+def only_beam(results: gs.Results) -> BeamResult:
+    """Return the only beam of the only combination."""
+    assert results.only.certificate.holds
+    (beam,) = results.only.beams
+    return beam
+
+
+@pytest.mark.parametrize(("length", "at"), [(6.0, 3.0), (6.0, 1.5), (40.0, 20.0)])
+def test_a_beam_on_springs_is_that_of_hetenyi(length: float, at: float) -> None:
+    """Free beams, short and long: settlement to 1e-4 all along, moment to 1e-4 of the largest."""
+    P = 100e3
+    beam = only_beam(gs.solve(strip(length, [along(length)], [force(at - length / 2, P)])))
+    exact = [beam_on_springs(float(x), length, P, at, WHOLE, K * B) for x in beam.way]
+    w, M = (np.array([each[name] for each in exact]) for name in ("settlement", "moment"))
+    assert np.abs(beam.settlement - w).max() < 1e-4 * w.max()
+    assert np.abs(beam.moment - EI / WHOLE * M).max() < 1e-4 * np.abs(M).max()
+
+
+def test_the_shear_force_is_the_slope_of_the_moment() -> None:
+    """Half of a force in the middle goes either way; V is dM/ds, from moments by differences."""
+    length, P = 6.0, 100e3
+    beam = only_beam(gs.solve(strip(length, [along(length)], [force(0.0, P)])))
+    at_force = np.flatnonzero(np.isclose(beam.way, length / 2))
+    assert beam.shear[at_force] == pytest.approx([P / 2, -P / 2], rel=2e-3)
+    right = beam.way > length / 2 + 0.2
+    slope = np.gradient(beam.moment[right], beam.way[right])
+    assert beam.shear[right][2:-2] == pytest.approx(slope[2:-2], abs=2e-3 * P)
+
+
+@pytest.mark.parametrize(
+    ("section", "whole"),
+    [
+        # the concentric rib: 0.2^3 / 12 + 0.3 0.6^3 / 12 = 0.006067 m4
+        ({"kind": "rectangle", "width": 0.3, "height": 0.6}, 0.0060666667),
+        # the T: its axis lies 0.09 m from the middle of rib and flange together weighed by area, 0.021225 m4
+        ({"kind": "rib", "width": 0.3, "height": 0.6, "effective_width": 1.0}, 0.0212254386),
+    ],
+)
+def test_a_ribbed_strip_spans_as_its_section_does(section: dict[str, Any], whole: float) -> None:
+    """A meter of a plate of 0.2 m with a rib of 0.3 m by 0.6 m that shears, simply supported over 40 m."""
+    length, q = 40.0, 10e3
+    shear = E / 2 * 5 / 6 * 0.3 * 0.6
+    ends = [{"kind": "line", "points": [(x, -0.5), (x, 0.5)], "acts": "both ways"} for x in (-length / 2, length / 2)]
+    model = gs.Model(
+        plate={"length_x": length, "length_y": 1.0, "thickness": 0.2, "E": E, "nu": 0.0},
+        ground={"kind": "winkler", "k": 1.0},
+        contact={"tensionless": False},
+        supports=ends,
+        beams=[along(length, section)],
+        loads=[{"kind": "uniform", "q": q}],
+        mesh={"size": 0.25},
+    )
+    results = gs.solve(model)
+    exact = 5 * q * length**4 / (384 * E * whole) + q * length**2 / (8 * shear)
+    assert results.plate.value_at("settlement", 0.0, 0.0) == pytest.approx(exact, rel=1e-3)
+    moment = q * length**2 / 8 * (1 - 0.2**3 / 12 / whole)
+    assert only_beam(results).moment.max() == pytest.approx(moment, rel=2e-3)
+
+
+def test_the_ratio_of_both_ribs_is_three_and_a_half() -> None:
+    """The stiffness of the T over that of the concentric rib, 0.021225 / 0.006067 m4."""
+    rib = gs.Model(
+        plate={"length_x": 4.0, "length_y": 1.0, "thickness": 0.2, "E": E, "nu": 0.0},
+        ground={"kind": "winkler", "k": K},
+        beams=[along(4.0, {"kind": "rib", "width": 0.3, "height": 0.6, "effective_width": 1.0})],
+        loads=[{"kind": "uniform", "q": 1e3}],
+    ).beams[0]
+    own, plate = rib.rigidities(E, 0.0, 0.2)[0] / E, 0.2**3 / 12
+    assert own + plate == pytest.approx(0.021225, rel=1e-4)
+    assert (own + plate) / (0.3 * 0.6**3 / 12 + plate) == pytest.approx(3.50, abs=5e-3)
+
+
+def test_two_crossing_beams_share_a_force() -> None:
+    """A grillage of beams over 8 m and 4 m in a plate as soft as nothing: as 1 / (L^3 / 48 EI + L / 4 G A_v)."""
+    P, long, short = 100e3, 8.0, 4.0
+    ends = [(-long / 2, 0.0), (long / 2, 0.0), (0.0, -short / 2), (0.0, short / 2)]
+    model = gs.Model(
+        plate={"length_x": long, "length_y": short, "thickness": 0.1, "E": 1e4, "nu": 0.0},
+        ground={"kind": "winkler", "k": 1e-3},
+        contact={"tensionless": False},
+        supports=[{"kind": "point", "x": x, "y": y, "acts": "both ways"} for x, y in ends],
+        beams=[
+            {"name": "long", "points": ends[:2], "section": STIFF, "E": E},
+            {"name": "short", "points": ends[2:], "section": STIFF, "E": E},
+        ],
+        loads=[{"kind": "point", "x": 0.0, "y": 0.0, "P": P}],
+        mesh={"size": 0.5},
+    )
+    results = gs.solve(model).only
+    assert results.certificate.holds
+    stiffness = [1 / (L**3 / (48 * EI) + L / (4 * E / 2 * STIFF["shear_area"])) for L in (long, short)]
+    w = P / sum(stiffness)
+    assert results.plate.value_at("settlement", 0.0, 0.0) == pytest.approx(w, rel=1e-4)
+    for beam, k, L in zip(results.beams, stiffness, (long, short), strict=True):
+        assert beam.moment.max() == pytest.approx(k * w * L / 4, rel=1e-4)
+        assert np.abs(beam.shear) == pytest.approx(k * w / 2, rel=1e-3)
+    assert sum(abs(each.total) for each in results.supports) == pytest.approx(P, rel=1e-6)
+
+
+def test_a_ring_beam_clamps_a_circular_plate() -> None:
+    """A simply supported circle with a ring along its edge, which turns by m a^2 / EI under a moment m per length.
+
+    Timoshenko and Woinowsky-Krieger 1959, section 16: under a pressure the edge turns by q a^3 / 8 D (1 + nu), under a
+    moment at the edge by M a / D (1 + nu), and the middle settles by (5 + nu) q a^4 / 64 D (1 + nu) or
+    M a^2 / 2 D (1 + nu).
+    """
+    a, q, nu, t = 5.0, 10e3, 0.2, 0.2
+    D = E * t**3 / 12 / (1 - nu**2)
+    shear = 5 / 6 * E / (2 * (1 + nu)) * t
+    circle = {"kind": "circle", "centre": (0.0, 0.0), "radius": a}
+    model = gs.Model(
+        plate={"outline": circle, "thickness": t, "E": E, "nu": nu, "support": "soft"},
+        ground={"kind": "winkler", "k": 1.0},
+        contact={"tensionless": False},
+        beams=[{"name": "ring", "shape": circle, "section": STIFF}],
+        loads=[{"kind": "uniform", "q": q}],
+        mesh={"size": 0.5},
+    )
+    results = gs.solve(model).only
+    m = q * a**3 / 8 / (D * (1 + nu)) / (a**2 / EI + a / (D * (1 + nu)))
+    w = (5 + nu) / (1 + nu) * q * a**4 / (64 * D) - m * a**2 / (2 * D * (1 + nu)) + q * a**2 / (4 * shear)
+    assert results.plate.value_at("settlement", 0.0, 0.0) == pytest.approx(w, rel=1e-3)
+    (ring,) = results.beams
+    assert ring.way[-1] == pytest.approx(2 * math.pi * a, rel=1e-6)
+    # the plate's edge turns outwards upwards, so that the ring is bent as if it sagged: -EI dbeta/ds . t = m a
+    assert ring.moment == pytest.approx(m * a, rel=5e-3)
+    assert np.abs(ring.torsion).max() == 0.0
+
+
+def lifting_beam(length: float, n: int, stiffness: float, k: float, forces: dict[float, float]) -> tuple[Array, Array]:
+    """Return settlement and moment at n + 1 nodes of a Bernoulli beam on springs [N/m2] that only push.
+
+    Cubic elements; springs by Simpson's rule at nodes and middles, which those that pull leave one after the other.
+    """
+    h = length / n
+    element = stiffness / h**3 * np.array([
+        [12, 6 * h, -12, 6 * h], [6 * h, 4 * h * h, -6 * h, 2 * h * h],
+        [-12, -6 * h, 12, -6 * h], [6 * h, 2 * h * h, -6 * h, 4 * h * h],
+    ])  # fmt: skip
+    size = 2 * (n + 1)
+    bent, f = np.zeros((size, size)), np.zeros(size)
+    for i in range(n):
+        bent[2 * i : 2 * i + 4, 2 * i : 2 * i + 4] += element
+    for x, P in forces.items():
+        f[2 * round(x / h)] += P
+    rows = np.zeros((2 * n + 1, size))
+    rows[::2, ::2] = np.eye(n + 1)
+    for i in range(n):
+        rows[2 * i + 1, 2 * i : 2 * i + 4] = 0.5, h / 8, 0.5, -h / 8
+    share = k * h / 6 * np.tile([2.0, 4.0], n + 1)[:-1]
+    share[[0, -1]] /= 2
+    pushes = np.ones(len(share), dtype=bool)
+    for _ in range(100):
+        u = np.linalg.solve(bent + rows.T @ (np.where(pushes, share, 0.0)[:, None] * rows), f)
+        before, pushes = pushes, rows @ u > 0
+        if (before == pushes).all():
+            break
+    ends = np.array([element @ u[2 * i : 2 * i + 4] for i in range(n)])
+    M: Array = np.append(ends[:, 1], -ends[-1, 3])
+    return u[::2], M
+
+
+def test_a_beam_that_lifts_off_is_that_of_a_small_program() -> None:
+    """Forces in the middle and near one end of a long stiff beam: both ends lift, differently; an active set agrees."""
+    length, forces = 24.0, {12.0: 300e3, 16.0: 100e3}
+    loads = [force(x - length / 2, P) for x, P in forces.items()]
+    results = gs.solve(strip(length, [along(length)], loads, contact={"tensionless": True}, mesh={"size": 0.05}))
+    beam = only_beam(results)
+    w, M = lifting_beam(length, 480, WHOLE, K * B, forces)
+    assert results.plate.contact_share < 0.85
+    places = np.linspace(0.0, length, 481)
+    assert beam.settlement == pytest.approx(np.interp(beam.way, places, w), abs=1e-3 * w.max())
+    assert beam.moment == pytest.approx(EI / WHOLE * np.interp(beam.way, places, M), abs=1e-3 * np.abs(M).max())
+
+
+def ribbed_raft(beams: list[dict[str, Any]], turned: bool = False) -> gs.Results:
+    """Return the results of a small raft with ribs and two forces, or of the same turned by a quarter."""
+
+    def place(x: float, y: float) -> tuple[float, float]:
+        return (-y, x) if turned else (x, y)
+
+    sides = dict(zip(("length_x", "length_y"), (4.0, 6.0) if turned else (6.0, 4.0), strict=True))
+    loads = [((-1.0, 0.5), 300e3), ((2.0, -1.0), 200e3)]
+    return gs.solve(
+        gs.Model(
+            plate={**sides, "thickness": 0.25, "E": E, "nu": 0.2},
+            ground={"kind": "pasternak", "k0": 20e6, "k1": 10e6},
+            beams=[each | {"points": [place(*point) for point in each["points"]]} for each in beams],
+            loads=[
+                {"kind": "point", "x": place(*at)[0], "y": place(*at)[1], "P": P, "width_x": 0.4, "width_y": 0.4}
+                for at, P in loads
+            ],
+            mesh={"size": 0.25},
+        )
+    )
+
+
+RIB = {"kind": "rib", "width": 0.3, "height": 0.4, "effective_width": 1.0}
+LONG = {"name": "long", "points": [(-3.0, 0.5), (3.0, 0.5)], "section": RIB}
+SHORT = {"name": "short", "points": [(2.0, -2.0), (2.0, 2.0)], "section": RIB}
+
+
+def test_a_beam_in_two_parts_is_the_same_beam() -> None:
+    """Parts that follow each other bend as the whole one; so does one that runs the other way, its torsion too."""
+    whole = ribbed_raft([LONG, SHORT]).only
+    parts = ribbed_raft(
+        [
+            LONG | {"name": "left", "points": [(-3.0, 0.5), (-1.0, 0.5)]},
+            LONG | {"name": "right", "points": [(3.0, 0.5), (-1.0, 0.5)]},
+            SHORT,
+        ]
+    ).only
+    assert parts.plate.settlement == pytest.approx(whole.plate.settlement, rel=1e-9)
+    beam, (left, right, _) = whole.beams[0], parts.beams
+    for name, sign in (("settlement", 1), ("moment", 1), ("shear", -1), ("torsion", 1)):
+        along_whole = getattr(beam, name)
+        scale = np.abs(along_whole).max()
+        for part, way, turned in ((left, left.way, 1), (right, 6.0 - right.way, sign)):
+            # where the parts meet, each takes its values from its own side alone; at the other rib they jump
+            away = (part.way < part.way[-1] - 0.3) & (np.abs(part.nodes[:, 0] - 2.0) > 0.1)
+            expected = np.interp(way[away], beam.way, along_whole)
+            assert turned * getattr(part, name)[away] == pytest.approx(expected, abs=1e-6 * scale)
+
+
+def test_a_turned_raft_with_ribs_is_the_same() -> None:
+    """By a quarter turn: section forces of ribs, and settlements."""
+    one, other = ribbed_raft([LONG, SHORT]).only, ribbed_raft([LONG, SHORT], turned=True).only
+    assert other.plate.settlement.max() == pytest.approx(one.plate.settlement.max(), rel=1e-3)
+    for a, b in zip(one.beams, other.beams, strict=True):
+        assert b.moment.max() == pytest.approx(a.moment.max(), rel=5e-3)
+        assert b.moment.min() == pytest.approx(a.moment.min(), rel=2e-2)
+
+
+def test_equilibrium_holds_in_a_cut_through_slab_and_rib() -> None:
+    """Moments of the slab in a cut, and of the rib that crosses it, balance loads and pressures on one side."""
+    length, k = 12.0, 10e6
+    model = gs.Model(
+        plate={"length_x": length, "length_y": 1.0, "thickness": 0.2, "E": E, "nu": 0.0},
+        ground={"kind": "winkler", "k": k},
+        contact={"tensionless": False},
+        beams=[along(length, {"kind": "rectangle", "width": 0.3, "height": 0.6})],
+        loads=[{"kind": "line", "points": [(0.0, -0.5), (0.0, 0.5)], "q": 100e3}],
+        mesh={"size": 0.125},
+    )
+    results = gs.solve(model).only
+    plate, (beam,) = results.plate, results.beams
+    cut = 1.0
+    g, weight = np.polynomial.legendre.leggauss(40)
+    x, weight = cut + (length / 2 - cut) * (g + 1) / 2, weight * (length / 2 - cut) / 2
+    y = np.linspace(-0.5, 0.5, 201)
+    y[100] = 1e-9
+    X, Y = np.meshgrid(x, y)
+    pressed = np.trapezoid(k * plate.value_at("settlement", X, Y), y, axis=0)
+    for name, of_beam, exact in (
+        ("moment_x", beam.moment, weight @ (pressed * (x - cut))),
+        ("shear_x", beam.shear, -weight @ pressed),
+    ):
+        in_slab = np.trapezoid(plate.value_at(name, np.full(len(y), cut), y), y)
+        in_rib = np.interp(cut + length / 2, beam.way, of_beam)
+        assert in_slab + in_rib == pytest.approx(exact, rel=1e-3)
