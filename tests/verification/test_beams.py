@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import groundslab as gs
+from groundslab.accuracy.values import estimate_error
 from groundslab.arrays import Array
 from groundslab.results.record import BeamResult
 from groundslab.verification.analytic_beams import beam_on_springs
@@ -308,3 +309,34 @@ def test_equilibrium_holds_in_a_cut_through_slab_and_rib() -> None:
         in_slab = np.trapezoid(plate.value_at(name, np.full(len(y), cut), y), y)
         in_rib = np.interp(cut + length / 2, beam.way, of_beam)
         assert in_slab + in_rib == pytest.approx(exact, rel=1e-3)
+
+
+@pytest.mark.parametrize("element", ["mitc9", "q9", "heterosis"])
+def test_told_errors_of_beams_cover_true_ones(element: str) -> None:
+    """On a coarse mesh the told error of a rib's moments is of the size of the true one, which a fine mesh tells."""
+
+    def rib(size: float) -> gs.CombinationResult:
+        return gs.solve(
+            gs.Model(
+                plate={
+                    "length_x": 6.0,
+                    "length_y": 4.0,
+                    "thickness": 0.25,
+                    "E": E,
+                    "nu": 0.2,
+                    "element": element,
+                },
+                ground={"kind": "winkler", "k": 50e6},
+                beams=[LONG | {"points": [(-3.0, 0.0), (3.0, 0.0)]}],
+                loads=[{"kind": "patch", "x": (-1.5, -0.5), "y": (-0.5, 0.5), "q": 300e3}],
+                mesh={"size": size},
+            )
+        ).only
+
+    coarse, fine = rib(0.5), rib(0.0625)
+    assert coarse.coarser is not None
+    assert coarse.comparison is not None
+    for figure in (np.max, np.min):
+        value, other, exact = (float(figure(each.beams[0].moment)) for each in (coarse, coarse.coarser, fine))
+        told = estimate_error(value, other, coarse.comparison)
+        assert abs(value - exact) < max(1.5 * told, 2e-3 * abs(exact))

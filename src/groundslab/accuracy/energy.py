@@ -11,9 +11,12 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.fem.assembly import scatter
+from groundslab.fem.mesh import SIDES
 from groundslab.fem.problem import Problem, W
 from groundslab.fem.shape_functions import areas, determinants, gauss, gradients, inverse_jacobian, q9
 from groundslab.fem.system import surface_settlement
+from groundslab.model.model import Model
+from groundslab.results.balance.beam_forces import squared_errors
 from groundslab.results.balance.forces import pressing_forces, resistance
 from groundslab.results.patch_recovery import extrapolation
 from groundslab.results.recovery import own_forces
@@ -40,18 +43,33 @@ def energy(solution: Solution) -> float:
     return max(stored, 0.0)
 
 
-def energy_errors(solution: Solution, recovered: Array) -> Array:
+def energy_errors(model: Model, solution: Solution, recovered: Array) -> Array:
     """Return the squared errors of elements of plate and ground in the energy norm, (m, 3) [N m].
 
     They are those of moments, shear forces and slopes of the ground. recovered (mp, 9, 5) are moments and shear forces
-    at the nodes of the plate's elements.
+    at the nodes of the plate's elements. Those of a beam belong to the elements along it.
     """
     of_ground = _ground_errors(solution)
     errors = np.zeros((len(of_ground), 3))
     errors[solution.system.problem.plate.elements, :2] = _plate_errors(solution, recovered)
     errors[:, 2] = of_ground
+    if model.beams:
+        errors[:, :2] += _beam_errors(model, solution)
     # squares but for rounding
     return np.maximum(errors, 0.0)
+
+
+def _beam_errors(model: Model, solution: Solution) -> Array:
+    """Return the squared errors of moments and of shear forces of beams in the elements along them, (m, 2) [N m]."""
+    problem = solution.system.problem
+    elements, sides = problem.mesh.elements, problem.beams.sides
+    M, T, V = squared_errors(model, solution).T
+    number = np.full(len(problem.mesh.nodes), -1)
+    number[sides[:, 2]] = np.arange(len(sides))
+    element, side = np.nonzero(number[elements[:, SIDES[:, 2]]] >= 0)
+    piece = number[elements[element, SIDES[side, 2]]]
+    share = 1 / np.bincount(piece, minlength=len(sides))[piece]
+    return np.column_stack([scatter(element, share * each[piece], len(elements)) for each in (M + T, V)])
 
 
 def error_density(solution: Solution, frame: ResultMesh, squared: Array, total: float) -> Array:

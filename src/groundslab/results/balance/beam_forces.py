@@ -8,7 +8,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers, Memo
 from groundslab.fem.mesh import sides_along
-from groundslab.fem.parts.beams import POINTS, section_forces
+from groundslab.fem.parts.beams import POINTS, TO_ENDS, section_forces
 from groundslab.fem.problem import TOP, Problem
 from groundslab.fem.system import plate_settlement
 from groundslab.geometry.nearest import nearest_distance
@@ -33,6 +33,7 @@ class Stations:
     way: Array  # (k,) [m]: along the beam
     points: Integers  # (k, 4): Gauss points of pieces, numbered 2 piece + point, from which each takes its values
     weights: Array  # (k, 4)
+    of_piece: Integers  # (b, 2): those at its start and at its end
 
 
 def beam_results(model: Model, solution: Solution) -> tuple[BeamResult, ...]:
@@ -45,10 +46,7 @@ def beam_results(model: Model, solution: Solution) -> tuple[BeamResult, ...]:
     if not model.beams:
         return ()
     problem = solution.system.problem
-    b = problem.beams
-    stations = _STATIONS.get(problem.mesh.nodes, model.loads, lambda: _make_stations(model, problem))
-    at_points = section_forces(problem.mesh.nodes[b.sides], b.rigidity, solution.U[b.sides][..., :TOP])
-    M, T, V = np.einsum("kp,kpr->rk", stations.weights, at_points.reshape(-1, 3)[stations.points])
+    stations, _, (M, T, V) = _along(model, solution)
     w = plate_settlement(solution.system, solution.U)
     found = []
     for number, beam in enumerate(model.beams):
@@ -58,6 +56,30 @@ def beam_results(model: Model, solution: Solution) -> tuple[BeamResult, ...]:
             BeamResult(beam.name, problem.mesh.nodes[node], stations.way[own], w[node], M[own], V[own], T[own])
         )
     return tuple(found)
+
+
+def squared_errors(model: Model, solution: Solution) -> Array:
+    """Return int (M* - M)^2 / EI, the same of T, and int (V* - V)^2 / G A_v of the pieces of beams, (b, 3) [N m].
+
+    What is recovered, M*, has the elements' own values at both Gauss points, and those at the stations: there is a
+    parabola between, c (s^2 - 1/3) with s = -1 .. 1, of which the integral of the square is 4 c^2 / 45 of the length.
+    """
+    b = solution.system.problem.beams
+    stations, own, recovered = _along(model, solution)
+    off = recovered.T[stations.of_piece] - np.einsum("ep,bpr->ber", TO_ENDS, own)
+    c = 1.5 * off.mean(axis=1)
+    rigidity = np.where(b.rigidity > 0, b.rigidity, np.inf)
+    squares: Array = 4 / 45 * c**2 * b.length[:, None] / rigidity
+    return squares
+
+
+def _along(model: Model, solution: Solution) -> tuple[Stations, Array, Array]:
+    """Return the stations of beams, and M, T and V at the Gauss points of pieces (b, 2, 3) and at stations (3, k)."""
+    problem = solution.system.problem
+    b = problem.beams
+    stations = _STATIONS.get(problem.mesh.nodes, model.loads, lambda: _make_stations(model, problem))
+    own = section_forces(problem.mesh.nodes[b.sides], b.rigidity, solution.U[b.sides][..., :TOP])
+    return stations, own, np.einsum("kp,kpr->rk", stations.weights, own.reshape(-1, 3)[stations.points])
 
 
 #: Those of a mesh with its beams.
@@ -86,7 +108,9 @@ def _make_stations(model: Model, problem: Problem) -> Stations:
     x /= np.abs(x).max(axis=1, keepdims=True)
     alone = (pieces[:, :1] == pieces[:, 2:3]).astype(bool)
     A = np.stack([np.ones_like(x), x, np.where(alone, 0.0, x * x)], axis=2)
-    return Stations(beam, node, way, points, np.linalg.pinv(A)[:, 0])
+    run = np.searchsorted(first, np.arange(len(b.sides)), side="right") - 1
+    at_start = np.arange(len(b.sides)) + run
+    return Stations(beam, node, way, points, np.linalg.pinv(A)[:, 0], np.column_stack([at_start, at_start + 1]))
 
 
 def _goes_on(model: Model, problem: Problem) -> Flags:
