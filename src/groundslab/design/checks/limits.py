@@ -18,7 +18,7 @@ from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results, why_none
 from groundslab.design.basis.demand_errors import error_at_nodes, error_of, scaled
 from groundslab.design.by_plate import results_by_plate
-from groundslab.design.checks.ground.edge_strip import spread_edge_force, strip_width
+from groundslab.design.demands.edge_strip import spread_edge_force, strip_width
 from groundslab.design.tilt import deflections_between, settlement_differences, tilt
 from groundslab.model.loads.load_cases import SERVICEABILITY
 from groundslab.model.plates.region import PlateRegion

@@ -48,12 +48,29 @@ def strip_width(results: CombinationResult) -> float:
     return min(decay, farthest_from_edges(results))
 
 
-def spread_edge_force(results: CombinationResult) -> PlateResult:
-    """Return the plate with pressure and shear forces as they are with the line force spread over the strip."""
+def plates_that_count(
+    results: CombinationResult, *, relieves: bool, nodes: Integers | None = None
+) -> tuple[PlateResult, ...]:
+    """Return the plate as it is and, unless the line force along its edge relieves it, with that force spread.
+
+    At some nodes (k,) only, if they are given.
+    """
+    if relieves or not has_line_force(results):
+        return (results.plate,)
+    return results.plate, spread_edge_force(results, nodes)
+
+
+def spread_edge_force(results: CombinationResult, nodes: Integers | None = None) -> PlateResult:
+    """Return the plate with pressure and shear forces as they are with the line force spread over the strip.
+
+    At some nodes (k,) only, if they are given.
+    """
     plate = results.plate
     if not has_line_force(results):
         return plate
-    pressure, shear = _spread(plate.nodes, *_sides(results), strip_width(results))
+    some = np.arange(len(plate.nodes)) if nodes is None else nodes
+    pressure, shear = np.zeros(len(plate.nodes)), np.zeros((len(plate.nodes), 2))
+    pressure[some], shear[some] = _spread(plate.nodes[some], *_sides(results), strip_width(results))
     return replace(
         plate,
         pressure=plate.pressure + pressure,

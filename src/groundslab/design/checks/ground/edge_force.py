@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.basis.demand_errors import error_of, scaled
-from groundslab.design.checks.ground.edge_strip import line_force_share, strip_width
+from groundslab.design.demands.edge_strip import line_force_share, strip_width
 from groundslab.results.results import Results
 
 #: Share of the ground's force above which the edge's line force is named.

@@ -29,13 +29,12 @@ from groundslab.design.basis.demand_errors import error_of_greatest, scaled
 from groundslab.design.basis.design_code import ShearRule, no_rule
 from groundslab.design.basis.shear_demand import ShearDemand
 from groundslab.design.basis.wide_beam import Cut
-from groundslab.design.checks.ground.edge_strip import spread_edge_force
 from groundslab.design.checks.one_way_shear.faces import bearers
 from groundslab.design.checks.one_way_shear.places import Places, ShearPlaces, near_forces, nodes_of
 from groundslab.design.codes import code_of
+from groundslab.design.demands.edge_strip import plates_that_count, spread_edge_force
 from groundslab.design.demands.principal_shear import principal_shear, ratio_along
 from groundslab.model.design.reinforcement import Reinforcement
-from groundslab.results.contact_zone import has_line_force
 from groundslab.results.fields import place_of
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult, Results
@@ -66,20 +65,13 @@ def _of_combination(
 ) -> Iterator[ShearDemand]:
     """Yield the worst of the places of a combination, with the edge's line force where it acts and spread."""
     sorted_places = places.of(results)
-    for plate in _plates(results, steel):
+    for plate in plates_that_count(results, relieves=steel.line_force_relieves):
         for beyond in sorted_places.beyond:
             yield from _worst(results, plate, beyond, steel, rule)
         if rule.struts_fail is not None:
             for demand in _worst(results, plate, sorted_places.within, steel, rule):
                 if rule.struts_fail(steel, results.limit_state, demand.v, demand.d):
                     yield replace(demand, at_support=True)
-
-
-def _plates(results: CombinationResult, steel: Reinforcement) -> tuple[PlateResult, ...]:
-    """Return the plate as it is and, unless the line force along its edge may relieve it, with that force spread."""
-    if steel.line_force_relieves or not has_line_force(results):
-        return (results.plate,)
-    return results.plate, spread_edge_force(results)
 
 
 def _worst(
@@ -124,7 +116,9 @@ def _across(
         state: {layer: rule.resistance(steel, state, nodes.d, rho) for layer, rho in nodes.ratios.items()}
         for state in {result.limit_state for result in results}
     }
-    plates = [(result, plate) for result in results for plate in _plates(result, steel)]
+    plates = [
+        (result, plate) for result in results for plate in plates_that_count(result, relieves=steel.line_force_relieves)
+    ]
     for cut in cuts:
         d, thickness = cut.mean(nodes.d), cut.mean(nodes.thickness)
         for result, plate in plates:
