@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+import pytest
+
 from groundslab.design.result_tables import tables_of
 from groundslab.model.combinations import list_combinations
 from groundslab.model.model import Model
@@ -80,3 +82,21 @@ def test_columns_of_joints_are_explained() -> None:
     tables = tables_of(Results(model, list_combinations(model), {}, {"all loads": Exception("not solved")}))
     (table,) = (each for each in tables if each.name == "joints")
     assert explained("joints") == [(column.name, column.unit) for column in table.columns]
+
+
+@pytest.mark.parametrize(("code", "heading"), [("EN 1992-1-1", ""), ("ACI 318", ", by ACI 318")])
+def test_columns_of_walls_that_punch_are_explained(code: str, heading: str) -> None:
+    """The table of ends and corners of walls has a section for each code."""
+    model = Model(
+        plate={"length_x": 4, "length_y": 4, "thickness": 0.3, "E": 30e9, "nu": 0.2},
+        ground={"kind": "winkler", "k": 20e6},
+        walls=[{"name": "W", "thickness": 0.2, "points": [(0, 0), (1, 0)]}],
+        loads=[{"kind": "line", "q": 1e3, "wall": "W", "case": "G"}],
+        cases=[{"name": "G"}],
+        combinations=[{"name": "ULS", "factors": {"G": 1.35}}],
+        reinforcement={"code": code, "f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.04, 0.05)},
+    )
+    tables = tables_of(Results(model, list_combinations(model), {}, {"ULS": Exception("not solved")}))
+    (table,) = (each for each in tables if each.name == "wall_punching")
+    own = explained(f"wall_punching{heading}")
+    assert [(column.name, column.unit) for column in table.columns][-len(own) :] == own

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from functools import cache, partial
 
 from groundslab.design.bar_quantities import bars
+from groundslab.design.basis.wall_ends import loaded_ends
 from groundslab.design.checks import check_design
 from groundslab.design.checks_table import checks_table
 from groundslab.design.demands.perimeter_loads import punching_piles
@@ -14,7 +15,7 @@ from groundslab.design.tables.beams import beam_table
 from groundslab.design.tables.columns import column_envelope, column_table
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
 from groundslab.design.tables.locations import lines, points, soil, strips
-from groundslab.design.tables.punching import pile_punching
+from groundslab.design.tables.punching import pile_punching, wall_punching
 from groundslab.design.tables.reinforcement import reinforcement
 from groundslab.design.tables.summary import acting_cases, combinations, extremes, tilts
 from groundslab.design.tables.supports import joint_table, support_table
@@ -30,9 +31,9 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
     """Return the tables of results: combinations, extremes, envelopes and tilt, and those that the model asks for.
 
     Load cases have a table of what acts where. Points, section lines, design strips, supports, joints, walls, beams,
-    columns, piles that punch the plate, reinforcement and laid bars have a table each if the model names any, and so
-    have checks; on a continuum, the soil below the points too. Discretization errors stand in columns at the right.
-    docs/results.md explains every column.
+    columns, piles and ends of walls that punch the plate, reinforcement and laid bars have a table each if the model
+    names any, and so have checks; on a continuum, the soil below the points too. Discretization errors stand in columns
+    at the right. docs/results.md explains every column.
 
     Parameters
     ----------
@@ -99,6 +100,8 @@ def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
         makers |= {"columns": columns, "column_envelope": lambda: column_envelope(combined, columns())}
     if model.reinforcement is not None and punching_piles(model):
         makers["pile_punching"] = lambda: errors.with_errors(pile_punching, combined)
+    if model.reinforcement is not None and loaded_ends(model):
+        makers["wall_punching"] = lambda: errors.with_errors(wall_punching, combined)
     if model.reinforcement is not None:
         needs = partial(reinforcement, steel=model.reinforcement)
         makers["reinforcement"] = lambda: errors.with_errors_of_governing(needs, combined)

@@ -105,7 +105,8 @@ class Model(Section):
         tuple[Column, ...], Table("columns on the plate, which loads name; punching is checked", 10_000)
     ] = ()
     walls: Annotated[
-        tuple[Wall, ...], Table("walls on the plate, which loads name; shear is checked from their faces on", 10_000)
+        tuple[Wall, ...],
+        Table("walls on the plate, which loads name; shear is checked from their faces on, punching at ends", 10_000),
     ] = ()
     beams: Annotated[tuple[Beam, ...], Table("beams and ribs cast with the plate, which stiffen it", 1000)] = ()
     cases: Annotated[

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from groundslab.design.aci318 import bending
 from groundslab.design.aci318.case_materials import materials
-from groundslab.design.aci318.checks import bars, one_way_shear, two_way, two_way_columns
+from groundslab.design.aci318.checks import bars, one_way_shear, two_way, two_way_columns, wall_ends
 from groundslab.design.aci318.checks.remarks import remarks
 from groundslab.design.basis import wide_beam
 from groundslab.design.basis.design_code import Clauses, DesignCode, PunchingRule, ShearRule
@@ -34,9 +34,10 @@ ACI318 = DesignCode(
     punching=PunchingRule(
         at_columns=two_way_columns.at_columns,
         over_piles=two_way_columns.over_piles,
+        at_walls=wall_ends.at_walls,
         checks=two_way.checks,
         extremes=(("v_u", "MPa"),),
-        with_errors=("V_u", "v_u"),
+        with_errors=("V_u", "v_u", "v_u / phi v_c"),
     ),
     bars=bars.checks,
     remarks=remarks,

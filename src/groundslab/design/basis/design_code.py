@@ -63,11 +63,11 @@ class ShearRule:
 
 @dataclass(frozen=True, slots=True)
 class PunchingRule:
-    """Punching, or two-way shear, at columns and of the plate over piles.
+    """Punching, or two-way shear, at columns, of the plate over piles, and at ends and corners of walls.
 
     Attributes
     ----------
-    at_columns, over_piles : callable
+    at_columns, over_piles, at_walls : callable
         What tables have of it.
     checks : callable
         Of all combinations: the checks.
@@ -79,6 +79,7 @@ class PunchingRule:
 
     at_columns: Callable[[Results, Reinforcement], PunchingColumns]
     over_piles: Callable[[Results, Reinforcement], PunchingColumns]
+    at_walls: Callable[[Results, Reinforcement], PunchingColumns]
     checks: Callable[[Results], Iterator[DesignCheck]]
     extremes: Heads
     with_errors: tuple[str, ...]
@@ -99,7 +100,7 @@ class DesignCode:
     shear : ShearRule or None
         One-way shear.
     punching : PunchingRule or None
-        Columns and piles that punch the plate.
+        Columns, piles and ends of walls that punch the plate.
     bars : callable or None
         Of all combinations, materials and laid bars by layer: the checks of these bars besides their area.
     remarks : callable or None

@@ -32,7 +32,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     needs = required_bars.governing_needs(combined, steel)
     yield _bending(needs)
     yield _compression(needs, code.clauses.held_bars)
-    if combined.model.columns or combined.model.supports:
+    if combined.model.columns or combined.model.supports or combined.model.walls:
         yield from _punching(combined, code)
         yield from pulling.checks(combined)
     if without_partial_factors(combined):
@@ -42,7 +42,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
 
 
 def _punching(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
-    """Yield the checks of columns and piles, or that the code has no rule for them."""
+    """Yield the checks of columns, piles and ends of walls, or that the code has no rule for them."""
     if code.punching is None:
         yield no_rule(code, "punching")
     else:

@@ -172,7 +172,7 @@ def surroundings(plate: PlateResult, column: Footprint, within: float, openings:
         filled=intersection(filled, part),
         rim=rim,
         edges=tuple(_near_edges(plan, footprint, rounding)),
-        shadow=_shadow(plan, footprint, center, openings, FAR * reach),
+        shadow=shadow_of(plan, footprint, center, openings, FAR * reach),
         rounding=rounding,
     )
 
@@ -291,7 +291,7 @@ def _cut_off(around: Surroundings, region: Polygon, *, filled: bool = False) -> 
     return inside, legs[~dwithin(boundary, points(legs.mean(axis=1)), around.rounding)]
 
 
-def _shadow(
+def shadow_of(
     plan: Polygon | MultiPolygon, footprint: Polygon, center: Array, openings: Openings, far: float
 ) -> BaseGeometry:
     """Return the area between the tangents from a center to openings, out to a distance [m]."""

@@ -6,7 +6,7 @@ from groundslab.design.basis.design_code import Clauses, DesignCode, PunchingRul
 from groundslab.design.bending import BendingRule
 from groundslab.design.en1992 import bending, shear
 from groundslab.design.en1992.case_materials import materials
-from groundslab.design.en1992.checks import bars, one_way_shear, punching, punching_columns
+from groundslab.design.en1992.checks import bars, one_way_shear, punching, punching_columns, wall_ends
 from groundslab.design.en1992.checks.remarks import remarks
 from groundslab.model.design.reinforcement import Reinforcement
 
@@ -30,6 +30,7 @@ EN1992 = DesignCode(
     punching=PunchingRule(
         at_columns=punching_columns.at_columns,
         over_piles=punching_columns.over_piles,
+        at_walls=wall_ends.at_walls,
         checks=punching.checks,
         extremes=(("v_Ed", "MPa"), ("v_Ed / v_Rd", ""), ("v_Ed at the face", "MPa")),
         with_errors=("V_Ed", "v_Ed", "v_Ed / v_Rd", "v_Ed at the face"),

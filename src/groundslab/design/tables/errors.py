@@ -49,6 +49,7 @@ VALUES: dict[str, tuple[str, ...]] = {
         "settlement", "settlement difference", "angular distortion", "angular distortion without tilt", *_PUNCHING,
     ),
     "pile_punching": ("force", *_PUNCHING),
+    "wall_punching": _PUNCHING,
     "reinforcement": ("required area", "design moment"),
 }  # fmt: skip
 #: Extremes in the table of combinations: which of which quantity.

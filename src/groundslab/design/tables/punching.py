@@ -1,12 +1,13 @@
-"""What tables have of punching, by the code of the case: at columns, and of the plate over piles."""
+"""What tables have of punching, by the code of the case: at columns, over piles, and at ends and corners of walls."""
 
 from __future__ import annotations
 
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.punching_columns import NO_COLUMNS, Heads, PunchingColumns
+from groundslab.design.basis.wall_ends import loaded_ends
 from groundslab.design.codes import code_of
 from groundslab.design.demands.perimeter_loads import punching_piles
-from groundslab.design.tables.table import Table, table_of
+from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.results.results import Results
 
 
@@ -42,3 +43,20 @@ def pile_punching(combined: Results) -> Table:
     ]
     heads = [("combination", ""), ("pile", ""), ("force", "kN"), *punched.heads]
     return table_of("pile_punching", "Punching over piles", heads, rows, punched.notes)
+
+
+def wall_punching(combined: Results) -> Table:
+    """Return the demand of punching at each end and corner of walls that press in each ultimate combination."""
+    steel = combined.model.reinforcement
+    assert steel is not None
+    rule = code_of(steel).punching
+    punched = NO_COLUMNS if rule is None else rule.at_walls(combined, steel)
+    ends = loaded_ends(combined.model)
+    rows: list[list[Cell]] = []
+    for result in ultimate_results(combined):
+        for end in ends:
+            cells = punched.cells(result.combination, end.name)
+            if any(cell is not None for cell in cells):
+                rows.append([result.combination, end.walls, end.label, *end.place, *cells])
+    heads = [("combination", ""), ("wall", ""), ("place", ""), ("x", "m"), ("y", "m"), *punched.heads]
+    return table_of("wall_punching", "Punching at walls' ends", heads, rows, punched.notes)

@@ -19,7 +19,10 @@ Kind = Literal["", "number", "good", "bad", "muted", "symbol", "words"]
 MOST_COLUMNS = 11
 #: Of the tables in FOLDED those with more rows are folded on the screen; on paper they are complete.
 MOST_ROWS = 24
-FOLDED = {"extremes", "envelope", "points", "soil", "lines", "strips", "supports", "columns", "pile_punching"}
+FOLDED = {
+    "extremes", "envelope", "points", "soil", "lines", "strips", "supports", "columns", "pile_punching",
+    "wall_punching",
+}  # fmt: skip
 #: Tables whose extremes are in other parts of the report.
 ELSEWHERE = {"extremes", "envelope", "columns"}
 #: Rows of a grid that are printed into a file at all; a table of more is read from its CSV file.
@@ -31,7 +34,7 @@ ERRORS = "Below each value: its estimated discretization error, as a share of it
 #: So many columns at the left of a table say which row it is.
 KEYS = {
     "combinations": 1, "extremes": 3, "envelope": 3, "tilt": 1, "points": 4, "soil": 5, "lines": 6, "strips": 5,
-    "supports": 3, "columns": 2, "column_envelope": 2, "pile_punching": 2, "reinforcement": 1,
+    "supports": 3, "columns": 2, "column_envelope": 2, "pile_punching": 2, "wall_punching": 3, "reinforcement": 1,
 }  # fmt: skip
 
 

@@ -182,3 +182,15 @@ def test_a_line_force_spread_over_a_strip_stays_as_large() -> None:
     change = spread.shear_x[node] - one.plate.shear_x[node]
     assert change == pytest.approx(-one.plate.line_force[edge] * (1 - 0.4 / b))
     assert spread.shear_y[node] == one.plate.shear_y[node]
+
+
+def test_the_line_force_is_spread_the_same_at_some_nodes() -> None:
+    """Shear forces at every seventh node are those of the whole plate; the others are left as they are."""
+    results = edge_walls()["ULS"]
+    some = np.arange(0, len(results.plate.nodes), 7)
+    whole, part = spread_edge_force(results), spread_edge_force(results, some)
+    others = np.setdiff1d(np.arange(len(results.plate.nodes)), some)
+    for name in ("shear_x", "shear_y", "pressure"):
+        assert getattr(part, name)[some] == pytest.approx(getattr(whole, name)[some])
+        assert (getattr(part, name)[others] == getattr(results.plate, name)[others]).all()
+    assert not np.allclose(whole.shear_y[some], results.plate.shear_y[some])

@@ -1,4 +1,4 @@
-"""Two-way shear by ACI 318-19 22.6 at columns, and of the plate over piles, at d / 2 from their faces."""
+"""Two-way shear by ACI 318-19 22.6 at columns, over piles and at ends of walls, at d / 2 from their faces."""
 
 from __future__ import annotations
 
@@ -7,9 +7,11 @@ from collections.abc import Iterator, Mapping
 from groundslab.design.aci318 import punching as aci318
 from groundslab.design.aci318.case_materials import materials
 from groundslab.design.aci318.checks.two_way_demand import TwoWay, pile_two_way, strength, two_way
+from groundslab.design.aci318.checks.wall_ends import wall_two_way
 from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.demand_errors import error_of_ratio, scaled
+from groundslab.design.basis.wall_ends import loaded_ends
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
@@ -23,6 +25,8 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         yield from _checks(steel, two_way(combined), "two-way shear", ("column", "down"))
     if punching_piles(combined.model):
         yield from _checks(steel, pile_two_way(combined), "two-way shear over piles", ("pile", "up"))
+    if loaded_ends(combined.model):
+        yield from _checks(steel, (wall_two_way(combined), {}), "two-way shear at walls' ends", ("wall end", "down"))
 
 
 def _checks(

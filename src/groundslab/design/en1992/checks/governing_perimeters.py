@@ -314,14 +314,17 @@ def _stress(results: CombinationResult, site: _Site, control: ControlPerimeter) 
     beta = _beta(control, shear.moments, shear.V, applied) if shear.V > 0 else 1.0
     v_Ed = beta * shear.V / (control.u * site.d)
     return Stress(
-        control,
+        control.distance,
+        control.u,
         shear.V,
         beta,
         v_Ed,
+        control.loads.supported,
         shear.pressure,
         shear.edge,
         shear.others,
         lambda: error_of(results, lambda mesh: _stress(mesh, site, control).v_Ed),
+        control,
     )
 
 

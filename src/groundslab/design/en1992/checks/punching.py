@@ -1,4 +1,4 @@
-"""Punching by EN 1992-1-1 6.4 of columns, and of the plate over piles: at faces, within 2 d, and the links it takes."""
+"""Punching by EN 1992-1-1 6.4 of columns, piles and ends of walls: at faces, within 2 d, and the links it takes."""
 
 from __future__ import annotations
 
@@ -9,11 +9,13 @@ from typing import Any, NamedTuple
 
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.demand_errors import error_of_ratio, scaled
+from groundslab.design.basis.wall_ends import loaded_ends
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
 from groundslab.design.en1992.checks.punching_demand import Demand, Demands, Stress
+from groundslab.design.en1992.checks.wall_ends import wall_demands
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -29,13 +31,19 @@ Judged = tuple[Demand, Stress, float]
 class Names(NamedTuple):
     """How checks call what punches."""
 
-    face: str
+    face: str  # empty where it is not judged
     within: str
     one: str
+    many: str
+    none: str  # where nothing pushes
 
 
-COLUMNS = Names("punching at the column's face", "punching within 2 d", "column")
-PILES = Names("punching at the pile's face", "punching over piles within 2 d", "pile")
+COLUMNS = Names("punching at the column's face", "punching within 2 d", "column", "columns", "no column pushes down")
+PILES = Names("punching at the pile's face", "punching over piles within 2 d", "pile", "piles", "no pile pushes up")
+WALLS = Names(
+    "", "punching at walls' ends within 2 d", "wall end", "wall ends",
+    "no wall pushes down at an end or corner with slab beyond it",
+)  # fmt: skip
 
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
@@ -46,6 +54,8 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         yield from _checks(steel, demands(combined), COLUMNS)
     if punching_piles(combined.model):
         yield from _checks(steel, pile_demands(combined), PILES)
+    if loaded_ends(combined.model):
+        yield _within_2d(steel, wall_demands(combined), WALLS)
 
 
 def _checks(steel: Reinforcement, punched: Demands, names: Names) -> Iterator[DesignCheck]:
@@ -72,7 +82,7 @@ def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> DesignCh
     """Return whether punching within 2 d needs links, or exceeds what they can carry.
 
     With the bars provided in tension, or with the most that count, whatever will be laid. What links can carry is
-    limited at 2 d, or on all perimeters where the face has no limit of its own.
+    limited at 2 d, or on all perimeters where the face has no limit of its own, as at ends of walls.
     """
     name = names.within
     which = "the bars provided" if steel.laid else "the largest ratio that counts"
@@ -82,7 +92,7 @@ def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> DesignCh
     for demand in punched.found.values():
         around = [(demand, stress, demand.resistance(stress)) for stress in demand.around]
         there += around
-        limited = around[-1:] if annex.face else around
+        limited = around[-1:] if annex.face and names.face else around
         most += [(demand, stress, annex.k_max * resistance) for demand, stress, resistance in limited]
     limit = f"{annex.k_max:g} v_Rd,c with {which}"
     with_links = _punching(name, names, limit, most, punched, "fails", "6.4.5(1)")
@@ -97,7 +107,7 @@ def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> DesignCh
         return without
     worst = max(needing, key=lambda judged: judged[1].v_Ed / judged[2])
     links = _links(steel, worst)
-    reach = _outer(worst[0], [judged for judged in there if judged[0] is worst[0]])
+    reach = _outer(worst[0], [judged for judged in there if judged[0] is worst[0]], names)
     return replace(without, words=f"punching reinforcement is needed at {without.words}; {links}, {reach}")
 
 
@@ -113,7 +123,7 @@ def _links(steel: Reinforcement, worst: Judged) -> str:
     return f"there {A_sw * 1e4:.3g} cm2 of vertical links on each perimeter, {s_r:.2f} m apart (6.4.5(1), 9.4.3)"
 
 
-def _outer(demand: Demand, around: list[Judged]) -> str:
+def _outer(demand: Demand, around: list[Judged], names: Names) -> str:
     """Return in words where links are needed no more, of the perimeters of one demand from the inner to the outer one.
 
     Beyond the outermost one by 6.54, its length growing as it does between the two last ones.
@@ -129,7 +139,7 @@ def _outer(demand: Demand, around: list[Judged]) -> str:
         distance = stress.distance + max(u - stress.u, 0.0) / max(grows, 1e-9)
     return (
         f"to within {LAST_LINKS * demand.d:.2f} m of the perimeter beyond which none are needed, u_out {u:.2f} m long, "
-        f"{distance:.2f} m from the column (6.4.5(4), 6.54)"
+        f"{distance:.2f} m from the {names.one} (6.4.5(4), 6.54)"
     )
 
 
@@ -162,7 +172,7 @@ def _punching(
     if beyond:
         count = len({judged[0].name for judged in beyond})
         words = (
-            f'{count} {names.one}{"s" if count > 1 else ""}; worst {demand.name} in "{demand.combination}": v_Ed '
+            f'{count} {names.many if count > 1 else names.one}; worst {demand.name} in "{demand.combination}": v_Ed '
             f"{stress.v_Ed / 1e6:.3g} MPa{_at(stress, demand.d)}, with beta {stress.beta:.2f}, is "
             f"{stress.v_Ed / most:.3g} times {most / 1e6:.3g} MPa, {limit} ({clause})"
         )
@@ -170,10 +180,10 @@ def _punching(
     unjudged = sorted({one[0].name for one in stresses if one[1].supported} | punched.missing.keys())
     if unjudged:
         listed = ", ".join(unjudged[:5]) + (" ..." if len(unjudged) > 5 else "")
-        words = f"not judged, with a support inside or no perimeter on the plate: {names.one}s {listed}"
+        words = f"not judged, with a support inside or no perimeter on the plate: {names.many} {listed}"
         return DesignCheck(name, "attention", words, **numbers)
     if not judged:
-        return DesignCheck(name, "no failure found", f"no {names.one} pushes {'up' if names is PILES else 'down'}")
+        return DesignCheck(name, "no failure found", names.none)
     used = max(stress.v_Ed / most for _, stress, most in judged)
     words = f"v_Ed is at most {100 * max(used, 0.0):.3g} % of {limit}, {demand.name}{_at(stress, demand.d)}"
     return DesignCheck(name, "no failure found", words, **numbers)

@@ -34,34 +34,22 @@ class ControlPerimeter:
 class Stress:
     """The demand on a perimeter."""
 
-    control: ControlPerimeter
+    distance: float  # from the face [m]
+    u: float  # its length that counts [m]
     V_Ed: float  # force that punches, less what relieves it inside [N]
     beta: float  # by the moments about the perimeter's center (expression 6.51)
     v_Ed: float  # beta V_Ed / (u d) [Pa]
+    supported: bool  # whether another support stands inside, whose force is not in V_Ed
     pressure: float  # contact pressure inside [N]
     edge: float  # line force along the plate's edge inside [N]
     others: float  # other loads inside [N]
     error: Callable[[], float | None] = field(repr=False, compare=False)  # of v_Ed [Pa]
-
-    @property
-    def distance(self) -> float:
-        """Return how far from the face the perimeter is [m]."""
-        return self.control.distance
-
-    @property
-    def u(self) -> float:
-        """Return its length that counts [m]."""
-        return self.control.u
-
-    @property
-    def supported(self) -> bool:
-        """Return whether another support stands inside, whose force is not in V_Ed."""
-        return self.control.loads.supported
+    control: ControlPerimeter | None = None  # of a column or pile
 
 
 @dataclass(frozen=True, slots=True)
 class Demand:
-    """What punches at a column or pile that pushes in one combination."""
+    """What punches at a column, a pile or the end of a wall that pushes in one combination."""
 
     name: str
     combination: str
@@ -95,7 +83,7 @@ class Demand:
 
 @dataclass(frozen=True, slots=True)
 class Demands:
-    """The demands at all columns, or all piles: by combination and name, and why some have none at 2 d, by name."""
+    """The demands at all columns, piles or ends of walls by combination and name, and why some have none, by name."""
 
     found: Mapping[tuple[str, str], Demand]
     missing: Mapping[str, str]
