@@ -20,6 +20,8 @@ RELIEF = {
     "column": "load + other loads inside - pressure inside",
     "pile": "force + pressure inside + edge line force inside - other loads inside",
 }
+#: What beams do to it.
+BEAMS = "Other loads inside include the shear forces of beams across the perimeter, upwards negative."
 #: The effective depth of columns and of piles.
 DEPTH = {
     "column": "d is the least thickness under the column less the mean distance of the bottom bars' axes.",

@@ -23,6 +23,7 @@ from groundslab.fem.assembly import scatter
 from groundslab.fem.mesh import SIDES, Mesh, sides_on_boundary
 from groundslab.fem.shape_functions import gauss_line, lagrange
 from groundslab.geometry.places import same_place
+from groundslab.geometry.plan import FLAT
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.model.structure.columns import Column
@@ -37,6 +38,8 @@ if TYPE_CHECKING:
 ON_EDGE = 2.0
 #: What lies inside a perimeter that runs out to a corner is at most so many times its distance away.
 CORNER_REACH = 1 + math.sqrt(2)
+#: Places so near to each other along a beam [m] are one.
+NEAR_BY = 1e-6
 #: A side is curved if its middle lies off its chord by more than this, over its length.
 CURVED = 1e-9
 
@@ -137,6 +140,25 @@ class PerimeterLoads:
     edge: Array  # (e,): these nodes' shares of the length of the plate's edge inside [m]
     others: Mapping[str, Array]  # (3,): other loads [N] and their first moments [N m], by load case
     supported: bool  # whether another support stands inside, whose force is not counted
+    crossings: tuple[Crossing, ...] = ()  # of beams
+
+
+@dataclass(frozen=True, slots=True)
+class Crossing:
+    """Where a beam runs into a perimeter (sign -1) or out of it (sign 1)."""
+
+    beam: int  # number, from 0
+    way: float  # along the beam, from its start [m]
+    sign: float
+    place: Array  # (2,) [m]
+    along: Array  # (2,): the beam's direction
+
+    def acting(self, results: CombinationResult) -> Array:
+        """Return the beam's force on what is inside, downwards [N], and its first moments (3,) [N m]."""
+        beam = results.beams[self.beam]
+        M, V, T = (float(np.interp(self.way, beam.way, each)) for each in (beam.moment, beam.shear, beam.torsion))
+        left = np.array([-self.along[1], self.along[0]])
+        return self.sign * np.array([V, *(V * self.place - M * self.along - T * left)])
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,7 +169,7 @@ class PunchingShear:
     moments: Array  # (2,): of all that about the perimeter's center [N m]
     pressure: float  # of the ground inside [N]
     edge: float  # line force of the ground along the plate's edge inside [N]
-    others: float  # other loads inside [N]
+    others: float  # other loads inside, and shear forces of beams across the perimeter [N]
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,7 +188,8 @@ class LoadsNear:
         nodes = np.flatnonzero(area)
         others = column_loads.acting_inside(results, part, None, self.shapes, (self.elements, shares))
         supported = any(map(part.intersects, self.supports))
-        return PerimeterLoads(nodes, area[nodes], *edge_inside(results.plate, part), others, supported)
+        crossings = tuple(_crossings(results.model, part))
+        return PerimeterLoads(nodes, area[nodes], *edge_inside(results.plate, part), others, supported, crossings)
 
 
 def loads_near(results: CombinationResult, punching: PunchingForce, within: float) -> LoadsNear:
@@ -191,8 +214,8 @@ def punching_shear(
     """Return the punching force and moments on a perimeter about its center (2,) [m] in a combination.
 
     Of a column V is its force and the other loads inside less the ground's pressure there; of a pile its force and the
-    pressure less the loads. The edge's line force inside is taken off only where the case says so, but added in any
-    case where it adds.
+    pressure less the loads. What beams carry out of the perimeter does not punch. The edge's line force inside is taken
+    off only where the case says so, but added in any case where it adds.
     """
     sign = -1.0 if punching.from_below else 1.0
     plate = results.plate
@@ -200,11 +223,32 @@ def punching_shear(
     pressure = _with_moments(inside.area * plate.pressure[inside.nodes], plate.nodes[inside.nodes])
     edge = _with_moments(inside.edge * plate.line_force[inside.edge_nodes], plate.nodes[inside.edge_nodes])
     others = column_loads.factored_sums(results, inside.others)
+    others = sum((crossing.acting(results) for crossing in inside.crossings), others)
     acting = np.array([force, *(force * np.array(punching.place))]) + sign * (others - pressure)
     if edge_relieves or sign * edge[0] < 0:
         acting = acting - sign * edge
     moments = np.array(own_moments) + acting[1:] - acting[0] * center
     return PunchingShear(float(acting[0]), moments, float(pressure[0]), float(edge[0]), float(others[0]))
+
+
+def _crossings(model: Model, part: Polygon) -> Iterator[Crossing]:
+    """Yield where beams run into a part of the plate, and out of it; their ends inside are none."""
+    from shapely import Point, get_parts, prepare
+
+    prepare(part)
+    for number, beam in enumerate(model.beams):
+        axis = beam.to_shapely(FLAT * max(model.sides))
+        if not part.intersects(axis):
+            continue
+        for piece in get_parts(axis.intersection(part)):
+            if piece.length == 0:
+                continue
+            ends = sorted(axis.project(Point(place)) for place in (piece.coords[0], piece.coords[-1]))
+            for way, sign in zip(ends, (-1.0, 1.0), strict=True):
+                before, after = (np.array(axis.interpolate(way + step).coords[0]) for step in (-NEAR_BY, NEAR_BY))
+                if NEAR_BY < way < axis.length - NEAR_BY:
+                    along = (after - before) / np.linalg.norm(after - before)
+                    yield Crossing(number, way * beam.length / axis.length, sign, (before + after) / 2, along)
 
 
 def _with_moments(forces: Array, places: Array) -> Array:

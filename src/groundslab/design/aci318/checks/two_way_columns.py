@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from groundslab.design.aci318.checks.two_way_demand import TwoWay, pile_two_way, strength, two_way
 from groundslab.design.basis.punching_columns import (
+    BEAMS,
     DEPTH,
     INSIDE,
     RELIEF,
@@ -24,16 +25,19 @@ _HEADS: Heads = (("d", "mm"), ("V_u", "kN"), ("b_o", "m"), ("v_u", "MPa"), *INSI
 
 def at_columns(combined: Results, steel: Reinforcement) -> PunchingColumns:
     """Return two-way shear at columns that push down."""
-    return _columns(steel, two_way(combined), "column")
+    return _columns(combined, steel, two_way(combined), "column")
 
 
 def over_piles(combined: Results, steel: Reinforcement) -> PunchingColumns:
     """Return two-way shear of the plate over piles that push up."""
-    return _columns(steel, pile_two_way(combined), "pile")
+    return _columns(combined, steel, pile_two_way(combined), "pile")
 
 
 def _columns(
-    steel: Reinforcement, demands: tuple[Mapping[tuple[str, str], TwoWay], Mapping[str, str]], support: str
+    combined: Results,
+    steel: Reinforcement,
+    demands: tuple[Mapping[tuple[str, str], TwoWay], Mapping[str, str]],
+    support: str,
 ) -> PunchingColumns:
     """Return the columns of demands, and their notes."""
     known, missing = demands
@@ -44,6 +48,7 @@ def _columns(
         effective_note("J_c"),
         edge_note(steel, support),
         DEPTH[support],
+        *((BEAMS,) if combined.model.beams else ()),
     )
     return PunchingColumns(
         _HEADS,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.basis.punching_columns import (
+    BEAMS,
     DEPTH,
     INSIDE,
     RELIEF,
@@ -59,7 +60,8 @@ def _columns(combined: Results, steel: Reinforcement, punched: Demands, support:
         f"{DEPTH[support]} Where the plate gets thinner within 2 d or slightly beyond, that place needs a separate "
         "check.",
     )
-    return PunchingColumns(_HEADS, cells, (*notes, *missing_notes(punched.missing, support)))
+    of_beams = (BEAMS,) if combined.model.beams else ()
+    return PunchingColumns(_HEADS, cells, (*notes, *of_beams, *missing_notes(punched.missing, support)))
 
 
 def _cells(demand: Demand | None, v_Rd_max: float | None) -> list[float | None]:
