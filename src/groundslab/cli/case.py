@@ -92,7 +92,9 @@ def _structure_and_supports(model: Model) -> list[str]:
         else:
             size = f"{column.width_x:g} m x {column.width_y:g} m"
         lines.append(f"  column {column.name}: {size} at {format_place((column.x, column.y))} m")
-    lines += [f"  wall {wall.name}: {wall.thickness:g} m thick, {wall.length:.6g} m long" for wall in model.walls]
+    lines += [
+        f"  wall {wall.name}: {wall.thickness:g} m thick, {wall.length:.6g} m long" for wall in model.placed_walls
+    ]
     for number, support in enumerate(model.supports, 1):
         where = " to ".join(map(format_place, support.points))
         firm = "elastic" if support.elastic else "rigid"

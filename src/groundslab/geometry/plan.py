@@ -94,9 +94,9 @@ class Segment:
     def left(self, part: Array) -> Array:
         """Return unit vectors (p, 2) to the left of the direction of travel after parts (p,) of the edge."""
         if self.straight:
-            angle = np.full(len(part), self.direction(0.0))
-        else:
-            angle = self.angle + part * self.sweep + math.copysign(math.pi / 2, self.sweep)
+            dx, dy = self.end[0] - self.start[0], self.end[1] - self.start[1]
+            return np.tile(np.array([-dy, dx]) / math.hypot(dx, dy), (len(part), 1))
+        angle = self.angle + part * self.sweep + math.copysign(math.pi / 2, self.sweep)
         return np.column_stack([-np.sin(angle), np.cos(angle)])
 
     def part(self, place: Place) -> float:

@@ -21,7 +21,7 @@ from groundslab.model.plates.region import PlateRegion
 from groundslab.model.serviceability.cracking import Cracking
 from groundslab.model.settings import SIDES, Beyond, Contact, Mesh
 from groundslab.model.structure.columns import Column
-from groundslab.model.structure.walls import Wall
+from groundslab.model.structure.walls import Wall, WallFaces
 from groundslab.model.supports import (
     AnySupport,
     check_line_supports,
@@ -30,7 +30,7 @@ from groundslab.model.supports import (
     plan_of_plate,
 )
 from groundslab.model.varying_ground import Borehole, SoilZone
-from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.issues import FieldError, RelativeIssue
 from groundslab.schema.repairs import remove, set_value, use_nearest
 from groundslab.schema.wording import describe, one_of, quote, suggestion
 
@@ -171,11 +171,19 @@ def check_columns(
 
 
 def check_walls(plate: Plate, plates: tuple[FurtherPlate, ...], walls: tuple[Wall, ...]) -> Iterator[RelativeIssue]:
-    """Find walls without a unique name, or whose axis leaves the plate."""
+    """Find walls without a unique name, along no edge of a plate, or whose axis leaves the plate.
+
+    One along an edge stands on the plate with all of its thickness.
+    """
     yield from check_names("walls", [wall.name for wall in walls], needed=True)
     covered = PlateRegion(plate, plates)
     for position, wall in enumerate(walls):
-        yield from on_plate(covered, wall, ("walls", position))
+        try:
+            placed = wall.on(covered.every)
+        except FieldError as error:
+            yield from (issue.below(("walls", position)) for issue in error.relative_issues)
+        else:
+            yield from on_plate(covered, placed if wall.edge is None else WallFaces(placed), ("walls", position))
 
 
 def check_supports(

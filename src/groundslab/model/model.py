@@ -32,7 +32,7 @@ from groundslab.model.serviceability.long_term import LongTerm, scale_stiffnesse
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.structure.beams import Beam, check_beams
 from groundslab.model.structure.columns import Column
-from groundslab.model.structure.walls import Wall
+from groundslab.model.structure.walls import Wall, place_walls
 from groundslab.model.supports import Support, check_piles
 from groundslab.schema import reference
 from groundslab.schema.base import Check, Section
@@ -179,11 +179,19 @@ class Model(Section):
         """Return the first plate and the further ones."""
         return list_plates(self.plate, self.plates)
 
+    @property
+    def placed_walls(self) -> tuple[Wall, ...]:
+        """Return the walls with their axes, also those along edges of plates."""
+        return place_walls(self.walls, self.every_plate)
+
     def shapes(self, load: AnyLoad) -> tuple[Acting, ...]:
         """Return the acting shapes of a load, at the place of its column or wall if it names one."""
         if isinstance(load, PointLoad):
             return load.on(self.columns).acts
-        return (load.on(self.walls) if isinstance(load, LineLoad | LineMoment) else load).acts
+        if isinstance(load, LineLoad | LineMoment) and load.wall:
+            named = [wall for wall in self.walls if wall.name == load.wall]
+            return load.on(place_walls(named, self.every_plate)).acts
+        return load.acts
 
     @property
     def acting(self) -> tuple[tuple[AnyLoad, Acting], ...]:

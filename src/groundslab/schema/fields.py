@@ -174,32 +174,40 @@ class Number(FieldType):
 
 @dataclass(frozen=True)
 class Integer(FieldType):
-    """A whole number from ``at_least`` to ``at_most``."""
-
-    TYPE: ClassVar = "whole number"
+    """A whole number from ``at_least`` to ``at_most``, or one of some words."""
 
     meaning: str
     at_least: int = 1
     at_most: int = LARGEST_WHOLE
+    words: tuple[str, ...] = ()
 
-    def read(self, value: Any, from_file: bool) -> int:  # noqa: ARG002
-        """Return the number as int."""
+    def read(self, value: Any, from_file: bool) -> int | str:  # noqa: ARG002
+        """Return the number as int, or the word."""
+        if isinstance(value, str) and self.words:
+            if value not in self.words:
+                raise field_error(value, self.expected(), *meant_word(value, self.words, None))
+            return value
         integer = isinstance(value, numbers.Integral) and not isinstance(value, bool)
         if not integer or not self.at_least <= value <= self.at_most:
             raise field_error(value, self.expected())
         return int(value)
 
     def expected(self) -> str:
-        """Return the range in words."""
-        return f"a whole number from {self.at_least} to {self.at_most}"
+        """Return the range in words, and the words."""
+        return listed([f"a whole number from {self.at_least} to {self.at_most}", *map(quote, self.words)])
+
+    def type_text(self) -> str:
+        """Return that it is a whole number, or a word."""
+        return listed(["whole number", *(f"`{quote(word)}`" for word in self.words)])
 
     def range_text(self) -> str:
         """Return the range."""
         return f">= {self.at_least}" if self.at_most == LARGEST_WHOLE else f"{self.at_least} to {self.at_most}"
 
     def json_schema(self) -> dict[str, Any]:
-        """Return an integer."""
-        return {"type": "integer", "minimum": self.at_least, "maximum": self.at_most}
+        """Return an integer, or the words."""
+        integer = {"type": "integer", "minimum": self.at_least, "maximum": self.at_most}
+        return {"anyOf": [integer, {"enum": list(self.words)}]} if self.words else integer
 
 
 @dataclass(frozen=True)

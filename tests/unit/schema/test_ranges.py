@@ -58,7 +58,8 @@ def test_counts_are_bounded(name: str, key: Integer) -> None:
     assert key.at_most <= most < LARGEST_WHOLE, name
     assert refused(key, most + 1)
     assert refused(key, 10**9)
-    assert key.json_schema()["maximum"] == key.at_most
+    schema = key.json_schema()
+    assert schema.get("anyOf", [schema])[0]["maximum"] == key.at_most
 
 
 @pytest.mark.parametrize(

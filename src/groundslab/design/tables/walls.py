@@ -25,7 +25,7 @@ _NOTES = (
 def wall_table(combined: Results) -> Table:
     """Return load, settlement and deflection of each wall in each combination."""
     model = combined.model
-    walls = [(wall, loads_on_wall(model, wall), settlement_along(wall)) for wall in model.walls]
+    walls = [(wall, loads_on_wall(model, wall), settlement_along(wall)) for wall in model.placed_walls]
     rows: list[list[Cell]] = []
     for results in solved_results(combined):
         for wall, loads, along in walls:

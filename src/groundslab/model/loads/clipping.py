@@ -22,9 +22,9 @@ from groundslab.model.loads.acting import AreaPressure, LineForce, Pressure
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_types import AnyLoad, Spread
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import FurtherPlate
+from groundslab.model.plates.further import FurtherPlate, list_plates
 from groundslab.model.plates.region import PlateRegion
-from groundslab.model.structure.walls import Wall
+from groundslab.model.structure.walls import Wall, place_walls
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import quote
 from groundslab.units import together
@@ -91,7 +91,7 @@ def find_clipped_loads(
     plate: Plate, loads: Sequence[AnyLoad], plates: tuple[FurtherPlate, ...] = (), walls: tuple[Wall, ...] = ()
 ) -> tuple[Clipped, ...]:
     """Return the parts of loads that lie off all plates, of loads on the ground those under one."""
-    drawn = _drawn_shapes(loads, walls)
+    drawn = _drawn_shapes(loads, place_walls(walls, list_plates(plate, plates)))
     region = get_plate_region(plate, plates)
     clipped = [*_find_clipped(region, drawn), *_find_covered(region, drawn)]
     return tuple(sorted(clipped, key=lambda part: part.number))
@@ -104,7 +104,8 @@ def check_distributed_loads(
     import shapely
 
     expected = "a load at least partly on the plate, not in an opening or outside the outline"
-    drawn = [part for part in _drawn_shapes(loads, walls) if not part.on_ground]
+    placed = place_walls(walls, list_plates(plate, plates))
+    drawn = [part for part in _drawn_shapes(loads, placed) if not part.on_ground]
     if not drawn:
         return
     region = get_plate_region(plate, plates)

@@ -97,7 +97,7 @@ def check_load_columns(loads: tuple[AnyLoad, ...], columns: tuple[Column, ...]) 
 def check_load_walls(loads: tuple[AnyLoad, ...], walls: tuple[Wall, ...]) -> Iterator[RelativeIssue]:
     """Find loads on unknown walls, and those that vary along a wall without ends."""
     yield from _check_names_of(loads, "wall", [wall.name for wall in walls])
-    closed = {wall.name for wall in walls if wall.shape is not None}
+    closed = {wall.name for wall in walls if wall.shape is not None or wall.edge == "all"}
     for position, load in enumerate(loads):
         if isinstance(load, LineLoad | LineMoment) and load.wall in closed:
             key = "q_end" if isinstance(load, LineLoad) else "m_end"

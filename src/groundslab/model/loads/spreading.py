@@ -5,13 +5,13 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.geometry.offsets import parallel
 from groundslab.geometry.plan import Segment
 from groundslab.model.loads.acting import LineForce, Pressure
 from groundslab.model.loads.clipping import LinePiece, clip_line, enclosing_line, get_plate_region
@@ -63,14 +63,6 @@ def _has_room(region: PlateRegion, axis: Segment, width: float) -> bool:
         return False
     faces = [parallel(axis, side * width / 2) for side in (-1.0, 1.0)]
     return all(region.grown.covers(LineString(enclosing_line(face))) for face in faces)
-
-
-def parallel(edge: Segment, distance: float) -> Segment:
-    """Return the edge at a distance to the left of another one, to the right if that is negative [m]."""
-    ends = np.array([0.0, 1.0])
-    start, end = map(tuple, (edge.at(ends) + distance * edge.left(ends)).tolist())
-    radius = 0.0 if edge.straight else edge.radius - math.copysign(distance, distance * edge.sweep)
-    return replace(edge, start=start, end=end, radius=radius)
 
 
 def _spread(piece: LinePiece, width: float) -> Iterator[tuple[Polygon, Pressure]]:

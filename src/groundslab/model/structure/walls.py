@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
+import numpy as np
+
+from groundslab.geometry.offsets import parallel
 from groundslab.geometry.plan import Segment
 from groundslab.model.ground import POSITIVE
+from groundslab.model.plates.further import AnyPlate
 from groundslab.model.shapes import AnyShape
+from groundslab.model.structure.edge_lines import WORDS, edge_line
 from groundslab.model.structure.lines import (
     LineBulges,
     LinePoints,
@@ -19,33 +25,81 @@ from groundslab.model.structure.lines import (
     line_segments,
 )
 from groundslab.schema.base import Check, Section
-from groundslab.schema.fields import Quantity, Text
-from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.fields import MOST_VALUES, Integer, Quantity, Text
+from groundslab.schema.issues import FieldError, RelativeIssue
+from groundslab.schema.repairs import remove
 
 if TYPE_CHECKING:
     from shapely import LineString, Polygon
+    from shapely.geometry.base import BaseGeometry
 
 
-def _check_points_or_shape(
-    points: tuple[tuple[float, float], ...] | None, bulges: tuple[float, ...], shape: AnyShape | None
+def _check_place(
+    points: tuple[tuple[float, float], ...] | None,
+    bulges: tuple[float, ...],
+    shape: AnyShape | None,
+    edge: int | str | None,
+    plate: str,
 ) -> Iterator[RelativeIssue]:
-    yield from check_line(points, shape, {"bulges": bulges or None}, "a closed curve has no ends", "the axis")
+    """Find a wall whose axis is given twice, or not at all."""
+    if edge is None:
+        if plate:
+            yield RelativeIssue(("plate",), "plate without an edge", "an edge of it", "points are places in the plan")
+        elif points is None and shape is None:
+            expected = "the line's points, a shape whose edge is the axis, or the edge of a plate"
+            yield RelativeIssue(("points",), "nothing", expected)
+            return
+        yield from check_line(points, shape, {"bulges": bulges or None}, "a closed curve has no ends", "the axis")
+        return
+    given = {"points": points, "bulges": bulges or None, "shape": shape}
+    for name in (name for name, what in given.items() if what is not None):
+        found, hint = f"{name} together with an edge", "the plate's edge says where the wall stands"
+        yield RelativeIssue((name,), found, "one of them", hint, (remove((name,)),))
 
 
 class Wall(Section):
-    """A wall that stands on the plate."""
+    """A wall that stands on the plate.
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_points_or_shape, check_line_length)
+    One along an edge of a plate has an axis once it is placed by `on`.
+    """
+
+    checks: ClassVar[tuple[Check, ...]] = (_check_place, check_line_length)
 
     name: Annotated[str, Text("name of the wall, used by loads")]
     thickness: Annotated[float, Quantity("length", "t_w", "thickness of the wall", POSITIVE)]
     points: LinePoints = None
     bulges: LineBulges = ()
     shape: LineShape = None
+    edge: Annotated[
+        int | str | None,
+        Integer(
+            "edge of a plate on which it stands, its outer face flush with it, instead of points: the whole outline, "
+            "the straight edge on one side, or the number of an outline's edge, counted as its points; it runs "
+            "counterclockwise",
+            at_most=MOST_VALUES,
+            words=WORDS,
+        ),
+    ] = None
+    plate: Annotated[str, Text("name of the plate whose edge it is; the first one by default")] = ""
+
+    def on(self, plates: Sequence[AnyPlate]) -> Wall:
+        """Return the wall with the points or the shape of its axis, itself if it doesn't stand on a plate's edge.
+
+        Raises
+        ------
+        FieldError
+            If there is no such edge, or no room for the wall.
+        """
+        if self.edge is None:
+            return self
+        axis = edge_line(plates, self.plate, self.edge, self.thickness)
+        where = {"shape": axis.shape, "points": axis.points, "bulges": axis.bulges}
+        return self.model_copy(update={"edge": None, "plate": "", **where})
 
     @property
     def edges(self) -> tuple[Segment, ...]:
         """Return the straight pieces and arcs of its axis, one after the other."""
+        assert self.edge is None, "a wall along an edge has an axis once it is placed: Wall.on, Model.placed_walls"
         return line_segments(self.points, self.bulges, self.shape)
 
     @property
@@ -65,3 +119,31 @@ class Wall(Section):
     def length(self) -> float:
         """Return the length of its axis [m]."""
         return sum(edge.length for edge in self.edges)
+
+
+@dataclass(frozen=True, slots=True)
+class WallFaces:
+    """The axis of a wall and its faces beside each piece of it, to be checked where they lie."""
+
+    wall: Wall
+
+    def to_shapely(self, chord: float) -> BaseGeometry:
+        """Return the lines, arcs as chords well less than so far off [m], as those of the plate's edge are off, too."""
+        from shapely import LineString, MultiLineString
+
+        lines = [
+            parallel(edge, side * self.wall.thickness / 2) for edge in self.wall.edges for side in (-1.0, 0.0, 1.0)
+        ]
+        pieces = [(line, line.chords(chord / 10)) for line in lines]
+        return MultiLineString([LineString(line.at(np.arange(n + 1) / n)) for line, n in pieces])
+
+
+def place_walls(walls: Iterable[Wall], plates: Sequence[AnyPlate]) -> tuple[Wall, ...]:
+    """Return walls with their axes, but for those along edges that do not exist."""
+    placed = []
+    for wall in walls:
+        try:
+            placed.append(wall.on(plates))
+        except FieldError:
+            continue
+    return tuple(placed)

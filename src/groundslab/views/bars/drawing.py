@@ -107,7 +107,7 @@ def _face(model: Model, face: str, h: float) -> Iterator[Shape]:
     for column in model.columns:
         yield _closed("COLUMNS", column.ring(), chord)
         yield Text("LABELS", (column.x + 0.6 * h, column.y + 0.6 * h), h, column.name)
-    for wall in model.walls:
+    for wall in model.placed_walls:
         yield from (Line("WALLS", np.asarray(ring.coords)[:-1], closed=True) for ring in _rings(wall.area(chord)))
     for beam in model.beams:
         yield from (Line("BEAMS", np.asarray(ring.coords)[:-1], closed=True) for ring in _rings(beam.area(chord)))

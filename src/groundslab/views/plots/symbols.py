@@ -195,7 +195,7 @@ def draw_walls(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) 
     """Draw the walls, those filled that bring a load."""
     entries: Entries = {}
     loaded = {getattr(load, "wall", "") for load in model.loads if takes_part(load)}
-    for wall in model.walls:
+    for wall in model.placed_walls:
         brings = wall.name in loaded
         look = {"edgecolor": INK, "facecolor": LOAD if brings else "white", "linewidth": 0.6, "zorder": 4.8}
         area = wall.area(DRAWN_CHORD * max(model.sides))

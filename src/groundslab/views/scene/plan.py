@@ -78,7 +78,7 @@ def plan_of(model: Model) -> Data:
         "zones": zones("plate.zones", plate),
         "plates": [further(number, other) for number, other in enumerate(model.plates, 1)],
         "columns": listed("columns", model.columns, lambda column: _place(column) | {"ring": ring(column.ring())}),
-        "walls": listed("walls", model.walls, lambda wall: _wall(wall, chord)),
+        "walls": listed("walls", model.placed_walls, lambda wall: _wall(wall, chord)),
         "beams": listed("beams", model.beams, lambda beam: _beam(beam, chord)),
         "supports": listed("supports", model.supports, _support),
         "loads": listed("loads", model.loads, lambda load: _load(load, model, chord)),

@@ -14,11 +14,12 @@ from shapely import Polygon
 from groundslab.case import casefile
 from groundslab.cli import main
 from groundslab.errors import InputError
+from groundslab.geometry.offsets import parallel
 from groundslab.geometry.plan import Segment, make_segments
 from groundslab.model.loads.acting import LineForce
 from groundslab.model.loads.clipping import find_clipped_loads, integral
 from groundslab.model.loads.lines import LineLoad, LineMoment
-from groundslab.model.loads.spreading import parallel, spread_line
+from groundslab.model.loads.spreading import spread_line
 from groundslab.model.model import Model
 from groundslab.model.plate import Plate
 from groundslab.model.structure.walls import Wall

@@ -58,7 +58,7 @@ function kindOfValue(node: Node): string {
     case "number":
       return ["number", ...node.options].join(" or ");
     case "integer":
-      return "whole number";
+      return ["whole number", ...node.options].join(" or ");
     case "boolean":
       return "true or false";
     case "tuple":

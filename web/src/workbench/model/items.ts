@@ -98,7 +98,7 @@ function itemsFrom(source: Source, data: Table, plan: Table | null): Item[] {
     if (!isTable(table)) return [];
     const path = [...source.list, n];
     const title = titleOf(source.word ?? source.kind, table, n);
-    const host = source.kind === "load" ? (columnOf(data, table, path) ?? wallOf(data, table, path)) : null;
+    const host = source.kind === "load" ? (columnOf(data, table, path) ?? wallOf(data, table, path, plan)) : null;
     if (host) return [{ kind: source.kind, path, title, table, geometry: host, foot: null, movable: false }];
     if (source.kind === "load" && UNPLACED.has(String(table.kind))) return [];
     if (source.kind === "joint") {
@@ -118,7 +118,8 @@ function itemsFrom(source: Source, data: Table, plan: Table | null): Item[] {
             table,
             geometry,
             foot: footprintOf(table, geometry),
-            movable: true,
+            // a wall along a slab's edge goes with that
+            movable: source.kind !== "wall" || table.edge === undefined,
           },
         ]
       : [];
@@ -165,11 +166,12 @@ function columnOf(data: Table, load: Table, at: Path): Geometry | null {
 }
 
 /** Return the axis of the wall that a load names, null if it names none that is known. */
-function wallOf(data: Table, load: Table, at: Path): Geometry | null {
+function wallOf(data: Table, load: Table, at: Path, plan: Table | null): Geometry | null {
   if (typeof load.wall !== "string" || !load.wall) return null;
   const n = listAt(data, ["walls"]).findIndex((each) => isTable(each) && each.name === load.wall);
   if (n < 0) return null;
-  const geometry = readOwn(data, ["walls", n], tableAt(data, ["walls", n]), ["walls", n]);
+  const path: Path = ["walls", n];
+  const geometry = readOwn(data, path, tableAt(data, path), path) ?? fromPlan(plan, path);
   return geometry && { ...geometry, at };
 }
 

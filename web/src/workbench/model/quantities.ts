@@ -125,7 +125,7 @@ export function parseInput(node: Node, typed: string, unit = ""): Json | undefin
     return unit !== "" && NUMBER.test(value) ? `${value} ${unit}` : value;
   }
   if (node.is !== "number" && node.is !== "integer") return text;
-  if (node.is === "number" && node.options.includes(text)) return text;
+  if (node.options.includes(text)) return text;
   const value = replaceDecimalComma(text);
   return NUMBER.test(value) ? Number(value) : text;
 }

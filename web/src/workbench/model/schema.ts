@@ -6,7 +6,7 @@ import { isTable, type Json, type Table } from "./paths";
 export type Node =
   | { is: "quantity"; dimension: string; example: string; options: readonly string[] }
   | { is: "number"; options: readonly string[] }
-  | { is: "integer" }
+  | { is: "integer"; options: readonly string[] }
   | { is: "choice"; options: readonly string[] }
   | { is: "boolean" }
   | { is: "text" }
@@ -144,7 +144,7 @@ function readNode(source: Table): Node {
   if (Array.isArray(source.anyOf)) {
     const options = source.anyOf.flatMap((each) => (isTable(each) ? strings(each.enum) : []));
     const node = readNode(valueSchema(source));
-    return node.is === "quantity" || node.is === "number" ? { ...node, options } : node;
+    return node.is === "quantity" || node.is === "number" || node.is === "integer" ? { ...node, options } : node;
   }
   switch (source.type) {
     case "array":
@@ -154,7 +154,7 @@ function readNode(source: Table): Node {
     case "boolean":
       return { is: "boolean" };
     case "integer":
-      return { is: "integer" };
+      return { is: "integer", options: [] };
     case "number":
       return { is: "number", options: [] };
     default:

@@ -101,6 +101,24 @@ describe("the drawing", () => {
     expect(Math.min(...ys)).toBeCloseTo(-0.25, 1);
   });
 
+  it("takes a wall along the slab's edge, and loads on it, from the server's plan, and holds them there", () => {
+    const data: Table = {
+      walls: [{ name: "W1", thickness: "0.2 m", edge: "bottom" }],
+      loads: [{ kind: "line", q: "20 kN/m", wall: "W1" }],
+    };
+    const points = [
+      [-2, -0.9],
+      [2, -0.9],
+    ];
+    const items = itemsOf(data, { walls: [{ path: "walls[1]", name: "W1", points }] });
+    expect(items.map(({ kind, movable }) => [kind, movable])).toEqual([
+      ["wall", false],
+      ["load", false],
+    ]);
+    for (const { geometry } of items) expect(ringOf(geometry)).toEqual(points);
+    expect(itemsOf(data, null)).toEqual([]);
+  });
+
   it("has circles and arcs whose chords turn by two degrees at most", () => {
     const circle = ringOf(readGeometry({ o: { kind: "circle", radius: "1 mm" } }, ["o"])!);
     expect(circle.length).toBe(180);

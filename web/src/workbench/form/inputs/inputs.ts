@@ -75,7 +75,7 @@ export function textInput(ctx: FormContext, path: Path, node: Node, options: Tex
   input.addEventListener("keydown", (event) => {
     if (event.key === "Enter") end();
   });
-  const words = node.is === "quantity" || node.is === "number" ? node.options : [];
+  const words = node.is === "quantity" || node.is === "number" || node.is === "integer" ? node.options : [];
   const names = () => referencedNames(ctx.data(), path) ?? words;
   const isNamed = words.length > 0 || referencedNames(ctx.data(), path) !== null;
   const known = isNamed ? h("datalist", { id: newId("names") }) : null;

@@ -293,6 +293,10 @@ export function whyFixed(item: Item): string {
   if (item.kind === "slab")
     return "A rectangle defined by its side lengths is centered on the origin. Drag its edges, or convert it to a polygon to move it.";
   if (item.kind === "joint") return "It is where its plates meet and moves with them.";
-  if (item.kind === "load") return `It is attached to column ${String(item.table.column)} and moves with it.`;
+  if (item.kind === "load") {
+    const host = item.table.wall ? `wall ${String(item.table.wall)}` : `column ${String(item.table.column)}`;
+    return `It is attached to ${host} and moves with it.`;
+  }
+  if (item.kind === "wall") return "It stands along the slab's edge and moves with it.";
   return "It cannot be moved right now.";
 }
