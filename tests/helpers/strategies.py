@@ -7,6 +7,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 
+from groundslab.geometry.plan import get_bounds
 from groundslab.model.design.bars import MESHES, Bars, BarZone
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.ground import InterfaceLayer, Layered, Pasternak, Selvadurai, SoilLayer, Vlasov, Winkler
@@ -28,6 +29,7 @@ from groundslab.model.plate import Edges, Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.model.structure.columns import Column
+from groundslab.model.structure.walls import Wall
 from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.model.varying_ground import Borehole, GapPoint, SoilZone, Void
 from groundslab.schema.base import Section
@@ -299,7 +301,33 @@ def columns(draw: st.DrawFn, plate: Plate, names: list[str]) -> list[Column]:
 
 
 @st.composite
-def any_load(draw: st.DrawFn, plate: Plate, case: str, columns: list[Column], supports: list[Any]) -> Any:
+def walls(draw: st.DrawFn, plate: Plate, names: list[str]) -> list[Wall]:
+    """Return walls that stand on the plate: straight ones, with corners and arcs, around shapes, along edges."""
+    made = []
+    for name in names:
+        thickness = draw(st.floats(0.005, 0.1)) * min(plate.sides)
+        kind = draw(st.sampled_from(["points", "shape", "edge"]))
+        if kind == "shape":
+            made.append(Wall(name=name, thickness=thickness, shape=draw(shapes(plate, whole_extents))))
+        elif kind == "edge":
+            edge = draw(st.sampled_from(["all", "left", "right", "bottom", "top"]) | st.integers(1, 4))
+            made.append(Wall(name=name, thickness=thickness, edge=edge))
+        else:
+            places = draw(st.lists(st.tuples(EIGHTHS, EIGHTHS), min_size=2, max_size=4, unique=True))
+            closing = places[:1] if len(places) > 2 and draw(st.booleans()) else []
+            points = [(x / 8 * plate.length_x, y / 8 * plate.length_y) for x, y in [*places, *closing]]
+            bulges = draw(st.just([]) | st.lists(numbers(-1.0, 1.0), min_size=1, max_size=len(points) - 1))
+            wall = Wall(name=name, thickness=thickness, points=points, bulges=bulges)
+            x0, x1, y0, y1 = get_bounds(wall.edges)
+            inside = max(-x0, x1) <= plate.length_x / 2 and max(-y0, y1) <= plate.length_y / 2
+            made.append(wall if inside else Wall(name=name, thickness=thickness, points=points))
+    return made
+
+
+@st.composite
+def any_load(
+    draw: st.DrawFn, plate: Plate, case: str, columns: list[Column], supports: list[Any], walls: list[Wall]
+) -> Any:
     """Return a load of any kind, of either sign."""
     kinds = [
         "uniform",
@@ -313,7 +341,7 @@ def any_load(draw: st.DrawFn, plate: Plate, case: str, columns: list[Column], su
         "temperature",
         "shrinkage",
     ]
-    kinds += ["column"] * bool(columns) + ["settlement"] * bool(supports)
+    kinds += ["column"] * bool(columns) + ["settlement"] * bool(supports) + ["wall", "wall moment"] * bool(walls)
     kind = draw(st.sampled_from(kinds))
     size = min(plate.sides)
     keys: dict[str, Any] = {"case": case, "name": draw(st.just("") | any_of(PointLoad, "name"))}
@@ -341,6 +369,10 @@ def any_load(draw: st.DrawFn, plate: Plate, case: str, columns: list[Column], su
         if kind == "line moment":
             return LineMoment(m=q * size / 4, m_end=q_end, points=[start, far], bulges=bulges, **keys)
         return LineLoad(q=q, q_end=q_end, points=[start, far], bulges=bulges, **keys)
+    if kind in {"wall", "wall moment"}:
+        return draw(
+            load_on_wall(draw(st.sampled_from(walls)), q, q * size / 4 if kind == "wall moment" else None, **keys)
+        )
     moments = {"M_x": draw(st.just(0) | SHARES) * q * size / 2,
                "M_y": draw(st.just(0) | SHARES) * q * size / 2}  # fmt: skip
     if kind == "column":
@@ -358,6 +390,16 @@ def any_load(draw: st.DrawFn, plate: Plate, case: str, columns: list[Column], su
     if kind == "settlement":
         return SettlementLoad(support=draw(st.sampled_from(supports)).name, w=draw(SHARES) / 100, **keys)
     return SelfWeight(unit_weight=25e3, **keys)
+
+
+@st.composite
+def load_on_wall(draw: st.DrawFn, wall: Wall, q: float, m: float | None, **keys: Any) -> LineLoad | LineMoment:
+    """Return a force per length on a wall, or a moment if there is one; linear along it where it has ends."""
+    closed = wall.shape is not None or wall.edge == "all"
+    end = None if closed else draw(st.none() | st.sampled_from([0.0, 2e4, -5e3]))
+    if m is not None:
+        return LineMoment(m=m, m_end=end, wall=wall.name, **keys)
+    return LineLoad(q=q, q_end=end, wall=wall.name, **keys)
 
 
 @st.composite
@@ -482,7 +524,7 @@ def varied_ground(draw: st.DrawFn, ground: Any, plate: Plate) -> dict[str, Any]:
 
 @st.composite
 def rich_models(draw: st.DrawFn, whole: bool = False) -> Model:
-    """Return descriptions with supports, columns, cases and every kind of load; if whole, with every key there is."""
+    """Return descriptions with supports, columns, walls, cases and all kinds of loads; if whole, with every key."""
     plate, ground = draw(plates()), draw(grounds())
     if not whole and getattr(ground, "formulas", "exact") == "as printed":
         ground = ground.replace(formulas="exact")  # gamma need not converge with the misprints
@@ -490,9 +532,13 @@ def rich_models(draw: st.DrawFn, whole: bool = False) -> Model:
     supports: list[Any] = [draw(point_supports(plate, name) | line_supports(plate, name))
                            for name in _unique_names(draw, draw(st.integers(0, 3)), "S", whole)]  # fmt: skip
     stand = draw(columns(plate, _unique_names(draw, draw(st.integers(0, 2)), "C", whole)))
+    around = draw(walls(plate, _unique_names(draw, draw(st.integers(0, 2)), "W", whole)))
     cases = draw(load_cases())
-    loads = [draw(any_load(plate, case, stand, supports))
+    loads = [draw(any_load(plate, case, stand, supports, around))
              for case in [each.name for each in cases] or [""] for _ in range(draw(st.integers(1, 2)))]  # fmt: skip
+    for wall in around:
+        q, m = draw(st.floats(1e3, 2e5)), draw(st.none() | st.floats(-2e4, 2e4).filter(lambda m: abs(m) > 1))
+        loads.append(draw(load_on_wall(wall, q, m, case=draw(st.sampled_from(cases)).name if cases else "")))
     # a weight, so that most of them can be balanced
     loads.insert(0, UniformLoad(q=draw(st.floats(1e3, 1e5)), case=cases[0].name if cases else ""))
     extra: dict[str, Any] = {}
@@ -511,6 +557,7 @@ def rich_models(draw: st.DrawFn, whole: bool = False) -> Model:
         contact=draw(rich_contacts(plate, whole)),
         supports=supports,
         columns=stand,
+        walls=around,
         cases=cases,
         loads=loads,
         mesh=mesh,

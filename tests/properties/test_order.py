@@ -61,10 +61,10 @@ def assert_alike(one: Results, other: Results) -> None:
 @FEW
 @given(rich_models(), st.randoms(use_true_random=False))
 def test_order_in_the_file(model: Model, random: Any) -> None:
-    """Loads, cases, supports and columns in another order give the same settlements in every combination."""
+    """Loads, cases, supports, columns and walls in another order give the same settlements in every combination."""
     # of rigid supports that meet the first one counts, and EN 1990 takes the leading actions in the cases' order
     mixed = {part: random.sample(getattr(model, part), len(getattr(model, part)))
-             for part in ("loads", "cases", "supports", "columns")}  # fmt: skip
+             for part in ("loads", "cases", "supports", "columns", "walls")}  # fmt: skip
     # small voids, whose order is not mixed, make meshes that are large
     model = model.replace(combine=None, contact=model.contact.replace(voids=()))
     assert_alike(combined(model), combined(model.replace(**mixed)))
@@ -74,6 +74,8 @@ def test_order_in_the_file(model: Model, random: Any) -> None:
 @given(rich_models())
 def test_combination_by_itself(model: Model) -> None:
     """A combination that starts from the one before has the result of a model with this combination alone."""
+    # small voids make meshes that are large
+    model = model.replace(contact=model.contact.replace(voids=()))
     together = combined(model)
     for combination in list_combinations(model)[-2:]:
         if model.cases:
