@@ -14,8 +14,8 @@ from helpers.paths import EXAMPLES
 #: The raft with eight combinations has a test of its own below.
 CASES = sorted(path for path in EXAMPLES.glob("*.toml") if path.stem != "l_raft")
 SLOW = (
-    "combined_footing", "cracked_footing", "house_raft", "industrial_floor", "joined_bays", "neighbours", "pad",
-    "raft_on_continuum", "tank", "void", "warehouse", "wind_turbine",
+    "bearing_walls", "combined_footing", "cracked_footing", "house_raft", "industrial_floor", "joined_bays",
+    "neighbours", "pad", "raft_on_continuum", "tank", "void", "warehouse", "wind_turbine",
 )  # fmt: skip
 
 
@@ -29,6 +29,18 @@ def test_examples_are_solved(path: Path) -> None:
     assert not results.refused
     assert all(each.certificate.holds for each in results.results.values())
     assert check_design(results).status != "fails"
+
+
+def test_what_stands_on_the_bearing_walls_is_what_their_comment_says() -> None:
+    """Both cases together, and the permanent one, sum up to the numbers worked out by hand; nothing is cut off."""
+    model = load(EXAMPLES / "bearing_walls.toml")
+    coarse = solve(model.replace(ground={"kind": "winkler", "k": 15e6}, reinforcement=None, mesh={"size": 1.0}))
+    found = {name: results.certificate.load for name, results in coarse.results.items()}
+    assert found["characteristic 1"] == pytest.approx(8683.4e3, rel=1e-12)
+    assert found["ULS 4"] == pytest.approx(6923.2e3, rel=1e-12)
+    comment = (EXAMPLES / "bearing_walls.toml").read_text(encoding="utf-8")
+    assert "G = 6923.2 kN" in comment
+    assert "G + Q = 8683.4 kN" in comment
 
 
 @pytest.mark.slow
