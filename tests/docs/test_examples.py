@@ -15,7 +15,7 @@ from helpers.paths import EXAMPLES
 CASES = sorted(path for path in EXAMPLES.glob("*.toml") if path.stem != "l_raft")
 SLOW = (
     "bearing_walls", "combined_footing", "cracked_footing", "house_raft", "industrial_floor", "joined_bays",
-    "neighbours", "pad", "raft_on_continuum", "tank", "void", "warehouse", "wind_turbine",
+    "neighbours", "pad", "raft_on_continuum", "ribbed_raft", "tank", "void", "warehouse", "wind_turbine",
 )  # fmt: skip
 
 
@@ -41,6 +41,14 @@ def test_what_stands_on_the_bearing_walls_is_what_their_comment_says() -> None:
     comment = (EXAMPLES / "bearing_walls.toml").read_text(encoding="utf-8")
     assert "G = 6923.2 kN" in comment
     assert "G + Q = 8683.4 kN" in comment
+
+
+def test_the_ribbed_raft_weighs_what_its_comment_says() -> None:
+    """Slab, screed, ribs and columns, worked out by hand."""
+    model = load(EXAMPLES / "ribbed_raft.toml")
+    coarse = solve(model.replace(ground={"kind": "winkler", "k": 15e6}, reinforcement=None, mesh={"size": 1.0}))
+    assert coarse["characteristic 2"].certificate.load == pytest.approx(3526.75e3, rel=1e-12)
+    assert "= 3526.75 kN" in (EXAMPLES / "ribbed_raft.toml").read_text(encoding="utf-8")
 
 
 @pytest.mark.slow

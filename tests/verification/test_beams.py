@@ -11,6 +11,8 @@ import pytest
 import groundslab as gs
 from groundslab.accuracy.values import estimate_error
 from groundslab.arrays import Array
+from groundslab.design.demands.perimeter_loads import loads_near, punching_columns, punching_shear
+from groundslab.design.demands.perimeters import perimeter
 from groundslab.results.record import BeamResult
 from groundslab.verification.analytic_beams import beam_on_springs
 
@@ -340,3 +342,40 @@ def test_told_errors_of_beams_cover_true_ones(element: str) -> None:
         value, other, exact = (float(figure(each.beams[0].moment)) for each in (coarse, coarse.coarser, fine))
         told = estimate_error(value, other, coarse.comparison)
         assert abs(value - exact) < max(1.5 * told, 2e-3 * abs(exact))
+
+
+def test_what_beams_carry_across_a_perimeter_does_not_punch() -> None:
+    """The force that punches around a column on two ribs is the slab's shear force across the perimeter, to 1 %.
+
+    By equilibrium, with the ribs' shear forces at the perimeter; and from the slab's shear forces, integrated along it.
+    """
+    P = 800e3
+    model = gs.Model(
+        plate={"length_x": 6.0, "length_y": 5.0, "thickness": 0.25, "E": E, "nu": 0.2},
+        ground={"kind": "winkler", "k": 40e6},
+        contact={"tensionless": False},
+        columns=[{"name": "C", "x": 0.3, "y": 0.2, "width_x": 0.4, "width_y": 0.4}],
+        beams=[
+            {"name": "x", "points": [(-3.0, 0.2), (3.0, 0.2)], "section": RIB},
+            {"name": "y", "points": [(0.3, -2.5), (0.3, 2.5)], "section": RIB},
+        ],
+        loads=[{"kind": "point", "column": "C", "P": P}],
+        mesh={"size": 0.1},
+    )
+    results = gs.solve(model).only
+    (column,) = punching_columns(model)
+    for distance in (0.4, 0.6):
+        around = perimeter(results.plate, column.footprint, distance)
+        inside = loads_near(results, column, distance).inside(results, around.inside)
+        assert len(inside.crossings) == 4
+        shear = punching_shear(results, inside, column, np.array(column.place), edge_relieves=False)
+        assert shear.others < -0.3 * P
+        out = 0.0
+        for start, end in around.whole:
+            step = (end - start) / 20
+            places = start + (np.arange(20)[:, None] + 0.5) * step
+            q = [results.plate.value_at(name, *places.T) for name in ("shear_x", "shear_y")]
+            out += float((q[0] * step[1] - q[1] * step[0]).sum())
+        assert -out == pytest.approx(shear.V, rel=1e-2)
+        # on an axis of symmetry of column and ribs the moments come from the plate's edges alone
+        assert np.abs(shear.moments).max() < 0.05 * P * distance

@@ -11,7 +11,7 @@ from groundslab.design.checks import check_design
 from groundslab.design.checks_table import checks_table
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.tables import errors
-from groundslab.design.tables.beams import beam_table
+from groundslab.design.tables.beams import beam_reinforcement, beam_table
 from groundslab.design.tables.columns import column_envelope, column_table
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
 from groundslab.design.tables.locations import lines, points, soil, strips
@@ -22,6 +22,7 @@ from groundslab.design.tables.supports import joint_table, support_table
 from groundslab.design.tables.table import Column, Table
 from groundslab.design.tables.walls import wall_table
 from groundslab.model.ground import ContinuousGround
+from groundslab.model.structure.beams import GivenSection
 from groundslab.results.results import Results
 
 __all__ = ["Column", "Table", "fields_of_envelope", "table_makers", "tables_of"]
@@ -105,6 +106,9 @@ def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
     if model.reinforcement is not None:
         needs = partial(reinforcement, steel=model.reinforcement)
         makers["reinforcement"] = lambda: errors.with_errors_of_governing(needs, combined)
+        if any(not isinstance(beam.section, GivenSection) for beam in model.beams):
+            of_beams = partial(beam_reinforcement, steel=model.reinforcement)
+            makers["beam_reinforcement"] = lambda: errors.with_errors_of_governing(of_beams, combined)
         if model.reinforcement.laid:
             makers["bars"] = lambda: bars(model)
     return makers

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from groundslab.design.aci318 import bending
+from groundslab.design.aci318 import beams, bending
 from groundslab.design.aci318.case_materials import materials
 from groundslab.design.aci318.checks import bars, one_way_shear, two_way, two_way_columns, wall_ends
 from groundslab.design.aci318.checks.remarks import remarks
 from groundslab.design.basis import wide_beam
-from groundslab.design.basis.design_code import Clauses, DesignCode, PunchingRule, ShearRule
+from groundslab.design.basis.design_code import BeamRule, Clauses, DesignCode, PunchingRule, ShearRule
 from groundslab.design.bending import BendingRule
 from groundslab.model.design.reinforcement import Reinforcement
 
@@ -39,6 +39,7 @@ ACI318 = DesignCode(
         extremes=(("v_u", "MPa"),),
         with_errors=("V_u", "v_u", "v_u / phi v_c"),
     ),
+    beams=BeamRule(minimum=beams.minimum, links=beams.links, clauses="22.3, 22.5, 9.6.1.2, 9.6.3.4"),
     bars=bars.checks,
     remarks=remarks,
 )

@@ -86,6 +86,26 @@ class PunchingRule:
 
 
 @dataclass(frozen=True, slots=True)
+class BeamRule:
+    """Beams and ribs, beyond what they share with slabs.
+
+    Attributes
+    ----------
+    minimum : callable
+        Of materials, a limit state, depth and height [m]: the least bars in tension over the width of the web [m].
+    links : callable
+        Of materials, a limit state, shear forces over the width of the web (n,) [N/m] and a depth [m]: links per area
+        in plan (n,) [m2/m2], not less than the least ones; inf where none help.
+    clauses : str
+        Where the code rules these.
+    """
+
+    minimum: Callable[[Reinforcement, str, float, float], float]
+    links: Callable[[Reinforcement, str, Array, float], Array]
+    clauses: str
+
+
+@dataclass(frozen=True, slots=True)
 class DesignCode:
     """The rules of a code.
 
@@ -101,6 +121,8 @@ class DesignCode:
         One-way shear.
     punching : PunchingRule or None
         Columns, piles and ends of walls that punch the plate.
+    beams : BeamRule or None
+        Beams and ribs.
     bars : callable or None
         Of all combinations, materials and laid bars by layer: the checks of these bars besides their area.
     remarks : callable or None
@@ -112,6 +134,7 @@ class DesignCode:
     bending: Callable[[Reinforcement, str], BendingRule]
     shear: ShearRule | None = None
     punching: PunchingRule | None = None
+    beams: BeamRule | None = None
     bars: Callable[[Results, Reinforcement, dict[str, LaidBars]], Iterator[DesignCheck]] | None = None
     remarks: Callable[[Results, Reinforcement], Iterator[DesignCheck]] | None = None
 

@@ -8,13 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from groundslab.design import required_bars
+import numpy as np
+
+from groundslab.design import beam_bars, required_bars
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import UNFACTORED, ultimate_results, why_none, without_partial_factors
 from groundslab.design.basis.design_code import DesignCode, no_rule
 from groundslab.design.checks import pulling
 from groundslab.design.codes import code_of
 from groundslab.model.loads.load_cases import STRENGTH
+from groundslab.model.structure.beams import GivenSection
 from groundslab.results.results import Results
 
 
@@ -35,10 +38,42 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if combined.model.columns or combined.model.supports or combined.model.walls:
         yield from _punching(combined, code)
         yield from pulling.checks(combined)
+    if combined.model.beams:
+        yield from _beams(combined, code)
     if without_partial_factors(combined):
         yield DesignCheck("partial factors", "attention", UNFACTORED)
     if code.remarks is not None:
         yield from code.remarks(combined, steel)
+
+
+def _beams(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
+    """Yield whether beams can be reinforced; those that are not of concrete are not judged."""
+    steel = combined.model.reinforcement
+    assert steel is not None
+    if code.beams is None:
+        yield no_rule(code, "beams")
+        return
+    given = [beam.name for beam in combined.model.beams if isinstance(beam.section, GivenSection)]
+    if given:
+        words = f"the strength of {', '.join(given[:5])}{' ...' if len(given) > 5 else ''} is not checked"
+        yield DesignCheck("beams by their properties", "attention", words)
+    needs = beam_bars.beam_needs(combined, steel)
+    if not needs:
+        return
+    clause = f"{code.name} {code.beams.clauses}"
+    failing = [need for need in needs if np.isinf(need.area)]
+    if not failing:
+        most = max((need for need in needs if need.what != "links"), key=lambda need: need.area)
+        words = f"they can be reinforced; most at the {most.what} of {most.beam}, {most.area * 1e4:.4g} cm2"
+        yield DesignCheck("beams", "no failure found", words, clause=clause)
+        return
+    worst = failing[0]
+    force = f"{worst.force / 1e3:.4g} {'kN' if worst.what == 'links' else 'kNm'}"
+    words = (
+        f"the concrete of {len({need.beam for need in failing})} of them is too weak for any reinforcement; "
+        f'{worst.beam}, {worst.what}, {worst.way:.2f} m from its start: {force} in "{worst.combination}"'
+    )
+    yield DesignCheck("beams", "fails", words, of=worst.beam, combination=worst.combination, clause=clause)
 
 
 def _punching(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from groundslab.design.basis.design_code import Clauses, DesignCode, PunchingRule, ShearRule
+from groundslab.design.basis.design_code import BeamRule, Clauses, DesignCode, PunchingRule, ShearRule
 from groundslab.design.bending import BendingRule
-from groundslab.design.en1992 import bending, shear
+from groundslab.design.en1992 import beams, bending, shear
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks import bars, one_way_shear, punching, punching_columns, wall_ends
 from groundslab.design.en1992.checks.remarks import remarks
@@ -35,6 +35,7 @@ EN1992 = DesignCode(
         extremes=(("v_Ed", "MPa"), ("v_Ed / v_Rd", ""), ("v_Ed at the face", "MPa")),
         with_errors=("V_Ed", "v_Ed", "v_Ed / v_Rd", "v_Ed at the face"),
     ),
+    beams=BeamRule(minimum=beams.minimum, links=beams.links, clauses="6.1, 6.2.3, 9.2.1.1(1), 9.2.2(5)"),
     bars=bars.checks,
     remarks=remarks,
 )

@@ -1,4 +1,4 @@
-"""The table of beams: extremes of their section forces, and how the plate settles along them."""
+"""The tables of beams: extremes of their section forces, how the plate settles along them; the bars they need."""
 
 from __future__ import annotations
 
@@ -6,7 +6,10 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.basis.combinations import solved_results
+from groundslab.design.beam_bars import BeamNeed, beam_needs
+from groundslab.design.codes import code_of
 from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.record import BeamResult
 from groundslab.results.results import Results
 
@@ -46,3 +49,34 @@ def _figures(beam: BeamResult, away: float) -> list[Cell]:
     V, T, w = largest(beam.shear), largest(beam.torsion), beam.settlement * 1e3
     moments: list[Cell] = [beam.moment[top] / 1e3, beam.way[top], beam.moment[low] / 1e3, beam.way[low]]
     return [*moments, beam.shear[V] / 1e3, beam.way[V], beam.torsion[T] / 1e3, w.min(), w.max()]
+
+
+def beam_reinforcement(combined: Results, steel: Reinforcement) -> Table:
+    """Return the bars at both faces and the links that each beam of concrete needs over all ultimate combinations."""
+    heads = (
+        ("beam", ""), ("bars", ""), ("required area", "cm2"), ("required links", "cm2/m"), ("least", ""),
+        ("from the start", "m"), ("combination", ""), ("moment", "kNm"), ("shear force", "kN"),
+    )  # fmt: skip
+    code = code_of(steel)
+    assert code.beams is not None
+    notes = (
+        f"By {code.name} {code.beams.clauses}, over all ultimate combinations, in addition to the slab's bars. Moments "
+        "and shear forces of ribs are those of the T or L: with the slab's own over the effective width. Shear forces "
+        "count from one height away from the beam's ends.",
+        "The least bars or links are in the unit of the required ones. Torsion is not designed for: it is that of "
+        "compatibility (EN 1992-1-1 6.3.1(2), ACI 318-19 22.7.3.2). inf: the concrete is too weak for any "
+        "reinforcement.",
+    )
+    return table_of(
+        "beam_reinforcement", "Reinforcement of beams", heads, map(_need, beam_needs(combined, steel)), notes
+    )
+
+
+def _need(need: BeamNeed) -> list[Cell]:
+    """Return a row of the table of reinforcement."""
+    area, force = need.area * 1e4, need.force / 1e3
+    about: list[Cell] = [need.beam, need.what]
+    rest: list[Cell] = [need.least * 1e4, need.way, need.combination]
+    if need.what == "links":
+        return [*about, None, area, *rest, None, force]
+    return [*about, area, None, *rest, force, None]

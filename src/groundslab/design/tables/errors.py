@@ -51,6 +51,7 @@ VALUES: dict[str, tuple[str, ...]] = {
     "pile_punching": ("force", *_PUNCHING),
     "wall_punching": _PUNCHING,
     "reinforcement": ("required area", "design moment"),
+    "beam_reinforcement": ("required area", "required links", "moment", "shear force"),
 }  # fmt: skip
 #: Extremes in the table of combinations: which of which quantity.
 EXTREMES = {
@@ -66,7 +67,7 @@ _ALIKE = {
     "design moment": "governed by",
 }
 #: Values of the largest size, whose signs may differ between both meshes.
-_SIZES = {"largest deflection", "largest shear force", "largest torsional moment"}
+_SIZES = {"largest deflection", "largest shear force", "largest torsional moment", "shear force"}
 
 
 def with_errors(make: Callable[[Results], Table], combined: Results) -> Table:

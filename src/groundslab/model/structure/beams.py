@@ -26,7 +26,7 @@ from groundslab.model.structure.lines import (
 )
 from groundslab.model.supports import AnySupport, check_names, plan_of_plate
 from groundslab.schema.base import Check, Section
-from groundslab.schema.fields import Number, Quantity, Text
+from groundslab.schema.fields import Choice, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.section_fields import ByKind, Table
@@ -50,7 +50,7 @@ class _Rectangle(Section):
 
     kind: str
     width: Annotated[float, Quantity("length", "b_w", "width", POSITIVE)]
-    height: Annotated[float, Quantity("length", "h_w", "height, of a rib that below or above the plate", POSITIVE)]
+    height: Annotated[float, Quantity("length", "h_w", "height, of a rib that beside the plate", POSITIVE)]
 
     @property
     def second_moment(self) -> float:
@@ -83,6 +83,10 @@ class RibSection(_Rectangle):
     effective_width: Annotated[
         float, Quantity("length", "b_eff", "width of the plate that acts as the flange", POSITIVE)
     ]
+    side: Annotated[
+        Literal["below", "above"],
+        Choice(Literal["below", "above"], "side of the plate on which it lies, for its bars", ""),
+    ] = "below"
 
 
 class GivenSection(Section):
@@ -126,6 +130,15 @@ class Beam(Section):
         None
     )
     nu: Annotated[float | None, Number("nu", "Poisson's ratio, by default that of the plate", POISSON)] = None
+    bar_axis: Annotated[
+        float | None,
+        Quantity(
+            "length",
+            "d_1",
+            "distance of its bars' axes from its faces, by default the larger one of the plate's bars there",
+            POSITIVE,
+        ),
+    ] = None
 
     @property
     def edges(self) -> tuple[Segment, ...]:

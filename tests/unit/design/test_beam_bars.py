@@ -1,0 +1,119 @@
+"""Bars and links of beams by hand, by EN 1992-1-1 and ACI 318-19."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+import groundslab as gs
+from groundslab.design.beam_bars import BeamNeed, beam_needs
+from groundslab.design.result_tables import table_makers
+from groundslab.results.record import BeamResult
+
+E, T, AXIS = 30e9, 0.25, 0.05
+RECTANGLE = {"kind": "rectangle", "width": 0.4, "height": 0.8}
+RIB = {"kind": "rib", "width": 0.4, "height": 0.5, "effective_width": 2.0}
+
+
+def results(section: dict[str, Any], moment: float, shear: float, code: str = "EN 1992-1-1") -> gs.Results:
+    """Return results in which a beam has a moment in its middle, and a shear force beside it."""
+    model = gs.Model(
+        plate={"length_x": 8.0, "length_y": 4.0, "thickness": T, "E": E, "nu": 0.2},
+        ground={"kind": "winkler", "k": 20e6},
+        beams=[{"name": "B", "points": [(-4.0, 0.0), (4.0, 0.0)], "section": section, "bar_axis": AXIS}],
+        cases=[{"name": "G"}],
+        loads=[{"kind": "uniform", "q": 10e3, "case": "G"}],
+        combinations=[{"name": "ULS", "factors": {"G": 1.35}, "limit_state": "ultimate"}],
+        reinforcement={"code": code, "f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.04, 0.05)},
+        mesh={"size": 1.0},
+    )
+    solved = gs.solve(model)
+    way = np.array([0.0, 2.0, 4.0, 6.0, 8.0])
+    beam = BeamResult(
+        "B",
+        np.column_stack([way - 4.0, 0 * way]),
+        way,
+        0 * way,
+        moment * np.array([0, 0.5, 1, 0.5, 0]),
+        shear * np.array([5.0, 0.2, 0, -1, 5.0]),
+        0 * way,
+    )
+    return replace(solved, results={"ULS": replace(solved["ULS"], beams=(beam,))})
+
+
+def needs(*args: Any, **others: Any) -> dict[str, BeamNeed]:
+    """Return what a beam needs, by what it is."""
+    combined = results(*args, **others)
+    assert combined.model.reinforcement is not None
+    return {need.what: need for need in beam_needs(combined, combined.model.reinforcement)}
+
+
+def bars(M: float, b: float, d: float, f_c: float, f_y: float) -> float:
+    """Return the bars in tension [m2] of a rectangle with a stress block: M = f_c a b (d - a / 2)."""
+    a = d - math.sqrt(d**2 - 2 * M / (b * f_c))
+    return f_c * a * b / f_y
+
+
+def test_a_rectangle_takes_its_own_moment() -> None:
+    """EN 1992-1-1: f_cd = 20 MPa, f_yd = 434.8 MPa; the bottom sags, the top needs nothing."""
+    found = needs(RECTANGLE, 500e3, 200e3)
+    d = 0.8 - AXIS
+    assert found["bottom"].area == pytest.approx(bars(500e3, 0.4, d, 20e6, 500e6 / 1.15), rel=1e-9)
+    assert (found["bottom"].way, found["bottom"].force) == (4.0, 500e3)
+    assert found["bottom"].least == pytest.approx(0.26 * 0.3 * 30 ** (2 / 3) / 500 * 0.4 * d, rel=1e-3)
+    assert found["top"].area == 0.0
+
+
+def test_links_carry_the_shear_force_away_from_the_ends() -> None:
+    """A_sw / s = V / (z f_ywd cot theta) with z = 0.9 d and cot theta = 2.5; what is at the ends does not count."""
+    found = needs(RECTANGLE, 500e3, 600e3)["links"]
+    assert (found.way, found.force) == (6.0, -600e3)
+    assert found.area == pytest.approx(600e3 / (0.9 * 0.75 * 500e6 / 1.15 * 2.5), rel=1e-9)
+    assert needs(RECTANGLE, 500e3, 10e3)["links"].area == pytest.approx(0.08 * math.sqrt(30) / 500 * 0.4, rel=1e-9)
+    assert math.isinf(needs(RECTANGLE, 500e3, 3e6)["links"].area)
+
+
+@pytest.mark.parametrize(("side", "sagging"), [("below", True), ("below", False), ("above", True), ("above", False)])
+def test_a_rib_acts_as_a_tee(side: str, sagging: bool) -> None:
+    """The slab's strip adds its moment; its width counts where it is compressed, that of the rib elsewhere."""
+    M = 300e3 if sagging else -300e3
+    found = needs(RIB | {"side": side}, M, 0.0)["bottom" if sagging else "top"]
+    A_w, A_f = 0.4 * 0.5, 2.0 * T
+    couple = A_w * A_f / (A_w + A_f) * ((0.5 + T) / 2) ** 2
+    whole = (0.4 * 0.5**3 / 12 + couple + 2.0 * T**3 / 12) / (0.4 * 0.5**3 / 12 + couple)
+    assert found.force == pytest.approx(whole * M, rel=1e-9)
+    width = 2.0 if sagging == (side == "below") else 0.4
+    assert found.area == pytest.approx(bars(whole * abs(M), width, 0.75 - AXIS, 20e6, 500e6 / 1.15), rel=1e-9)
+
+
+def test_beams_by_aci_318() -> None:
+    """Phi = 0.9 and 0.85 f'c; 9.6.1.2 for the least bars; V_c of Table 22.5.5.1 (a) with links, phi = 0.75."""
+    found = needs(RECTANGLE, 500e3, 600e3, code="ACI 318")
+    d = 0.8 - AXIS
+    assert found["bottom"].area == pytest.approx(bars(500e3, 0.4, d, 0.9 * 0.85 * 30e6, 0.9 * 500e6), rel=1e-9)
+    assert found["bottom"].least == pytest.approx(1.4 / 500 * 0.4 * d, rel=1e-9)
+    V_c = 0.17 * math.sqrt(30) * 1e6 * 0.4 * d
+    assert found["links"].area == pytest.approx((600e3 / 0.75 - V_c) / (420e6 * d), rel=1e-9)
+
+
+def test_checks_and_tables_say_it() -> None:
+    """The table has three rows with the areas; a section that is too weak fails; steel is not judged."""
+    combined = results(RECTANGLE, 500e3, 600e3)
+    table = table_makers(combined)["beam_reinforcement"]()
+    assert table["bars"] == ("bottom", "top", "links")
+    assert table["required area"][0] == pytest.approx(bars(500e3, 0.4, 0.75, 20e6, 500e6 / 1.15) * 1e4)
+    assert table["required links"][:2] == (None, None)
+    (check,) = (each for each in gs.check_design(combined).checks if each.name == "beams")
+    assert check.status == "no failure found"
+    (check,) = (each for each in gs.check_design(results(RECTANGLE, 5e6, 0.0)).checks if each.name == "beams")
+    assert check.status == "fails"
+    assert "B, bottom, 4.00 m from its start: 5000 kNm" in check.words
+    steel = {"kind": "properties", "second_moment": 2e-4, "shear_area": 3e-3}
+    given = results(steel, 0.0, 0.0)
+    assert "beam_reinforcement" not in table_makers(given)
+    (check,) = (each for each in gs.check_design(given).checks if each.name == "beams by their properties")
+    assert (check.status, check.words) == ("attention", "the strength of B is not checked")
