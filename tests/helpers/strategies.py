@@ -28,6 +28,7 @@ from groundslab.model.outputs import Output, OutputLine, OutputPoint, OutputStri
 from groundslab.model.plate import Edges, Plate
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.shapes import Circle, Polygon, Rectangle
+from groundslab.model.structure.beams import Beam, GivenSection, RectangularSection, RibSection
 from groundslab.model.structure.columns import Column
 from groundslab.model.structure.walls import Wall
 from groundslab.model.supports import LineSupport, PointSupport
@@ -325,6 +326,29 @@ def walls(draw: st.DrawFn, plate: Plate, names: list[str]) -> list[Wall]:
 
 
 @st.composite
+def beams(draw: st.DrawFn, plate: Plate, names: list[str]) -> list[Beam]:
+    """Return beams along x and y that lie on the plate and not on each other, along its edges too."""
+    lines = draw(st.lists(st.tuples(st.booleans(), EIGHTHS), min_size=len(names), max_size=len(names), unique=True))
+    made = []
+    for name, (level, at) in zip(names, lines, strict=True):
+        ends = draw(st.lists(EIGHTHS, min_size=2, max_size=2, unique=True))
+        places = [(end, at) if level else (at, end) for end in ends]
+        points = [(x / 8 * plate.length_x, y / 8 * plate.length_y) for x, y in places]
+        width, height = (draw(st.floats(0.2, 1.0)) * plate.thickness * n for n in (2, 4))
+        section = draw(
+            st.sampled_from(
+                [
+                    RectangularSection(width=width, height=height),
+                    RibSection(width=width, height=height, effective_width=4 * width),
+                    GivenSection(second_moment=width * height**3, shear_area=width * height),
+                ]
+            )
+        )
+        made.append(Beam(name=name, points=points, section=section, E=draw(st.none() | st.floats(10e9, 210e9))))
+    return made
+
+
+@st.composite
 def any_load(
     draw: st.DrawFn, plate: Plate, case: str, columns: list[Column], supports: list[Any], walls: list[Wall]
 ) -> Any:
@@ -531,6 +555,8 @@ def rich_models(draw: st.DrawFn, whole: bool = False) -> Model:
     plate = plate.replace(thermal_expansion=draw(st.sampled_from([1e-5, 1.2e-5])))
     supports: list[Any] = [draw(point_supports(plate, name) | line_supports(plate, name))
                            for name in _unique_names(draw, draw(st.integers(0, 3)), "S", whole)]  # fmt: skip
+    # supports may come so near to a beam that nothing between can be meshed
+    ribs = [] if supports else draw(beams(plate, _unique_names(draw, draw(st.integers(0, 2)), "B", whole)))
     stand = draw(columns(plate, _unique_names(draw, draw(st.integers(0, 2)), "C", whole)))
     around = draw(walls(plate, _unique_names(draw, draw(st.integers(0, 2)), "W", whole)))
     cases = draw(load_cases())
@@ -549,7 +575,7 @@ def rich_models(draw: st.DrawFn, whole: bool = False) -> Model:
     if whole and has_ultimate_combination(tuple(extra.get("combinations", ())), extra.get("combine")):
         extra["reinforcement"] = draw(st.none() | reinforcements(plate))
     longer = max(plate.sides)
-    mesh = Mesh(size=draw(st.floats(longer / 6, longer / 2))) if supports else draw(meshes(plate))
+    mesh = Mesh(size=draw(st.floats(longer / 6, longer / 2))) if supports or ribs else draw(meshes(plate))
     return Model(
         plate=plate,
         ground=ground,
@@ -558,6 +584,7 @@ def rich_models(draw: st.DrawFn, whole: bool = False) -> Model:
         supports=supports,
         columns=stand,
         walls=around,
+        beams=ribs,
         cases=cases,
         loads=loads,
         mesh=mesh,
