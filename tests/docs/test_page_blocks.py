@@ -43,14 +43,15 @@ def run(text: str, **names: object) -> dict[str, object]:
 def test_cases_of_the_page_on_input_load() -> None:
     """The smallest case loads, and with each of the other blocks put behind it."""
     smallest, *others = blocks("input.md", "toml")
-    assert len(others) == 10
-    shapes, wall, outer, beams, checks, aci, cracks, combinations, moves, floor = others
+    assert len(others) == 11
+    shapes, wall, outer, stiff, beams, checks, aci, cracks, combinations, moves, floor = others
     assert len(casefile.loads(f"{smallest}\n{shapes}").loads) == 5
     core = casefile.loads(f"{smallest}\n{wall}")
     assert core.acting[-1][1] == LineForce(core.walls[0].edges, q=(250e3, 250e3), width=0.3)
     (around,) = casefile.loads(f"{smallest}\n{outer}").placed_walls
     assert around.closed
     assert len(casefile.loads(f"{smallest}\n{beams}").beams) == 3
+    assert len(casefile.loads(f"{smallest}\n{stiff}").members) == 3
     named = smallest.replace('q = "10 kPa"', 'q = "10 kPa"\ncase = "design loads"')
     assert len(casefile.loads(f"{named}\n{combinations}").combinations) == 1
     assert casefile.loads(f"{named}\n{combinations}\n{checks}").limits is not None

@@ -53,7 +53,7 @@ def energy_errors(model: Model, solution: Solution, recovered: Array) -> Array:
     errors = np.zeros((len(of_ground), 3))
     errors[solution.system.problem.plate.elements, :2] = _plate_errors(solution, recovered)
     errors[:, 2] = of_ground
-    if model.beams:
+    if model.members:
         errors[:, :2] += _beam_errors(model, solution)
     # squares but for rounding
     return np.maximum(errors, 0.0)

@@ -101,7 +101,7 @@ def _creases(model: Model) -> Iterator[Segment]:
     """Yield the lines along which the pressure of ground with shear jumps or has no limit."""
     for _, shape in model.acting:
         yield from borders_of(shape)
-    for line in (*model.supports, *model.beams):
+    for line in (*model.supports, *model.members):
         yield from line.edges
     zones = [zone for plate in model.every_plate for zone in plate.zones]
     soil, voids = model.soil_zones, model.contact.voids

@@ -94,7 +94,7 @@ def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
         "supports": (model.supports, support_table),
         "joints": (model.joints, joint_table),
         "walls": (model.walls, wall_table),
-        "beams": (model.beams, beam_table),
+        "beams": (model.members, beam_table),
     }
     makers |= {name: partial(errors.with_errors, make, combined) for name, (asked, make) in wanted.items() if asked}
     if model.columns:

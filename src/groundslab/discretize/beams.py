@@ -23,7 +23,7 @@ def beams_on(model: Model, plan: Layout, sections: list[tuple[float, float, floa
 
     A rib between two sections of the plate has as its flange the thinner one.
     """
-    parts = [_along(plan, beam, number) for number, beam in enumerate(model.beams)]
+    parts = [_along(plan, beam, number) for number, beam in enumerate(model.members)]
     sides = np.concatenate([np.zeros((0, 3), dtype=np.int64), *(sides for sides, _, _ in parts)])
     start, length = (np.concatenate([np.zeros(0), *(part[k] for part in parts)]) for k in (1, 2))
     number = np.repeat(np.arange(len(parts)), [len(sides) for sides, _, _ in parts])
@@ -31,7 +31,7 @@ def beams_on(model: Model, plan: Layout, sections: list[tuple[float, float, floa
     beside = _sections_beside(plan, sides, np.array([t for _, _, t in sections])) if len(sides) else number
     for which, section in np.unique(np.column_stack([number, beside]), axis=0).tolist():
         own = (number == which) & (beside == section)
-        rigidity[own] = model.beams[which].rigidities(*sections[section])
+        rigidity[own] = model.members[which].rigidities(*sections[section])
     return Beams(sides, number, start, length, rigidity)
 
 

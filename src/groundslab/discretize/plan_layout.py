@@ -35,7 +35,7 @@ from groundslab.model.loads.beside import distances_beyond
 from groundslab.model.model import Model
 from groundslab.model.plates.further import first_sections
 from groundslab.model.settings import SIDES, Side
-from groundslab.model.structure.beams import curved_beams
+from groundslab.model.structure.members import curved_beams
 from groundslab.model.supports import plan_of_plate
 
 #: A mesh is made coarser for the nested iteration while its plate keeps at least this many elements each way.
@@ -374,11 +374,11 @@ def plan_of(model: Model, symmetry: tuple[bool, bool], width: float) -> Plan:
         return rectangle(max(x0, low[0]), x1, max(y0, low[1]), y1)
 
     beyond = meshed(*_reach(model, width)) if width else None
-    lines = tuple(beam.line for beam in model.beams if beam.line)
+    lines = tuple(beam.line for beam in model.members if beam.line)
     plan = plan_of_plate(model.plate, model.supports, beyond, model.plates, lines)
     if any(symmetry):
         plan = replace(plan, outline=meshed(*model.plate.bounds))
-    curved = curved_beams(model.beams, model.every_plate)
+    curved = curved_beams(model.members, model.every_plate)
     plan = add_borders(plan, (*curved, *model.void_rings, *model.zone_rings))
     plan = replace(plan, origin=model.origin)
     return follow_loads(plan, model) if model.mesh.adaptive else plan

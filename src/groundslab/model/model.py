@@ -30,8 +30,9 @@ from groundslab.model.plates.joints import Joint, check_joints
 from groundslab.model.serviceability.cracking import Cracking, check_cracking
 from groundslab.model.serviceability.long_term import LongTerm, scale_stiffnesses
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
-from groundslab.model.structure.beams import Beam, check_beams
+from groundslab.model.structure.beams import Beam
 from groundslab.model.structure.columns import Column
+from groundslab.model.structure.members import check_members, members_of
 from groundslab.model.structure.walls import Wall, place_walls
 from groundslab.model.supports import Support, check_piles
 from groundslab.schema import reference
@@ -71,7 +72,7 @@ class Model(Section):
         check_positions,
         consistency.check_supports,
         check_piles,
-        check_beams,
+        check_members,
         consistency.check_settlement_loads,
         varying_ground.check_soil_zone_types,
         varying_ground.check_soil_zone_extent,
@@ -172,7 +173,7 @@ class Model(Section):
     @property
     def plain(self) -> bool:
         """Return whether the plate is a plain rectangle without supports and beams that the mesh has to follow."""
-        return self.plate.plain and not (self.supports or self.beams or self.plates)
+        return self.plate.plain and not (self.supports or self.members or self.plates)
 
     @property
     def every_plate(self) -> tuple[AnyPlate, ...]:
@@ -183,6 +184,11 @@ class Model(Section):
     def placed_walls(self) -> tuple[Wall, ...]:
         """Return the walls with their axes, also those along edges of plates."""
         return place_walls(self.walls, self.every_plate)
+
+    @property
+    def members(self) -> tuple[Beam, ...]:
+        """Return what stiffens the plate: beams, then the walls that have a height as deep beams."""
+        return members_of(self.beams, self.walls, self.every_plate)
 
     def shapes(self, load: AnyLoad) -> tuple[Acting, ...]:
         """Return the acting shapes of a load, at the place of its column or wall if it names one."""

@@ -259,7 +259,7 @@ def _lines_of_jumps(model: Model) -> Iterator[Segment]:
     for _, shape in model.acting:
         if isinstance(shape, LineForce):
             yield from lines_without_width(model.plate, shape, model.plates)
-    for each in (*model.supports, *model.beams):
+    for each in (*model.supports, *model.members):
         yield from each.edges
 
 

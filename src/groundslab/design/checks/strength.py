@@ -38,6 +38,8 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if combined.model.columns or combined.model.supports or combined.model.walls:
         yield from _punching(combined, code)
         yield from pulling.checks(combined)
+    if any(wall.height is not None for wall in combined.model.walls):
+        yield DesignCheck("walls", "not checked", "the strength of walls with a height is not checked")
     if combined.model.beams:
         yield from _beams(combined, code)
     if without_partial_factors(combined):

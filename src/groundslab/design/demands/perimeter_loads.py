@@ -236,7 +236,7 @@ def _crossings(model: Model, part: Polygon) -> Iterator[Crossing]:
     from shapely import Point, get_parts, prepare
 
     prepare(part)
-    for number, beam in enumerate(model.beams):
+    for number, beam in enumerate(model.members):
         axis = beam.to_shapely(FLAT * max(model.sides))
         if not part.intersects(axis):
             continue

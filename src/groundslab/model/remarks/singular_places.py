@@ -68,7 +68,7 @@ def singular_places(model: Model) -> dict[str, list[Place]]:
         "forces without a footprint": [*forces_without_footprint(model)],
         "point supports": [support.points[0] for support in model.supports if not support.edges],
         "ends and bends of lines": ends,
-        "ends of beams": [place for beam in model.beams for place in beam.ends],
+        "ends of beams": [place for beam in model.members for place in beam.ends],
         "corners": corners,
     }
     return {what: places for what, places in by_kind.items() if places}

@@ -2,18 +2,11 @@
 
 from __future__ import annotations
 
-import itertools
-import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
-from groundslab.geometry.plan import Ring, Segment
-from groundslab.geometry.validity import TOO_CLOSE, find_issues
+from groundslab.geometry.plan import Segment
 from groundslab.model.ground import POISSON, POSITIVE
-from groundslab.model.plate import Plate
-from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, list_plates, shared_line
-from groundslab.model.plates.joints import AnyJoint
-from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import AnyShape
 from groundslab.model.structure.lines import (
     LinePoints,
@@ -24,17 +17,17 @@ from groundslab.model.structure.lines import (
     line_area,
     line_segments,
 )
-from groundslab.model.supports import AnySupport, check_names, plan_of_plate
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Choice, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.section_fields import ByKind, Table
-from groundslab.schema.wording import quote
 
 if TYPE_CHECKING:
     from shapely import LineString, Polygon
 
+#: Cracks make a member less stiff, which the plate's own law of cracking knows nothing of.
+STIFFNESS = Number("", "share of the uncracked stiffness that counts, less where it cracks", Range(above=0, at_most=1))
 #: The shear area of a rectangle over its area (Timoshenko 1921; Cowper 1966 for nu = 0).
 SHEAR_SHARE = 5 / 6
 
@@ -130,6 +123,10 @@ class Beam(Section):
         None
     )
     nu: Annotated[float | None, Number("nu", "Poisson's ratio, by default that of the plate", POISSON)] = None
+    stiffness: Annotated[
+        float,
+        Number("", "share of the uncracked stiffness that counts, less where it cracks", Range(above=0, at_most=1)),
+    ] = 1.0
     bar_axis: Annotated[
         float | None,
         Quantity(
@@ -185,7 +182,8 @@ class Beam(Section):
         if isinstance(section, RibSection):
             rib, flange = own * section.width * section.height, E * section.effective_width * thickness
             bending += rib * flange / (rib + flange) * ((thickness + section.height) / 2) ** 2
-        return bending, G * section.torsion_constant, G * section.shear_area
+        share = self.stiffness
+        return share * bending, share * G * section.torsion_constant, share * G * section.shear_area
 
     def to_shapely(self, chord: float) -> LineString:
         """Return the axis, arcs as chords at most so far off [m]."""
@@ -194,89 +192,3 @@ class Beam(Section):
     def area(self, chord: float) -> Polygon:
         """Return what the beam covers in plan, the thinnest strip where it has no width; arcs as for `to_shapely`."""
         return line_area(self.to_shapely(chord), max(self.width, 2 * chord), closed=self.closed)
-
-
-def curved_beams(beams: tuple[Beam, ...], plates: tuple[AnyPlate, ...]) -> tuple[Ring, ...]:
-    """Return the closed curves with arcs along which beams run, but for those that are edges of plates."""
-    edges = [ring for plate in plates for ring in plate.rings()]
-    rings = (beam.shape.ring() for beam in beams if beam.shape is not None and not beam.line)
-    return tuple(ring for ring in rings if ring not in edges)
-
-
-def check_beams(
-    plate: Plate,
-    plates: tuple[FurtherPlate, ...],
-    joints: tuple[AnyJoint, ...],
-    supports: tuple[AnySupport, ...],
-    beams: tuple[Beam, ...],
-) -> Iterator[RelativeIssue]:
-    """Find beams that leave the plate or cross a joint, lie on each other, or along which no mesh can run."""
-    if not beams:
-        return
-    yield from check_names("beams", [beam.name for beam in beams], needed=True)
-    off = [
-        *_check_on_one_plate(PlateRegion(plate, plates), beams),
-        *_check_joints(list_plates(plate, plates), joints, beams),
-    ]
-    yield from off
-    if off:
-        return
-    x0, x1, y0, y1 = bounds_of(plate, plates)
-    yield from _check_apart(beams, TOO_CLOSE * max(x1 - x0, y1 - y0))
-    straight = {number: beam.line for number, beam in enumerate(beams) if beam.line}
-    before = sum(bool(support.edges) for support in supports)
-    for issue in find_issues(plan_of_plate(plate, supports, plates=plates, lines=(*straight.values(),))):
-        for count, number in enumerate(straight, start=before + 1):
-            name = f"plate.lines[{count}]"
-            if name == issue.location or name in issue.found:
-                found = issue.found.replace(name, f"beams[{number + 1}]")
-                yield RelativeIssue(("beams", number, "points"), found, issue.expected, issue.hint)
-                break
-
-
-def _check_on_one_plate(region: PlateRegion, beams: tuple[Beam, ...]) -> Iterator[RelativeIssue]:
-    """Find beams of which a part lies off the plate, over an opening, or on another plate."""
-    chord = 1e-4 * region.size
-    for number, beam in enumerate(beams):
-        axis = beam.to_shapely(chord)
-        areas = [area.buffer(max(region.near, 2 * chord * (beam.shape is not None)), join_style="mitre")
-                 for area in region.areas]  # fmt: skip
-        if any(area.covers(axis) for area in areas):
-            continue
-        place = ("beams", number, "points" if beam.points is not None else "shape")
-        if region.plates and region.reach.covers(axis):
-            hint = "two beams, one on either side of the joint, bend with their own plates"
-            yield RelativeIssue(place, "a beam that goes from one plate to another", "a beam on one plate", hint)
-            continue
-        over = axis.length - max(area.intersection(axis).length for area in areas)
-        found = f"{over:.3g} m of {axis.length:.3g} m that do not lie on the plate"
-        yield RelativeIssue(place, found, "a beam that lies on the plate, clear of openings", "shorten or divide it")
-
-
-def _check_joints(
-    plates: tuple[AnyPlate, ...], joints: tuple[AnyJoint, ...], beams: tuple[Beam, ...]
-) -> Iterator[RelativeIssue]:
-    """Find beams along joints, of which nobody knows which plate they stiffen."""
-    known = {plate.name: plate for plate in plates}
-    for joint in joints:
-        if not all(name in known for name in joint.between):
-            continue
-        line = shared_line(*(known[name] for name in joint.between))
-        for number, beam in enumerate(beams):
-            near = TOO_CLOSE * line.length
-            if line.buffer(near).intersection(beam.to_shapely(near)).length > 4 * near:
-                found = f"a beam along the joint {quote(joint.title)}"
-                yield RelativeIssue(("beams", number), found, "a beam on one of the plates", "move it off the joint")
-
-
-def _check_apart(beams: tuple[Beam, ...], near: float) -> Iterator[RelativeIssue]:
-    """Find beams of which a part lies along another one."""
-    axes = [beam.to_shapely(near) for beam in beams]
-    for (one, a), (other, b) in itertools.combinations(enumerate(axes), 2):
-        if a.distance(b) > near:
-            continue
-        shared = b.intersection(a.buffer(near, cap_style="flat")).length
-        if shared > 4 * near and shared > near / math.sin(math.radians(5)):
-            found = f"a beam along {shared:.3g} m of {quote(beams[one].name)}"
-            hint = "one beam with a section that stands for both"
-            yield RelativeIssue(("beams", other), found, "one beam at each place", hint)

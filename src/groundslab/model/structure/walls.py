@@ -10,7 +10,7 @@ import numpy as np
 
 from groundslab.geometry.offsets import parallel
 from groundslab.geometry.plan import Segment
-from groundslab.model.ground import POSITIVE
+from groundslab.model.ground import POISSON, POSITIVE
 from groundslab.model.plates.further import AnyPlate
 from groundslab.model.shapes import AnyShape
 from groundslab.model.structure.edge_lines import WORDS, edge_line
@@ -25,9 +25,11 @@ from groundslab.model.structure.lines import (
     line_segments,
 )
 from groundslab.schema.base import Check, Section
-from groundslab.schema.fields import MOST_VALUES, Integer, Quantity, Text
+from groundslab.schema.fields import MOST_VALUES, Integer, Number, Quantity, Text
 from groundslab.schema.issues import FieldError, RelativeIssue
+from groundslab.schema.ranges import Range
 from groundslab.schema.repairs import remove
+from groundslab.schema.section_fields import Table
 
 if TYPE_CHECKING:
     from shapely import LineString, Polygon
@@ -57,13 +59,35 @@ def _check_place(
         yield RelativeIssue((name,), found, "one of them", hint, (remove((name,)),))
 
 
+def _check_ends(start: float, end: float) -> Iterator[RelativeIssue]:
+    if end <= start:
+        yield RelativeIssue(("end",), f"{end!r} m", f"more than the start, {start!r} m")
+
+
+def _check_height(height: float | None, given: set[str]) -> Iterator[RelativeIssue]:
+    """Find keys that only a wall with a height has a use for."""
+    for key in ("E", "nu", "stiffness", "openings"):
+        if height is None and key in given:
+            yield RelativeIssue((key,), f"{key} without a height", "a height", "without it a wall has no stiffness")
+
+
+class WallOpening(Section):
+    """An opening in a wall that has a height."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_check_ends,)
+
+    start: Annotated[float, Quantity("length", "s_1", "where it begins, along the axis", Range(at_least=0))]
+    end: Annotated[float, Quantity("length", "s_2", "where it ends, along the axis", POSITIVE)]
+    height: Annotated[float, Quantity("length", "h_o", "height that is missing there", POSITIVE)]
+
+
 class Wall(Section):
     """A wall that stands on the plate.
 
     One along an edge of a plate has an axis once it is placed by `on`.
     """
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_place, check_line_length)
+    checks: ClassVar[tuple[Check, ...]] = (_check_place, check_line_length, _check_height)
 
     name: Annotated[str, Text("name of the wall, used by loads")]
     thickness: Annotated[float, Quantity("length", "t_w", "thickness of the wall", POSITIVE)]
@@ -81,6 +105,18 @@ class Wall(Section):
         ),
     ] = None
     plate: Annotated[str, Text("name of the plate whose edge it is; the first one by default")] = ""
+    height: Annotated[
+        float | None, Quantity("length", "h_w", "height, if the wall stiffens the plate as a deep beam", POSITIVE)
+    ] = None
+    E: Annotated[float | None, Quantity("pressure", "E", "Young's modulus, by default that of the plate", POSITIVE)] = (
+        None
+    )
+    nu: Annotated[float | None, Number("nu", "Poisson's ratio, by default that of the plate", POISSON)] = None
+    stiffness: Annotated[
+        float,
+        Number("", "share of the uncracked stiffness that counts, less where it cracks", Range(above=0, at_most=1)),
+    ] = 1.0
+    openings: Annotated[tuple[WallOpening, ...], Table("openings in it, where it is less high", 1000)] = ()
 
     def on(self, plates: Sequence[AnyPlate]) -> Wall:
         """Return the wall with the points or the shape of its axis, itself if it doesn't stand on a plate's edge.
@@ -101,6 +137,17 @@ class Wall(Section):
         """Return the straight pieces and arcs of its axis, one after the other."""
         assert self.edge is None, "a wall along an edge has an axis once it is placed: Wall.on, Model.placed_walls"
         return line_segments(self.points, self.bulges, self.shape)
+
+    @property
+    def curved(self) -> bool:
+        """Return whether its axis has arcs."""
+        return any(self.bulges) or (self.shape is not None and not self.shape.ring().straight)
+
+    @property
+    def line(self) -> tuple[tuple[float, float], ...]:
+        """Return the places that its straight axis runs through."""
+        edges = self.edges
+        return (*(edge.start for edge in edges), edges[-1].end)
 
     @property
     def closed(self) -> bool:

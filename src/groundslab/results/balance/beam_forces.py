@@ -43,13 +43,13 @@ def beam_results(model: Model, solution: Solution) -> tuple[BeamResult, ...]:
     kinks, other beams, supports, borders of loads and of zones) they are smooth: a parabola through the Gauss points of
     the two pieces about a place gives the values there.
     """
-    if not model.beams:
+    if not model.members:
         return ()
     problem = solution.system.problem
     stations, _, (M, T, V) = _along(model, solution)
     w = plate_settlement(solution.system, solution.U)
     found = []
-    for number, beam in enumerate(model.beams):
+    for number, beam in enumerate(model.members):
         own = stations.beam == number
         node = stations.node[own]
         found.append(

@@ -149,7 +149,7 @@ class PlotRequest:
         return {
             "convergence": len(self.histories),
             "mesh": 1,
-            "beams": len(self.combined.model.beams),
+            "beams": len(self.combined.model.members),
             "soil": len(self.combined.model.boreholes) + len(self.combined.model.soil_zones) + 1,
             "lines": len(self.quantities) * len(self.lines),
             "stress": len(self.combinations) * len(self.lines),
@@ -185,7 +185,7 @@ def parse_request(
     if chosen_kind == "lines" and not (lines or listed_lines):
         hint = "give one as x1,y1,x2,y2 in meters, or name it under [[output.lines]] in the case"
         issues.append(Issue("line", "no section line", "at least one", hint))
-    if chosen_kind == "beams" and not combined.model.beams:
+    if chosen_kind == "beams" and not combined.model.members:
         issues.append(Issue("kind", "a case without beams", "one with beams"))
     if issues:
         raise InputError(issues)

@@ -118,7 +118,7 @@ def _of_supports(model: Model) -> Iterator[str]:
     if limited:
         names = ", ".join(limited[:5]) + (f" and {len(limited) - 5} more" if len(limited) > 5 else "")
         yield f"Supports and piles with a limit yield there and keep that force: {names}."
-    if model.beams:
+    if model.members:
         yield _BEAMS
     if model.joints:
         yield "Joints transfer shear by the difference in settlement across them, and no moments."

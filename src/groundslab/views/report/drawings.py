@@ -86,7 +86,7 @@ def draw_stress(results: CombinationResult) -> Drawing | None:
 
 def draw_beams(combined: Results) -> Iterator[Drawing]:
     """Yield moments and shear forces along the beams, some beams together."""
-    if not (combined.model.beams and combined.results):
+    if not (combined.model.members and combined.results):
         return
     request = parse_request(combined, (), "beams", None, None, None)
     for number, part in enumerate(style.batch(beams.curves_along(request), beams.ON_PAGE), 1):

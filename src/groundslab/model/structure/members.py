@@ -1,0 +1,193 @@
+"""What stiffens the plate: its beams, and the walls that have a height."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import lru_cache
+from itertools import pairwise
+
+from groundslab.geometry.plan import Place, Ring
+from groundslab.geometry.validity import TOO_CLOSE, find_issues
+from groundslab.model.plate import Plate
+from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, list_plates, shared_line
+from groundslab.model.plates.joints import AnyJoint
+from groundslab.model.plates.region import PlateRegion
+from groundslab.model.structure.beams import Beam, RectangularSection
+from groundslab.model.structure.walls import Wall, place_walls
+from groundslab.model.supports import AnySupport, check_names, plan_of_plate
+from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.wording import quote
+
+#: Places along a wall closer than this share of its length are one.
+SAME = 1e-9
+
+
+@lru_cache(maxsize=64)
+def members_of(beams: tuple[Beam, ...], walls: tuple[Wall, ...], plates: tuple[AnyPlate, ...]) -> tuple[Beam, ...]:
+    """Return the beams, and after them the walls that have a height, as deep beams."""
+    stiff = place_walls((wall for wall in walls if wall.height is not None), plates)
+    return *beams, *(part for wall in stiff for part in wall_beams(wall))
+
+
+def wall_beams(wall: Wall) -> tuple[Beam, ...]:
+    """Return a wall that has a height and stands on its axis as deep beams: parts of it as high as they are.
+
+    Over an opening what is left of the height counts.
+    """
+    assert wall.height is not None
+    points = wall.line
+    length = wall.length
+    cuts = sorted(
+        {0.0, length, *(min(way, length) for opening in wall.openings for way in (opening.start, opening.end))}
+    )
+    ways = [0.0, *itertools.accumulate(math.dist(a, b) for a, b in pairwise(points))]
+    parts = []
+    for start, end in pairwise(cuts):
+        if end - start <= SAME * length:
+            continue
+        middle = (start + end) / 2
+        open_there = max((each.height for each in wall.openings if each.start < middle < each.end), default=0.0)
+        between = [point for point, way in zip(points, ways, strict=True) if start < way < end]
+        parts.append(
+            Beam(
+                name=wall.name if len(cuts) == 2 else f"{wall.name}, {start:g} m to {end:g} m",
+                points=(_at(points, ways, start), *between, _at(points, ways, end)),
+                section=RectangularSection(width=wall.thickness, height=wall.height - open_there),
+                E=wall.E,
+                nu=wall.nu,
+                stiffness=wall.stiffness,
+            )
+        )
+    return tuple(parts)
+
+
+def _at(points: tuple[Place, ...], ways: list[float], way: float) -> Place:
+    """Return the place on a line through points, which lie at ways from its start [m]."""
+    for (a, b), (low, high) in zip(pairwise(points), pairwise(ways), strict=True):
+        if way <= high:
+            part = (way - low) / (high - low)
+            # its own ends exactly
+            return a if part == 0 else b if part == 1 else (a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1]))
+    return points[-1]
+
+
+def curved_beams(beams: tuple[Beam, ...], plates: tuple[AnyPlate, ...]) -> tuple[Ring, ...]:
+    """Return the closed curves with arcs along which beams run, but for those that are edges of plates."""
+    edges = [ring for plate in plates for ring in plate.rings()]
+    rings = (beam.shape.ring() for beam in beams if beam.shape is not None and not beam.line)
+    return tuple(ring for ring in rings if ring not in edges)
+
+
+def check_members(
+    plate: Plate,
+    plates: tuple[FurtherPlate, ...],
+    joints: tuple[AnyJoint, ...],
+    supports: tuple[AnySupport, ...],
+    beams: tuple[Beam, ...],
+    walls: tuple[Wall, ...],
+) -> Iterator[RelativeIssue]:
+    """Find beams and walls with a height that leave the plate or cross a joint, lie on each other, or cannot be met.
+
+    Of a wall its axis counts, along which the mesh runs.
+    """
+    yield from check_names("beams", [beam.name for beam in beams], needed=True)
+    every = list_plates(plate, plates)
+    where = [("beams", number) for number in range(len(beams))]
+    for number, wall in enumerate(walls):
+        if wall.height is None:
+            continue
+        for placed in place_walls([wall], every):
+            unfit = [*_check_stiff_wall(number, placed)]
+            yield from unfit
+            parts = () if unfit else wall_beams(placed)
+            beams, where = (*beams, *parts), [*where, *[("walls", number)] * len(parts)]
+    if not beams:
+        return
+    off = [*_check_on_one_plate(PlateRegion(plate, plates), beams), *_check_joints(every, joints, beams)]
+    yield from (_at_place(issue, where) for issue in off)
+    if off:
+        return
+    x0, x1, y0, y1 = bounds_of(plate, plates)
+    yield from (_at_place(issue, where) for issue in _check_apart(beams, TOO_CLOSE * max(x1 - x0, y1 - y0)))
+    straight = {number: beam.line for number, beam in enumerate(beams) if beam.line}
+    before = sum(bool(support.edges) for support in supports)
+    for issue in find_issues(plan_of_plate(plate, supports, plates=plates, lines=(*straight.values(),))):
+        for count, number in enumerate(straight, start=before + 1):
+            name = f"plate.lines[{count}]"
+            if name == issue.location or name in issue.found:
+                kind, own = where[number]
+                found = issue.found.replace(name, f"{kind}[{own + 1}]")
+                yield _at_place(RelativeIssue(("beams", number, "points"), found, issue.expected, issue.hint), where)
+                break
+
+
+def _check_stiff_wall(number: int, wall: Wall) -> Iterator[RelativeIssue]:
+    """Find walls with a height along arcs, and openings that are none."""
+    place = ("walls", number)
+    if wall.curved:
+        hint = "a wall without a height may follow arcs"
+        yield RelativeIssue((*place, "height"), "a height of a wall along an arc", "straight pieces", hint)
+        return
+    assert wall.height is not None
+    for position, opening in enumerate(wall.openings):
+        if opening.height >= wall.height:
+            expected = f"less than the wall's, {wall.height!r} m"
+            yield RelativeIssue((*place, "openings", position, "height"), f"{opening.height!r} m", expected)
+
+
+def _at_place(issue: RelativeIssue, where: list[tuple[str, int]]) -> RelativeIssue:
+    """Return an issue of a member at the beam or the wall that it is."""
+    _, number, *rest = issue.place
+    kind, own = where[int(number)]
+    return replace(issue, place=(kind, own, *(rest if kind == "beams" else ())))
+
+
+def _check_on_one_plate(region: PlateRegion, beams: tuple[Beam, ...]) -> Iterator[RelativeIssue]:
+    """Find members of which a part lies off the plate, over an opening, or on another plate."""
+    chord = 1e-4 * region.size
+    for number, beam in enumerate(beams):
+        axis = beam.to_shapely(chord)
+        areas = [area.buffer(max(region.near, 2 * chord * (beam.shape is not None)), join_style="mitre")
+                 for area in region.areas]  # fmt: skip
+        if any(area.covers(axis) for area in areas):
+            continue
+        place = ("beams", number, "points" if beam.points is not None else "shape")
+        if region.plates and region.reach.covers(axis):
+            hint = "two beams, one on either side of the joint, bend with their own plates"
+            yield RelativeIssue(place, "a beam that goes from one plate to another", "a beam on one plate", hint)
+            continue
+        over = axis.length - max(area.intersection(axis).length for area in areas)
+        found = f"{over:.3g} m of {axis.length:.3g} m that do not lie on the plate"
+        yield RelativeIssue(place, found, "a beam that lies on the plate, clear of openings", "shorten or divide it")
+
+
+def _check_joints(
+    plates: tuple[AnyPlate, ...], joints: tuple[AnyJoint, ...], beams: tuple[Beam, ...]
+) -> Iterator[RelativeIssue]:
+    """Find beams along joints, of which nobody knows which plate they stiffen."""
+    known = {plate.name: plate for plate in plates}
+    for joint in joints:
+        if not all(name in known for name in joint.between):
+            continue
+        line = shared_line(*(known[name] for name in joint.between))
+        for number, beam in enumerate(beams):
+            near = TOO_CLOSE * line.length
+            if line.buffer(near).intersection(beam.to_shapely(near)).length > 4 * near:
+                found = f"a beam along the joint {quote(joint.title)}"
+                yield RelativeIssue(("beams", number), found, "a beam on one of the plates", "move it off the joint")
+
+
+def _check_apart(beams: tuple[Beam, ...], near: float) -> Iterator[RelativeIssue]:
+    """Find beams of which a part lies along another one."""
+    axes = [beam.to_shapely(near) for beam in beams]
+    for (one, a), (other, b) in itertools.combinations(enumerate(axes), 2):
+        if a.distance(b) > near:
+            continue
+        shared = b.intersection(a.buffer(near, cap_style="flat")).length
+        if shared > 4 * near and shared > near / math.sin(math.radians(5)):
+            found = f"a beam along {shared:.3g} m of {quote(beams[one].name)}"
+            hint = "one beam with a section that stands for both"
+            yield RelativeIssue(("beams", other), found, "one beam at each place", hint)

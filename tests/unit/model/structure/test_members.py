@@ -1,0 +1,111 @@
+"""Walls with a height as deep beams: their parts, what is wrong with them, and that they are such beams."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+import groundslab as gs
+from groundslab.errors import InputError
+
+WALL = {"name": "W", "thickness": 0.25, "height": 3.0, "points": [(-2.0, 0.0), (2.0, 0.0)]}
+
+
+def model(*walls: dict[str, Any], **others: Any) -> gs.Model:
+    """Return a plate of 6 m by 4 m under walls, the first one of which is loaded."""
+    parts: dict[str, Any] = {
+        "plate": {"length_x": 6.0, "length_y": 4.0, "thickness": 0.3, "E": 30e9, "nu": 0.2},
+        "ground": {"kind": "winkler", "k": 20e6},
+        "walls": walls,
+        "loads": [{"kind": "line", "wall": walls[0]["name"], "q": 200e3}],
+    }
+    return gs.Model(**parts | others)
+
+
+def issues(*walls: dict[str, Any], **others: Any) -> list[str]:
+    """Return what is wrong with walls."""
+    with pytest.raises(InputError) as caught:
+        model(*walls, **others)
+    return [f"{issue.location}: {issue.found}" for issue in caught.value.issues]
+
+
+def test_a_wall_with_a_height_is_a_deep_beam() -> None:
+    """The same settlements and section forces as of a beam by the same properties; without it nothing stiffens."""
+    t, h, E = 0.25, 3.0, 15e9
+    given = {
+        "kind": "properties",
+        "second_moment": t * h**3 / 12,
+        "shear_area": 5 / 6 * t * h,
+        "torsion_constant": model(WALL).members[0].section.torsion_constant,
+    }
+    beam = {"name": "B", "points": WALL["points"], "section": given, "E": E}
+    plain = {key: value for key, value in WALL.items() if key != "height"}
+    stiff = gs.solve(model(WALL | {"stiffness": 0.5}, mesh={"size": 0.3})).only
+    other = gs.solve(model(plain, beams=[beam], mesh={"size": 0.3})).only
+    assert stiff.plate.settlement == pytest.approx(other.plate.settlement, rel=1e-9)
+    assert stiff.beams[0].moment == pytest.approx(other.beams[0].moment, abs=1e-6 * other.beams[0].moment.max())
+    soft = gs.solve(model(plain, mesh={"size": 0.3})).only
+    assert not soft.beams
+    middle, end = (soft.plate.value_at("settlement", x, 0.0) for x in (0.0, 2.0))
+    sags, stays = middle - end, np.subtract(*(stiff.plate.value_at("settlement", x, 0.0) for x in (0.0, 2.0)))
+    assert abs(stays) < 0.2 * abs(sags)
+
+
+def test_a_wall_has_parts_at_its_openings() -> None:
+    """As high as they are, along the axis, also around corners; the parts' lengths add up."""
+    openings = [{"start": 1.0, "end": 2.0, "height": 2.0}, {"start": 5.0, "end": 8.0, "height": 1.0}]
+    around = {"name": "A", "thickness": 0.2, "height": 2.5, "edge": "all", "openings": openings}
+    parts = model(around).members
+    assert [part.name for part in parts] == [
+        "A, 0 m to 1 m", "A, 1 m to 2 m", "A, 2 m to 5 m", "A, 5 m to 8 m", f"A, 8 m to {2 * (5.8 + 3.8):g} m",
+    ]  # fmt: skip
+    assert [part.section.height for part in parts] == [2.5, 0.5, 2.5, 1.5, 2.5]
+    assert sum(part.length for part in parts) == pytest.approx(2 * (5.8 + 3.8))
+    for before, after in itertools.pairwise(parts):
+        assert math.dist(before.points[-1], after.points[0]) < 1e-12
+    found = gs.solve(model(around)).only
+    assert found.certificate.holds
+    assert [beam.way[-1] for beam in found.beams] == pytest.approx([part.length for part in parts])
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"bulges": [0.5]}, "walls[1].height: a height of a wall along an arc"),
+        ({"openings": [{"start": 1.0, "end": 0.5, "height": 1.0}]}, "walls[1].openings[1].end: 0.5 m"),
+        ({"openings": [{"start": 0.0, "end": 0.5, "height": 3.0}]}, "walls[1].openings[1].height: 3.0 m"),
+        ({"height": None, "stiffness": 0.5}, "walls[1].stiffness: stiffness without a height"),
+        ({"stiffness": 1.5}, "walls[1].stiffness: 1.5"),
+    ],
+)
+def test_what_cannot_be_is_told(changes: dict[str, Any], said: str) -> None:
+    """Where it is, and what was found there."""
+    wall = {key: value for key, value in (WALL | changes).items() if value is not None}
+    assert any(each.startswith(said) for each in issues(wall)), issues(wall)
+
+
+def test_members_lie_beside_each_other() -> None:
+    """A stiff wall along a beam, or along another wall, is told at the later one; soft walls may lie anywhere."""
+    section = {"kind": "rectangle", "width": 0.3, "height": 0.6}
+    beam = {"name": "B", "points": [(-1.0, 0.0), (1.0, 0.0)], "section": section}
+    assert issues(WALL, beams=[beam]) == ['walls[1]: a beam along 2 m of "B"']
+    assert issues(WALL, WALL | {"name": "V"}) == ['walls[2]: a beam along 4 m of "W"']
+    assert len(model(WALL, {"name": "V", "thickness": 0.2, "points": WALL["points"]}).members) == 1
+    assert issues(WALL, plate={"length_x": 6.0, "length_y": 4.0, "thickness": 0.3, "E": 30e9, "nu": 0.2,
+                               "openings": [{"kind": "rectangle", "x": (-0.5, 0.5), "y": (-0.5, 0.5)}]})  # fmt: skip
+
+
+def test_the_strength_of_stiff_walls_is_not_checked() -> None:
+    """Which the headline says."""
+    steel = {"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.04, 0.05)}
+    case = {
+        "cases": [{"name": "G"}],
+        "combinations": [{"name": "U", "limit_state": "ultimate", "factors": {"G": 1.35}}],
+    }
+    loads = [{"kind": "line", "wall": "W", "q": 50e3, "case": "G"}, {"kind": "uniform", "q": 5e3, "case": "G"}]
+    found = gs.check_design(gs.solve(model(WALL, reinforcement=steel, loads=loads, mesh={"size": 0.5}, **case)))
+    assert "the strength of walls with a height is not checked" in found.headline
