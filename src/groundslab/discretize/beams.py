@@ -8,7 +8,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.discretize.plan_layout import Layout
 from groundslab.errors import InputError, Issue
 from groundslab.fem.hanging import find_hanging
-from groundslab.fem.mesh import SIDES, sides_along
+from groundslab.fem.mesh import SIDES, select_along, sides_of
 from groundslab.fem.parts.beams import Beams, lengths_of
 from groundslab.geometry.plan import Segment
 from groundslab.model.model import Model
@@ -23,7 +23,9 @@ def beams_on(model: Model, plan: Layout, sections: list[tuple[float, float, floa
 
     A rib between two sections of the plate has as its flange the thinner one.
     """
-    parts = [_along(plan, beam, number) for number, beam in enumerate(model.members)]
+    members = model.members
+    every = _whole_sides(plan) if members else np.zeros((0, 3), dtype=np.int64)
+    parts = [_along(plan, every, beam, number) for number, beam in enumerate(members)]
     sides = np.concatenate([np.zeros((0, 3), dtype=np.int64), *(sides for sides, _, _ in parts)])
     start, length = (np.concatenate([np.zeros(0), *(part[k] for part in parts)]) for k in (1, 2))
     number = np.repeat(np.arange(len(parts)), [len(sides) for sides, _, _ in parts])
@@ -31,19 +33,25 @@ def beams_on(model: Model, plan: Layout, sections: list[tuple[float, float, floa
     beside = _sections_beside(plan, sides, np.array([t for _, _, t in sections])) if len(sides) else number
     for which, section in np.unique(np.column_stack([number, beside]), axis=0).tolist():
         own = (number == which) & (beside == section)
-        rigidity[own] = model.members[which].rigidities(*sections[section])
+        rigidity[own] = members[which].rigidities(*sections[section])
     return Beams(sides, number, start, length, rigidity)
 
 
-def _along(plan: Layout, beam: Beam, number: int) -> tuple[Integers, Array, Array]:
-    """Return the sides (b, 3) along a beam from its start to its end, where each starts, and its length, (b,) [m]."""
-    mesh, elements = plan.mesh, plan.mesh.elements[plan.plate_elements]
-    hanging = find_hanging(mesh.elements)[:, 0]
+def _whole_sides(plan: Layout) -> Integers:
+    """Return the sides of the plate's elements, of two halves beside a longer side the longer one."""
+    sides = sides_of(plan.mesh, plan.mesh.elements[plan.plate_elements])
+    return sides[~np.isin(sides[:, 2], find_hanging(plan.mesh.elements)[:, 0])]
+
+
+def _along(plan: Layout, every: Integers, beam: Beam, number: int) -> tuple[Integers, Array, Array]:
+    """Return which of the sides lie along a beam, from its start to its end (b, 3), and of each start and length [m].
+
+    Both are (b,), along the beam.
+    """
+    mesh = plan.mesh
     found, starts, lengths, before = [], [], [], 0.0
     for edge in beam.edges:
-        sides = sides_along(mesh, elements, [edge])
-        # of two halves beside a longer side, the longer one
-        sides = sides[~np.isin(sides[:, 2], hanging)]
+        sides = select_along(mesh, every, [edge])
         part = _parts(edge, mesh.nodes[sides[:, 2]])
         order = np.argsort(part)
         sides, left = sides[order], edge.left(part[order])

@@ -302,10 +302,20 @@ def meeting_halves(elements: Integers) -> Flags:
 
 def sides_along(mesh: Mesh, elements: Integers, edges: Iterable[Segment]) -> Integers:
     """Return the sides (s, 3: end, end, middle) of some elements (m, 9) that lie on edges, each once."""
+    return select_along(mesh, sides_of(mesh, elements), edges)
+
+
+def sides_of(mesh: Mesh, elements: Integers) -> Integers:
+    """Return the sides (s, 3: end, end, middle) of some elements (m, 9), each once."""
     sides = elements[:, SIDES].reshape(-1, 3)
     one_of = np.full(len(mesh.nodes), -1)
     one_of[sides[::-1, 2]] = np.arange(len(sides))[::-1]
-    sides = sides[one_of[one_of >= 0]]
+    found: Integers = sides[one_of[one_of >= 0]]
+    return found
+
+
+def select_along(mesh: Mesh, sides: Integers, edges: Iterable[Segment]) -> Integers:
+    """Return those of some sides (s, 3: end, end, middle) that lie on edges."""
     near = 10 * SAME_PLACE * float(np.ptp(mesh.nodes, axis=0).max())
     middle = mesh.nodes[sides[:, 2]]
     on_any = np.zeros(len(sides), dtype=bool)

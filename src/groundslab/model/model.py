@@ -188,7 +188,8 @@ class Model(Section):
     @property
     def members(self) -> tuple[Beam, ...]:
         """Return what stiffens the plate: beams, then the walls that have a height as deep beams."""
-        return members_of(self.beams, self.walls, self.every_plate)
+        stiff = tuple(wall for wall in self.walls if wall.height is not None)
+        return members_of(self.beams, stiff, self.every_plate) if stiff else self.beams
 
     def shapes(self, load: AnyLoad) -> tuple[Acting, ...]:
         """Return the acting shapes of a load, at the place of its column or wall if it names one."""

@@ -27,9 +27,8 @@ SAME = 1e-9
 
 @lru_cache(maxsize=64)
 def members_of(beams: tuple[Beam, ...], walls: tuple[Wall, ...], plates: tuple[AnyPlate, ...]) -> tuple[Beam, ...]:
-    """Return the beams, and after them the walls that have a height, as deep beams."""
-    stiff = place_walls((wall for wall in walls if wall.height is not None), plates)
-    return *beams, *(part for wall in stiff for part in wall_beams(wall))
+    """Return beams, and after them walls that have a height, as deep beams."""
+    return *beams, *(part for wall in place_walls(walls, plates) for part in wall_beams(wall))
 
 
 def wall_beams(wall: Wall) -> tuple[Beam, ...]:

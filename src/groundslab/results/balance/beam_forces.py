@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers, Memo
-from groundslab.fem.mesh import sides_along
+from groundslab.fem.mesh import select_along, sides_of
 from groundslab.fem.parts.beams import POINTS, TO_ENDS, section_forces
 from groundslab.fem.problem import TOP, Problem
 from groundslab.fem.system import plate_settlement
@@ -136,6 +136,9 @@ def _meeting(model: Model, problem: Problem) -> Flags:
     borders = [edge for _, shape in model.acting for edge in borders_of(shape)]
     borders += [edge for support in model.supports for edge in support.edges]
     borders += [edge for plate in model.every_plate for zone in plate.zones for edge in zone.shape.ring().segments()]
-    sides = sides_along(problem.mesh, problem.mesh.elements[problem.plate.elements], borders)
+    beside = np.zeros(n, dtype=bool)
+    beside[b.sides[:, :2]] = True
+    sides = sides_of(problem.mesh, problem.mesh.elements[problem.plate.elements])
+    sides = select_along(problem.mesh, sides[beside[sides[:, :2]].any(axis=1)], borders)
     meets[sides[~np.isin(sides[:, 2], b.sides[:, 2])][:, :2]] = True
     return meets
