@@ -86,6 +86,7 @@ from .model.structure.beams import RectangularSection as RectangularSection
 from .model.structure.beams import RibSection as RibSection
 from .model.structure.columns import Column as Column
 from .model.structure.walls import Wall as Wall
+from .model.structure.walls import WallOpening as WallOpening
 from .model.supports import LineSupport as LineSupport
 from .model.supports import Pile as Pile
 from .model.supports import PointSupport as PointSupport

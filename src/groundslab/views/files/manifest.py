@@ -49,6 +49,8 @@ def _of_one(results: CombinationResult, below: str, plot: bool) -> dict[str, Wri
         f"{below}ground.vtu": partial(vtk.write_ground, results),
         f"{below}results.npz": partial(npz.write, results),
     }
+    if results.beams:
+        writers[f"{below}beams.vtu"] = partial(vtk.write_beams, results)
     writers |= _of_increments(results, below)
     if plot:
         writers[f"{below}picture.png"] = partial(plots.write_picture, results)
@@ -99,7 +101,7 @@ def files_of(combined: Results, plot: bool) -> tuple[dict[str, Writer], dict[str
     for entry in entries:
         if entry.results is not None:
             writers |= _of_one(entry.results, f"{folders[entry.combination.name]}/", plot)
-    for name in ("plate", "ground"):
+    for name in ("plate", "ground", *(("beams",) if combined.model.members else ())):
         text = collection({number: f"{folder}/{name}.vtu" for number, folder in certified.items()})
         writers[f"{name}.pvd"] = partial(write_text, text=text)
     writers["combinations.csv"] = partial(write_text, text=_list_of(entries, folders))

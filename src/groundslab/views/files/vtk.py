@@ -30,28 +30,28 @@ if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers
     from groundslab.results.results import CombinationResult, Results
 
-#: VTK's number of the biquadratic quadrilateral, whose order of nodes is ours.
-BIQUADRATIC_QUAD = 28
+#: VTK's numbers of cells by how many nodes they have: lines, and biquadratic quadrilaterals, in our order of nodes.
+CELLS = {2: 3, 9: 28}
 #: Bytes that are compressed at a time, and zlib's level: with higher ones files are hardly smaller.
 BLOCK, LEVEL = 2**20, 1
 
 
 @dataclass(frozen=True, slots=True)
 class Grid:
-    """Biquadratic quadrilaterals at z = 0 with data."""
+    """Biquadratic quadrilaterals, or lines, at z = 0 with data."""
 
     nodes: Array  # (n, 2)
-    elements: Integers  # (m, 9)
+    elements: Integers  # (m, 9), or (m, 2)
     point_data: Mapping[str, NDArray[Any]]  # (n,) each
     cell_data: Mapping[str, NDArray[Any]]  # (m,) each
 
     def write(self, path: Path) -> None:
         """Write a VTU file."""
-        m = len(self.elements)
+        m, count = self.elements.shape
         cells: dict[str, NDArray[Any]] = {
             "connectivity": self.elements.ravel(),
-            "offsets": 9 * np.arange(1, m + 1),
-            "types": np.full(m, BIQUADRATIC_QUAD, dtype=np.uint8),
+            "offsets": count * np.arange(1, m + 1),
+            "types": np.full(m, CELLS[count], dtype=np.uint8),
         }
         parts: dict[str, Mapping[str, NDArray[Any]]] = {
             "Points": {"Points": in_space(self.nodes)},
@@ -125,6 +125,30 @@ def write_plate(results: CombinationResult, path: Path) -> None:
 def write_ground(results: CombinationResult, path: Path) -> None:
     """Write the ground as a VTU file."""
     ground_mesh(results).write(path)
+
+
+def beam_lines(results: CombinationResult) -> Grid:
+    """Return the beams as lines with their section forces and settlement, and the number of each, from 1."""
+    beams = results.beams
+    fields = {
+        "moment M [kNm]": ("moment", 1e-3),
+        "shear force V [kN]": ("shear", 1e-3),
+        "torsional moment T [kNm]": ("torsion", 1e-3),
+        "settlement w [mm]": ("settlement", 1e3),
+    }
+    data = {name: scale * np.concatenate([getattr(beam, field) for beam in beams])
+            for name, (field, scale) in fields.items()}  # fmt: skip
+    number = np.repeat(np.arange(1, len(beams) + 1), [len(beam.way) for beam in beams])
+    way = np.concatenate([beam.way for beam in beams])
+    # where section forces jump two places lie at one
+    start = np.flatnonzero((number[1:] == number[:-1]) & (way[1:] > way[:-1]))
+    nodes = np.concatenate([beam.nodes for beam in beams])
+    return Grid(nodes, np.column_stack([start, start + 1]), data, {"beam": number[start]})
+
+
+def write_beams(results: CombinationResult, path: Path) -> None:
+    """Write the beams as a VTU file."""
+    beam_lines(results).write(path)
 
 
 def write_envelope(combined: Results, path: Path) -> None:

@@ -12,6 +12,7 @@ import groundslab as gs
 from groundslab.design.result_tables import tables_of
 from groundslab.errors import InputError
 from groundslab.results.record import BeamResult
+from groundslab.views.files.vtk import beam_lines
 from groundslab.views.report.html import render_report
 
 
@@ -73,6 +74,7 @@ def test_beams_are_kept_in_folders(results: gs.Results, tmp_path: Path) -> None:
     """Section forces come back as they were, those of the coarser mesh too."""
     gs.save_results(results, tmp_path / "out")
     loaded = gs.load_results(tmp_path / "out")
+    assert (tmp_path / "out" / "beams.pvd").exists()
     for name in ("G", "Q"):
         one, other = results[name], loaded[name]
         assert one.coarser is not None
@@ -81,6 +83,19 @@ def test_beams_are_kept_in_folders(results: gs.Results, tmp_path: Path) -> None:
             assert a.name == b.name
             for field in ("nodes", "way", "settlement", "moment", "shear", "torsion"):
                 assert np.array_equal(getattr(a, field), getattr(b, field))
+
+
+def test_beams_are_lines_for_paraview(results: gs.Results) -> None:
+    """A line between every two places that follow each other, none where forces jump, none from beam to beam."""
+    grid = beam_lines(results["Q"])
+    long, short = results["Q"].beams
+    lengths = np.linalg.norm(np.diff(grid.nodes[grid.elements], axis=1)[:, 0], axis=1)
+    assert lengths.min() > 0
+    for number, beam in ((1, long), (2, short)):
+        assert lengths[grid.cell_data["beam"] == number].sum() == pytest.approx(beam.way[-1])
+    assert grid.point_data["moment M [kNm]"].max() == pytest.approx(
+        max(beam.moment.max() for beam in (long, short)) / 1e3
+    )
 
 
 def test_beams_have_figures(results: gs.Results) -> None:
