@@ -379,3 +379,49 @@ def test_what_beams_carry_across_a_perimeter_does_not_punch() -> None:
         assert -out == pytest.approx(shear.V, rel=1e-2)
         # on an axis of symmetry of column and ribs the moments come from the plate's edges alone
         assert np.abs(shear.moments).max() < 0.05 * P * distance
+
+
+def test_a_beam_with_hinged_ends_is_simply_supported() -> None:
+    """On a plate that is rigid beside it, a hinged beam takes no moment at its ends and q L^2 / 8 in its middle.
+
+    Two rigid slabs, soft between them, stand far apart; the beam reaches from one to the other. Clamped it has
+    -q L^2 / 12 and q L^2 / 24; with one hinge -q L^2 / 8 at the other end.
+    """
+    q, span, height = 10e3, 6.0, 3.0
+    stiff = {"thickness": height, "E": 3e13}
+    zones = [
+        {"shape": {"kind": "rectangle", "x": (x, x + 2.0), "y": (-1.0, 1.0)}, **stiff}
+        for x in (-span / 2 - 2, span / 2)
+    ]
+
+    def moments(joined: tuple[str, str]) -> BeamResult:
+        model = gs.Model(
+            plate={"length_x": span + 4, "length_y": 2.0, "thickness": 0.05, "E": 1e3, "nu": 0.0, "zones": zones},
+            ground={"kind": "winkler", "k": 1e-3},
+            contact={"tensionless": False},
+            supports=[
+                {"kind": "line", "points": [(x, -1.0), (x, 1.0)], "rotation": "fixed", "acts": "both ways"}
+                for x in (-span / 2 - 1, span / 2 + 1)
+            ],
+            beams=[
+                {
+                    "name": "B",
+                    "points": [(-span / 2, 0.0), (span / 2, 0.0)],
+                    "section": STIFF,
+                    "E": E,
+                    "joined": joined,
+                }
+            ],
+            loads=[{"kind": "line", "points": [(-span / 2, 0.0), (span / 2, 0.0)], "q": q}],
+            mesh={"size": 0.25},
+        )
+        return only_beam(gs.solve(model))
+
+    whole = q * span**2
+    hinged, clamped, half = (moments(ends) for ends in (("hinged", "hinged"), ("fixed", "fixed"), ("hinged", "fixed")))
+    assert hinged.moment.max() == pytest.approx(whole / 8, rel=2e-3)
+    assert hinged.moment[[0, -1]] == pytest.approx(0.0, abs=1e-3 * whole)
+    assert clamped.moment[[0, -1]] == pytest.approx(-whole / 12, rel=5e-3)
+    assert clamped.moment.max() == pytest.approx(whole / 24, rel=5e-3)
+    assert half.moment[[0, -1]] == pytest.approx([0.0, -whole / 8], abs=1e-3 * whole)
+    assert half.moment.max() == pytest.approx(9 / 128 * whole, rel=5e-3)

@@ -34,7 +34,11 @@ def beams_on(model: Model, plan: Layout, sections: list[tuple[float, float, floa
     for which, section in np.unique(np.column_stack([number, beside]), axis=0).tolist():
         own = (number == which) & (beside == section)
         rigidity[own] = members[which].rigidities(*sections[section])
-    return Beams(sides, number, start, length, rigidity)
+    released = np.zeros((len(sides), 2), dtype=bool)
+    for which, beam in enumerate(members):
+        own = np.flatnonzero(number == which)
+        released[own[[0, -1]], [0, 1]] = [end == "hinged" for end in beam.joined]
+    return Beams(sides, number, start, length, rigidity, released)
 
 
 def _whole_sides(plan: Layout) -> Integers:

@@ -65,7 +65,7 @@ class System:
 def build_system(problem: Problem, like: System | None = None) -> System:
     """Return the system of a problem; what is the same in a similar system on the same mesh is reused."""
     mesh, unknown, linked = problem.mesh, problem.unknown, problem.links.nodes
-    along_beams = beams.stiffness(mesh.nodes[problem.beams.sides], problem.beams.rigidity)
+    along_beams = beams.stiffness(problem.beams, mesh.nodes)
     if like is None or like.problem.mesh is not mesh:
         return System(problem, _pattern(problem), blocks(problem), along_beams)
     known = like.problem

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers
+from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem.shape_functions import gauss_line
 
 #: The two Gauss points, from -1 at the start to 1 at the end.
@@ -33,26 +33,63 @@ class Beams:
     start: Array  # (b,) [m]: where it starts, measured along the beam
     length: Array  # (b,) [m]
     rigidity: Array  # (b, 3): E I and G J [N m2], G A_s [N]
+    released: Flags  # (b, 2): whether it bends freely at its start, at its end: hinges at ends of beams
 
 
-def stiffness(xy: Array, rigidity: Array) -> Array:
+def stiffness(beams: Beams, nodes: Array) -> Array:
     """Return the stiffness matrices (b, 3, 3, 3, 3) of pieces between nodes a, c and fields i, j: entry [a, c, i, j].
 
-    xy (b, 3, 2) are the nodes [m], rigidity (b, 3) is E I, G J [N m2] and G A_s [N].
+    nodes (n, 2) are those of the mesh [m]. What is released has been eliminated.
     """
+    xy = nodes[beams.sides]
+    K = _full_stiffness(xy, beams.rigidity)
+    if beams.released.any():
+        some = beams.released.any(axis=1)
+        _, K_r, inverse = _releases(xy[some], K[some], beams.released[some])
+        K[some] -= np.einsum("bkai,bkl,blcj->bacij", K_r, inverse, K_r)
+    return K
+
+
+def section_forces(beams: Beams, nodes: Array, u: Array) -> Array:
+    """Return M [N m], T [N m] and V [N] at both Gauss points of pieces, (b, 2, 3), for unknowns u (b, 3, 3).
+
+    u are w, beta_x and beta_y of each node. M is positive where the beam sags, V = dM/ds where no torsion enters.
+    """
+    xy = nodes[beams.sides]
+    B, _ = _strains(xy)
+    own = without_motion(xy, u)
+    if beams.released.any():
+        some = beams.released.any(axis=1)
+        K = _full_stiffness(xy[some], beams.rigidity[some])
+        released, K_r, inverse = _releases(xy[some], K, beams.released[some])
+        turned = np.einsum("bkl,blai,bai->bk", inverse, K_r, own[some])
+        own[some] -= np.einsum("bk,bkai->bai", turned, released)
+    forces: Array = np.einsum("bprai,bai->bpr", B, own) * beams.rigidity[:, None] * [-1.0, -1.0, 1.0]
+    return forces
+
+
+def _full_stiffness(xy: Array, rigidity: Array) -> Array:
+    """Return the stiffness matrices of pieces whose ends turn with the plate."""
     B, ds = _strains(xy)
     K: Array = np.einsum("bprai,br,bp,bprcj->bacij", B, rigidity, ds, B, optimize=True)
     return K
 
 
-def section_forces(xy: Array, rigidity: Array, u: Array) -> Array:
-    """Return M [N m], T [N m] and V [N] at both Gauss points of pieces, (b, 2, 3), for unknowns u (b, 3, 3).
+def _releases(xy: Array, K: Array, released: Flags) -> tuple[Array, Array, Array]:
+    """Return the slopes along the axis at released ends as unknowns r (b, 2, 3, 3), K r, and (r . K r)^-1 (b, 2, 2).
 
-    u are w, beta_x and beta_y of each node. M is positive where the beam sags, V = dM/ds where no torsion enters.
+    An end that is not released has neither.
     """
-    B, _ = _strains(xy)
-    forces: Array = np.einsum("bprai,bai->bpr", B, without_motion(xy, u)) * rigidity[:, None] * [-1.0, -1.0, 1.0]
-    return forces
+    a, b, middle = (xy[:, k] for k in range(3))
+    ways = np.stack([2 * middle - 1.5 * a - 0.5 * b, 0.5 * a + 1.5 * b - 2 * middle], axis=1)
+    r = np.zeros((len(xy), 2, 3, 3))
+    for end in (0, 1):
+        r[:, end, end, 1:] = ways[:, end] / np.linalg.norm(ways[:, end], axis=1, keepdims=True)
+    r[~released] = 0.0
+    K_r = np.einsum("bacij,bkcj->bkai", K, r)
+    resisted = np.einsum("bkai,blai->bkl", r, K_r)
+    resisted[:, [0, 1], [0, 1]] += ~released
+    return r, K_r, np.linalg.inv(resisted)
 
 
 def without_motion(xy: Array, u: Array) -> Array:

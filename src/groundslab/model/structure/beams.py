@@ -18,7 +18,7 @@ from groundslab.model.structure.lines import (
     line_segments,
 )
 from groundslab.schema.base import Check, Section
-from groundslab.schema.fields import Choice, Number, Quantity, Text
+from groundslab.schema.fields import Choice, ListOf, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.section_fields import ByKind, Table
@@ -97,6 +97,7 @@ class GivenSection(Section):
     shear_area: Annotated[float, Quantity("area", "A_v", "area that carries shear", POSITIVE)]
 
 
+End = Literal["fixed", "hinged"]
 BeamSection = RectangularSection | RibSection | GivenSection
 
 
@@ -110,10 +111,18 @@ def _check_length(points: tuple[tuple[float, float], ...] | None) -> Iterator[Re
     yield from check_line_length(points, ())
 
 
+def _check_ends(
+    points: tuple[tuple[float, float], ...] | None, shape: AnyShape | None, joined: tuple[str, str]
+) -> Iterator[RelativeIssue]:
+    closed = shape is not None or (points is not None and points[:1] == points[-1:])
+    if closed and "hinged" in joined:
+        yield RelativeIssue(("joined",), "hinged ends of a closed beam", "a beam that has ends", "divide it")
+
+
 class Beam(Section):
     """A beam or rib that bends, shears and twists with the plate, on whose middle plane its axis is taken to lie."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_points_or_shape, _check_length)
+    checks: ClassVar[tuple[Check, ...]] = (_check_points_or_shape, _check_length, _check_ends)
 
     name: Annotated[str, Text("name of the beam")]
     points: LinePoints = None
@@ -123,10 +132,11 @@ class Beam(Section):
         None
     )
     nu: Annotated[float | None, Number("nu", "Poisson's ratio, by default that of the plate", POISSON)] = None
-    stiffness: Annotated[
-        float,
-        Number("", "share of the uncracked stiffness that counts, less where it cracks", Range(above=0, at_most=1)),
-    ] = 1.0
+    joined: Annotated[
+        tuple[End, End],
+        ListOf(Choice(End, ""), "", "how its start and its end are joined to the plate; hinged ones bend freely", 2),
+    ] = ("fixed", "fixed")
+    stiffness: Annotated[float, STIFFNESS] = 1.0
     bar_axis: Annotated[
         float | None,
         Quantity(

@@ -13,6 +13,7 @@ from groundslab.geometry.plan import Segment
 from groundslab.model.ground import POISSON, POSITIVE
 from groundslab.model.plates.further import AnyPlate
 from groundslab.model.shapes import AnyShape
+from groundslab.model.structure.beams import STIFFNESS
 from groundslab.model.structure.edge_lines import WORDS, edge_line
 from groundslab.model.structure.lines import (
     LineBulges,
@@ -112,10 +113,7 @@ class Wall(Section):
         None
     )
     nu: Annotated[float | None, Number("nu", "Poisson's ratio, by default that of the plate", POISSON)] = None
-    stiffness: Annotated[
-        float,
-        Number("", "share of the uncracked stiffness that counts, less where it cracks", Range(above=0, at_most=1)),
-    ] = 1.0
+    stiffness: Annotated[float, STIFFNESS] = 1.0
     openings: Annotated[tuple[WallOpening, ...], Table("openings in it, where it is less high", 1000)] = ()
 
     def on(self, plates: Sequence[AnyPlate]) -> Wall:

@@ -78,7 +78,7 @@ def _along(model: Model, solution: Solution) -> tuple[Stations, Array, Array]:
     problem = solution.system.problem
     b = problem.beams
     stations = _STATIONS.get(problem.mesh.nodes, model.loads, lambda: _make_stations(model, problem))
-    own = section_forces(problem.mesh.nodes[b.sides], b.rigidity, solution.U[b.sides][..., :TOP])
+    own = section_forces(b, problem.mesh.nodes, solution.U[b.sides][..., :TOP])
     return stations, own, np.einsum("kp,kpr->rk", stations.weights, own.reshape(-1, 3)[stations.points])
 
 

@@ -11,6 +11,7 @@ from groundslab.errors import InputError
 from groundslab.model.structure.beams import torsion_constant
 
 SECTION = {"kind": "rectangle", "width": 0.3, "height": 0.6}
+CIRCLE = {"kind": "circle", "centre": (0.0, 0.0), "radius": 1.0}
 ACROSS = {"name": "A", "points": [(-3.0, 0.0), (3.0, 0.0)], "section": SECTION}
 
 
@@ -71,6 +72,8 @@ def test_a_flange_of_another_material_counts_by_its_stiffness() -> None:
         ([ACROSS | {"section": SECTION | {"width": 0.0}}], "beams[1].section.width: 0"),
         ([ACROSS | {"section": {"kind": "tee"}}], "beams[1].section.kind: \"tee\""),
         ([{"name": "A", "section": SECTION}], "beams[1].points: nothing"),
+        ([{"name": "A", "section": SECTION, "shape": CIRCLE, "joined": ["hinged", "fixed"]}],
+         "beams[1].joined: hinged ends of a closed beam"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_is_told(beams: list[dict[str, Any]], said: str) -> None:
