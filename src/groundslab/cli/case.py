@@ -26,8 +26,9 @@ def describe_dxf(dxf: argparse.ArgumentParser) -> None:
         action="extend",
         default=[],
         metavar="WHAT=NAME",
-        help="names of layers; WHAT is outline, openings, zones, columns, walls, point_loads, line_loads or "
-        "area_loads, whose usual layers are OUTLINE, OPENINGS, ZONES, COLUMNS, WALLS, LOADS, LOAD_LINE and LOAD_AREA",
+        help="names of layers; WHAT is outline, openings, zones, columns, walls, beams, point_loads, line_loads "
+        "or area_loads, whose usual layers are OUTLINE, OPENINGS, ZONES, COLUMNS, WALLS, BEAMS, LOADS, LOAD_LINE and "
+        "LOAD_AREA",
     )
     dxf.add_argument("--unit", help='unit of the drawing, such as "mm" (default: the one stated in the drawing)')
     dxf.add_argument(

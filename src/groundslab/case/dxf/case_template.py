@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -38,6 +39,8 @@ _LOADS = (
     '# q = "6.25 kPa"              # fill in',
 )
 
+#: Width and height of a beam, as in "B1 40x80 cm" or "300/600 mm".
+_SECTION = re.compile(r"(?<![\w.,])(\d+(?:[.,]\d+)?)\s*[x×/*]\s*(\d+(?:[.,]\d+)?)\s*(mm|cm|m)\b", re.IGNORECASE)
 #: Units of loads, a thousand times those of SI.
 _USUAL_UNITS = {"force": "kN", "force per length": "kN/m", "pressure": "kPa"}
 
@@ -73,6 +76,8 @@ def to_case(drawing: Drawing, title: str = "") -> str:
     text += lines
     for number, wall in enumerate(drawing.walls, 1):
         text += _wall_lines(wall, number)
+    for number, beam in enumerate(drawing.beams, 1):
+        text += _beam_lines(beam, number)
     text += ["", *_GROUND]
     under = _column_tree(columns)
     others = _other_shapes(drawing)
@@ -124,6 +129,27 @@ def _wall_lines(wall: LineMark, number: int) -> list[str]:
         thickness = f'thickness = "{units.write(wall.value, "length")}"'
     lines = [*place[:2], thickness, *place[2:]]
     return ["", *said, *(lines if wall.value is not None else (f"# {line}" for line in lines))]
+
+
+def _beam_lines(beam: LineMark, number: int) -> list[str]:
+    """Return the lines of a beam; one without a section is there to be filled in, one along an arc for information."""
+    said = [f"# {beam.text}"] if beam.text else []
+    section = _SECTION.search(beam.text)
+    sizes = ("400", "800", "mm") if section is None else section.groups()
+    width, height, unit = (size.replace(",", ".") for size in sizes)
+    fill = "  # fill in" if section is None else ""
+    place = _place_line(beam, "[beams.shape]")
+    lines = [
+        "[[beams]]",
+        f'name = "B{number}"',
+        f'section = {{ kind = "rectangle", width = "{width} {unit}", height = "{height} {unit}" }}{fill}',
+        *place,
+    ]
+    if any(beam.bulges) and not place[0].startswith("["):
+        said.append(f"# Beam {number} of the drawing, for information only: a beam runs straight, or around a circle.")
+    elif section is not None:
+        return ["", *said, *lines]
+    return ["", *said, *(f"# {line}" for line in lines)]
 
 
 def _footprint_lines(column: Footprint, number: int) -> list[str]:

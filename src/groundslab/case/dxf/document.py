@@ -109,13 +109,14 @@ class Layers:
     zones: str = "ZONES"
     columns: str = "COLUMNS"
     walls: str = "WALLS"
+    beams: str = "BEAMS"
     point_loads: str = "LOADS"
     line_loads: str = "LOAD_LINE"
     area_loads: str = "LOAD_AREA"
 
 
 #: What layers may go on behind their name with a value for, as in "LOAD_LINE 25 kN_m" and "WALLS 25 cm".
-WITH_VALUE = ("walls", "line_loads", "area_loads")
+WITH_VALUE = ("walls", "beams", "line_loads", "area_loads")
 
 
 class Roles:

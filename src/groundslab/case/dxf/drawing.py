@@ -28,9 +28,9 @@ class PointMark:
 
 @dataclass(frozen=True, slots=True)
 class LineMark:
-    """A line load or a wall: points [m], the bulge of the edge after each, value or None, what is written beside it.
+    """A line load, a wall or a beam: points [m], the bulge of the edge after each, value or None, the text beside it.
 
-    The value is a force per length [N/m], or a thickness [m].
+    The value is a force per length [N/m], or a thickness [m]; a beam's section is in its text.
     """
 
     points: tuple[Place, ...]
@@ -85,6 +85,7 @@ class Drawing:
     zones: tuple[Ring, ...]
     columns: tuple[Ring | Place, ...]
     walls: tuple[LineMark, ...]  # their values are thicknesses
+    beams: tuple[LineMark, ...]
     point_loads: tuple[PointMark, ...]
     line_loads: tuple[LineMark, ...]
     area_loads: tuple[AreaMark, ...]
@@ -121,6 +122,7 @@ def center(drawing: Drawing) -> Drawing:
         columns=columns,
         point_loads=tuple(replace(load, x=x, y=y) for load, (x, y) in loads),
         walls=tuple(map(move_line, drawing.walls)),
+        beams=tuple(map(move_line, drawing.beams)),
         line_loads=tuple(map(move_line, drawing.line_loads)),
         area_loads=tuple(map(move_area, drawing.area_loads)),
         origin=origin,

@@ -83,9 +83,9 @@ def read(
         points, len(curves_of["columns"]), tolerance, context
     )
     marks = read_point_loads(entities["point_loads"], tolerance, context)
-    walls, line_loads = (
+    walls, beams, line_loads = (
         read_lines_with_values(role, lines[role], texts[role], roles, tolerance, context)
-        for role in ("walls", "line_loads")
+        for role in ("walls", "beams", "line_loads")
     )
     area_loads = read_area_loads(curves_of["area_loads"], texts["area_loads"], roles, context)
     if context.issues or outline is None:
@@ -96,6 +96,7 @@ def read(
         zones=tuple(closed.curve for closed in curves_of["zones"]),
         columns=tuple(columns),
         walls=tuple(walls),
+        beams=tuple(beams),
         point_loads=tuple(marks),
         line_loads=tuple(line_loads),
         area_loads=tuple(area_loads),

@@ -24,7 +24,8 @@ def report_text(drawing: Drawing) -> str:
         f"unit: {drawing.unit} ({drawing.scale:.6g} m)",
         f"outline: {x1 - x0:.6g} m x {y1 - y0:.6g} m, {outline.area:.6g} m^2, {len(outline.points)} edges",
         f"openings: {len(drawing.openings)}, zones: {len(drawing.zones)}, columns: {len(drawing.columns)}, "
-        f"walls: {len(drawing.walls)}, point loads: {len(drawing.point_loads)} (sum {units.show(loads, 'force')})",
+        f"walls: {len(drawing.walls)}, beams: {len(drawing.beams)}, "
+        f"point loads: {len(drawing.point_loads)} (sum {units.show(loads, 'force')})",
         *_distributed_totals(drawing),
         "",
         *_table(

@@ -759,6 +759,35 @@ class TestSpreadLoads:
         assert model.walls[0].points == ((-5, -5), (5, -5), (5, 5))
         assert model.walls[1].shape == Circle(centre=(0, 0), radius=2)
 
+    def test_beams(self, drawn: Any) -> None:
+        """Axes with width and height beside them; without them, or along arcs, they are there to be seen."""
+
+        def draw(space: Modelspace) -> None:
+            outline(space, [(-9, -9), (9, -9), (9, 9), (-9, 9)])
+            space.add_line((-5, -5), (5, -5), on("BEAMS"))
+            beside(space, "BEAMS", 0, -4.8, "rib 40x80 cm")
+            space.add_circle((0, 0), 2, on("BEAMS"))
+            beside(space, "BEAMS", 1.5, 1.5, "b/h = 0,3/0,6 m")
+            space.add_line((-8, 8), (8, 8), on("beams"))
+            space.add_arc((5, 5), 1, 0, 90, dxfattribs=on("BEAMS"))
+            beside(space, "BEAMS", 5.8, 5.8, "30x60 cm")
+
+        drawing = drawn(draw)
+        assert "beams: 4, " in dxf.report_text(drawing)
+        assert len([taken for taken, _ in said(drawing, "TEXT") if taken]) == 3
+        assert (True, "beam") in said(drawing, "CIRCLE")
+        text = dxf.to_case(drawing)
+        assert "# Beam 4 of the drawing, for information only: a beam runs straight, or around a circle." in text
+        assert '# section = { kind = "rectangle", width = "400 mm", height = "800 mm" }  # fill in' in text
+        before, arc = text.split("# Beam 4")
+        assert 'kind = "pasternak"' in arc or "[ground]" in arc
+        one, two, third = casefile.loads(filled(before + arc[arc.index("[ground]") - 2 :])).beams
+        assert third.name == "B3"
+        assert (one.section.width, one.section.height) == pytest.approx((0.4, 0.8))
+        assert (two.section.width, two.section.height) == pytest.approx((0.3, 0.6))
+        assert one.points == ((-5, -5), (5, -5))
+        assert two.shape == Circle(centre=(0, 0), radius=2)
+
     def test_area_loads(self, drawn: Any) -> None:
         """Closed curves are area loads; one inside another is a hole, or a load of its own if it has a value."""
 
@@ -946,7 +975,7 @@ class TestOutput:
 
         text = dxf.report_text(drawn(draw))
         assert text.startswith("unit: m (1 m)\noutline: 8.9 m x 6 m")
-        assert "openings: 1, zones: 1, columns: 2, walls: 0, point loads: 2 (sum 320 kN)" in text
+        assert "openings: 1, zones: 1, columns: 2, walls: 0, beams: 0, point loads: 2 (sum 320 kN)" in text
         assert text.index("layer ") < text.index("ignored:") < text.index("taken:")
         assert "  ZONES     1      1\n" in text
         assert "text is read only next to point loads" in text

@@ -43,6 +43,7 @@ export const ROLES: readonly (readonly [string, string])[] = [
   ["zones", "zones"],
   ["columns", "columns"],
   ["walls", "walls"],
+  ["beams", "beams"],
   ["point_loads", "point loads"],
   ["line_loads", "line loads"],
   ["area_loads", "area loads"],

@@ -32,10 +32,11 @@ _GROUPED_BY_POINTS = re.compile(r"\d{1,3}(?:\.\d{3})+,\d+")
 _EITHER = re.compile(r"[1-9]\d{0,2},\d{3}")
 #: What a load is given in, and a wall by its thickness, by what the layer holds.
 DIMENSION = {
-    "point_loads": "force", "walls": "length", "line_loads": "force per length", "area_loads": "pressure",
+    "point_loads": "force", "walls": "length", "beams": "section", "line_loads": "force per length",
+    "area_loads": "pressure",
 }  # fmt: skip
 #: Of these dimensions none is mistaken for another.
-ALONE = ("force", "length")
+ALONE = ("force", "length", "section")
 LONGEST = 200  # letters of a text, of which no more is read
 
 
@@ -56,8 +57,11 @@ def find_quantity(words: str, dimension: str = "force") -> float | str | None:
 
     What begins with a number, or has one after = or :, is meant to be a value; so is any force in it. The same of a
     force per length or a pressure, if that is the dimension; then any of the three is meant to be a value. Commas may
-    stand for the decimal point or between thousands; where both are possible, the value is not taken.
+    stand for the decimal point or between thousands; where both are possible, the value is not taken. A section, which
+    is two lengths, is no value.
     """
+    if dimension == "section":
+        return None
     value = _find_quantity(_COMMA.sub(_with_point, words), dimension)
     unclear = [match[0] for match in _COMMA.finditer(words) if _EITHER.fullmatch(match[0])]
     if unclear and isinstance(value, float):
@@ -90,7 +94,7 @@ def _find_quantity(words: str, dimension: str) -> float | str | None:
     numbers = [value for value in read if isinstance(value, float)]
     if numbers:
         return numbers[0]
-    others = {dimension} if dimension in ALONE else {*DIMENSION.values()} - {"length"}
+    others = {dimension} if dimension in ALONE else {*DIMENSION.values()} - {*ALONE[1:]}
     if any(isinstance(_quantity(text, other), float) for text in texts for other in others):
         return "it is not a name, a number and a unit" if values else f"it is no {dimension}"
     return None
@@ -221,7 +225,7 @@ def assign_texts(marks: Sequence[PendingLoad], texts: Sequence[Label], role: str
             mark.values.append(text.value)
         where = f"{mark.source.entity} {mark.source.handle}".strip()
         context.report_entity(text.source, True, f"{describe(text.words)}, beside {where}")
-    expected = units.expectation(DIMENSION[role])
+    expected = units.expectation(DIMENSION[role]) if DIMENSION[role] in units.DIMENSIONS else ""
     for t, text in enumerate(texts):
         if isinstance(text.value, str):
             context.issue([text.source], text.start, describe(text.words), expected, text.value)
@@ -257,6 +261,8 @@ def choose_value(
     value, how = mark.values[0] if mark.values else None, ""
     if value is None and mark.source.layer in of_layers:
         value, how = of_layers[mark.source.layer], ", by the name of its layer"
+    if dimension == "section":
+        return None, ""
     return value, ", no value" if value is None else f" of {units.show(value, dimension)}{how}"
 
 
