@@ -226,7 +226,7 @@ def _fitting(value: float, dimension: str) -> tuple[float, str]:
     """Return size and name of the unit in which a quantity given in SI units is at least 1, if there is one."""
     steps = DIMENSIONS[dimension].steps
     if value == 0:
-        return next(step for step in steps if step[0] == 1.0)
+        return next((step for step in steps if step[0] == 1.0), steps[0])
     # the rounded number decides, so that 999.9999 Pa becomes 1 kPa
     fitting = [step for step in steps if abs(float(f"{value / step[0]:.5g}")) >= 1.0]
     return fitting[-1] if fitting else steps[0]

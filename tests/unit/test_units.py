@@ -209,6 +209,8 @@ def test_everyday_units_agree_with_pint(name: str) -> None:
         (32.7862e6, "pressure per length", "32.786 MPa/m"),
         (20.66e6, "pressure times length", "20.66 MN/m"),
         (5.76e6, "force", "5.76 MN"),
+        (0.0, "share", "0 %"),
+        (0.0, "area per length", "0 cm^2/m"),
     ],
 )
 def test_show(value: float, dimension: str, text: str) -> None:

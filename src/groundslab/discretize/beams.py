@@ -24,20 +24,20 @@ def beams_on(model: Model, plan: Layout, sections: list[tuple[float, float, floa
     A rib between two sections of the plate has as its flange the thinner one.
     """
     members = model.members
-    every = _whole_sides(plan) if members else np.zeros((0, 3), dtype=np.int64)
+    if not members:
+        none = np.zeros((0, 3), dtype=np.int64)
+        return Beams(none, none[:, 0], np.zeros(0), np.zeros(0), np.zeros((0, 3)), np.zeros((0, 2), dtype=bool))
+    every = _whole_sides(plan)
     parts = [_along(plan, every, beam, number) for number, beam in enumerate(members)]
-    sides = np.concatenate([np.zeros((0, 3), dtype=np.int64), *(sides for sides, _, _ in parts)])
-    start, length = (np.concatenate([np.zeros(0), *(part[k] for part in parts)]) for k in (1, 2))
-    number = np.repeat(np.arange(len(parts)), [len(sides) for sides, _, _ in parts])
-    rigidity = np.empty((len(sides), 3))
-    beside = _sections_beside(plan, sides, np.array([t for _, _, t in sections])) if len(sides) else number
+    sides, start, length = (np.concatenate(each) for each in zip(*parts, strict=True))
+    number = np.repeat(np.arange(len(parts)), [len(own) for own, _, _ in parts])
+    beside = _sections_beside(plan, sides, np.array([t for _, _, t in sections]))
+    rigidity, released = np.empty((len(sides), 3)), np.zeros((len(sides), 2), dtype=bool)
     for which, section in np.unique(np.column_stack([number, beside]), axis=0).tolist():
         own = (number == which) & (beside == section)
         rigidity[own] = members[which].rigidities(*sections[section])
-    released = np.zeros((len(sides), 2), dtype=bool)
     for which, beam in enumerate(members):
-        own = np.flatnonzero(number == which)
-        released[own[[0, -1]], [0, 1]] = [end == "hinged" for end in beam.joined]
+        released[np.flatnonzero(number == which)[[0, -1]], [0, 1]] = [end == "hinged" for end in beam.joined]
     return Beams(sides, number, start, length, rigidity, released)
 
 
