@@ -275,6 +275,17 @@ def test_a_beam_in_two_parts_is_the_same_beam() -> None:
             assert turned * getattr(part, name)[away] == pytest.approx(expected, abs=1e-6 * scale)
 
 
+def test_a_beam_that_crosses_itself_is_its_parts() -> None:
+    """Its section forces jump where it crosses itself, as those of beams that cross each other."""
+    way = [(-2.0, 0.0), (2.0, 0.0), (2.0, 1.0), (0.0, 1.0), (0.0, -1.0)]
+    (whole,) = ribbed_raft([LONG | {"points": way}]).only.beams
+    parts = ribbed_raft([LONG | {"name": str(n), "points": way[n : n + 2]} for n in range(4)]).only.beams
+    assert whole.way[-1] == pytest.approx(sum(part.way[-1] for part in parts))
+    for name in ("settlement", "moment", "shear", "torsion"):
+        joined = np.concatenate([getattr(part, name) for part in parts])
+        assert getattr(whole, name) == pytest.approx(joined, abs=1e-6 * np.abs(joined).max())
+
+
 def test_a_turned_raft_with_ribs_is_the_same() -> None:
     """By a quarter turn: section forces of ribs, and settlements."""
     one, other = ribbed_raft([LONG, SHORT]).only, ribbed_raft([LONG, SHORT], turned=True).only

@@ -83,7 +83,7 @@ def check_case(options: argparse.Namespace) -> int:
 
 
 def _structure_and_supports(model: Model) -> list[str]:
-    """Return the columns, walls and supports of a model in words, a line each."""
+    """Return the columns, walls, beams and supports of a model in words, a line each."""
     from groundslab.geometry.plan import format_place
 
     lines = []
@@ -93,14 +93,30 @@ def _structure_and_supports(model: Model) -> list[str]:
         else:
             size = f"{column.width_x:g} m x {column.width_y:g} m"
         lines.append(f"  column {column.name}: {size} at {format_place((column.x, column.y))} m")
-    lines += [
-        f"  wall {wall.name}: {wall.thickness:g} m thick, {wall.length:.6g} m long" for wall in model.placed_walls
-    ]
+    for wall in model.placed_walls:
+        size = f"{wall.thickness:g} m thick, {wall.length:.6g} m long"
+        if wall.height is not None:
+            size += f", a deep beam {wall.height:g} m high{_share(wall.stiffness)}"
+            for hole in wall.openings:
+                size += f", an opening {hole.height:g} m high at {hole.start:g} m to {hole.end:g} m"
+        lines.append(f"  wall {wall.name}: {size}")
+    for beam in model.beams:
+        section = beam.section
+        what = "a section by its properties"
+        if section.kind != "properties":
+            what = f"{section.kind} of {section.width:g} m x {section.height:g} m"
+        what += f", {beam.length:.6g} m long{_share(beam.stiffness)}"
+        lines.append(f"  beam {beam.name}: {what}")
     for number, support in enumerate(model.supports, 1):
         where = " to ".join(map(format_place, support.points))
         firm = "elastic" if support.elastic else "rigid"
         lines.append(f"  support {support.name or number}: {support.kind}, {firm}, acts {support.acts}, at {where} m")
     return lines
+
+
+def _share(stiffness: float) -> str:
+    """Return the share of a stiffness that is taken, in words; none for all of it."""
+    return "" if stiffness == 1 else f", {100 * stiffness:g} % of its stiffness"
 
 
 def _cases_and_combinations(model: Model, combinations: Sequence[Combination]) -> list[str]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -17,6 +18,7 @@ from groundslab.arrays import Array, Integers
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.bending import Reinforcement as Bending
 from groundslab.design.codes import code_of
+from groundslab.fem.mesh import Mesh, locate
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.structure.beams import Beam, GivenSection, RibSection
@@ -25,6 +27,8 @@ from groundslab.results.results import CombinationResult, Results
 
 #: What is looked for: bars at both faces, and links.
 WHAT = ("bottom", "top", "links")
+#: So much of a piece's length beside its middle the plate's thickness is looked up.
+BESIDE = 1e-2
 #: Of places that need as much, the one with the largest force counts.
 TIE = 1e-15
 
@@ -44,14 +48,14 @@ class BeamNeed:
 
 @dataclass(frozen=True, slots=True)
 class _Section:
-    """A concrete section, as the code needs it."""
+    """A concrete section at k places along a beam, as the code needs it."""
 
-    share: float  # of the section's moments and shear forces over those of the beam
-    h: float  # height [m]
+    share: Array  # (k,): of the section's moments and shear forces over those of the beam
+    h: Array  # (k,): height [m]
     b: float  # of the web [m]
     compressed: tuple[float, float]  # width where the beam sags, where it hogs [m]
-    flange: float  # thickness of the flange [m]; infinite without one
-    d: tuple[float, float]  # effective depth where it sags, where it hogs [m]
+    flange: Array  # (k,): thickness of the flange [m]; infinite without one
+    d: tuple[Array, Array]  # (k,) each: effective depth where it sags, where it hogs [m]
 
 
 def beam_needs(combined: Results, steel: Reinforcement) -> list[BeamNeed]:
@@ -75,25 +79,39 @@ def _needs(results: CombinationResult, number: int, beam: Beam, steel: Reinforce
     required = code.bending(steel, state).required
     M, V = section.share * own.moment, section.share * own.shear
 
-    def need(what: str, area: Array, least: float, force: Array, places: Integers) -> BeamNeed:
-        most = int(np.argmax(area + TIE * np.abs(force)))
-        wanted = max(float(area[most]), least)
-        at = int(places[most])
-        return BeamNeed(own.name, what, wanted, least, float(force[most]), float(own.way[at]), results.combination)
+    def need(what: str, area: Array, least: Array, force: Array, places: Integers) -> BeamNeed:
+        wanted = np.maximum(area, least)
+        most = int(np.argmax(wanted + TIE * np.abs(force)))
+        way = float(own.way[places[most]])
+        return BeamNeed(own.name, what, float(wanted[most]), float(least[most]), float(force[most]), way,
+                        results.combination)  # fmt: skip
 
     everywhere = np.arange(len(M))
     for face, (what, sign) in enumerate((("bottom", 1.0), ("top", -1.0))):
-        d, d_2 = section.d[face], section.h - section.d[1 - face]
-        area = _bars(required, np.maximum(sign * M, 0.0), section, face, d, d_2)
-        least = code.beams.minimum(steel, state, d, section.h) * section.b if area.any() else 0.0
-        yield need(what, area, least, np.where(sign * M > 0, M, 0.0), everywhere)
-    away, d = np.flatnonzero(own.away_from_ends(section.h)), min(section.d)
-    links = code.beams.links(steel, state, np.abs(V[away]) / section.b, d) * section.b
-    yield need("links", links, float(code.beams.links(steel, state, np.zeros(1), d)[0]) * section.b, V[away], away)
+        m = np.maximum(sign * M, 0.0)
+        area = _bars(required, m, section, face)
+        least = _at_each(partial(code.beams.minimum, steel, state), section.d[face], section.h) * section.b
+        yield need(what, area, np.where(m > 0, least, 0.0), np.where(m > 0, M, 0.0), everywhere)
+    away = np.flatnonzero(own.away_from_ends(float(section.h.max())))
+    d = np.minimum(*section.d)[away]
+    v = np.abs(V[away]) / section.b
+    links, least = np.empty(len(v)), np.empty(len(v))
+    for depth in np.unique(d):
+        some = d == depth
+        links[some] = code.beams.links(steel, state, v[some], float(depth)) * section.b
+        least[some] = code.beams.links(steel, state, np.zeros(1), float(depth)) * section.b
+    yield need("links", links, least, V[away], away)
 
 
-def _bars(required: Callable[..., Bending], m: Array, section: _Section, face: int, d: float, d_2: float) -> Array:
-    """Return the bars in tension (n,) [m2] at a face for moments m >= 0 (n,) [N m]."""
+def _at_each(rule: Callable[[float, float], float], d: Array, h: Array) -> Array:
+    """Return what a rule gives for depths (k,) and heights (k,) [m]."""
+    pairs, which = np.unique(np.column_stack([d, h]), axis=0, return_inverse=True)
+    return np.array([rule(float(depth), float(height)) for depth, height in pairs])[which.reshape(-1)]
+
+
+def _bars(required: Callable[..., Bending], m: Array, section: _Section, face: int) -> Array:
+    """Return the bars in tension (k,) [m2] at a face for moments m >= 0 (k,) [N m]."""
+    d, d_2 = section.d[face], section.h - section.d[1 - face]
     narrow = required(m / section.b, d, d_2=d_2, thickness=section.h).tension * section.b
     width = section.compressed[face]
     if width == section.b:
@@ -103,19 +121,43 @@ def _bars(required: Callable[..., Bending], m: Array, section: _Section, face: i
 
 
 def _section(results: CombinationResult, beam: Beam, own: BeamResult, steel: Reinforcement) -> _Section:
-    """Return the section of a beam of concrete on the slab, whose least thickness along it counts."""
+    """Return the section of a beam of concrete along it; of the plate on both sides the thinner one is its flange."""
     section = beam.section
     assert not isinstance(section, GivenSection)
     axes = beam.bar_axis or max(steel.bottom_axes), beam.bar_axis or max(steel.top_axes)
-    b = section.width
+    b, one = section.width, np.ones(len(own.way))
     if not isinstance(section, RibSection):
-        h = section.height
-        return _Section(1.0, h, b, (b, b), np.inf, (h - axes[0], h - axes[1]))
+        h = section.height * one
+        return _Section(one, h, b, (b, b), np.inf * one, (h - axes[0], h - axes[1]))
     model = results.model
-    t = float(results.elements.thickness[results.plate.element_at(*own.nodes.T)].min())
+    t = _flange(results, own)
     x, y = own.nodes[len(own.nodes) // 2]
     plate = model.every_plate[PlateRegion(model.plate, model.plates).plate_at((float(x), float(y)))]
-    share = 1 + plate.E * section.effective_width * t**3 / 12 / beam.rigidities(plate.E, plate.nu, t)[0]
+    E, nu = plate.E, plate.nu
+    bending = _at_each(lambda thickness, _: beam.rigidities(E, nu, thickness)[0], t, t)
     h = section.height + t
     wide = (section.effective_width, b) if section.side == "below" else (b, section.effective_width)
+    share = 1 + E * section.effective_width * t**3 / 12 / bending
     return _Section(share, h, b, wide, t, (h - axes[0], h - axes[1]))
+
+
+def _flange(results: CombinationResult, own: BeamResult) -> Array:
+    """Return the thickness of the plate along a beam (k,) [m], of both sides the less.
+
+    Where it jumps, the first of the two places there belongs to what comes before.
+    """
+    mesh = Mesh(results.plate.nodes, results.plate.elements)
+    way = np.diff(own.nodes, axis=0)
+    length = np.linalg.norm(way, axis=1)
+    between = np.flatnonzero(length > 0)
+    middle = (own.nodes[between] + own.nodes[between + 1]) / 2
+    beside = BESIDE * np.stack([-way[between, 1], way[between, 0]], axis=1)
+    thinnest = np.full(len(length), np.inf)
+    for places in (middle + beside, middle - beside):
+        element = locate(mesh, places)[0]
+        there = element >= 0
+        own_t = np.where(there, results.elements.thickness[element], np.inf)
+        thinnest[between] = np.minimum(thinnest[between], own_t)
+    goes_on = np.append(length > 0, False)
+    after, before = np.append(thinnest, np.inf), np.insert(thinnest, 0, np.inf)
+    return np.where(goes_on, after, before)

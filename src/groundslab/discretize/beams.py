@@ -13,6 +13,7 @@ from groundslab.fem.parts.beams import Beams, lengths_of
 from groundslab.geometry.plan import Segment
 from groundslab.model.model import Model
 from groundslab.model.structure.beams import Beam
+from groundslab.schema.wording import quote
 
 #: A mesh meets a beam if it follows its line but for this share, which arcs as parabolas may take.
 MET = 1e-4
@@ -28,7 +29,7 @@ def beams_on(model: Model, plan: Layout, sections: list[tuple[float, float, floa
         none = np.zeros((0, 3), dtype=np.int64)
         return Beams(none, none[:, 0], np.zeros(0), np.zeros(0), np.zeros((0, 3)), np.zeros((0, 2), dtype=bool))
     every = _whole_sides(plan)
-    parts = [_along(plan, every, beam, number) for number, beam in enumerate(members)]
+    parts = [_along(plan, every, beam) for beam in members]
     sides, start, length = (np.concatenate(each) for each in zip(*parts, strict=True))
     number = np.repeat(np.arange(len(parts)), [len(own) for own, _, _ in parts])
     beside = _sections_beside(plan, sides, np.array([t for _, _, t in sections]))
@@ -47,7 +48,7 @@ def _whole_sides(plan: Layout) -> Integers:
     return sides[~np.isin(sides[:, 2], find_hanging(plan.mesh.elements)[:, 0])]
 
 
-def _along(plan: Layout, every: Integers, beam: Beam, number: int) -> tuple[Integers, Array, Array]:
+def _along(plan: Layout, every: Integers, beam: Beam) -> tuple[Integers, Array, Array]:
     """Return which of the sides lie along a beam, from its start to its end (b, 3), and of each start and length [m].
 
     Both are (b,), along the beam.
@@ -69,7 +70,7 @@ def _along(plan: Layout, every: Integers, beam: Beam, number: int) -> tuple[Inte
         before += float(length.sum())
     if abs(before - beam.length) > MET * beam.length:
         said = f"sides of elements along {before:g} m of a line of {beam.length:g} m"
-        raise InputError([Issue(f"beams[{number + 1}]", said, "a mesh that meets every beam")])
+        raise InputError([Issue(f"beam {quote(beam.name)}", said, "a mesh that meets every beam")])
     return np.concatenate(found), np.concatenate(starts), np.concatenate(lengths)
 
 

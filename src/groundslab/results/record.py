@@ -140,8 +140,18 @@ class BeamResult:
     shear: Array
     torsion: Array
 
+    @property
+    def closed(self) -> bool:
+        """Whether it ends where it starts."""
+        return bool(np.array_equal(self.nodes[0], self.nodes[-1]))
+
     def away_from_ends(self, distance: float) -> Flags:
-        """Return which places (k,) lie at least so far [m] from its ends, a quarter of the length of a short one."""
+        """Return which places (k,) lie at least so far [m] from its ends, a quarter of the length of a short one.
+
+        A closed beam has no ends.
+        """
+        if self.closed:
+            return np.ones(len(self.way), dtype=bool)
         length = self.way[-1]
         away: Flags = np.minimum(self.way, length - self.way) >= min(distance, length / 4)
         return away

@@ -411,22 +411,38 @@ class TestOthers:
         assert main.main(["check", str(case)]) == 0
         assert "fine (9.6 m x 7.2 m plate, winkler ground, 3 loads)" in capsys.readouterr().out
 
-    def test_check_names_columns_supports_and_combinations(
+    def test_check_names_the_structure_supports_and_combinations(
         self, tmp_path: Path, capsys: pytest.CaptureFixture[str]
     ) -> None:
-        """Each column, support, case and combination has its line, with sizes, places and factors."""
+        """Each column, wall, beam, support, case and combination has its line, with sizes, places and factors."""
         model = synthetic.combined().model.replace(
             columns=[Column(name="A1", x=1, y=2, width_x=0.3, width_y=0.4), Column(name="B", x=0, y=0, diameter=0.5)],
             supports=[
                 PointSupport(name="pile", x=-2, y=-1, stiffness=5e7, acts="in compression"),
                 LineSupport(points=[(-3, 1), (-1, 1)]),
             ],
-        )
+            walls=[
+                {"name": "W", "thickness": 0.3, "points": [(-2, 0), (2, 0)]},
+                {"name": "V", "thickness": 0.3, "points": [(0, -2), (0, 2)], "height": 3.0, "stiffness": 0.5,
+                 "openings": [{"start": 1.0, "end": 2.0, "height": 2.2}]},
+            ],
+            beams=[
+                {"name": "R", "points": [(-2, 3), (2, 3)], "stiffness": 0.7,
+                 "section": {"kind": "rib", "width": 0.4, "height": 0.6, "effective_width": 2.0}},
+                {"name": "S", "points": [(-2, -3), (2, -3)],
+                 "section": {"kind": "properties", "second_moment": 2e-4, "shear_area": 3e-3}},
+            ],
+        )  # fmt: skip
         (tmp_path / "raft.toml").write_text(casefile.to_toml(model), encoding="utf-8")
         assert main.main(["check", str(tmp_path / "raft.toml")]) == 0
         assert capsys.readouterr().out.splitlines()[1:] == [
             "  column A1: 0.3 m x 0.4 m at (1, 2) m",
             "  column B: diameter 0.5 m at (0, 0) m",
+            "  wall W: 0.3 m thick, 4 m long",
+            "  wall V: 0.3 m thick, 4 m long, a deep beam 3 m high, 50 % of its stiffness, an opening 2.2 m high at "
+            "1 m to 2 m",
+            "  beam R: rib of 0.4 m x 0.6 m, 4 m long, 70 % of its stiffness",
+            "  beam S: a section by its properties, 4 m long",
             "  support pile: point, elastic, acts in compression, at (-2, -1) m",
             "  support 2: line, rigid, acts both ways, at (-3, 1) to (-1, 1) m",
             "  case dead: permanent, 1 load; ultimate 1 to 2 (3 of 4)",

@@ -19,10 +19,12 @@ RECTANGLE = {"kind": "rectangle", "width": 0.4, "height": 0.8}
 RIB = {"kind": "rib", "width": 0.4, "height": 0.5, "effective_width": 2.0}
 
 
-def results(section: dict[str, Any], moment: float, shear: float, code: str = "EN 1992-1-1") -> gs.Results:
+def results(
+    section: dict[str, Any], moment: float, shear: float, code: str = "EN 1992-1-1", plate: dict[str, Any] | None = None
+) -> gs.Results:
     """Return results in which a beam has a moment in its middle, and a shear force beside it."""
     model = gs.Model(
-        plate={"length_x": 8.0, "length_y": 4.0, "thickness": T, "E": E, "nu": 0.2},
+        plate={"length_x": 8.0, "length_y": 4.0, "thickness": T, "E": E, "nu": 0.2} | (plate or {}),
         ground={"kind": "winkler", "k": 20e6},
         beams=[{"name": "B", "points": [(-4.0, 0.0), (4.0, 0.0)], "section": section, "bar_axis": AXIS}],
         cases=[{"name": "G"}],
@@ -88,6 +90,38 @@ def test_a_rib_acts_as_a_tee(side: str, sagging: bool) -> None:
     assert found.force == pytest.approx(whole * M, rel=1e-9)
     width = 2.0 if sagging == (side == "below") else 0.4
     assert found.area == pytest.approx(bars(whole * abs(M), width, 0.75 - AXIS, 20e6, 500e6 / 1.15), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("thicker", "alike"),
+    [
+        ({"x": (-4.0, 4.0), "y": (0.0, 2.0)}, T),
+        ({"x": (-4.0, 4.0), "y": (-2.0, 0.0)}, T),
+        ({"x": (-4.0, -1.0), "y": (-2.0, 2.0)}, T),
+        ({"x": (-1.0, 4.0), "y": (-2.0, 2.0)}, 2 * T),
+    ],
+)
+def test_the_flange_is_the_plate_there(thicker: dict[str, Any], alike: float) -> None:
+    """Along a border the thinner side, on either side of one what is there; as in a plate so thick throughout."""
+    zones = [{"shape": {"kind": "rectangle"} | thicker, "thickness": 2 * T}]
+    found = needs(RIB, 300e3, 0.0, plate={"zones": zones})["bottom"]
+    plain = needs(RIB, 300e3, 0.0, plate={"thickness": alike})["bottom"]
+    assert (found.area, found.force) == pytest.approx((plain.area, plain.force), rel=1e-12)
+
+
+def test_links_of_a_closed_beam_do_not_depend_on_where_it_starts() -> None:
+    """A force at its start asks for as many as the same force at the corner opposite."""
+
+    def links(corners: list[tuple[float, float]]) -> float:
+        model = results(RECTANGLE, 0.0, 0.0).model
+        ring = {"name": "ring", "points": [*corners, corners[0]], "section": RECTANGLE}
+        load = {"kind": "point", "x": -2.0, "y": -1.0, "P": 3e6, "case": "G"}
+        changed = gs.Model(**model.model_dump() | {"beams": [ring], "loads": [load]})
+        assert changed.reinforcement is not None
+        return next(need.area for need in beam_needs(gs.solve(changed), changed.reinforcement) if need.what == "links")
+
+    corners = [(-2.0, -1.0), (2.0, -1.0), (2.0, 1.0), (-2.0, 1.0)]
+    assert links(corners) == pytest.approx(links([*corners[2:], *corners[:2]]), rel=1e-6)
 
 
 def test_beams_by_aci_318() -> None:

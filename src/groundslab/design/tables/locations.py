@@ -121,6 +121,11 @@ def strips(combined: Results) -> Table:
         "lies on the plate, mean ones are these by that width.",
         "Design moments (Wood and Armer) are means over the cut of the values at its points, for bars along the strip "
         "and across it.",
+        *(
+            ["Forces are those of the plate; what beams and walls with a height carry across a cut is in table beams."]
+            if combined.model.members
+            else []
+        ),
         *_not_met("strip", missed),
     ]
     return table_of("strips", "Design strips", heads, rows, notes)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import itertools
 import math
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
 
-from groundslab.geometry.plan import Place, Ring
+from groundslab.geometry.plan import FLAT, Place, Ring
 from groundslab.geometry.validity import TOO_CLOSE, find_issues
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, list_plates, shared_line
@@ -113,14 +114,15 @@ def check_members(
     yield from (_at_place(issue, where) for issue in _check_apart(beams, TOO_CLOSE * max(x1 - x0, y1 - y0)))
     straight = {number: beam.line for number, beam in enumerate(beams) if beam.line}
     before = sum(bool(support.edges) for support in supports)
+    beams_by_line = dict(enumerate(straight, start=before + 1))
     for issue in find_issues(plan_of_plate(plate, supports, plates=plates, lines=(*straight.values(),))):
-        for count, number in enumerate(straight, start=before + 1):
-            name = f"plate.lines[{count}]"
-            if name == issue.location or name in issue.found:
-                kind, own = where[number]
-                found = issue.found.replace(name, f"{kind}[{own + 1}]")
-                yield _at_place(RelativeIssue(("beams", number, "points"), found, issue.expected, issue.hint), where)
+        # the beam at which the issue is, or else the first one that it names
+        for text in (issue.location, issue.found):
+            if own := [number for count, number in beams_by_line.items() if f"plate.lines[{count}]" in text]:
+                found = _with_names(issue.found, {count: where[number] for count, number in beams_by_line.items()})
+                yield _at_place(RelativeIssue(("beams", own[0], "points"), found, issue.expected, issue.hint), where)
                 break
+    yield from _check_curves(every, beams)
 
 
 def _check_stiff_wall(number: int, wall: Wall) -> Iterator[RelativeIssue]:
@@ -132,9 +134,36 @@ def _check_stiff_wall(number: int, wall: Wall) -> Iterator[RelativeIssue]:
         return
     assert wall.height is not None
     for position, opening in enumerate(wall.openings):
+        if opening.end > wall.length * (1 + SAME):
+            expected = f"at most the wall's length, {wall.length:.6g} m"
+            yield RelativeIssue((*place, "openings", position, "end"), f"{opening.end!r} m", expected)
         if opening.height >= wall.height:
             expected = f"less than the wall's, {wall.height!r} m"
             yield RelativeIssue((*place, "openings", position, "height"), f"{opening.height!r} m", expected)
+
+
+def _with_names(found: str, names: dict[int, tuple[str, int]]) -> str:
+    """Return what was found with the names of the case for lines of the plan, by their numbers from 1."""
+
+    def name(match: re.Match[str]) -> str:
+        kind, own = names.get(int(match[1]), ("supports", int(match[1]) - 1))
+        return f"{kind}[{own + 1}]"
+
+    return re.sub(r"plate\.lines\[(\d+)\]", name, found)
+
+
+def _check_curves(plates: tuple[AnyPlate, ...], beams: tuple[Beam, ...]) -> Iterator[RelativeIssue]:
+    """Find closed curves with arcs along which beams run that touch an edge of a plate, but for those that are one."""
+    edges = [ring for plate in plates for ring in plate.rings()]
+    for number, beam in enumerate(beams):
+        if beam.shape is None or beam.line or (ring := beam.shape.ring()) in edges:
+            continue
+        chord = FLAT * max(max(each.sides) for each in edges)
+        own = ring.polygon(chord).exterior
+        near = TOO_CLOSE * max(max(each.sides) for each in edges)
+        if any(own.distance(edge.polygon(chord).exterior) < near for edge in edges):
+            expected = f"a curve at least {near:.3g} m from the plate's edges, or all along one"
+            yield RelativeIssue(("beams", number, "shape"), "a curve that touches an edge of the plate", expected)
 
 
 def _at_place(issue: RelativeIssue, where: list[tuple[str, int]]) -> RelativeIssue:
@@ -182,6 +211,11 @@ def _check_joints(
 def _check_apart(beams: tuple[Beam, ...], near: float) -> Iterator[RelativeIssue]:
     """Find beams of which a part lies along another one."""
     axes = [beam.to_shapely(near) for beam in beams]
+    for number, axis in enumerate(axes):
+        twice = axis.length - axis.union(axis).length
+        if twice > 4 * near:
+            found = f"a beam that runs back along {twice:.3g} m of itself"
+            yield RelativeIssue(("beams", number), found, "one beam at each place", "leave that part out")
     for (one, a), (other, b) in itertools.combinations(enumerate(axes), 2):
         if a.distance(b) > near:
             continue

@@ -121,8 +121,9 @@ def _goes_on(model: Model, problem: Problem) -> Flags:
     size = np.linalg.norm(leaving, axis=1) * np.linalg.norm(arriving, axis=1)
     across = arriving[:, 0] * leaving[:, 1] - arriving[:, 1] * leaving[:, 0]
     at = b.sides[1:, 0]
+    ahead = (arriving * leaving).sum(axis=1) > 0
     same = (b.number[1:] == b.number[:-1]) & (b.sides[:-1, 1] == at)
-    goes_on = same & (np.abs(across) <= KINK * size) & ~_meeting(model, problem)[at]
+    goes_on = same & ahead & (np.abs(across) <= KINK * size) & ~_meeting(model, problem)[at]
     return np.concatenate([[False], goes_on])
 
 
@@ -131,8 +132,8 @@ def _meeting(model: Model, problem: Problem) -> Flags:
     b, n = problem.beams, len(problem.mesh.nodes)
     points = [*forces_without_footprint(model), *(each.points[0] for each in model.supports if not each.edges)]
     meets = nearest_distance(problem.mesh.nodes, np.reshape(points, (-1, 2)), near := NEAR * problem.length) < near
-    touching = np.unique(np.column_stack([b.sides[:, :2].ravel(), np.repeat(b.number, 2)]), axis=0)
-    meets |= np.bincount(touching[:, 0], minlength=n) > 1
+    # more ends of pieces than those of one that goes on: another beam, or the same one once more
+    meets |= np.bincount(b.sides[:, :2].ravel(), minlength=n) > 2
     borders = [edge for _, shape in model.acting for edge in borders_of(shape)]
     borders += [edge for support in model.supports for edge in support.edges]
     borders += [edge for plate in model.every_plate for zone in plate.zones for edge in zone.shape.ring().segments()]

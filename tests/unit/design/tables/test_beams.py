@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -111,9 +112,14 @@ def test_beams_have_figures(results: gs.Results) -> None:
 def test_the_ends_of_short_beams_leave_something_to_read() -> None:
     """Away from the ends is a quarter of the length at most."""
     way = np.linspace(0.0, 1.0, 9)
-    beam = BeamResult("short", np.zeros((9, 2)), way, way, way, way, way)
+    beam = BeamResult("short", np.column_stack([way, 0 * way]), way, way, way, way, way)
     assert way[beam.away_from_ends(0.1)] == pytest.approx(way[1:-1])
     assert way[beam.away_from_ends(2.0)] == pytest.approx(way[2:-2])
+    ring = replace(beam, nodes=np.column_stack([np.sin(2 * np.pi * way), np.cos(2 * np.pi * way)]))
+    assert not ring.closed  # but for rounding
+    ring.nodes[-1] = ring.nodes[0]
+    assert ring.closed
+    assert ring.away_from_ends(2.0).all()
 
 
 def test_reports_draw_beams(results: gs.Results) -> None:

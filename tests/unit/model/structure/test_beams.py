@@ -74,6 +74,11 @@ def test_a_flange_of_another_material_counts_by_its_stiffness() -> None:
         ([{"name": "A", "section": SECTION}], "beams[1].points: nothing"),
         ([{"name": "A", "section": SECTION, "shape": CIRCLE, "joined": ["hinged", "fixed"]}],
          "beams[1].joined: hinged ends of a closed beam"),
+        ([ACROSS | {"points": [(-3.0, 0.0), (1.0, 0.0), (-1.0, 0.0)]}], "beams[1]: a beam that runs back along 2 m"),
+        ([{"name": "A", "section": SECTION, "shape": CIRCLE | {"centre": (2.0, 0.0)}}],
+         "beams[1].shape: a curve that touches an edge of the plate"),
+        ([ACROSS, ACROSS | {"name": "B", "points": [(-3.0, 1e-5), (0.0, 1.0)]}],
+         "beams[2].points: 1e-05 m between it and beams[1]"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_is_told(beams: list[dict[str, Any]], said: str) -> None:

@@ -78,6 +78,7 @@ def test_a_wall_has_parts_at_its_openings() -> None:
         ({"bulges": [0.5]}, "walls[1].height: a height of a wall along an arc"),
         ({"openings": [{"start": 1.0, "end": 0.5, "height": 1.0}]}, "walls[1].openings[1].end: 0.5 m"),
         ({"openings": [{"start": 0.0, "end": 0.5, "height": 3.0}]}, "walls[1].openings[1].height: 3.0 m"),
+        ({"openings": [{"start": 3.0, "end": 4.5, "height": 1.0}]}, "walls[1].openings[1].end: 4.5 m"),
         ({"height": None, "stiffness": 0.5}, "walls[1].stiffness: stiffness without a height"),
         ({"stiffness": 1.5}, "walls[1].stiffness: 1.5"),
     ],
