@@ -436,3 +436,45 @@ def test_a_beam_with_hinged_ends_is_simply_supported() -> None:
     assert clamped.moment.max() == pytest.approx(whole / 24, rel=5e-3)
     assert half.moment[[0, -1]] == pytest.approx([0.0, -whole / 8], abs=1e-3 * whole)
     assert half.moment.max() == pytest.approx(9 / 128 * whole, rel=5e-3)
+
+
+@pytest.mark.parametrize(
+    "ways",
+    [
+        [[(0.3, 0.2), (2.3, 0.2), (2.3, 2.2), (0.3, 2.2), (0.3, 0.2)]],
+        [[(0.3, 2.2), (0.3, 0.2), (2.3, 0.2), (2.3, 2.2), (0.3, 2.2)]],
+        [[(2.3, 2.2), (0.3, 2.2), (0.3, 0.2)], [(2.3, 2.2), (2.3, 0.2), (0.3, 0.2)]],
+    ],
+)
+def test_what_punches_does_not_depend_on_where_beams_start(ways: list[list[tuple[float, float]]]) -> None:
+    """At a column on the corner of a closed beam: one that starts there, one that starts elsewhere, two halves."""
+    around = [(2.3, 0.2), (2.3, 2.2), (0.3, 2.2), (0.3, 0.2), (2.3, 0.2)]
+    V = [[_punching_at_column(beams, distance) for distance in (0.4, 0.6)] for beams in (ways, [around])]
+    assert V[0] == pytest.approx(V[1], rel=1e-6)
+    assert max(V[0]) < 0.8 * 800e3
+
+
+def test_a_beam_that_crosses_itself_at_a_column_carries_as_two() -> None:
+    """What punches at the crossing is the same."""
+    way = [(-1.7, 0.2), (2.3, 0.2), (2.3, 1.2), (0.3, 1.2), (0.3, -1.8)]
+    parts = [way[:2], way[1:4], way[3:]]
+    for distance in (0.4, 0.6):
+        assert _punching_at_column([way], distance) == pytest.approx(_punching_at_column(parts, distance), rel=1e-6)
+
+
+def _punching_at_column(beams: list[list[tuple[float, float]]], distance: float) -> float:
+    """Return what punches at a column on ribs along lines, at a distance from its faces [N]."""
+    model = gs.Model(
+        plate={"length_x": 6.0, "length_y": 5.0, "thickness": 0.25, "E": E, "nu": 0.2},
+        ground={"kind": "winkler", "k": 40e6},
+        contact={"tensionless": False},
+        columns=[{"name": "C", "x": 0.3, "y": 0.2, "width_x": 0.4, "width_y": 0.4}],
+        beams=[{"name": str(number), "points": points, "section": RIB} for number, points in enumerate(beams)],
+        loads=[{"kind": "point", "column": "C", "P": 800e3}],
+        mesh={"size": 0.2},
+    )
+    results = gs.solve(model).only
+    (column,) = punching_columns(model)
+    inside = perimeter(results.plate, column.footprint, distance).inside
+    near = loads_near(results, column, distance).inside(results, inside)
+    return punching_shear(results, near, column, np.array(column.place), edge_relieves=False).V

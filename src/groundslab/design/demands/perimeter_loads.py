@@ -32,7 +32,7 @@ from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult
 
 if TYPE_CHECKING:
-    from shapely import Polygon
+    from shapely import LineString, Polygon
 
 #: Parts of the plate's edge that lie so near to a polygon are in it, over the rounding of places.
 ON_EDGE = 2.0
@@ -233,22 +233,38 @@ def punching_shear(
 
 def _crossings(model: Model, part: Polygon) -> Iterator[Crossing]:
     """Yield where beams run into a part of the plate, and out of it; their ends inside are none."""
-    from shapely import Point, get_parts, prepare
-
-    prepare(part)
     for number, beam in enumerate(model.members):
         axis = beam.to_shapely(FLAT * max(model.sides))
-        if not part.intersects(axis):
-            continue
-        for piece in get_parts(axis.intersection(part)):
-            if piece.length == 0:
-                continue
-            ends = sorted(axis.project(Point(place)) for place in (piece.coords[0], piece.coords[-1]))
-            for way, sign in zip(ends, (-1.0, 1.0), strict=True):
-                before, after = (np.array(axis.interpolate(way + step).coords[0]) for step in (-NEAR_BY, NEAR_BY))
+        for start, end in _stretches(axis, part):
+            for way, sign in ((start, -1.0), (end, 1.0)):
                 if NEAR_BY < way < axis.length - NEAR_BY:
+                    before, after = (np.array(axis.interpolate(way + step).coords[0]) for step in (-NEAR_BY, NEAR_BY))
                     along = (after - before) / np.linalg.norm(after - before)
                     yield Crossing(number, way * beam.length / axis.length, sign, (before + after) / 2, along)
+
+
+def _stretches(axis: LineString, part: Polygon) -> list[tuple[float, float]]:
+    """Return from where to where along an axis [m] it lies in a part of the plate, also if it crosses itself there."""
+    import shapely
+
+    places = shapely.get_coordinates(axis)
+    pieces = np.stack([places[:-1], places[1:]], axis=1)
+    starts = np.cumsum([0.0, *np.linalg.norm(pieces[:, 1] - pieces[:, 0], axis=1)])
+    shapely.prepare(part)
+    lines = shapely.linestrings(pieces)
+    met = np.flatnonzero(shapely.intersects(part, lines))
+    found, which = shapely.get_parts(shapely.intersection(lines[met], part), return_index=True)
+    corners, of = shapely.get_coordinates(found, return_index=True)
+    piece = met[which[of]]
+    ways = starts[piece] + np.linalg.norm(corners - pieces[piece, 0], axis=1)
+    spans = sorted((ways[of == each].min(), ways[of == each].max()) for each in np.unique(of))
+    whole: list[tuple[float, float]] = []
+    for start, end in spans:
+        if whole and start <= whole[-1][1] + NEAR_BY:
+            whole[-1] = whole[-1][0], max(end, whole[-1][1])
+        else:
+            whole.append((start, end))
+    return whole
 
 
 def _with_moments(forces: Array, places: Array) -> Array:

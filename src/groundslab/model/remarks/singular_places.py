@@ -52,9 +52,8 @@ def singular_places(model: Model) -> dict[str, list[Place]]:
     """Return the places at which moments have no limit, by what is there.
 
     Forces and supports without a footprint, the ends and bends of line loads and line supports, the ends of beams, and
-    corners: those that
-    point into the plate, those of zones of other thickness or material, where the border of such a zone meets the
-    plate's edge, and corners between a clamped and a free edge (Williams 1952).
+    corners: those that point into the plate, those of zones of other thickness or material, where the border of such a
+    zone meets the plate's edge, and corners between a clamped and a free edge (Williams 1952).
     """
     plates = model.every_plate
     ends = [place for _, shape in model.acting if isinstance(shape, LineForce) for place in shape.corners]
