@@ -84,7 +84,13 @@ from .model.structure.beams import Beam as Beam
 from .model.structure.beams import GivenSection as GivenSection
 from .model.structure.beams import RectangularSection as RectangularSection
 from .model.structure.beams import RibSection as RibSection
+from .model.structure.building import Building as Building
+from .model.structure.building import BuildingBeams as BuildingBeams
+from .model.structure.building import BuildingColumns as BuildingColumns
 from .model.structure.columns import Column as Column
+from .model.structure.frame_members import CircularMember as CircularMember
+from .model.structure.frame_members import GivenMember as GivenMember
+from .model.structure.frame_members import RectangularMember as RectangularMember
 from .model.structure.walls import Wall as Wall
 from .model.structure.walls import WallOpening as WallOpening
 from .model.supports import LineSupport as LineSupport

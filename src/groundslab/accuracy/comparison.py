@@ -14,6 +14,7 @@ from groundslab.fem.assembly import scatter
 from groundslab.fem.shape_functions import areas
 from groundslab.model.model import Model
 from groundslab.results.balance.beam_forces import beam_results
+from groundslab.results.balance.building_forces import base_results
 from groundslab.results.fields import ERROR
 from groundslab.results.recovery import (
     MeshedFields,
@@ -65,6 +66,7 @@ def compare(
         supports=support_results(model, coarser),
         joints=joint_results(model, coarser),
         beams=beam_results(model, coarser),
+        bases=base_results(model, coarser),
         constants=ground_constants(coarser),
         energy_error=sqrt(squared / total) if total > 0 else 0.0,
         reduction=reduction,

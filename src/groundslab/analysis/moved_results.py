@@ -14,10 +14,10 @@ from groundslab.geometry.plan import Place
 from groundslab.model.combinations import as_solved
 from groundslab.model.model import Model
 from groundslab.results.mesh_results import GroundResult, PlateResult
-from groundslab.results.record import BeamResult, JointResult, SupportResult
+from groundslab.results.record import BaseResult, BeamResult, JointResult, SupportResult
 from groundslab.results.results import CombinationResult, Comparison, Increment, Results
 
-WithNodes = TypeVar("WithNodes", PlateResult, GroundResult, SupportResult, JointResult, BeamResult)
+WithNodes = TypeVar("WithNodes", PlateResult, GroundResult, SupportResult, JointResult, BeamResult, BaseResult)
 State = TypeVar("State", CombinationResult, Comparison, Increment)
 
 
@@ -58,6 +58,7 @@ def _move_combination(results: CombinationResult, models: tuple[Model, Model], b
         supports=_move_each(results.supports, by),
         joints=_move_each(results.joints, by),
         beams=_move_each(results.beams, by),
+        bases=_move_each(results.bases, by),
         increments=tuple(_move_state(each, by) for each in results.increments),
         comparison=comparison and _move_comparison(comparison, by),
     )
@@ -70,6 +71,7 @@ def _move_comparison(other: Comparison, by: Place) -> Comparison:
         supports=_move_each(other.supports, by),
         joints=_move_each(other.joints, by),
         beams=_move_each(other.beams, by),
+        bases=_move_each(other.bases, by),
     )
 
 
@@ -83,12 +85,12 @@ _NODES: Memo[Array] = Memo()
 
 
 def _move_nodes(part: WithNodes, by: Place) -> WithNodes:
-    """Return the plate, the ground, a support, a joint or a beam, moved."""
+    """Return the plate, the ground, a support, a joint, a beam or a base, moved."""
     return replace(part, nodes=_NODES.get(part.nodes, by, lambda: part.nodes + by))
 
 
 def _move_each(parts: tuple[WithNodes, ...], by: Place) -> tuple[WithNodes, ...]:
-    """Return supports, joints or beams, moved."""
+    """Return supports, joints, beams or bases, moved."""
     return tuple(_move_nodes(part, by) for part in parts)
 
 

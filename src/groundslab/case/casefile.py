@@ -9,6 +9,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from groundslab.case.building_file import with_matrix
 from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
 from groundslab.schema.base import Section
@@ -46,7 +47,7 @@ def load(path: str | Path) -> Model:
     >>> groundslab.load(folder / "case.toml").plate.thickness
     0.3
     """
-    return loads(read(path), str(path))
+    return from_table(with_matrix(tables(read(path), str(path)), Path(path).parent))
 
 
 def read(path: str | Path) -> str:

@@ -83,7 +83,7 @@ def check_case(options: argparse.Namespace) -> int:
 
 
 def _structure_and_supports(model: Model) -> list[str]:
-    """Return the columns, walls, beams and supports of a model in words, a line each."""
+    """Return the columns, walls, beams, building and supports of a model in words, a line each."""
     from groundslab.geometry.plan import format_place
 
     lines = []
@@ -107,6 +107,9 @@ def _structure_and_supports(model: Model) -> list[str]:
             what = f"{section.kind} of {section.width:g} m x {section.height:g} m"
         what += f", {beam.length:.6g} m long{_share(beam.stiffness)}"
         lines.append(f"  beam {beam.name}: {what}")
+    if (above := model.building) is not None:
+        storeys = f"{len(above.storeys)} storeys, {sum(above.storeys):g} m high" if above.storeys else "a matrix"
+        lines.append(f"  building: {storeys}, on {len(above.names)} columns and walls{_share(above.stiffness)}")
     for number, support in enumerate(model.supports, 1):
         where = " to ".join(map(format_place, support.points))
         firm = "elastic" if support.elastic else "rigid"

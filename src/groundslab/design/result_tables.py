@@ -12,6 +12,7 @@ from groundslab.design.checks_table import checks_table
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.tables import errors
 from groundslab.design.tables.beams import beam_reinforcement, beam_table
+from groundslab.design.tables.building import building_table, storey_table
 from groundslab.design.tables.columns import column_envelope, column_table
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
 from groundslab.design.tables.locations import lines, points, soil, strips
@@ -32,9 +33,9 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
     """Return the tables of results: combinations, extremes, envelopes and tilt, and those that the model asks for.
 
     Load cases have a table of what acts where. Points, section lines, design strips, supports, joints, walls, beams,
-    columns, piles and ends of walls that punch the plate, reinforcement and laid bars have a table each if the model
-    names any, and so have checks; on a continuum, the soil below the points too. Discretization errors stand in columns
-    at the right. docs/results.md explains every column.
+    the building above with its storeys, columns, piles and ends of walls that punch the plate, reinforcement and laid
+    bars have a table each if the model names any, and so have checks; on a continuum, the soil below the points too.
+    Discretization errors stand in columns at the right. docs/results.md explains every column.
 
     Parameters
     ----------
@@ -67,6 +68,11 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
     return tuple(make() for make in table_makers(combined).values())
 
 
+def _knows_storeys(combined: Results) -> bool:
+    """Return whether results say what fewer storeys of a building would do."""
+    return any(base.by_storeys.size for results in combined.values() for base in results.bases)
+
+
 def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
     """Return the function for each table of `tables_of` by the table's name; tables that others use are made once."""
     model = combined.model
@@ -95,8 +101,11 @@ def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
         "joints": (model.joints, joint_table),
         "walls": (model.walls, wall_table),
         "beams": (model.members, beam_table),
+        "building": (model.building, building_table),
     }
     makers |= {name: partial(errors.with_errors, make, combined) for name, (asked, make) in wanted.items() if asked}
+    if _knows_storeys(combined):
+        makers["storeys"] = lambda: storey_table(combined)
     if model.columns:
         makers |= {"columns": columns, "column_envelope": lambda: column_envelope(combined, columns())}
     if model.reinforcement is not None and punching_piles(model):

@@ -6,6 +6,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.discretize.beams import beams_on
+from groundslab.discretize.building import building_on, with_building
 from groundslab.discretize.constraints import (
     JointLine,
     concatenate,
@@ -59,6 +60,8 @@ def discretize(
     surfaces = surfaces_of(ground)
     lines = joint_lines(model, plan, surfaces)
     present = _with_slips(_present(model, plan, element, surfaces), lines)
+    building = building_on(model, plan, element, present)
+    present = with_building(present, building)
     cases = _cases(model, plan, element, fields := present.shape[1], like, loaded)
     unknown = _numbered(model, plan, lines, present)
     below, gap = find_depths(model, plan, ground, coarsening == 0), initial_gap(model, plan)
@@ -79,6 +82,7 @@ def discretize(
         shear_at_edges=carries_shear(ground),
         links=make_links(model, plan, lines, surfaces, fields, carries_shear(ground)),
         beams=beams_on(model, plan, materials(model)),
+        building=building,
         edges=edges,
         corners=corners,
         mesh_plan=plan.mesh_plan,

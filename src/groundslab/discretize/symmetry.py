@@ -19,6 +19,8 @@ def symmetries(model: Model) -> tuple[bool, bool]:
     varying = varying or (model.cracking is not None and bool(model.reinforcement and model.reinforcement.zones))
     # Fourier transforms take the cells of the whole plate
     varying = varying or isinstance(model.ground, ContinuousGround)
+    # a building joins the whole plate
+    varying = varying or model.building is not None
     if model.mesh.symmetry == "off" or not model.plain or varying:
         return False, False
     return _symmetric(model, 0), _symmetric(model, 1)

@@ -2,7 +2,8 @@
 
 Fields of a node: W, BETA_X, BETA_Y of the plate; TOP, which is the settlement of the ground's surface, under the plate
 relative to the plate's; then the settlements of the lower surfaces. Under the plate w_0 = w + h, and the gap is h + g0.
-Where joints have play, their slip at nodes of the second plate comes last. What bears on single unknowns (the ground
+Where joints have play, their slip at nodes of the second plate comes next; unknowns of the building above, which stand
+at some nodes that mean nothing to them, come last. What bears on single unknowns (the ground
 where the plate may lift off, supports, the ends of the play) stands beside the matrix.
 """
 
@@ -20,6 +21,7 @@ from groundslab.fem.foundation import Column
 from groundslab.fem.hanging import find_hanging
 from groundslab.fem.mesh import Mesh
 from groundslab.fem.parts.beams import Beams
+from groundslab.fem.parts.building import Building
 from groundslab.fem.parts.contact import ContactConditions
 from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.fem.parts.plates import Plates
@@ -78,6 +80,7 @@ class Problem:
     corners: Integers  # (c,): nodes at which two such edges meet
     mesh_plan: MeshPlan
     origin: tuple[float, float] = (0.0, 0.0)  # [m]: where x = y = 0 lies in the plan that was given, for messages
+    building: Building | None = None  # above, which joins footprints on the plates
     elastic: ElasticGround | None = None  # bears the plate, instead of columns, whose constants are zero then
 
     @property

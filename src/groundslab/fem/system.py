@@ -17,7 +17,7 @@ from groundslab.fem.bearings import Bearings
 from groundslab.fem.element_blocks import Blocks, blocks
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column, EdgeDecay, edge_decay
 from groundslab.fem.hanging import carry, connect
-from groundslab.fem.parts import beams
+from groundslab.fem.parts import beams, building
 from groundslab.fem.problem import TOP, Problem, W
 from groundslab.fem.sparse.symmetric import Symmetric
 from groundslab.fem.vlasov import Soil
@@ -60,18 +60,20 @@ class System:
     pattern: Pattern
     blocks: Blocks
     beams: Array  # (b, 3, 3, 3, 3): stiffness of the pieces of beams, see `parts.beams`
+    building: tuple[Integers, Array] | None = None  # node pairs and blocks of the building above, see `parts.building`
 
 
 def build_system(problem: Problem, like: System | None = None) -> System:
     """Return the system of a problem; what is the same in a similar system on the same mesh is reused."""
-    mesh, unknown, linked = problem.mesh, problem.unknown, problem.links.nodes
+    mesh, unknown, linked = problem.mesh, problem.unknown, _linked(problem)
     along_beams = beams.stiffness(problem.beams, mesh.nodes)
     if like is None or like.problem.mesh is not mesh:
-        return System(problem, _pattern(problem), blocks(problem), along_beams)
+        pattern = _pattern(problem)
+        return System(problem, pattern, blocks(problem), along_beams, _of_building(problem, pattern))
     known = like.problem
     depths, known_depths = problem.contact.depths, known.contact.depths
     sheet, known_sheet = problem.plate, known.plate
-    same_unknowns = np.array_equal(known.unknown, unknown) and np.array_equal(known.links.nodes, linked)
+    same_unknowns = np.array_equal(known.unknown, unknown) and np.array_equal(_linked(known), linked)
     same_plate = known_sheet.element is sheet.element and all(
         np.array_equal(a, b)
         for a, b in (
@@ -83,13 +85,25 @@ def build_system(problem: Problem, like: System | None = None) -> System:
         )
     )
     pattern = like.pattern if same_unknowns else _pattern(problem)
-    return System(problem, pattern, like.blocks if same_plate else blocks(problem), along_beams)
+    above = _of_building(problem, pattern)
+    return System(problem, pattern, like.blocks if same_plate else blocks(problem), along_beams, above)
+
+
+def _of_building(problem: Problem, pattern: Pattern) -> tuple[Integers, Array] | None:
+    """Return the node pairs and blocks of the building above, None without one."""
+    return None if problem.building is None else building.blocks(problem.building, pattern)
 
 
 def _pattern(problem: Problem) -> Pattern:
     """Return the pattern of a problem's unknowns."""
     moving, *_ = connect(problem.mesh.elements)
-    return assembly.build_pattern(moving, problem.rank, problem.unknown, problem.links.nodes)
+    return assembly.build_pattern(moving, problem.rank, problem.unknown, _linked(problem))
+
+
+def _linked(problem: Problem) -> Integers:
+    """Return the pairs of nodes (l, 2) that links and the building join, which no element may."""
+    linked, above = problem.links.nodes, problem.building
+    return linked if above is None else np.concatenate([linked, above.pairs()])
 
 
 def surface_fields(surface: int) -> tuple[int, ...]:
@@ -225,12 +239,11 @@ def _further_blocks(s: System, column: Column) -> tuple[Integers, Array]:
         parts.append(_link_blocks(s, column))
     if len(s.beams):
         parts.append(_beam_blocks(s))
+    if s.building is not None:
+        parts.append(s.building)
     if len(parts) == 1:
         return parts[0]
-    pairs, which = np.unique(np.concatenate([own for own, _ in parts]), return_inverse=True)
-    total = np.zeros((len(pairs), *parts[0][1].shape[1:]))
-    np.add.at(total, which, np.concatenate([blocks for _, blocks in parts]))
-    return pairs, total
+    return building.sum_by_pair([own for own, _ in parts], [blocks for _, blocks in parts])
 
 
 def _link_blocks(s: System, column: Column) -> tuple[Integers, Array]:

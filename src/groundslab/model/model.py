@@ -31,6 +31,7 @@ from groundslab.model.serviceability.cracking import Cracking, check_cracking
 from groundslab.model.serviceability.long_term import LongTerm, scale_stiffnesses
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.structure.beams import Beam
+from groundslab.model.structure.building import Building, check_building
 from groundslab.model.structure.columns import Column
 from groundslab.model.structure.members import check_members, members_of
 from groundslab.model.structure.walls import Wall, place_walls
@@ -73,6 +74,7 @@ class Model(Section):
         consistency.check_supports,
         check_piles,
         check_members,
+        check_building,
         consistency.check_settlement_loads,
         varying_ground.check_soil_zone_types,
         varying_ground.check_soil_zone_extent,
@@ -110,6 +112,9 @@ class Model(Section):
         Table("walls on the plate, which loads name; shear is checked from their faces on, punching at ends", 10_000),
     ] = ()
     beams: Annotated[tuple[Beam, ...], Table("beams and ribs cast with the plate, which stiffen it", 1000)] = ()
+    building: Annotated[
+        Building | None, Table("stiffness of the building above, which joins the settlements of columns and walls")
+    ] = None
     cases: Annotated[
         tuple[LoadCase, ...], Table("load cases; without any, all loads act together, without factors")
     ] = ()

@@ -25,7 +25,7 @@ from groundslab.fem.system import (
     link_stiffness,
     surface_settlement,
 )
-from groundslab.results.balance.forces import bearing_forces, resistance, tail_forces
+from groundslab.results.balance.forces import bearing_forces, building_forces, resistance, tail_forces
 from groundslab.results.record import Certificate
 from groundslab.solvers.conditioning import plate_stiffness
 from groundslab.solvers.cracking import error_of_law
@@ -61,12 +61,13 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     if solution.pressed is None:
         contact[under] -= load[under, TOP]
     pushed, beside = contact.sum(), load[:, TOP].sum()
+    above = building_forces(problem, U)
     sizes = problem.loading.size
     # what a plate without loads of its own carries is the rounding of those of others
     nothing = NOTHING / Certificate.TOLERANCE * np.where(sizes > 0, sizes, sizes.max())
     least = np.maximum(nothing, max(rounding, ROUNDING * sizes.max()))
     balances = [
-        _balance(plate, contact, support, np.abs(c.force[held & elastic]), float(least[number]))
+        _balance(plate, contact, support, above, np.abs(c.force[held & elastic]), float(least[number]))
         for number, (plate, held) in enumerate(single_plates(problem))
     ]
     size = sum(each.size for each in balances)
@@ -153,9 +154,12 @@ class _Balance:
     size: float
 
 
-def _balance(plate: Problem, contact: Array, support: Array, springs: Array, rounding: float) -> _Balance:
-    """Return the balance of a single plate: what ground (n,) and supports (n, 3) push on it, and forces of springs."""
-    under, load = plate.plate.nodes, plate.plate_load
+def _balance(plate: Problem, contact: Array, support: Array, above: Array, springs: Array, rounding: float) -> _Balance:
+    """Return the balance of a single plate: what ground (n,) and supports (n, 3) push on it, and forces of springs.
+
+    What the building above (n, 3) takes off a plate is less of a load.
+    """
+    under, load = plate.plate.nodes, plate.plate_load - above
     nodes, load, contact, support = (each[under] for each in (plate.mesh.nodes, load, contact, support))
     # moments about the plate's middle, as far from it they would be differences of large numbers
     nodes = nodes - (nodes.min(axis=0) + nodes.max(axis=0)) / 2

@@ -1,4 +1,4 @@
-"""What an analysis records besides the fields: supports, joints, beams, constants, steps, the certificate."""
+"""What an analysis records besides the fields: supports, joints, beams, bases, constants, steps, the certificate."""
 
 from __future__ import annotations
 
@@ -155,6 +155,40 @@ class BeamResult:
         length = self.way[-1]
         away: Flags = np.minimum(self.way, length - self.way) >= min(distance, length / 4)
         return away
+
+
+@dataclass(frozen=True, slots=True)
+class BaseResult:
+    """A base of the building above: how it moves, and what that changes of its load, of k = 1 place.
+
+    Attributes
+    ----------
+    name : str
+        Name of the column or wall.
+    nodes : (k, 2) array of float
+        Coordinates of its middle [m].
+    settlement : (k,) array of float
+        Mean settlement of its footprint [m].
+    slope_x, slope_y : (k,) array of float
+        Mean slopes of its footprint along x and y [rad]; 0 where the building resists none.
+    force : (k,) array of float
+        What the building's stiffness adds to its load [N], downwards positive.
+    moment_x, moment_y : (k,) array of float
+        What it adds to its moments [N m], positive if they press the side of larger x (or y) down.
+    by_storeys : (k, s) array of float
+        What the lowest 1, 2, .. s storeys alone would add to its load [N], with the contact as it is and the ground as
+        in the first combination with that contact; none (s = 0) where that is not known.
+    """
+
+    name: str
+    nodes: Array
+    settlement: Array
+    slope_x: Array
+    slope_y: Array
+    force: Array
+    moment_x: Array
+    moment_y: Array
+    by_storeys: Array
 
 
 @dataclass(frozen=True, slots=True)

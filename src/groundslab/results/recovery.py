@@ -18,6 +18,7 @@ from groundslab.fem.vlasov import Soil
 from groundslab.model.loads.load_cases import Combination
 from groundslab.model.model import Model
 from groundslab.results.balance.beam_forces import beam_results
+from groundslab.results.balance.building_forces import base_results
 from groundslab.results.balance.forces import resistance
 from groundslab.results.contact_fields import contact_fields
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
@@ -85,6 +86,7 @@ def recover(
         supports=support_results(model, solution),
         joints=joint_results(model, solution),
         beams=beam_results(model, solution),
+        bases=base_results(model, solution, solver),
         increments=recovered.increments,
         comparison=recovered.comparison,
     )

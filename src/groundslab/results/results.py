@@ -13,6 +13,7 @@ from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
 from groundslab.results.record import (
+    BaseResult,
     BeamResult,
     Certificate,
     Constants,
@@ -96,6 +97,8 @@ class Comparison:
         What the joints carry, at nodes of the coarser mesh.
     beams : tuple of BeamResult
         The section forces of the beams, at nodes of the coarser mesh.
+    bases : tuple of BaseResult
+        What the building above does.
     moment_reduction, shear_reduction : (n,) array of float or None
         By what the parts of moments and of shear forces in that error fell in the elements that meet at each node of
         the plate.
@@ -110,6 +113,7 @@ class Comparison:
     reduction: float
     joints: tuple[JointResult, ...] = ()
     beams: tuple[BeamResult, ...] = ()
+    bases: tuple[BaseResult, ...] = ()
     moment_reduction: Array | None = None
     shear_reduction: Array | None = None
 
@@ -153,6 +157,8 @@ class CombinationResult:
         What the joints between plates carry.
     beams : tuple of BeamResult
         The section forces of the beams.
+    bases : tuple of BaseResult
+        How the bases of the building above move, and what that changes of their loads.
     increments : tuple of Increment
         The states under smaller shares of the load, if it was applied in increments.
     comparison : Comparison or None
@@ -180,6 +186,7 @@ class CombinationResult:
     supports: tuple[SupportResult, ...]
     joints: tuple[JointResult, ...] = ()
     beams: tuple[BeamResult, ...] = ()
+    bases: tuple[BaseResult, ...] = ()
     increments: tuple[Increment, ...] = ()
     comparison: Comparison | None = None
     largest: LargestValues | None = None
@@ -208,6 +215,7 @@ class CombinationResult:
             supports=other.supports,
             joints=other.joints,
             beams=other.beams,
+            bases=other.bases,
             constants=other.constants,
             increments=(),
             comparison=None,

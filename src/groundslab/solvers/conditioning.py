@@ -27,8 +27,8 @@ def stiffness_ratio(s: System, column: Column) -> float:
 
 
 def plate_stiffness(s: System) -> float:
-    """Return the largest stiffness of the plate's elements, or of beams, against settlements [N/m]."""
-    return float(max(np.abs(s.blocks.plate[:, :9, :9]).max(), _of_beams(s)))
+    """Return the largest stiffness of the plate's elements, of beams, or of the building against settlements [N/m]."""
+    return float(max(np.abs(s.blocks.plate[:, :9, :9]).max(), _of_beams(s), _of_building(s)))
 
 
 def _of_beams(s: System) -> float:
@@ -36,12 +36,20 @@ def _of_beams(s: System) -> float:
     return float(np.abs(s.beams[..., 0, 0]).max(initial=0.0))
 
 
+def _of_building(s: System) -> float:
+    """Return the largest stiffness of the building above against settlements of its bases [N/m]."""
+    above = s.problem.building
+    return 0.0 if above is None else float(np.diag(above.stiffness).max(initial=0.0))
+
+
 def require_digits(s: System, column: Column) -> None:
     """Raise IllConditioned if plate and ground differ so much in stiffness that no result can be certified."""
     ratio = stiffness_ratio(s, column)
     carried = s.problem.loading.size.any() and free_motions(s.problem).shape[1] > 0
     if ratio > TOO_RIGID and carried:
-        what, key = ("a beam", "beams.E") if _of_beams(s) * 2 > plate_stiffness(s) else ("the plate", "plate.E")
+        kinds = {"plate.E": ("the plate", 0.0), "beams.E": ("a beam", _of_beams(s)),
+                 "building.stiffness": ("the building", _of_building(s))}  # fmt: skip
+        key, (what, _) = max(kinds.items(), key=lambda kind: kind[1][1] * 2 > plate_stiffness(s))
         raise IllConditioned(
             f"{what} is {ratio:.1e} times as stiff as the ground, beyond what numbers of 16 digits can tell (about "
             f"{TOO_RIGID:.0e}); a {key} a thousand times smaller is as rigid"

@@ -127,7 +127,7 @@ def _solve_states(
     near (size,) approximates the solution: the latest factor may then serve, if it preconditions the system well.
     """
     A, f, b = problem.A, problem.f, problem.bearings
-    system, load = _constrain(problem, state)
+    system, load = constrain(problem, state)
 
     def contact(u: Array, residual: Array) -> Contact:
         return Contact(u, state, _bearing_forces(b, state, u, load - f - residual))
@@ -154,7 +154,7 @@ def _solve_states(
 def refine(problem: ContactProblem, factorization: CachedFactorization, found: Contact) -> Contact:
     """Return a solution that `solve` has just found without the rounding of the factorization."""
     A, f, b = problem.A, problem.f, problem.bearings
-    system, load = _constrain(problem, found.state)
+    system, load = constrain(problem, found.state)
     if not factorization.holds(system) and not factorization.preconditions(system):
         return found  # one of many solutions, whose states no factor belongs to
     u = found.u.copy()
@@ -240,7 +240,7 @@ class _Progress:
         return nearer
 
 
-def _constrain(problem: ContactProblem, state: Integers) -> tuple[ConstrainedSystem, Array]:
+def constrain(problem: ContactProblem, state: Integers) -> tuple[ConstrainedSystem, Array]:
     """Return the linear system for given states of the bearings, and its load (size,)."""
     A, f, b = problem.A, problem.f, problem.bearings
     rigid = (state == CLOSED) & np.isinf(b.stiffness)

@@ -53,7 +53,7 @@ def with_stiffness(s: System, B: Array) -> System:
         plate=replace(problem.plate, bending=D, shear=law.shear, rigidity=np.arange(len(elements)), stiffness=B),
         loading=replace(problem.loading, load=load, free_curvature=free),
     )
-    return System(own, s.pattern, blocks(own), s.beams)
+    return System(own, s.pattern, blocks(own), s.beams, s.building)
 
 
 def mean_moments(problem: Problem, U: Array) -> Array:

@@ -170,7 +170,7 @@ def move(p: PlateOnContinuum, f: Array, found: BoundedSolution) -> Array:
 def _rigid_motions(problem: Problem, size: int) -> Array:
     """Return the rigid motions (size, r) of plates without their supports and the play of joints, which are forces.
 
-    What a joint with play slips is an unknown without stiffness, and follows the plates.
+    What a joint with play slips is an unknown without stiffness, and follows the plates, as a building does.
     """
     links, none = problem.links, np.zeros(len(problem.contact.bearing.law), dtype=bool)
     slips = np.asarray(links.fields[:, TOP + 1 :].any(axis=1))
@@ -182,6 +182,9 @@ def _rigid_motions(problem: Problem, size: int) -> Array:
     for (first, second), own in zip(links.nodes[slips], links.fields[slips], strict=True):
         field = TOP + 1 + int(np.flatnonzero(own[TOP + 1 :])[0])
         R[problem.unknown[second, field]] = moved[first, W] - moved[second, W]
+    if (above := problem.building) is not None:
+        own = problem.unknown[above.host, above.field]
+        R[own] = above.spread.T @ moved[:, :TOP].reshape(-1, moved.shape[2])
     return R
 
 

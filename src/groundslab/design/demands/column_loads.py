@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, assert_never
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
+from groundslab.design.demands.building_loads import building_factors, unit_loads
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
 from groundslab.geometry.plan import FLAT
@@ -38,16 +39,21 @@ Shapes = Sequence[tuple[str, Acting]]
 
 
 def sum_of_column(model: Model, name: str) -> dict[str, float]:
-    """Return the sum of the point loads that name a column [N], by load case."""
+    """Return the sum of the point loads that name a column [N], and of what the building adds, by load case."""
     return {case: float(sums[0]) for case, sums in by_column(model, name).items()}
 
 
 def by_column(model: Model, name: str) -> dict[str, Array]:
-    """Return the sums of P [N], M_x and M_y [N m] (3,) of the point loads that name a column, by load case."""
+    """Return the sums of P [N], M_x and M_y [N m] (3,) of the point loads that name a column, by load case.
+
+    The building above has cases of its own, see `building_loads`.
+    """
     sums: dict[str, Array] = defaultdict(lambda: np.zeros(3))
     for load in model.loads:
         if isinstance(load, PointLoad) and load.column == name:
             sums[load.case] += (load.P, load.M_x, load.M_y)
+    for case, unit in unit_loads(model).get(name, ()):
+        sums[case] += (unit.P, *unit.M)
     return dict(sums)
 
 
@@ -67,6 +73,9 @@ def shapes_around(model: Model, part: Polygon, column: str | None) -> Shapes:
         if on_column and (on_column == column or not _stands_near(on_column, model, part)):
             continue
         shapes += [(load.case, shape) for shape in model.shapes(load)]
+    for name, units in unit_loads(model).items():
+        if name != column and units[0][1].to_shapely(FLAT * max(model.sides)).intersects(part):
+            shapes += units
     return [(case, shape) for case, shape in shapes if getattr(shape, "on", "plate") == "plate"]
 
 
@@ -181,8 +190,9 @@ def factored_sums(results: CombinationResult, sums: Mapping[str, Array]) -> Arra
 
 
 def factors_of(results: CombinationResult) -> dict[str, float]:
-    """Return the factors of the load cases in a combination."""
-    return dict(results.factors) if results.solved_model.cases else {"": 1.0}
+    """Return the factors of the load cases in a combination, those of the building above among them."""
+    given = dict(results.factors) if results.solved_model.cases else {"": 1.0}
+    return given | building_factors(results)
 
 
 def _pieces(part: Polygon, area: BaseGeometry) -> list[Polygon]:

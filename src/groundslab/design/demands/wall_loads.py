@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.design.demands.building_loads import unit_loads
 from groundslab.design.demands.column_loads import factors_of
 from groundslab.model.model import Model
 from groundslab.model.structure.walls import Wall
@@ -21,7 +22,7 @@ PLACES = 101
 
 @dataclass(frozen=True, slots=True)
 class WallLoads:
-    """The loads that name a wall, by load case: at its start and at its end, linear between."""
+    """The loads that name a wall, and what the building above adds, by load case: at both ends, linear between."""
 
     force: dict[str, Array]  # (2,) [N/m], downwards positive
     couple: dict[str, Array]  # (2,) [N m/m], positive if it presses what lies to the left down
@@ -37,7 +38,7 @@ class WallLoads:
 
 
 def loads_on_wall(model: Model, wall: Wall) -> WallLoads:
-    """Return the loads that name a wall."""
+    """Return the loads that name a wall, and those of the building above."""
     force: dict[str, Array] = defaultdict(lambda: np.zeros(2))
     couple: dict[str, Array] = defaultdict(lambda: np.zeros(2))
     for load in model.loads:
@@ -45,6 +46,13 @@ def loads_on_wall(model: Model, wall: Wall) -> WallLoads:
             for line in model.shapes(load):
                 force[load.case] += getattr(line, "q", (0.0, 0.0))
                 couple[load.case] += getattr(line, "m", (0.0, 0.0))
+    for case, unit in unit_loads(model).get(wall.name, ()):
+        force[case] += unit.P / wall.length
+        if len(wall.edges) == 1:
+            t = np.subtract(wall.edges[0].end, wall.edges[0].start) / wall.length
+            # along the wall a couple is a force per length that grows from end to end, across it a couple per length
+            force[case] += 6 * (t @ unit.M) / wall.length**2 * np.array([-1.0, 1.0])
+            couple[case] += np.array([-t[1], t[0]]) @ unit.M / wall.length
     return WallLoads(dict(force), dict(couple))
 
 

@@ -22,7 +22,8 @@ _NEIGHBOURS = (
     ("angular distortion without tilt", "mm/m"),
 )  # fmt: skip
 _NOTES = (
-    "The load is the sum of the point loads that name the column, with the factors of their cases.",
+    "The load is the sum of the point loads that name the column, with the factors of their cases, and what a building "
+    "above adds.",
     "The worst neighbour is the column with the largest angular distortion against this one: difference of "
     "settlement (the neighbour's less this one's) over distance; without tilt, the plane of the table tilt is "
     "taken off first.",

@@ -44,6 +44,9 @@ VALUES: dict[str, tuple[str, ...]] = {
         "greatest moment", "least moment", "largest shear force", "largest torsional moment", "least settlement",
         "greatest settlement",
     ),
+    "building": (
+        "load", "change of load", "change of M_x", "change of M_y", "settlement", "slope along x", "slope along y",
+    ),
     "joints": ("force", "greatest force per length", "greatest step"),
     "columns": (
         "settlement", "settlement difference", "angular distortion", "angular distortion without tilt", *_PUNCHING,

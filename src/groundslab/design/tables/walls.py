@@ -15,7 +15,8 @@ _HEADS = (
     ("deflection", "mm"), ("deflection over length", "mm/m"),
 )  # fmt: skip
 _NOTES = (
-    "The load is the sum of the line loads that name the wall, with the factors of their cases. The moment per length "
+    "The load is the sum of the line loads that name the wall, with the factors of their cases, and what a building "
+    "above adds. The moment per length "
     "is that of the line moments that name it, at the end where it is largest.",
     "The deflection is the largest distance of the settlement along the wall from the straight line between the "
     "settlements of its ends, positive where the wall sags; a closed wall has none.",

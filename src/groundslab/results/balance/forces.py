@@ -1,4 +1,4 @@
-"""Forces on nodes by what plate, beams, ground and joints do, from the solution and element matrices alone."""
+"""Forces on nodes by plate, beams, building, ground and joints, from the solution and element matrices alone."""
 
 from __future__ import annotations
 
@@ -95,6 +95,11 @@ def beam_forces(s: System, U: Array) -> Array:
     return forces
 
 
+def building_forces(problem: Problem, U: Array) -> Array:
+    """Return the forces (n, 3) with which the building above resists on w, beta_x, beta_y of each node."""
+    return np.zeros((len(U), TOP)) if problem.building is None else problem.building.on_nodes(U)
+
+
 def ground_forces(s: System, U: Array, column: Column) -> Array:
     """Return the forces (n, 1 + S) that the ground's deformation puts on the plate's w and on each surface.
 
@@ -129,7 +134,8 @@ def ground_forces(s: System, U: Array, column: Column) -> Array:
 def exact_rigid_products(s: System, column: Column) -> tuple[Array, Array]:
     """Return orthonormal rigid motions of the plate with the ground under it (size, 3), and their forces (size, 3).
 
-    The forces are the ground's alone, which the matrix knows with the rounding of a plate that may be much stiffer.
+    The forces are those of ground, joints and the building above alone, which the matrix knows with the rounding of a
+    plate that may be much stiffer.
     Of a plate that supports hold, or of which a part is meshed, the motions that are left, (size, m).
     """
     problem, size = s.problem, s.pattern.size
@@ -141,6 +147,7 @@ def exact_rigid_products(s: System, column: Column) -> tuple[Array, Array]:
         U[nodes, :TOP] = motion[nodes]
         ground = ground_forces(s, U, column)
         resisting = link_forces(s, U, column, joints=True)
+        resisting[:, :TOP] += building_forces(problem, U)
         for surface in range(column.surfaces):
             for field in surface_fields(surface):
                 resisting[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]
@@ -184,16 +191,16 @@ _RESISTANCE: Memo[Resistance] = Memo()
 
 
 def resistance(solution: Solution) -> Resistance:
-    """Return the forces with which plate, beams, ground and joints resist."""
+    """Return the forces with which plate, beams, building, ground and joints resist."""
     return _RESISTANCE.get(solution.U, solution.system, lambda: _resist(solution))
 
 
 def _resist(solution: Solution) -> Resistance:
-    """Return the forces with which plate, beams, ground and joints resist."""
+    """Return the forces with which plate, beams, building, ground and joints resist."""
     s, U, column = solution.system, solution.U, solution.column
     ground = ground_forces(s, U, column) if solution.pressed is None else pressing_forces(solution)
     inner = np.zeros_like(U)
-    inner[:, :TOP] += plate_forces(s, U) + beam_forces(s, U)
+    inner[:, :TOP] += plate_forces(s, U) + beam_forces(s, U) + building_forces(s.problem, U)
     for surface in range(column.surfaces):
         for field in surface_fields(surface):
             inner[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]

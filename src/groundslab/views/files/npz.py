@@ -18,6 +18,7 @@ from groundslab.fem.continuum.pressed_cells import PressedCells
 from groundslab.fem.parts.mesh_plan import MeshPlan
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
 from groundslab.results.record import (
+    BaseResult,
     BeamResult,
     Certificate,
     Constants,
@@ -39,7 +40,7 @@ if TYPE_CHECKING:
     from groundslab.model.model import Model
 
 #: The version of the archive's layout; it grows when an array changes its name, unit or meaning.
-FORMAT = 9
+FORMAT = 10
 
 
 #: Longest text of a library's reason.
@@ -77,6 +78,7 @@ class _About:
     supports: tuple[str, ...]
     joints: tuple[str, ...]
     beams: tuple[str, ...]
+    bases: tuple[str, ...]
     increments: tuple[float, ...]
     comparison: tuple[float, float, Constants] | None  # error in energy, its reduction, the coarser mesh's constants
     largest: LargestValues | None
@@ -84,12 +86,14 @@ class _About:
 
 
 #: What has a name each, by the part of the results.
-NAMED: dict[str, type[Any]] = {"supports": SupportResult, "joints": JointResult, "beams": BeamResult}
+NAMED: dict[str, type[Any]] = {
+    "supports": SupportResult, "joints": JointResult, "beams": BeamResult, "bases": BaseResult,
+}  # fmt: skip
 #: What an archive says of results as they have it themselves.
 PLAIN = [
     item.name
     for item in fields(_About)
-    if item.name not in ("format", "version", "supports", "joints", "beams", "increments", "comparison")
+    if item.name not in ("format", "version", "supports", "joints", "beams", "bases", "increments", "comparison")
 ]
 
 
@@ -118,6 +122,7 @@ def write(results: CombinationResult, path: Path) -> None:
         supports=tuple(support.name for support in results.supports),
         joints=tuple(joint.name for joint in results.joints),
         beams=tuple(beam.name for beam in results.beams),
+        bases=tuple(base.name for base in results.bases),
         increments=tuple(increment.share for increment in results.increments),
         comparison=None if other is None else (other.energy_error, other.reduction, other.constants),
     )
@@ -292,7 +297,7 @@ def _parts(below: str, arrays: dict[str, Any]) -> dict[str, Any]:
 
 
 def _named_arrays(below: str, named: Sequence[Any]) -> dict[str, Any]:
-    """Return the arrays of supports, joints or beams by their names, which begin with `below`."""
+    """Return the arrays of supports, joints, beams or bases by their names, which begin with `below`."""
     return {
         f"{below}.{number}.{item.name}": getattr(part, item.name)
         for number, part in enumerate(named)
@@ -302,7 +307,7 @@ def _named_arrays(below: str, named: Sequence[Any]) -> dict[str, Any]:
 
 
 def _all_named(below: str, about: _About, arrays: dict[str, Any]) -> dict[str, Any]:
-    """Return supports, joints and beams from the arrays whose names begin with `below`."""
+    """Return supports, joints, beams and bases from the arrays whose names begin with `below`."""
     found: dict[str, Any] = {}
     for part, kind in NAMED.items():
         keys = [item.name for item in fields(kind) if item.name != "name"]

@@ -11,10 +11,10 @@ import numpy as np
 if TYPE_CHECKING:
     from groundslab.fem.continuum.pressed_cells import PressedCells
     from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
-    from groundslab.results.record import BeamResult, JointResult, SupportResult
+    from groundslab.results.record import BaseResult, BeamResult, JointResult, SupportResult
     from groundslab.results.results import CombinationResult, Comparison, Increment
 
-    Named: TypeAlias = SupportResult | JointResult | BeamResult
+    Named: TypeAlias = SupportResult | JointResult | BeamResult | BaseResult
     State: TypeAlias = CombinationResult | Comparison | Increment
 
 #: NumPy's type by the annotation of a field.
@@ -199,9 +199,12 @@ def _of_constants(results: CombinationResult) -> Iterator[str]:
 
 
 def _of_named(name: str, state: CombinationResult | Comparison) -> Iterator[str]:
-    """Yield what is wrong with supports, joints and beams."""
-    for what in ("support", "joint", "beam"):
+    """Yield what is wrong with supports, joints, beams and bases."""
+    for what in ("support", "joint", "beam", "base"):
         for number, part in enumerate(getattr(state, f"{what}s"), 1):
             # none where another support has them all
             k = len(part.nodes) if np.ndim(part.nodes) else 0
-            yield from _of_arrays(f"{name}{what} {number}", part, (k,), {"nodes": (k, 2)})
+            shapes = {"nodes": (k, 2)} | (
+                {"by_storeys": (k, *np.shape(part.by_storeys)[1:2])} if what == "base" else {}
+            )
+            yield from _of_arrays(f"{name}{what} {number}", part, (k,), shapes)

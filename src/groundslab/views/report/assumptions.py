@@ -39,6 +39,10 @@ _BEAMS = (
     "Beams and ribs bend, shear and twist with the plate, linearly elastic and uncracked, their axes in its middle "
     "plane; a rib has a flange of its effective width. They add stiffness, but no weight."
 )
+_BUILDING = (
+    "Loads on columns and walls are those of the building on a base that does not move. Its stiffness, which is linear "
+    "and there from the first load on, changes them as the slab settles; it moves with the means of its footprints."
+)
 _SMOOTHED = (
     "Moments and shear forces at nodes are smoothed over the elements that meet there, never across a change of "
     "thickness or material. Under a point load or a rigid point support they grow without limit as the mesh is refined."
@@ -112,7 +116,7 @@ def _of_ground(model: Model) -> str:
 
 
 def _of_supports(model: Model) -> Iterator[str]:
-    """Yield what supports, piles, beams and joints do beside being elastic."""
+    """Yield what supports, piles, beams, the building above and joints do beside being elastic."""
     limited = [support.name or f"support {number}" for number, support in enumerate(model.supports, 1)
                if support.limit is not None or getattr(support, "limit_tension", None)]  # fmt: skip
     if limited:
@@ -120,6 +124,8 @@ def _of_supports(model: Model) -> Iterator[str]:
         yield f"Supports and piles with a limit yield there and keep that force: {names}."
     if model.members:
         yield _BEAMS
+    if model.building is not None:
+        yield _BUILDING
     if model.joints:
         yield "Joints transfer shear by the difference in settlement across them, and no moments."
 

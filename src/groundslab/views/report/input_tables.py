@@ -45,6 +45,7 @@ SECTIONS = {
     "columns": "Columns",
     "walls": "Walls",
     "beams": "Beams",
+    "building": "Building above",
     "supports": "Supports",
     "cases": "Load cases",
     "loads": "Loads",

@@ -1,0 +1,47 @@
+"""What the building above adds to loads, as load cases of its own: unit forces and couples on its bases."""
+
+from __future__ import annotations
+
+from groundslab.geometry.plan import Ring
+from groundslab.model.loads.acting import PointForce
+from groundslab.model.model import Model
+from groundslab.model.structure.building import Base, bases
+from groundslab.results.results import CombinationResult
+
+#: Components of what acts on a base, and the part of its results that says how much of each.
+COMPONENTS = ("force", "moment_x", "moment_y")
+#: Chords of arcs of footprints are at most this share of the plate off.
+CHORD = 1e-4
+
+
+def case_of(name: str, component: str) -> str:
+    """Return the case of a unit force or couple on a base, which no case of a file can be called."""
+    return f"\0{component} of {name}"
+
+
+def unit_loads(model: Model) -> dict[str, tuple[tuple[str, PointForce], ...]]:
+    """Return the unit force and couples on each base by its name, each with its case."""
+    if model.building is None:
+        return {}
+    every = bases(model.building, model.columns, model.walls, model.every_plate, CHORD * max(model.sides))
+    return {base.name: _on(base) for base in every}
+
+
+def _on(base: Base) -> tuple[tuple[str, PointForce], ...]:
+    """Return the unit force and couples on a base."""
+    places = tuple((x, y) for x, y in base.footprint.exterior.coords[:-1])
+    ring = base.column.ring() if base.column is not None else Ring(places, (0.0,) * len(places))
+    units = (1.0, (0.0, 0.0)), (0.0, (1.0, 0.0)), (0.0, (0.0, 1.0))
+    return tuple(
+        (case_of(base.name, component), PointForce(base.place, P, M, ring))
+        for component, (P, M) in zip(COMPONENTS, units, strict=True)
+    )
+
+
+def building_factors(results: CombinationResult) -> dict[str, float]:
+    """Return the factors of these cases in a combination: what its bases take."""
+    return {
+        case_of(base.name, component): float(getattr(base, component).sum())
+        for base in results.bases
+        for component in COMPONENTS
+    }

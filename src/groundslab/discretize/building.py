@@ -1,0 +1,124 @@
+"""The building of a model on a mesh: the frame condensed to its bases, and the nodes over which these stand."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from groundslab.arrays import Array, Flags, Integers
+from groundslab.discretize.frame import condensed
+from groundslab.discretize.plan_layout import Layout
+from groundslab.fem import load_vectors, plate
+from groundslab.fem.assembly import scatter
+from groundslab.fem.hanging import collect, find_hanging
+from groundslab.fem.parts.building import FIELDS, Building
+from groundslab.geometry.plan import FLAT
+from groundslab.model.loads.acting import PointForce
+from groundslab.model.model import Model
+from groundslab.model.structure import building as described
+from groundslab.model.structure.building import Base, motions_of
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
+
+
+def building_on(model: Model, plan: Layout, element: plate.PlateElement, present: Flags) -> Building | None:
+    """Return the building of a model on its mesh; its unknowns are fields beyond those that are present (n, F)."""
+    if model.building is None:
+        return None
+    every = bases_of(model)
+    K, each = stiffness_of(model), _motions_of_each(model)
+    length = max(model.sides)
+    acts = np.flatnonzero(np.abs(K).sum(axis=1) > 0)
+    base, way = np.divmod(acts, each)
+    spread = _spread(every, plan, element, base, way, length)
+    host, field = _hosts(plan, len(base), present.shape[1])
+    K = _of_motions(K, acts, np.where(way == 0, 1.0, length))
+    return Building(tuple(base.name for base in every), base, way, spread, K, host, field, length)
+
+
+def motion_stiffness(model: Model, building: Building, storeys: int) -> Array:
+    """Return the stiffness (k, k) [N/m] of the lowest storeys alone between the motions of a building."""
+    acts = _motions_of_each(model) * building.base + building.way
+    return _of_motions(stiffness_of(model, storeys), acts, np.where(building.way == 0, 1.0, building.length))
+
+
+def _of_motions(K: Array, acts: Integers, lever: Array) -> Array:
+    """Return the stiffness between some motions, slopes by what they settle at a lever [m]."""
+    found: Array = K[np.ix_(acts, acts)] / np.outer(lever, lever)
+    return found
+
+
+def with_building(present: Flags, building: Building | None) -> Flags:
+    """Return which unknowns exist (n, F), with those of a building."""
+    if building is None:
+        return present
+    found = np.pad(present, ((0, 0), (0, int(building.field.max()) + 1 - present.shape[1])))
+    found[building.host, building.field] = True
+    return found
+
+
+def bases_of(model: Model) -> tuple[Base, ...]:
+    """Return where the building of a model stands."""
+    assert model.building is not None
+    chord = FLAT * max(model.sides)
+    return described.bases(model.building, model.columns, model.walls, model.every_plate, chord)
+
+
+def _hosts(plan: Layout, count: int, fields: int) -> tuple[Integers, Integers]:
+    """Return nodes, and fields beyond so many, for a building's unknowns: the nodes that are eliminated last."""
+    free = np.ones(len(plan.mesh.nodes), dtype=bool)
+    free[find_hanging(plan.mesh.elements)[:, 0]] = False
+    last = np.flatnonzero(free)
+    last = last[np.argsort(-plan.rank[last])]
+    number = np.arange(count)
+    return last[number % len(last)], fields + number // len(last)
+
+
+def _spread(
+    every: Sequence[Base], plan: Layout, element: plate.PlateElement, base: Integers, way: Integers, length: float
+) -> csr_array:
+    """Return the nodal forces (3 n, k) of a unit force, or of a couple of the unit force times a length, on each base.
+
+    The same pressures on footprints as those of loads on columns.
+    """
+    from scipy.sparse import csr_array, hstack
+
+    mesh, elements = plan.mesh, plan.plate_elements
+    columns = []
+    for number, direction in zip(base.tolist(), way.tolist(), strict=True):
+        part = every[number].footprint
+        unit = PointForce(
+            every[number].place, float(direction == 0), (length * (direction == 1), length * (direction == 2))
+        )
+        forces = load_vectors.integrate_over_polygon(mesh, elements, part, unit.pressure(part))
+        if not element.center_w:
+            forces = np.einsum("ea,eab->eb", forces, element.w_functions(mesh.xy[elements]))
+        table = np.zeros((len(mesh.nodes), FIELDS))
+        table[:, 0] = scatter(mesh.elements[elements], forces, len(mesh.nodes))
+        columns.append(csr_array(collect(mesh.elements, table).reshape(-1, 1)))
+    return csr_array(hstack(columns))
+
+
+def _motions_of_each(model: Model) -> int:
+    """Return how many motions each base has: settlement alone, or slopes, too."""
+    assert model.building is not None
+    given = model.building
+    return len(given.matrix) // len(given.nodes) if given.matrix else FIELDS
+
+
+def stiffness_of(model: Model, storeys: int | None = None) -> Array:
+    """Return the stiffness between bases, in N and m, of a frame that of its lowest storeys alone if these are named.
+
+    What resists motions of everything together is rounding, or digits of a printed matrix, and is left out.
+    """
+    given = model.building
+    assert given is not None
+    every = bases_of(model)
+    K = given.K if given.matrix else given.stiffness * condensed(given, every, storeys or len(given.storeys))
+    Q, _ = np.linalg.qr(motions_of(every, _motions_of_each(model)))
+    rest = np.eye(len(K)) - Q @ Q.T
+    found: Array = rest @ K @ rest
+    return (found + found.T) / 2

@@ -1,0 +1,374 @@
+"""The building above: a frame on columns and walls, or its stiffness between them as another program condensed it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+
+import numpy as np
+
+from groundslab.geometry.plan import Place
+from groundslab.model.ground import POISSON, POSITIVE
+from groundslab.model.plate import Plate
+from groundslab.model.plates.further import AnyPlate, FurtherPlate, list_plates
+from groundslab.model.structure.beams import STIFFNESS
+from groundslab.model.structure.columns import Column
+from groundslab.model.structure.frame_members import MemberSection
+from groundslab.model.structure.walls import Wall, place_walls
+from groundslab.schema.base import Check, Section
+from groundslab.schema.fields import Boolean, Choice, Integer, ListOf, Number, Quantity, Text
+from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.repairs import remove, use_nearest
+from groundslab.schema.section_fields import ByKind, Table
+from groundslab.schema.wording import describe, one_of, quote, suggestion
+
+if TYPE_CHECKING:
+    from shapely import Polygon
+
+    from groundslab.arrays import Array
+
+#: A matrix is symmetric, and takes no forces when all that it stands on moves as a whole, but for this share of it:
+#: the digits of a printed one.
+DIGITS = 1e-3
+#: Arcs of footprints as chords so far off [m] do where only their middles count.
+ROUGH = 1e-3
+#: A beam starts at a wall's end if it runs along the wall but for an angle of this cosine.
+ALONG = math.cos(math.radians(45.0))
+#: More storeys and members than these are a slip of the pen.
+MOST_STOREYS, MOST_BASES = 200, 300
+
+ForceUnit = Literal["N", "kN", "MN"]
+NEWTONS: dict[ForceUnit, float] = {"N": 1.0, "kN": 1e3, "MN": 1e6}
+
+
+STOREYS = ListOf(Integer("", at_most=MOST_STOREYS), "", "storeys, counted from 1 upwards; by default all", unique=True)
+NAMES = Text("")
+
+
+class BuildingColumns(Section):
+    """Columns of the frame whose section differs from what stands on the plate."""
+
+    names: Annotated[tuple[str, ...], ListOf(NAMES, "", "columns that have it", unique=True)]
+    storeys: Annotated[tuple[int, ...] | None, STOREYS] = None
+    section: Annotated[MemberSection, ByKind(), Table("the section")]
+
+
+class BuildingBeams(Section):
+    """Beams of the frame from column to column, on top of storeys."""
+
+    through: Annotated[
+        tuple[str, ...], ListOf(NAMES, "", "columns and walls that they join, from each to the next one", least=2)
+    ]
+    storeys: Annotated[tuple[int, ...] | None, STOREYS] = None
+    section: Annotated[MemberSection, ByKind(), Table("the section")]
+
+
+def _check_file(file: str, matrix: tuple[tuple[float, ...], ...]) -> Iterator[RelativeIssue]:
+    """Find a file that was not read, as reading puts nodes and matrix in its place."""
+    if file:
+        hint = "only a case that is read from a folder can name a file there"
+        hint = "the matrix is given already" if matrix else hint
+        yield RelativeIssue(("file",), quote(file), "nodes and matrix in the case itself", hint, (remove(("file",)),))
+
+
+def _check_kind(
+    storeys: tuple[float, ...],
+    beams: tuple[BuildingBeams, ...],
+    E: float | None,
+    nodes: tuple[str, ...],
+    file: str,
+    given: set[str],
+) -> Iterator[RelativeIssue]:
+    """Find a building that is given as a frame and as a matrix, or as neither."""
+    of_frame: tuple[str, ...] = ("storeys", "E", "nu", "rigid_floors", "columns", "beams")
+    frame = [key for key in of_frame if key in given]
+    if nodes or file or "matrix" in given:
+        for key in frame:
+            found, hint = f"{key} together with a matrix", "the matrix is all of the building's stiffness"
+            yield RelativeIssue((key,), found, "a frame or a matrix", hint, (remove((key,)),))
+        return
+    if "unit" in given:
+        yield RelativeIssue(("unit",), "unit without a matrix", "nodes and their matrix")
+    words = {"storeys": "heights of the frame's storeys", "E": "Young's modulus of the frame",
+             "beams": "beams that join columns"}  # fmt: skip
+    needed: dict[str, object] = {"storeys": storeys, "E": E, "beams": beams}
+    for key, value in needed.items():
+        if not value:
+            hint = "" if frame else "or nodes, matrix and unit, as another program has condensed them"
+            yield RelativeIssue((key,), "nothing", words[key], hint)
+
+
+def _check_storeys(
+    storeys: tuple[float, ...], columns: tuple[BuildingColumns, ...], beams: tuple[BuildingBeams, ...]
+) -> Iterator[RelativeIssue]:
+    """Find storeys that are not there, and beams that start where they end."""
+    members: list[tuple[str, int, BuildingColumns | BuildingBeams]] = []
+    members += [("columns", number, each) for number, each in enumerate(columns)]
+    members += [("beams", number, each) for number, each in enumerate(beams)]
+    for key, number, member in members:
+        for position, storey in enumerate(member.storeys or ()):
+            if storey > len(storeys) > 0:
+                yield RelativeIssue((key, number, "storeys", position), f"{storey}", f"at most {len(storeys)}")
+    joined = {name for beam in beams for name in beam.through}
+    known = set[tuple[str, int]]()
+    for number, own in enumerate(columns):
+        for position, name in enumerate(own.names):
+            place = ("columns", number, "names", position)
+            both = {(name, storey) for storey in own.storeys or range(1, len(storeys) + 1)}
+            if beams and name not in joined:
+                yield RelativeIssue(place, f"{quote(name)}, which no beam joins", "a column of the frame")
+            elif both & known:
+                yield RelativeIssue(place, f"{quote(name)} with a second section", "one section in each storey")
+            known |= both
+    for number, beam in enumerate(beams):
+        for position, (one, other) in enumerate(pairwise(beam.through)):
+            if one == other:
+                place = ("beams", number, "through", position + 1)
+                yield RelativeIssue(place, f"{quote(one)} twice", "the column at the other end")
+
+
+def _check_matrix(
+    nodes: tuple[str, ...], matrix: tuple[tuple[float, ...], ...], unit: str | None
+) -> Iterator[RelativeIssue]:
+    """Find a matrix that does not fit its nodes, or is not symmetric or not positive."""
+    if not (nodes or matrix):
+        return
+    words = {"nodes": "the columns and walls that its rows belong to", "matrix": "its rows", "unit": one_of([*NEWTONS])}
+    needed: dict[str, object] = {"nodes": nodes, "matrix": matrix, "unit": unit}
+    for key, value in needed.items():
+        if not value:
+            yield RelativeIssue((key,), "nothing", words[key])
+    if not nodes or not matrix:
+        return
+    n, rows = len(nodes), len(matrix)
+    if rows not in (n, 3 * n):
+        expected = f"{n} rows for settlements alone, or {3 * n} for settlement and two slopes of each of {n} nodes"
+        yield RelativeIssue(("matrix",), f"{rows} rows", expected)
+        return
+    for number, row in enumerate(matrix):
+        if len(row) != rows:
+            yield RelativeIssue(("matrix", number), f"{len(row)} numbers", f"{rows}, as there are rows")
+            return
+    K = np.array(matrix)
+    largest = np.abs(K).max()
+    if largest == 0:
+        yield RelativeIssue(("matrix",), "zeros alone", "stiffnesses")
+        return
+    off = np.abs(K - K.T)
+    if off.max() > DIGITS * largest:
+        i, j = divmod(int(off.argmax()), rows)
+        found = f"{matrix[i][j]!r} in row {i + 1}, column {j + 1}, and {matrix[j][i]!r} in row {j + 1}, column {i + 1}"
+        yield RelativeIssue(("matrix", i, j), found, "a symmetric matrix", "what A does to B, B does to A")
+        return
+    # forces and moments alike: by what each row resists by itself
+    scale = np.sqrt(np.maximum(np.diag(K), 0.0))
+    scale[scale == 0] = 1.0
+    least = float(np.linalg.eigvalsh((K + K.T) / 2 / np.outer(scale, scale))[0])
+    if least < -DIGITS:
+        found = f"a matrix that is not positive: some motion would gain {-least:.3g} of what it should resist"
+        hint = "are forces downwards positive like settlements, and moments like slopes?"
+        yield RelativeIssue(("matrix",), found, "a matrix that resists every motion or lets it be", hint)
+
+
+class Building(Section):
+    """The stiffness of the building above, which joins the settlements of columns and walls.
+
+    Loads are the forces of the building on a base that does not move. What the slab's settlements change of them
+    follows from the stiffness.
+    """
+
+    checks: ClassVar[tuple[Check, ...]] = (_check_file, _check_kind, _check_storeys, _check_matrix)
+
+    storeys: Annotated[
+        tuple[float, ...],
+        ListOf(Quantity("length", "h", "", POSITIVE), "h", "heights of the storeys, from the lowest one upwards",
+               most=MOST_STOREYS),
+    ] = ()  # fmt: skip
+    E: Annotated[float | None, Quantity("pressure", "E", "Young's modulus of the frame", POSITIVE)] = None
+    nu: Annotated[float, Number("nu", "Poisson's ratio of the frame", POISSON)] = 0.2
+    stiffness: Annotated[float, STIFFNESS] = 1.0
+    rigid_floors: Annotated[
+        bool, Boolean("whether floors hold their columns and walls together, as plates that are rigid in their planes")
+    ] = True
+    columns: Annotated[
+        tuple[BuildingColumns, ...],
+        Table("columns whose section in the frame is another than their footprint on the plate"),
+    ] = ()
+    beams: Annotated[tuple[BuildingBeams, ...], Table("beams of the frame")] = ()
+    nodes: Annotated[
+        tuple[str, ...],
+        ListOf(NAMES, "", "columns and walls between which a matrix is given", most=MOST_BASES, unique=True, least=0),
+    ] = ()
+    matrix: Annotated[
+        tuple[tuple[float, ...], ...],
+        ListOf(
+            ListOf(Number("", ""), "", "", most=3 * MOST_BASES),
+            "K",
+            "stiffness between them: rows of settlements alone, or of settlement, slope along x and slope along y of "
+            "each node in turn",
+            most=3 * MOST_BASES,
+            least=0,
+        ),
+    ] = ()
+    file: Annotated[
+        str,
+        Text("CSV file beside the case that nodes and matrix are read from: names in its first line, then the rows"),
+    ] = ""
+    unit: Annotated[ForceUnit | None, Choice(ForceUnit, "unit of forces in the matrix, with lengths in m", "")] = None
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Return the columns and walls that it joins, in their order."""
+        return self.nodes or tuple(dict.fromkeys(name for beam in self.beams for name in beam.through))
+
+    @property
+    def K(self) -> Array:
+        """Return the given matrix times its share of stiffness, in N and m, exactly symmetric."""
+        assert self.unit is not None
+        K = self.stiffness * NEWTONS[self.unit] * np.array(self.matrix)
+        mean: Array = (K + K.T) / 2
+        return mean
+
+
+@dataclass(frozen=True, slots=True)
+class Base:
+    """Where a building stands on the plate: the middle of a column or a wall, and what lies under it."""
+
+    name: str
+    place: Place
+    footprint: Polygon
+    column: Column | None = None
+    wall: Wall | None = None
+
+    def arm(self, way: Array) -> Array:
+        """Return the way (2,) from the middle to where a beam that goes in a direction (2,) starts: a wall's end."""
+        if self.wall is None:
+            return np.zeros(2)
+        edge = self.wall.edges[0]
+        half = np.subtract(edge.end, edge.start) / 2
+        along = float(half @ way) / float(np.linalg.norm(half) * np.linalg.norm(way))
+        found: Array = np.sign(along) * half if abs(along) > ALONG else np.zeros(2)
+        return found
+
+
+def bases(
+    building: Building, columns: Sequence[Column], walls: Sequence[Wall], plates: Sequence[AnyPlate], chord: float
+) -> tuple[Base, ...]:
+    """Return where a building stands, arcs of footprints as chords at most so far off [m]."""
+    known = {column.name: column for column in columns}
+    standing = {
+        wall.name: wall for wall in place_walls([wall for wall in walls if wall.name in building.names], plates)
+    }
+    found = []
+    for name in building.names:
+        if name in known:
+            column = known[name]
+            found.append(Base(name, (column.x, column.y), column.ring().polygon(chord), column=column))
+        elif name in standing:
+            area = standing[name].area(chord)
+            found.append(Base(name, (area.centroid.x, area.centroid.y), area, wall=standing[name]))
+    return tuple(found)
+
+
+def check_building(
+    building: Building | None,
+    columns: tuple[Column, ...],
+    walls: tuple[Wall, ...],
+    plate: Plate,
+    plates: tuple[FurtherPlate, ...],
+    floor: object,
+) -> Iterator[RelativeIssue]:
+    """Find what a building names that is not there, or cannot be a part of it, and a matrix that holds to nothing."""
+    if building is None:
+        return
+    if floor is not None:
+        hint = "checks of a floor know its loads as they are given"
+        yield RelativeIssue(("building",), "a building on an industrial floor", "no floor, or no building", hint)
+    unfit = [*_check_names(building, columns, walls)]
+    yield from unfit
+    if not unfit:
+        every = bases(building, columns, walls, list_plates(plate, plates), ROUGH)
+        yield from _check_balance(building, every) if building.matrix else _check_beams(building, every)
+
+
+def _check_names(building: Building, columns: tuple[Column, ...], walls: tuple[Wall, ...]) -> Iterator[RelativeIssue]:
+    """Find names of no column and no wall, of two, and of walls that cannot be members of a frame."""
+    of_columns, of_walls = [column.name for column in columns], {wall.name: wall for wall in walls}
+    every = [*of_columns, *of_walls]
+    named: list[tuple[tuple[str | int, ...], str, list[str]]] = []
+    named += [(("nodes", position), name, every) for position, name in enumerate(building.nodes)]
+    named += [(("beams", number, "through", position), name, every)
+              for number, beam in enumerate(building.beams) for position, name in enumerate(beam.through)]  # fmt: skip
+    named += [(("columns", number, "names", position), name, of_columns)
+              for number, own in enumerate(building.columns) for position, name in enumerate(own.names)]  # fmt: skip
+    for place, name, known in named:
+        where = ("building", *place)
+        if name not in known:
+            expected = one_of(known) if known else "a column or wall of the case"
+            yield RelativeIssue(
+                where, describe(name), expected, suggestion(name, known), use_nearest(where, name, known)
+            )
+        elif name in of_columns and name in of_walls:
+            yield RelativeIssue(where, f"{quote(name)}, a column and a wall", "a name that only one of them has")
+        elif name in of_walls and not building.nodes and (found := _why_no_member(of_walls[name])):
+            yield RelativeIssue(where, f"wall {quote(name)}, {found[0]}", found[1])
+
+
+def _why_no_member(wall: Wall) -> tuple[str, str] | None:
+    """Return why a wall cannot be a member of a frame, and what could be."""
+    if wall.height is not None:
+        return "which has a height", "a wall without a height, as its stiffness would count twice"
+    straight = wall.points is not None and len(wall.points) == 2 and not any(wall.bulges)
+    if not straight and not (isinstance(wall.edge, str) and wall.edge != "all"):
+        return "which bends", "a straight wall; the parts of others are walls by themselves"
+    return None
+
+
+def _check_beams(building: Building, every: tuple[Base, ...]) -> Iterator[RelativeIssue]:
+    """Find beams without a length between what they join."""
+    at = {base.name: base for base in every}
+    for number, beam in enumerate(building.beams):
+        for position, (one, other) in enumerate(pairwise(beam.through)):
+            if one not in at or other not in at:
+                continue
+            way = np.subtract(at[other].place, at[one].place)
+            free = way + at[other].arm(-way) - at[one].arm(way) if way.any() else way
+            if not free @ way > 0:
+                found = f"no length from {quote(one)} to {quote(other)}"
+                hint = (
+                    "it would start where a wall ends that reaches to there" if way.any() else "they are at one place"
+                )
+                yield RelativeIssue(("building", "beams", number, "through", position + 1), found, "a beam", hint)
+
+
+def _check_balance(building: Building, every: tuple[Base, ...]) -> Iterator[RelativeIssue]:
+    """Find a matrix that resists a motion of everything it stands on together: that would be held by something else."""
+    if len(every) < len(building.nodes):
+        return
+    K, motions = building.K, motions_of(every, len(building.matrix) // len(building.nodes))
+    words = ("settling as a whole", "tilting along x", "tilting along y")
+    for way, motion in zip(words, motions.T, strict=True):
+        size = np.abs(K) @ np.abs(motion)
+        if (off := np.abs(K @ motion)).max() > DIGITS * size.max():
+            found = f"a matrix that resists {way}, with {off.max() / size.max():.3g} of what parts of it resist"
+            hint = "bases must be free to turn, or their slopes be in the matrix; nothing but the slab may hold it"
+            yield RelativeIssue(("building", "matrix"), found, "one that no motion of all its nodes together strains",
+                                hint)  # fmt: skip
+            return
+
+
+def motions_of(every: Sequence[Base], each: int) -> Array:
+    """Return what settling as a whole and tilting along x and along y do to bases, (each bases, 3).
+
+    Of each base settlement and both slopes, or the settlement alone. Tilts are about the middle of all bases.
+    """
+    places = np.array([base.place for base in every])
+    x, y = (places - places.mean(axis=0)).T
+    found = np.zeros((len(every), 3, 3))
+    found[:, 0] = np.column_stack([np.ones_like(x), x, y])
+    found[:, 1, 1] = found[:, 2, 2] = 1.0
+    motions: Array = found[:, :each].reshape(-1, 3)
+    return motions

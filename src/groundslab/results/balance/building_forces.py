@@ -1,0 +1,81 @@
+"""What the building above changes of the loads on its bases, from its stiffness and how they move."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from groundslab.arrays import Array, Memo
+from groundslab.discretize.building import bases_of, motion_stiffness
+from groundslab.fem.parts.building import FIELDS, Building
+from groundslab.fem.system import System, stiffness
+from groundslab.model.model import Model
+from groundslab.results.record import BaseResult
+from groundslab.solvers import factorization
+from groundslab.solvers.contact import ContactProblem, constrain
+from groundslab.solvers.solution import Solution
+
+
+def base_results(model: Model, solution: Solution, solver: str | None = None) -> tuple[BaseResult, ...]:
+    """Return how each base of the building moves, and what that changes of its load.
+
+    A solver by its name also finds what fewer storeys would change.
+    """
+    above = solution.system.problem.building
+    if above is None:
+        return ()
+    places = [base.place for base in bases_of(model)]
+    moved, force = above.motions(solution.U), -above.forces(solution.U)
+    # forces of unit motions are by length where these are slopes
+    moved = moved / np.where(above.way == 0, 1.0, above.length)
+    force = force * np.where(above.way == 0, 1.0, above.length)
+    stories = np.zeros((len(force), 0)) if solver is None else _changes_by_storeys(model, solution, above, solver)
+    found = []
+    for number, (name, place) in enumerate(zip(above.bases, places, strict=True)):
+        own = [np.flatnonzero((above.base == number) & (above.way == way)) for way in range(FIELDS)]
+        w, slope_x, slope_y = (moved[at] if len(at) else np.zeros(1) for at in own)
+        P, M_x, M_y = (force[at] if len(at) else np.zeros(1) for at in own)
+        by_storeys = stories[own[0]] if len(own[0]) else np.zeros((1, stories.shape[1]))
+        found.append(BaseResult(name, np.array([place]), w, slope_x, slope_y, P, M_x, M_y, by_storeys))
+    return tuple(found)
+
+
+def _changes_by_storeys(model: Model, solution: Solution, above: Building, solver: str) -> Array:
+    """Return the changes of loads (k, s) [N] of the lowest 1, 2, .. s storeys alone, with the contact as it is.
+
+    With K_j instead of K the bases move by q_j = (1 + T (K_j - K))^-1 q, where T is what unit forces on them do to
+    them, the building included. On an elastic continuum, and of a building given as a matrix, nothing is known.
+    """
+    given = model.building
+    assert given is not None
+    if given.matrix or solution.pressed is not None:
+        return np.zeros((len(above.base), 0))
+    # that of one contact serves all combinations: the ground is nearly the same
+    held = solution.contact.state.tobytes()
+    known = _FLEXIBILITY.get(solution.system.problem.mesh.nodes, above, dict)
+    if held not in known:
+        known[held] = _flexibility(solution, above, solver)
+    T, K, q = known[held], above.stiffness, above.motions(solution.U)
+    found = []
+    for storeys in range(1, len(given.storeys) + 1):
+        K_j = motion_stiffness(model, above, storeys)
+        found.append(-K_j @ np.linalg.solve(np.eye(len(K)) + T @ (K_j - K), q))
+    return np.column_stack(found)
+
+
+#: T by the states of bearings, for the building on a mesh.
+_FLEXIBILITY: Memo[dict[bytes, Array]] = Memo()
+
+
+def _flexibility(solution: Solution, above: Building, solver: str) -> Array:
+    """Return T (k, k) [m/N]: what unit forces on bases do to them where the contact stays as it is."""
+    s: System = solution.system
+    A = stiffness(s, solution.column)
+    system, _ = constrain(ContactProblem(A, np.zeros(A.size), solution.law), solution.contact.state)
+    factor = factorization.SOLVERS[solver](A.indptr, A.indices).factor(A.constrain(system.fixed, system.diagonal_shift))
+    unknown = s.problem.unknown[:, :FIELDS].ravel()
+    G = np.zeros((A.size, len(above.base)))
+    there = unknown >= 0
+    np.add.at(G, unknown[there], above.spread.toarray()[there])
+    G[system.fixed] = 0.0
+    found: Array = G.T @ factor.solve(G)
+    return found
