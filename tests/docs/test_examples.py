@@ -15,7 +15,8 @@ from helpers.paths import EXAMPLES
 CASES = sorted(path for path in EXAMPLES.glob("*.toml") if path.stem != "l_raft")
 SLOW = (
     "bearing_walls", "combined_footing", "cracked_footing", "house_raft", "industrial_floor", "joined_bays",
-    "neighbours", "pad", "raft_on_continuum", "ribbed_raft", "tank", "void", "warehouse", "wind_turbine",
+    "neighbours", "pad", "raft_on_continuum", "raft_under_a_frame", "ribbed_raft", "tank", "void", "warehouse",
+    "wind_turbine",
 )  # fmt: skip
 
 

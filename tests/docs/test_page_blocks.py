@@ -40,11 +40,11 @@ def run(text: str, **names: object) -> dict[str, object]:
     return names
 
 
-def test_cases_of_the_page_on_input_load() -> None:
+def test_cases_of_the_page_on_input_load(tmp_path: Path) -> None:
     """The smallest case loads, and with each of the other blocks put behind it."""
     smallest, *others = blocks("input.md", "toml")
-    assert len(others) == 11
-    shapes, wall, outer, stiff, beams, checks, aci, cracks, combinations, moves, floor = others
+    assert len(others) == 13
+    shapes, wall, outer, stiff, beams, frame, matrix, checks, aci, cracks, combinations, moves, floor = others
     assert len(casefile.loads(f"{smallest}\n{shapes}").loads) == 5
     core = casefile.loads(f"{smallest}\n{wall}")
     assert core.acting[-1][1] == LineForce(core.walls[0].edges, q=(250e3, 250e3), width=0.3)
@@ -52,6 +52,16 @@ def test_cases_of_the_page_on_input_load() -> None:
     assert around.closed
     assert len(casefile.loads(f"{smallest}\n{beams}").beams) == 3
     assert len(casefile.loads(f"{smallest}\n{stiff}").members) == 3
+    columns = "".join(
+        f'[[columns]]\nname = "A{n}"\nx = "{2 * n - 4} m"\ny = "0 m"\nwidth_x = "0.4 m"\nwidth_y = "0.4 m"\n'
+        for n in (1, 2, 3)
+    )
+    above = casefile.loads(f"{smallest}\n{columns}\n{frame}").building
+    assert above is not None
+    assert above.names == ("A1", "A2", "A3")
+    (tmp_path / "frame.csv").write_text("A1,A2,A3\n1,-2,1\n-2,4,-2\n1,-2,1\n")
+    (tmp_path / "case.toml").write_text(f"{smallest}\n{columns}\n{matrix}")
+    assert casefile.load(tmp_path / "case.toml").building is not None
     named = smallest.replace('q = "10 kPa"', 'q = "10 kPa"\ncase = "design loads"')
     assert len(casefile.loads(f"{named}\n{combinations}").combinations) == 1
     assert casefile.loads(f"{named}\n{combinations}\n{checks}").limits is not None

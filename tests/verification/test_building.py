@@ -283,7 +283,7 @@ def test_turned_by_a_right_angle() -> None:
 
 
 def test_a_beam_that_starts_at_the_end_of_a_wall() -> None:
-    """A beam along a wall starts at its end, not in its middle."""
+    """A beam along a wall starts at its end, which is nearest, not in its middle."""
     # a wall so stiff that it does not bend turns with its base: its end goes down by the slope times half its length
     t, half, h, L = 10.0, 1.5, 3.0, 5.0
     wall = {"name": "W", "thickness": t, "points": [(-4.0, 0.0), (-1.0, 0.0)]}

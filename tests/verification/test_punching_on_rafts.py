@@ -14,7 +14,7 @@ from groundslab.design.aci318.checks.two_way_demand import pile_two_way
 from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
 from groundslab.design.en1992.checks.punching_demand import Demand
 from groundslab.design.punching import RoundColumn, demand
-from groundslab.design.tables.columns import column_table
+from groundslab.design.tables.structure.columns import column_table
 
 BARS = {"diameter": 0.020, "spacing": 0.150}
 GERMAN = {

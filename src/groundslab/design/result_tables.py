@@ -11,17 +11,17 @@ from groundslab.design.checks import check_design
 from groundslab.design.checks_table import checks_table
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.tables import errors
-from groundslab.design.tables.beams import beam_reinforcement, beam_table
-from groundslab.design.tables.building import building_table, storey_table
-from groundslab.design.tables.columns import column_envelope, column_table
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
 from groundslab.design.tables.locations import lines, points, soil, strips
 from groundslab.design.tables.punching import pile_punching, wall_punching
 from groundslab.design.tables.reinforcement import reinforcement
+from groundslab.design.tables.structure.beams import beam_reinforcement, beam_table
+from groundslab.design.tables.structure.building import building_table, storey_table
+from groundslab.design.tables.structure.columns import column_envelope, column_table
+from groundslab.design.tables.structure.walls import wall_table
 from groundslab.design.tables.summary import acting_cases, combinations, extremes, tilts
 from groundslab.design.tables.supports import joint_table, support_table
 from groundslab.design.tables.table import Column, Table
-from groundslab.design.tables.walls import wall_table
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.structure.beams import GivenSection
 from groundslab.results.results import Results

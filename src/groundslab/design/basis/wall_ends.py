@@ -17,9 +17,9 @@ from groundslab.arrays import Array, Memo
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.by_plate import plate_under
 from groundslab.design.demands.edge_strip import plates_that_count
+from groundslab.design.demands.loads.wall_loads import WallLoads, loads_on_wall
 from groundslab.design.demands.perimeter_loads import footprint_of, thickness_at
 from groundslab.design.demands.perimeters import FAR, Openings, outline, shadow_of
-from groundslab.design.demands.wall_loads import WallLoads, loads_on_wall
 from groundslab.design.demands.wall_perimeters import LoadedArea, WallPerimeters, loaded_area, wall_perimeters
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model

@@ -12,7 +12,7 @@ from typing import Any
 
 from groundslab.design.basis.check import DesignCheck, some
 from groundslab.design.basis.combinations import solved_results
-from groundslab.design.demands import column_loads
+from groundslab.design.demands.loads import column_loads
 from groundslab.design.demands.perimeters import outline
 from groundslab.model.loads.load_cases import Combination
 from groundslab.results.results import Results

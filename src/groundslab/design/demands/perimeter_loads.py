@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Integers, Memo
-from groundslab.design.demands import column_loads
+from groundslab.design.demands.loads import column_loads
 from groundslab.design.demands.perimeters import SIDE_CHORDS, Footprint, RectangularColumn, RoundColumn
 from groundslab.fem import load_vectors
 from groundslab.fem.assembly import scatter

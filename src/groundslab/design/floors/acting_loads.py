@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.design.demands.column_loads import factors_of
+from groundslab.design.demands.loads.column_loads import factors_of
 from groundslab.design.demands.perimeters import RectangularColumn, RoundColumn
 from groundslab.design.floors.yield_lines import Location
 from groundslab.geometry.plan import FLAT

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -35,8 +34,6 @@ if TYPE_CHECKING:
 DIGITS = 1e-3
 #: Arcs of footprints as chords so far off [m] do where only their middles count.
 ROUGH = 1e-3
-#: A beam starts at a wall's end if it runs along the wall but for an angle of this cosine.
-ALONG = math.cos(math.radians(45.0))
 #: More storeys and members than these are a slip of the pen.
 MOST_STOREYS, MOST_BASES = 200, 300
 
@@ -244,13 +241,15 @@ class Base:
     wall: Wall | None = None
 
     def arm(self, way: Array) -> Array:
-        """Return the way (2,) from the middle to where a beam that goes in a direction (2,) starts: a wall's end."""
+        """Return the way (2,) from the middle to where a beam starts that goes on by a way (2,) from the middle.
+
+        On a wall that is the place of its axis that is nearest to where it goes.
+        """
         if self.wall is None:
             return np.zeros(2)
         edge = self.wall.edges[0]
         half = np.subtract(edge.end, edge.start) / 2
-        along = float(half @ way) / float(np.linalg.norm(half) * np.linalg.norm(way))
-        found: Array = np.sign(along) * half if abs(along) > ALONG else np.zeros(2)
+        found: Array = np.clip(half @ way / (half @ half), -1.0, 1.0) * half
         return found
 
 
@@ -338,9 +337,7 @@ def _check_beams(building: Building, every: tuple[Base, ...]) -> Iterator[Relati
             free = way + at[other].arm(-way) - at[one].arm(way) if way.any() else way
             if not free @ way > 0:
                 found = f"no length from {quote(one)} to {quote(other)}"
-                hint = (
-                    "it would start where a wall ends that reaches to there" if way.any() else "they are at one place"
-                )
+                hint = "one of them stands where the other one does"
                 yield RelativeIssue(("building", "beams", number, "through", position + 1), found, "a beam", hint)
 
 

@@ -60,7 +60,7 @@ def slab(size: float, **changes: Any) -> Model:
 
 
 def tables(size: float) -> dict[str, Table]:
-    """Return all tables: of the slab, below it on a continuum, of a rib, and of a joint between two slabs."""
+    """Return all tables: of the slab, below it on a continuum, of a rib, a frame above, a joint between two slabs."""
     left, right = ({"kind": "rectangle", "x": x, "y": (-2, 2)} for x in ((-3, 0), (0, 3)))
     sheet = {"thickness": 0.3, "E": 30e9, "nu": 0.2}
     none: dict[str, Any] = {"supports": [], "columns": [], "walls": [], "output": {}, "reinforcement": None}
@@ -78,7 +78,10 @@ def tables(size: float) -> dict[str, Table]:
     beams = [{"name": "R", "points": [(-3, 1.5), (3, 1.5)], "section": section}]
     loads = [{"kind": "patch", "q": 90e3, "x": (-2, 0), "y": (0, 2), "case": case} for case in "GQ"]
     ribbed = slab(size, **none | {"reinforcement": STEEL, "beams": beams, "loads": loads})
-    models = slab(size, **none, **joined), deep, ribbed, slab(size)
+    bar = {"kind": "rectangle", "width": 0.3, "height": 0.6}
+    frame = {"storeys": [3.0], "E": 30e9, "beams": [{"through": ["A", "B", "W"], "section": bar}]}
+    framed = slab(size, output={}, reinforcement=None, building=frame)
+    models = slab(size, **none, **joined), deep, ribbed, framed, slab(size)
     return {each.name: each for model in models for each in tables_of(groundslab.solve(model))}
 
 

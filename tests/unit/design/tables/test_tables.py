@@ -11,7 +11,7 @@ import pytest
 from shapely import box
 
 import groundslab
-from groundslab.design.demands import column_loads
+from groundslab.design.demands.loads import column_loads
 from groundslab.design.result_tables import tables_of
 from groundslab.design.tables.envelopes import fields_of_envelope
 from groundslab.design.tables.table import Table, table_of

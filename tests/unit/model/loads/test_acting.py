@@ -10,7 +10,7 @@ import shapely
 from matplotlib import pyplot
 
 import groundslab
-from groundslab.design.demands.column_loads import sum_of_others
+from groundslab.design.demands.loads.column_loads import sum_of_others
 from groundslab.discretize.plan.local_sizes import local_sizes
 from groundslab.discretize.symmetry import symmetries
 from groundslab.geometry.plan import segment

@@ -29,7 +29,7 @@ from groundslab import (
 )
 from groundslab.case.casefile import loads
 from groundslab.cli import main
-from groundslab.design.demands import column_loads
+from groundslab.design.demands.loads import column_loads
 from groundslab.model.loads.clipping import Clipped, clip_line, find_clipped_loads
 from groundslab.views.plots import symbols
 from groundslab.views.scene.plan import plan_of

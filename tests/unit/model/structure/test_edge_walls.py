@@ -12,7 +12,7 @@ import pytest
 import groundslab as gs
 from groundslab.case import casefile
 from groundslab.cli import main
-from groundslab.design.tables.walls import wall_table
+from groundslab.design.tables.structure.walls import wall_table
 from groundslab.errors import InputError
 from groundslab.geometry.plan import rectangle
 from groundslab.model.loads.acting import LineForce

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.demands.column_loads import factors_of
+from groundslab.design.demands.loads.column_loads import factors_of
 from groundslab.fem.mesh import Mesh, locate
 from groundslab.geometry.plan import FLAT
 from groundslab.model.loads.acting import LineForce, PointForce

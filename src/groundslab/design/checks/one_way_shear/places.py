@@ -13,8 +13,8 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.design.basis.design_code import ShearRule
 from groundslab.design.by_plate import distances_to_edges, farthest_from_edges, results_by_plate
 from groundslab.design.checks.one_way_shear.faces import Bearer, pressing, region_within_d
-from groundslab.design.demands.column_loads import factors_of
 from groundslab.design.demands.line_traversal import interpolation, pieces
+from groundslab.design.demands.loads.column_loads import factors_of
 from groundslab.design.demands.perimeters import outline
 from groundslab.design.required_bars import largest_areas, required_areas
 from groundslab.fem.mesh import Mesh

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, assert_never
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.design.demands.building_loads import building_factors, unit_loads
+from groundslab.design.demands.loads.building_loads import building_factors, unit_loads
 from groundslab.fem import load_vectors
 from groundslab.fem.mesh import Mesh
 from groundslab.geometry.plan import FLAT

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from groundslab.design.basis.combinations import solved_results
-from groundslab.design.demands.wall_loads import loads_on_wall, settlement_along
+from groundslab.design.demands.loads.wall_loads import loads_on_wall, settlement_along
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.results.results import Results
 

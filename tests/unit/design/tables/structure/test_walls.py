@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from groundslab.analysis.driver import solve
-from groundslab.design.demands.wall_loads import loads_on_wall, settlement_along
-from groundslab.design.tables.walls import wall_table
+from groundslab.design.demands.loads.wall_loads import loads_on_wall, settlement_along
+from groundslab.design.tables.structure.walls import wall_table
 from groundslab.model.model import Model
 from groundslab.model.structure.walls import Wall
 

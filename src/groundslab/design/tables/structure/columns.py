@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from groundslab.design.basis.combinations import solved_results
-from groundslab.design.demands import column_loads
+from groundslab.design.demands.loads import column_loads
 from groundslab.design.tables.punching import extremes_of_punching, punching_at_columns
 from groundslab.design.tables.table import Cell, Head, Table, table_of
 from groundslab.design.tilt import settlement_differences

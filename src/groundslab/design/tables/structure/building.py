@@ -6,8 +6,8 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.basis.combinations import solved_results
-from groundslab.design.demands.column_loads import by_column, factors_of
-from groundslab.design.demands.wall_loads import loads_on_wall
+from groundslab.design.demands.loads.column_loads import by_column, factors_of
+from groundslab.design.demands.loads.wall_loads import loads_on_wall
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.demands.building_loads import unit_loads
-from groundslab.design.demands.column_loads import factors_of
+from groundslab.design.demands.loads.building_loads import unit_loads
+from groundslab.design.demands.loads.column_loads import factors_of
 from groundslab.model.model import Model
 from groundslab.model.structure.walls import Wall
 from groundslab.results.mesh_results import PlateResult

@@ -1,0 +1,1 @@
+"""Tables of the structure: columns, walls, beams, the building above."""
