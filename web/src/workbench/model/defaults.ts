@@ -40,7 +40,10 @@ const DEFAULTS: Record<string, Table> = {
   TR34Floor: { kind: "TR34", concrete: "C30/37" },
   ACI360Floor: { kind: "ACI 360", f_r: "4 MPa" },
   Void: { depth: "10 mm" },
+  Building: { storeys: ["4 m", "3 m"] },
 };
+
+const FRAME_BEAM: Table = { kind: "rectangle", width: "300 mm", height: "600 mm" };
 
 /** Whether a new part of a definition starts with usual values. */
 export const hasDefaults = (definition: string) => definition in DEFAULTS;
@@ -48,8 +51,20 @@ export const hasDefaults = (definition: string) => definition in DEFAULTS;
 /** What a new part of a definition starts with; an empty table where nothing can be guessed. */
 export function defaultsFor(definition: string, data: Table): Table {
   if (definition === "Zone") return { thickness: thickenedPlate(data) };
+  if (definition === "Building") {
+    const E = valueAt(data, ["plate", "E"]) ?? "30 GPa";
+    return { ...structuredClone(DEFAULTS.Building), E, beams: [defaultsFor("BuildingBeams", data)] };
+  }
+  if (definition === "BuildingBeams") return { through: columnsOf(data), section: { ...FRAME_BEAM } };
+  if (definition === "BuildingColumns") return { names: columnsOf(data).slice(0, 1), section: { ...FRAME_BEAM } };
   if (definition === "Borehole") return { layers: layersOf(data) };
   return structuredClone(DEFAULTS[definition] ?? {});
+}
+
+/** The names of all columns. */
+function columnsOf(data: Table): string[] {
+  const names = listAt(data, ["columns"]).map((each) => (isTable(each) ? each.name : undefined));
+  return names.filter((name): name is string => typeof name === "string");
 }
 
 /** A thickness half as much again as the plate's, in round figures. */

@@ -17,6 +17,7 @@ const GROUPS: readonly { name: string; label: string; tables: Record<string, str
   { name: "columns", label: "Columns", tables: { column_envelope: "extremes", columns: "all combinations" } },
   { name: "walls", label: "Walls", tables: { walls: "all combinations", wall_punching: "punching at ends" } },
   { name: "beams", label: "Beams", tables: { beams: "all combinations", beam_reinforcement: "reinforcement" } },
+  { name: "building", label: "Building", tables: { building: "all combinations", storeys: "storeys" } },
   {
     name: "supports",
     label: "Supports",

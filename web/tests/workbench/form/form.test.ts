@@ -4,6 +4,7 @@ import { beforeEach, describe, expect, it, vi } from "vitest";
 import { formPanel } from "../../../src/workbench/form/form-panel";
 import { summaryOf } from "../../../src/workbench/form/labels";
 import { applyOptimistic } from "../../../src/workbench/model/changes/optimistic-edits";
+import { defaultsFor } from "../../../src/workbench/model/defaults";
 import { issueSentence, issuesOfPart } from "../../../src/workbench/model/issues";
 import { type Table, valueAt } from "../../../src/workbench/model/paths";
 import { makeIssue, Page, PLATE } from "../form-page";
@@ -51,6 +52,40 @@ describe("a floor with vehicles and racks", () => {
     page.type(["moves", 0, "step"], "1 m");
     vi.advanceTimersByTime(1000);
     expect(page.data).toEqual({ ...floor, moves: [{ ...(floor.moves as Table[])[0], step: "1 m" }] });
+  });
+});
+
+describe("a building above", () => {
+  const columns = ["A", "B"].map((name, n) => ({ name, x: `${n} m`, y: "0 m", width_x: "0.4 m", width_y: "0.4 m" }));
+
+  it("starts as a frame through all columns, of the slab's concrete", () => {
+    expect(defaultsFor("Building", { ...PLATE, columns })).toEqual({
+      storeys: ["4 m", "3 m"],
+      E: valueAt(PLATE, ["plate", "E"]),
+      beams: [{ through: ["A", "B"], section: { kind: "rectangle", width: "300 mm", height: "600 mm" } }],
+    });
+  });
+
+  it("is shown as a matrix, which is kept when something else is changed", () => {
+    const matrix = [
+      [1, -1],
+      [-1, 1],
+    ];
+    const building = { nodes: ["A", "B"], matrix, unit: "kN" };
+    const page = new Page({ ...PLATE, columns, building });
+    page.show(["building"]);
+    page.type(["building", "stiffness"], "0.5");
+    vi.advanceTimersByTime(1000);
+    expect(page.data.building).toEqual({ ...building, stiffness: 0.5 });
+  });
+
+  it("is shown with its beams", () => {
+    const building = defaultsFor("Building", { ...PLATE, columns });
+    const page = new Page({ ...PLATE, columns, building });
+    page.show(["building"]);
+    expect(page.input(["building", "E"]).value).toBe(building.E);
+    page.show(["building", "beams", 0]);
+    expect(page.input(["building", "beams", 0, "section", "width"]).value).toBe("300 mm");
   });
 });
 
