@@ -141,6 +141,27 @@ def test_a_portal_on_two_footings() -> None:
         assert base.force[0] == pytest.approx(change, rel=1e-3)
 
 
+def test_a_portal_holds_a_footing_that_would_topple() -> None:
+    """A moment that no footing by itself can bear, on ground that only pushes, goes into the frame."""
+    L, h, a = 6.0, 4.0, 2.0
+    x = [-L / 2, L / 2]
+    outline = [{"kind": "rectangle", "x": [at - a / 2, at + a / 2], "y": [-a / 2, a / 2]} for at in x]
+    sheet = {"thickness": 0.5, "E": E, "nu": 0.2}
+    toppling = {
+        "columns": [column("A", x[0], 0.0), column("B", x[1], 0.0)],
+        "loads": [load("A", 100e3, M_x=110e3), load("B", 300e3)],
+        "plate": sheet | {"name": "left", "outline": outline[0]},
+        "plates": [sheet | {"name": "right", "outline": outline[1]}],
+        "contact": {"tensionless": True},
+        "mesh": {"size": 0.25},
+    }
+    with pytest.raises(gs.NoEquilibrium):
+        gs.solve(raft(**toppling))
+    results = gs.solve(raft(**toppling, building=portal(h)))
+    assert results.certificate.holds
+    assert results.only.bases[0].moment_x[0] < -20e3
+
+
 #: Loads on rigid bases, and on a raft on elements of 0.25 m: P [kN], M_x and M_y [kN m], by PyNite 3.2.0
 #: (tools/other_programs/pynite_frame.py).
 PYNITE = {
@@ -306,3 +327,33 @@ def test_a_beam_that_starts_at_the_end_of_a_wall() -> None:
     # at the wall's middle the moment has the lever of the beam and of half the wall
     V = k * 0.01
     assert stiff @ motion == pytest.approx([-V, -V * (L + half), 0.0, V, 0.0, 0.0], rel=1e-3, abs=1.0)
+
+
+@pytest.mark.parametrize("place", [(4.0, 5.0), (4.0, 1.0), (-3.0, -5.0), (5.0, 0.0)])
+def test_an_oblique_beam_to_a_wall_by_rigid_members(place: tuple[float, float]) -> None:
+    """A wall is a column in its middle, with a rigid beam to its place that is nearest to the beam's other end."""
+    nearest = min(max(place[1], -3.0), 3.0)
+    bar = {"kind": "rectangle", "width": 0.3, "height": 0.6}
+    frame = {"storeys": [3.5, 3.0], "E": E, "rigid_floors": False}
+    plate = {"length_x": 14.0, "length_y": 14.0, "thickness": 0.5, "E": E, "nu": 0.2}
+    wall = {"name": "W", "thickness": 0.3, "points": [(0.0, -3.0), (0.0, 3.0)]}
+    far = column("C", *place)
+    as_wall = frame | {"beams": [{"through": ["W", "C"], "section": bar}]}
+    K = stiffness_of(raft([far], [load("C", 1.0)], plate=plate, walls=[wall], building=as_wall))
+    rigid = {"kind": "properties", "area": 1e4, "second_moment": 1e4, "torsion_constant": 1e4}
+    nothing = {"kind": "properties", "area": 1e-8, "second_moment": 1e-13}
+    as_column = frame | {
+        "columns": [
+            {"names": ["W"], "section": {"kind": "rectangle", "width": 0.3, "height": 6.0}},
+            {"names": ["end"], "section": nothing},
+        ],
+        "beams": [{"through": ["W", "end"], "section": rigid}, {"through": ["end", "C"], "section": bar}],
+    }
+    columns = [column("W", 0.0, 0.0), column("end", 0.0, nearest), far]
+    if nearest == 0.0:
+        # the beam starts in the middle
+        as_column |= {"columns": as_column["columns"][:1], "beams": as_wall["beams"]}
+        columns.pop(1)
+    other = stiffness_of(raft(columns, [load("C", 1.0)], plate=plate, building=as_column))
+    both = np.r_[0:3, len(other) - 3 : len(other)]
+    assert pytest.approx(other[np.ix_(both, both)], rel=1e-4, abs=1e-5 * np.abs(K).max()) == K

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import csv
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from groundslab.errors import InputError, Issue
 from groundslab.model.structure.building import MOST_BASES
+from groundslab.schema.fields import MOST_ISSUES
 from groundslab.schema.wording import describe
+from groundslab.units import NUMBER
 
 #: Bytes of a file, at most: rows of so many numbers of 32 letters.
 LARGEST = (3 * MOST_BASES) ** 2 * 32
+#: Between cells, the first one that the first row of numbers has; after a semicolon commas are decimal.
+BETWEEN = ("\t", ";", ",")
 
 
 def with_matrix(tables: dict[str, Any], folder: Path) -> dict[str, Any]:
@@ -23,34 +29,37 @@ def with_matrix(tables: dict[str, Any], folder: Path) -> dict[str, Any]:
     if not isinstance(building, Mapping) or not isinstance(building.get("file"), str) or "matrix" in building:
         return tables
     others = {key: value for key, value in building.items() if key != "file"}
-    return tables | {"building": others | _read(folder / building["file"])}
+    return tables | {"building": others | _read(folder, building["file"])}
 
 
-def _read(path: Path) -> dict[str, Any]:
-    """Return nodes and matrix in a file."""
+def _read(folder: Path, name: str) -> dict[str, Any]:
+    """Return nodes and matrix in a file of a folder."""
+    path = folder / name
+    if Path(name).name != name or not path.is_file():
+        raise InputError([Issue("building.file", describe(name), f"the name of a file in {folder.absolute()}")])
     where = f"building.file, {path}"
+    if path.stat().st_size > LARGEST:
+        raise InputError([Issue(where, "a larger file", f"a matrix of at most {3 * MOST_BASES} rows")])
     try:
-        if path.stat().st_size > LARGEST:
-            raise InputError([Issue(where, "a larger file", f"a matrix of at most {3 * MOST_BASES} rows")])
         text = path.read_text(encoding="utf-8-sig")
-    except (OSError, ValueError) as error:
+    except (OSError, UnicodeDecodeError) as error:
         found = getattr(error, "strerror", None) or "a file that is not UTF-8 text"
-        raise InputError([Issue(where, found, "a CSV file beside the case")]) from None
+        raise InputError([Issue(where, found, "a CSV file")]) from None
     lines = [(number, line) for number, line in enumerate(text.splitlines(), start=1) if line.strip()]
-    if not lines:
-        raise InputError([Issue(where, "an empty file", "names of columns and walls, then rows of numbers")])
-    # tables of countries with a decimal comma have semicolons between cells
-    between = ";" if ";" in lines[0][1] else ","
-    names, *rows = ([cell.strip().strip('"') for cell in line.split(between)] for _, line in lines)
+    if len(lines) < 2:
+        expected = "names of columns and walls, then rows of numbers"
+        raise InputError([Issue(where, f"{len(lines)} lines", expected)])
+    between = next((letter for letter in BETWEEN if letter in lines[1][1]), ",")
+    names, *rows = csv.reader([line for _, line in lines], delimiter=between, skipinitialspace=True)
     matrix, issues = [], list[Issue]()
     for (number, _), row in zip(lines[1:], rows, strict=True):
-        values = []
-        for position, cell in enumerate(row, start=1):
-            try:
-                values.append(float(cell.replace(",", ".")))
-            except ValueError:
-                issues.append(Issue(f"{where}, line {number}, value {position}", describe(cell), "a number"))
-        matrix.append(values)
+        cells = [(cell.replace(",", ".") if between == ";" else cell).strip() for cell in row]
+        issues += [
+            Issue(f"{where}, line {number}, value {position}", describe(cell) if cell else "nothing", "a number")
+            for position, cell in enumerate(cells, start=1)
+            if not re.fullmatch(NUMBER, cell)
+        ]
+        matrix.append(cells)
     if issues:
-        raise InputError(issues[:100])
-    return {"nodes": names, "matrix": matrix}
+        raise InputError(issues[:MOST_ISSUES])
+    return {"nodes": [name.strip() for name in names], "matrix": [[float(cell) for cell in row] for row in matrix]}

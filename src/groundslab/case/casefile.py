@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -47,7 +47,7 @@ def load(path: str | Path) -> Model:
     >>> groundslab.load(folder / "case.toml").plate.thickness
     0.3
     """
-    return from_table(with_matrix(tables(read(path), str(path)), Path(path).parent))
+    return from_table(tables(read(path), str(path)), Path(path).parent)
 
 
 def read(path: str | Path) -> str:
@@ -103,9 +103,12 @@ def _require_short_keys(text: str, name: str) -> None:
             )
 
 
-def from_table(data: Mapping[str, Any]) -> Model:
-    """Return the Model that the tables of a case file, already parsed, describe."""
-    return Model.model_validate(data, from_file=True)
+def from_table(data: dict[str, Any], folder: Path | None = None) -> Model:
+    """Return the Model that the tables of a case file, already parsed, describe.
+
+    The folder is that of the case, beside which the file of a building's matrix may be.
+    """
+    return Model.model_validate(data if folder is None else with_matrix(data, folder), from_file=True)
 
 
 def to_toml(part: Section) -> str:

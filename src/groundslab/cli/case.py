@@ -61,7 +61,7 @@ def check_case(options: argparse.Namespace) -> int:
 
         print_stdout("\n".join(study.describe_file(Path(options.case))))
         return EXIT_OK
-    model = casefile.from_table(tables)
+    model = casefile.from_table(tables, Path(options.case).parent)
     from groundslab.analysis.check import check, find_unbalanced
     from groundslab.model.combinations import list_combinations
     from groundslab.model.remarks.remarks import find_remarks

@@ -89,7 +89,8 @@ def _beams(
         way = np.subtract(bases[other].place, bases[one].place)
         arms = np.zeros((2, 3))
         arms[:, :2] = bases[one].arm(way), bases[other].arm(-way)
-        across = np.array([-way[1], way[0], 0.0]) / np.linalg.norm(way)
+        free = way + arms[1, :2] - arms[0, :2]
+        across = np.array([-free[1], free[0], 0.0]) / np.linalg.norm(free)
         yield _Member((nodes.at(one, storey), nodes.at(other, storey)), across, beam.section.properties, arms)
 
 

@@ -160,12 +160,13 @@ def _check_matrix(
         found = f"{matrix[i][j]!r} in row {i + 1}, column {j + 1}, and {matrix[j][i]!r} in row {j + 1}, column {i + 1}"
         yield RelativeIssue(("matrix", i, j), found, "a symmetric matrix", "what A does to B, B does to A")
         return
-    # forces and moments alike: by what each row resists by itself
-    scale = np.sqrt(np.maximum(np.diag(K), 0.0))
-    scale[scale == 0] = 1.0
+    # forces and moments alike: each by the largest that resists a motion of its kind
+    kind = np.tile(np.minimum(np.arange(rows // n), 1), n)
+    sizes = np.array([np.abs(K[np.ix_(kind == each, kind == each)]).max(initial=0.0) or largest for each in (0, 1)])
+    scale = np.sqrt(sizes)[kind]
     least = float(np.linalg.eigvalsh((K + K.T) / 2 / np.outer(scale, scale))[0])
     if least < -DIGITS:
-        found = f"a matrix that is not positive: some motion would gain {-least:.3g} of what it should resist"
+        found = f"a matrix that is not positive: some motion gains {-least:.3g} of the largest resistance of its kind"
         hint = "are forces downwards positive like settlements, and moments like slopes?"
         yield RelativeIssue(("matrix",), found, "a matrix that resists every motion or lets it be", hint)
 
@@ -326,19 +327,31 @@ def _why_no_member(wall: Wall) -> tuple[str, str] | None:
     return None
 
 
+def _storeys(building: Building, member: BuildingColumns | BuildingBeams) -> tuple[int, ...]:
+    """Return the storeys of a member."""
+    return member.storeys or tuple(range(1, len(building.storeys) + 1))
+
+
 def _check_beams(building: Building, every: tuple[Base, ...]) -> Iterator[RelativeIssue]:
     """Find beams without a length between what they join."""
     at = {base.name: base for base in every}
+    known = set[tuple[frozenset[str], int]]()
     for number, beam in enumerate(building.beams):
         for position, (one, other) in enumerate(pairwise(beam.through)):
             if one not in at or other not in at:
                 continue
+            place = ("building", "beams", number, "through", position + 1)
+            between = {(frozenset((one, other)), storey) for storey in _storeys(building, beam)}
+            if between & known:
+                found = f"a second beam between {quote(one)} and {quote(other)}"
+                yield RelativeIssue(place, found, "one beam on each storey", "one section may stand for both")
+            known |= between
             way = np.subtract(at[other].place, at[one].place)
             free = way + at[other].arm(-way) - at[one].arm(way) if way.any() else way
             if not free @ way > 0:
                 found = f"no length from {quote(one)} to {quote(other)}"
                 hint = "one of them stands where the other one does"
-                yield RelativeIssue(("building", "beams", number, "through", position + 1), found, "a beam", hint)
+                yield RelativeIssue(place, found, "a beam", hint)
 
 
 def _check_balance(building: Building, every: tuple[Base, ...]) -> Iterator[RelativeIssue]:

@@ -72,7 +72,10 @@ def _load_case(case: Model | str | Path) -> tuple[Model, str]:
     text = ""
     try:
         text = casefile.read(case)
-        return casefile.loads(text, name), text
+        tables = casefile.tables(text, name)
+        model = casefile.from_table(tables, Path(case).parent)
+        # the matrix of a building from a file beside the case becomes a part of it
+        return model, casefile.to_toml(model) if "file" in tables.get("building", {}) else text
     except InputError as error:
         raise InputError(
             [

@@ -41,6 +41,6 @@ def _text_of(path: Path, model: Model) -> str | None:
     """Return the text of a case file if it describes a model."""
     try:
         text = bounded.read_whole(path, casefile.LARGEST).decode()
-        return text if casefile.loads(text) == model else None
+        return text if casefile.from_table(casefile.tables(text), path.parent) == model else None
     except (OSError, UnicodeDecodeError, InputError):
         return None

@@ -5,10 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 import groundslab as gs
 from groundslab.case.casefile import load, loads, to_toml
+from groundslab.cli.main import main
+from groundslab.views.report.changes import changes_since
 
 SECTION = {"kind": "rectangle", "width": 0.3, "height": 0.5}
 FRAME: dict[str, Any] = {"storeys": [3.0], "E": 30e9, "beams": [{"through": ["A", "B"], "section": SECTION}]}
@@ -70,6 +73,10 @@ WRONG = {
     "frame and matrix": (matrix(SEESAW, "A", "M", "B", storeys=[3.0]), "found storeys together with a matrix"),
     "no unit": (matrix(SEESAW, "A", "M", "B", unit=None), "building.unit: found nothing"),
     "unit alone": ({**FRAME, "unit": "kN"}, "building.unit: found unit without a matrix"),
+    "a beam twice": (
+        {**FRAME, "beams": [*FRAME["beams"], {"through": ["B", "A"], "section": SECTION}]},
+        'building.beams[2].through[2]: found a second beam between "B" and "A"',
+    ),
     "unknown node": (matrix(SEESAW, "A", "M", "Z"), 'building.nodes[3]: found "Z"'),
     "not square": (matrix([[1.0, -1.0], [-1.0]], "A", "B"), "building.matrix[2]: found 1 numbers, expected 2"),
     "rows too many": (matrix(SEESAW, "A", "B"), "found 3 rows, expected 2 rows for settlements alone, or 6"),
@@ -119,7 +126,12 @@ def write_case(folder: Path, csv: str) -> Path:
 
 
 @pytest.mark.parametrize(
-    "csv", ["A,M,B\n1,-2,1\n-2,4,-2\n1,-2,1\n", '"A";"M";"B"\r\n1,0;-2;1\r\n-2;4,0;-2\r\n\r\n1;-2;1\r\n']
+    "csv",
+    [
+        "A,M,B\n1,-2,1\n-2,4,-2\n1,-2,1\n",
+        '"A";"M";"B"\r\n1,0;-2;1\r\n-2;4,0;-2\r\n\r\n1;-2;1\r\n',
+        "A\tM\tB\n1\t-2\t1\n-2\t4\t-2\n1\t-2\t1\n",
+    ],
 )
 def test_a_matrix_from_a_file(tmp_path: Path, csv: str) -> None:
     """The first line has the names; cells stand between commas, or semicolons with decimal commas."""
@@ -130,6 +142,9 @@ def test_a_matrix_from_a_file(tmp_path: Path, csv: str) -> None:
     # it has become a part of the case, which needs the file no more
     model = load(tmp_path / "case.toml")
     assert loads(to_toml(model)) == model
+    assert main(["check", str(tmp_path / "case.toml")]) == 0
+    (tmp_path / "case-results").mkdir()
+    assert changes_since(tmp_path / "case-results", model) == ""
 
 
 def test_files_that_cannot_be_read(tmp_path: Path) -> None:
@@ -140,8 +155,22 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     assert 'line 2, value 3: found "x", expected a number' in str(refused.value)
     assert 'line 3, value 2: found "y", expected a number' in str(refused.value)
     write_case(tmp_path, "\n")
-    with pytest.raises(gs.InputError, match="an empty file"):
+    with pytest.raises(gs.InputError, match="found 0 lines"):
         load(path)
+    write_case(tmp_path, "A,M,B\n1,-2,1,\n-2,4_0,-2\n1,-2,1\n")
+    with pytest.raises(gs.InputError, match="line 2, value 4: found nothing") as refused:
+        load(path)
+    assert 'line 3, value 2: found "4_0"' in str(refused.value)
     (tmp_path / "frame.csv").unlink()
-    with pytest.raises(gs.InputError, match="No such file"):
+    with pytest.raises(gs.InputError, match='building.file: found "frame.csv", expected the name of a file in'):
         load(path)
+    path.write_text(path.read_text(encoding="utf-8").replace("frame.csv", "../frame.csv"), encoding="utf-8")
+    with pytest.raises(gs.InputError, match="expected the name of a file in"):
+        load(path)
+
+
+def test_digits_of_a_printed_matrix_do_not_matter() -> None:
+    """What a thousandth of the largest entry of its kind gains is taken as none, in any unit."""
+    rows = np.array(SEESAW) * 1e6 - np.diag([1.0, 0.0, 1.0])
+    for unit in ("N", "MN"):
+        assert gs.Model(**case(building=matrix(rows.tolist(), "A", "M", "B", unit=unit))).building is not None
