@@ -162,7 +162,7 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
         load(path)
     assert 'line 3, value 2: found "4_0"' in str(refused.value)
     (tmp_path / "frame.csv").unlink()
-    with pytest.raises(gs.InputError, match='building.file: found "frame.csv", expected the name of a file in'):
+    with pytest.raises(gs.InputError, match=r'building\.file: found "frame.csv", expected the name of a file in'):
         load(path)
     path.write_text(path.read_text(encoding="utf-8").replace("frame.csv", "../frame.csv"), encoding="utf-8")
     with pytest.raises(gs.InputError, match="expected the name of a file in"):
