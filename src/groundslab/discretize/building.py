@@ -86,19 +86,20 @@ def _spread(
     """
     from scipy.sparse import csr_array, hstack
 
-    mesh, elements = plan.mesh, plan.plate_elements
+    mesh, n = plan.mesh, len(plan.mesh.nodes)
     columns = []
-    for number, direction in zip(base.tolist(), way.tolist(), strict=True):
-        part = every[number].footprint
-        unit = PointForce(
-            every[number].place, float(direction == 0), (length * (direction == 1), length * (direction == 2))
-        )
-        forces = load_vectors.integrate_over_polygon(mesh, elements, part, unit.pressure(part))
-        if not element.center_w:
-            forces = np.einsum("ea,eab->eb", forces, element.w_functions(mesh.xy[elements]))
-        table = np.zeros((len(mesh.nodes), FIELDS))
-        table[:, 0] = scatter(mesh.elements[elements], forces, len(mesh.nodes))
-        columns.append(csr_array(collect(mesh.elements, table).reshape(-1, 1)))
+    for number, own in enumerate(every):
+        part = own.footprint
+        elements = np.intersect1d(load_vectors.find_elements_near(mesh, part), plan.plate_elements)
+        for direction in way[base == number].tolist():
+            M = (length * (direction == 1), length * (direction == 2))
+            pressure = PointForce(own.place, float(direction == 0), M).pressure(part)
+            forces = load_vectors.integrate_over_polygon(mesh, elements, part, pressure)
+            if not element.center_w:
+                forces = np.einsum("ea,eab->eb", forces, element.w_functions(mesh.xy[elements]))
+            table = np.zeros((n, FIELDS))
+            table[:, 0] = scatter(mesh.elements[elements], forces, n)
+            columns.append(csr_array(collect(mesh.elements, table).reshape(-1, 1)))
     return csr_array(hstack(columns))
 
 
