@@ -357,3 +357,24 @@ def test_an_oblique_beam_to_a_wall_by_rigid_members(place: tuple[float, float]) 
     other = stiffness_of(raft(columns, [load("C", 1.0)], plate=plate, building=as_column))
     both = np.r_[0:3, len(other) - 3 : len(other)]
     assert pytest.approx(other[np.ix_(both, both)], rel=1e-4, abs=1e-5 * np.abs(K).max()) == K
+
+
+def test_a_closed_wall_settles_and_turns_as_its_ring_does() -> None:
+    """A rigid slab settles as a plane, which the means over a ring of walls find, and a matrix of slopes turns."""
+    walls = [{"name": "core", "thickness": 0.3, "shape": {"kind": "rectangle", "x": [-3, -1], "y": [-2, 1]}}]
+    columns = [column("A", 4.0, 3.0), column("B", 4.0, -3.0)]
+    # the core resists turning against A, and nothing else
+    turning = np.array([0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0])
+    building = {"nodes": ["core", "A", "B"], "matrix": (1e4 * np.outer(turning, turning)).tolist(), "unit": "kN"}
+    sheet = {"length_x": 12.0, "length_y": 8.0, "thickness": 2.0, "E": 3e13, "nu": 0.2}
+    loads = [load("A", 500e3), load("B", 100e3), {"kind": "line", "wall": "core", "q": 80e3}]
+    results = gs.solve(raft(columns, loads, plate=sheet, walls=walls, building=building))
+    assert results.certificate.holds
+    plate = results.plate
+    places = np.column_stack([np.ones(len(plate.nodes)), plate.nodes])
+    plane = np.linalg.lstsq(places, plate.settlement, rcond=None)[0]
+    for base in results.only.bases:
+        at = base.nodes[0]
+        assert base.settlement[0] == pytest.approx(plane @ [1.0, *at], rel=1e-3)
+        assert [base.slope_x[0], base.slope_y[0]] == pytest.approx(plane[1:], rel=1e-2)
+    assert results.only.bases[0].nodes[0] == pytest.approx([-2.0, -0.5])

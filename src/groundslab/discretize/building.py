@@ -31,23 +31,21 @@ def building_on(model: Model, plan: Layout, element: plate.PlateElement, present
     every = bases_of(model)
     K, each = stiffness_of(model), _motions_of_each(model)
     length = max(model.sides)
-    acts = np.flatnonzero(np.abs(K).sum(axis=1) > 0)
-    base, way = np.divmod(acts, each)
+    base, way = np.divmod(np.arange(len(K)), each)
     spread = _spread(every, plan, element, base, way, length)
     host, field = _hosts(plan, len(base), present.shape[1])
-    K = _of_motions(K, acts, np.where(way == 0, 1.0, length))
+    K = _of_motions(K, np.where(way == 0, 1.0, length))
     return Building(tuple(base.name for base in every), base, way, spread, K, host, field, length)
 
 
 def motion_stiffness(model: Model, building: Building, storeys: int) -> Array:
     """Return the stiffness (k, k) [N/m] of the lowest storeys alone between the motions of a building."""
-    acts = _motions_of_each(model) * building.base + building.way
-    return _of_motions(stiffness_of(model, storeys), acts, np.where(building.way == 0, 1.0, building.length))
+    return _of_motions(stiffness_of(model, storeys), np.where(building.way == 0, 1.0, building.length))
 
 
-def _of_motions(K: Array, acts: Integers, lever: Array) -> Array:
-    """Return the stiffness between some motions, slopes by what they settle at a lever [m]."""
-    found: Array = K[np.ix_(acts, acts)] / np.outer(lever, lever)
+def _of_motions(K: Array, lever: Array) -> Array:
+    """Return the stiffness between motions, slopes by what they settle at a lever [m]."""
+    found: Array = K / np.outer(lever, lever)
     return found
 
 

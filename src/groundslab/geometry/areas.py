@@ -47,11 +47,13 @@ def inertia(part: Polygon) -> tuple[Array, Array]:
     """Return the center (2,) [m] of a polygon and its second moments of area about it (2, 2) [m4]."""
     from shapely import get_coordinates
 
-    centre = get_coordinates(part.centroid)[0]
-    x = get_coordinates(part.exterior) - centre
-    a, b = x[:-1], x[1:]
-    cross = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
-    # each edge makes a triangle with the center, whose moments its corners give
-    total = np.einsum("e,ei,ej->ij", cross, a + b, a + b)
-    total += np.einsum("e,ei,ej->ij", cross, a, a) + np.einsum("e,ei,ej->ij", cross, b, b)
-    return centre, total / 24 * np.sign(cross.sum())
+    centre, moments = get_coordinates(part.centroid)[0], np.zeros((2, 2))
+    for ring, sign in ((part.exterior, 1.0), *((hole, -1.0) for hole in part.interiors)):
+        x = get_coordinates(ring) - centre
+        a, b = x[:-1], x[1:]
+        cross = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+        # each edge makes a triangle with the center, whose moments its corners give
+        total = np.einsum("e,ei,ej->ij", cross, a + b, a + b)
+        total += np.einsum("e,ei,ej->ij", cross, a, a) + np.einsum("e,ei,ej->ij", cross, b, b)
+        moments += sign * total / 24 * np.sign(cross.sum())
+    return centre, moments

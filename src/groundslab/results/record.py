@@ -170,7 +170,7 @@ class BaseResult:
     settlement : (k,) array of float
         Mean settlement of its footprint [m].
     slope_x, slope_y : (k,) array of float
-        Mean slopes of its footprint along x and y [rad]; 0 where the building resists none.
+        Mean slopes of its footprint along x and y [rad]; 0 of a building whose stiffness has settlements alone.
     force : (k,) array of float
         What the building's stiffness adds to its load [N], downwards positive.
     moment_x, moment_y : (k,) array of float

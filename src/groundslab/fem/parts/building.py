@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 #: w, beta_x, beta_y of the plate, in which footprints move.
 FIELDS = 3
+#: The joint of a motion that nothing resists, over the stiffest one.
+LEAST_JOINT = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,8 +63,12 @@ class Building:
 
     @property
     def joint(self) -> Array:
-        """Return S (k,) [N/m]: twice what all motions together can raise in a row, so that S - K is positive."""
-        found: Array = 2 * np.abs(self.stiffness).sum(axis=1)
+        """Return S (k,) [N/m]: twice what all motions together can raise in a row, so that S - K is positive.
+
+        A motion that nothing resists needs a little, too, to have a p.
+        """
+        most = 2 * np.abs(self.stiffness).sum(axis=1)
+        found: Array = np.maximum(most, LEAST_JOINT * most.max())
         return found
 
     @property

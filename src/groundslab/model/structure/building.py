@@ -287,15 +287,20 @@ def check_building(
     if floor is not None:
         hint = "checks of a floor know its loads as they are given"
         yield RelativeIssue(("building",), "a building on an industrial floor", "no floor, or no building", hint)
-    unfit = [*_check_names(building, columns, walls)]
+    every_plate = list_plates(plate, plates)
+    unfit = [*_check_names(building, columns, place_walls(walls, every_plate))]
     yield from unfit
     if not unfit:
-        every = bases(building, columns, walls, list_plates(plate, plates), ROUGH)
+        every = bases(building, columns, walls, every_plate, ROUGH)
         yield from _check_balance(building, every) if building.matrix else _check_beams(building, every)
 
 
 def _check_names(building: Building, columns: tuple[Column, ...], walls: tuple[Wall, ...]) -> Iterator[RelativeIssue]:
-    """Find names of no column and no wall, of two, and of walls that cannot be members of a frame."""
+    """Find names of no column and no wall, of two, and of walls, with their axes, that cannot be members of a frame."""
+    if len(building.names) > MOST_BASES:
+        too_many = f"beams through {len(building.names)} columns and walls"
+        yield RelativeIssue(("building", "beams"), too_many, f"at most {MOST_BASES}")
+        return
     of_columns, of_walls = [column.name for column in columns], {wall.name: wall for wall in walls}
     every = [*of_columns, *of_walls]
     named: list[tuple[tuple[str | int, ...], str, list[str]]] = []
@@ -318,11 +323,10 @@ def _check_names(building: Building, columns: tuple[Column, ...], walls: tuple[W
 
 
 def _why_no_member(wall: Wall) -> tuple[str, str] | None:
-    """Return why a wall cannot be a member of a frame, and what could be."""
+    """Return why a wall, with its axis, cannot be a member of a frame, and what could be."""
     if wall.height is not None:
         return "which has a height", "a wall without a height, as its stiffness would count twice"
-    straight = wall.points is not None and len(wall.points) == 2 and not any(wall.bulges)
-    if not straight and not (isinstance(wall.edge, str) and wall.edge != "all"):
+    if len(wall.edges) > 1 or not wall.edges[0].straight:
         return "which bends", "a straight wall; the parts of others are walls by themselves"
     return None
 

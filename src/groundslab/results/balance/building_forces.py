@@ -28,13 +28,13 @@ def base_results(model: Model, solution: Solution, solver: str | None = None) ->
     # forces of unit motions are by length where these are slopes
     moved = moved / np.where(above.way == 0, 1.0, above.length)
     force = force * np.where(above.way == 0, 1.0, above.length)
-    stories = np.zeros((len(force), 0)) if solver is None else _changes_by_storeys(model, solution, above, solver)
+    changes = np.zeros((len(force), 0)) if solver is None else _changes_by_storeys(model, solution, above, solver)
     found = []
     for number, (name, place) in enumerate(zip(above.bases, places, strict=True)):
         own = [np.flatnonzero((above.base == number) & (above.way == way)) for way in range(FIELDS)]
         w, slope_x, slope_y = (moved[at] if len(at) else np.zeros(1) for at in own)
         P, M_x, M_y = (force[at] if len(at) else np.zeros(1) for at in own)
-        by_storeys = stories[own[0]] if len(own[0]) else np.zeros((1, stories.shape[1]))
+        by_storeys = changes[own[0]] if len(own[0]) else np.zeros((1, changes.shape[1]))
         found.append(BaseResult(name, np.array([place]), w, slope_x, slope_y, P, M_x, M_y, by_storeys))
     return tuple(found)
 

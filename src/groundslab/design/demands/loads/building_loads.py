@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from groundslab.geometry.plan import Ring
-from groundslab.model.loads.acting import PointForce
+from groundslab.model.loads.acting import AreaPressure, PointForce
 from groundslab.model.model import Model
 from groundslab.model.structure.building import Base, bases
 from groundslab.results.results import CombinationResult
@@ -19,23 +21,28 @@ def case_of(name: str, component: str) -> str:
     return f"\0{component} of {name}"
 
 
-def unit_loads(model: Model) -> dict[str, tuple[tuple[str, PointForce], ...]]:
-    """Return the unit force and couples on each base by its name, each with its case."""
+def unit_loads(model: Model) -> dict[str, tuple[tuple[str, AreaPressure], ...]]:
+    """Return the unit force and couples on each base by its name, in the order of COMPONENTS, each with its case."""
     if model.building is None:
         return {}
     every = bases(model.building, model.columns, model.walls, model.every_plate, CHORD * max(model.sides))
     return {base.name: _on(base) for base in every}
 
 
-def _on(base: Base) -> tuple[tuple[str, PointForce], ...]:
-    """Return the unit force and couples on a base."""
-    places = tuple((x, y) for x, y in base.footprint.exterior.coords[:-1])
-    ring = base.column.ring() if base.column is not None else Ring(places, (0.0,) * len(places))
+def _on(base: Base) -> tuple[tuple[str, AreaPressure], ...]:
+    """Return the unit force and couples on a base as pressures on its footprint."""
+    part = base.footprint
+    rings = tuple(_ring(line.coords[:-1]) for line in (part.exterior, *part.interiors))
     units = (1.0, (0.0, 0.0)), (0.0, (1.0, 0.0)), (0.0, (0.0, 1.0))
     return tuple(
-        (case_of(base.name, component), PointForce(base.place, P, M, ring))
+        (case_of(base.name, component), AreaPressure(rings, PointForce(base.place, P, M).pressure(part)))
         for component, (P, M) in zip(COMPONENTS, units, strict=True)
     )
+
+
+def _ring(places: Sequence[tuple[float, ...]]) -> Ring:
+    """Return the curve around straight edges between places."""
+    return Ring(tuple((x, y) for x, y in places), (0.0,) * len(places))
 
 
 def building_factors(results: CombinationResult) -> dict[str, float]:

@@ -52,8 +52,8 @@ def by_column(model: Model, name: str) -> dict[str, Array]:
     for load in model.loads:
         if isinstance(load, PointLoad) and load.column == name:
             sums[load.case] += (load.P, load.M_x, load.M_y)
-    for case, unit in unit_loads(model).get(name, ()):
-        sums[case] += (unit.P, *unit.M)
+    for number, (case, _) in enumerate(unit_loads(model).get(name, ())):
+        sums[case] += np.eye(3)[number]
     return dict(sums)
 
 
@@ -74,7 +74,7 @@ def shapes_around(model: Model, part: Polygon, column: str | None) -> Shapes:
             continue
         shapes += [(load.case, shape) for shape in model.shapes(load)]
     for name, units in unit_loads(model).items():
-        if name != column and units[0][1].to_shapely(FLAT * max(model.sides)).intersects(part):
+        if name != column and units[0][1].to_shapely().intersects(part):
             shapes += units
     return [(case, shape) for case, shape in shapes if getattr(shape, "on", "plate") == "plate"]
 

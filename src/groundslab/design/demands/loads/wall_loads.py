@@ -46,13 +46,14 @@ def loads_on_wall(model: Model, wall: Wall) -> WallLoads:
             for line in model.shapes(load):
                 force[load.case] += getattr(line, "q", (0.0, 0.0))
                 couple[load.case] += getattr(line, "m", (0.0, 0.0))
-    for case, unit in unit_loads(model).get(wall.name, ()):
-        force[case] += unit.P / wall.length
-        if len(wall.edges) == 1:
-            t = np.subtract(wall.edges[0].end, wall.edges[0].start) / wall.length
+    L, straight = wall.length, len(wall.edges) == 1 and wall.edges[0].straight
+    for (case, _), (P, *M) in zip(unit_loads(model).get(wall.name, ()), np.eye(3), strict=False):
+        force[case] += P / L
+        if straight:
+            t = np.subtract(wall.edges[0].end, wall.edges[0].start) / L
             # along the wall a couple is a force per length that grows from end to end, across it a couple per length
-            force[case] += 6 * (t @ unit.M) / wall.length**2 * np.array([-1.0, 1.0])
-            couple[case] += np.array([-t[1], t[0]]) @ unit.M / wall.length
+            force[case] += 6 * (t @ M) / L**2 * np.array([-1.0, 1.0])
+            couple[case] += np.array([-t[1], t[0]]) @ M / L
     return WallLoads(dict(force), dict(couple))
 
 
