@@ -82,23 +82,29 @@ def _spread(
 
     The same pressures on footprints as those of loads on columns.
     """
-    from scipy.sparse import csr_array, hstack
+    from scipy.sparse import coo_array
 
     mesh, n = plan.mesh, len(plan.mesh.nodes)
-    columns = []
+    node, motion, force = list[Integers](), list[Integers](), list[Array]()
     for number, own in enumerate(every):
         part = own.footprint
         elements = np.intersect1d(load_vectors.find_elements_near(mesh, part), plan.plate_elements)
-        for direction in way[base == number].tolist():
+        which = np.flatnonzero(base == number)
+        table = np.zeros((n, len(which)))
+        for column, direction in enumerate(way[which].tolist()):
             M = (length * (direction == 1), length * (direction == 2))
             pressure = PointForce(own.place, float(direction == 0), M).pressure(part)
             forces = load_vectors.integrate_over_polygon(mesh, elements, part, pressure)
             if not element.center_w:
                 forces = np.einsum("ea,eab->eb", forces, element.w_functions(mesh.xy[elements]))
-            table = np.zeros((n, FIELDS))
-            table[:, 0] = scatter(mesh.elements[elements], forces, n)
-            columns.append(csr_array(collect(mesh.elements, table).reshape(-1, 1)))
-    return csr_array(hstack(columns))
+            table[:, column] = scatter(mesh.elements[elements], forces, n)
+        table = collect(mesh.elements, table)
+        at, column_of = np.nonzero(table)
+        node.append(at)
+        motion.append(which[column_of])
+        force.append(table[at, column_of])
+    places = FIELDS * np.concatenate(node), np.concatenate(motion)
+    return coo_array((np.concatenate(force), places), shape=(FIELDS * n, len(base))).tocsr()
 
 
 def _motions_of_each(model: Model) -> int:

@@ -72,10 +72,11 @@ def _flexibility(solution: Solution, above: Building, solver: str) -> Array:
     A = stiffness(s, solution.column)
     system, _ = constrain(ContactProblem(A, np.zeros(A.size), solution.law), solution.contact.state)
     factor = factorization.SOLVERS[solver](A.indptr, A.indices).factor(A.constrain(system.fixed, system.diagonal_shift))
-    unknown = s.problem.unknown[:, :FIELDS].ravel()
-    G = np.zeros((A.size, len(above.base)))
-    there = unknown >= 0
-    np.add.at(G, unknown[there], above.spread.toarray()[there])
+    spread, unknown = above.spread.tocoo(), s.problem.unknown[:, :FIELDS].ravel()
+    at, motion = unknown[spread.coords[0]], spread.coords[1]
+    there = at >= 0
+    G = np.zeros((A.size, len(above.base)), order="F")
+    np.add.at(G, (at[there], motion[there]), spread.data[there])
     G[system.fixed] = 0.0
     found: Array = G.T @ factor.solve(G)
     return found
