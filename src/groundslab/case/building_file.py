@@ -32,6 +32,14 @@ def with_matrix(tables: dict[str, Any], folder: Path) -> dict[str, Any]:
     return tables | {"building": others | _read(folder, building["file"])}
 
 
+def _cells(line: str, between: str) -> list[str]:
+    """Return the cells of one line, which a quote that is not closed does not lead into the next one."""
+    try:
+        return next(csv.reader([line], delimiter=between, skipinitialspace=True))
+    except csv.Error:  # far too many letters in one cell
+        return [line]
+
+
 def _read(folder: Path, name: str) -> dict[str, Any]:
     """Return nodes and matrix in a file of a folder."""
     path = folder / name
@@ -50,7 +58,7 @@ def _read(folder: Path, name: str) -> dict[str, Any]:
         expected = "names of columns and walls, then rows of numbers"
         raise InputError([Issue(where, f"{len(lines)} lines", expected)])
     between = next((letter for letter in BETWEEN if letter in lines[1][1]), ",")
-    names, *rows = csv.reader([line for _, line in lines], delimiter=between, skipinitialspace=True)
+    names, *rows = (_cells(line, between) for _, line in lines)
     matrix, issues = [], list[Issue]()
     for (number, _), row in zip(lines[1:], rows, strict=True):
         cells = [(cell.replace(",", ".") if between == ";" else cell).strip() for cell in row]

@@ -108,7 +108,8 @@ def _structure_and_supports(model: Model) -> list[str]:
         what += f", {beam.length:.6g} m long{_share(beam.stiffness)}"
         lines.append(f"  beam {beam.name}: {what}")
     if (above := model.building) is not None:
-        storeys = f"{len(above.storeys)} storeys, {sum(above.storeys):g} m high" if above.storeys else "a matrix"
+        count = len(above.storeys)
+        storeys = f"{count} storey{'s' * (count > 1)}, {sum(above.storeys):g} m high" if count else "a matrix"
         lines.append(f"  building: {storeys}, on {len(above.names)} columns and walls{_share(above.stiffness)}")
     for number, support in enumerate(model.supports, 1):
         where = " to ".join(map(format_place, support.points))

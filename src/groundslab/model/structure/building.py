@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 import numpy as np
 
 from groundslab.geometry.plan import Place
-from groundslab.model.ground import POISSON, POSITIVE
+from groundslab.model.ground import POISSON, POSITIVE, AnyGround, ContinuousGround
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import AnyPlate, FurtherPlate, list_plates
 from groundslab.model.structure.beams import STIFFNESS
@@ -279,6 +279,7 @@ def check_building(
     walls: tuple[Wall, ...],
     plate: Plate,
     plates: tuple[FurtherPlate, ...],
+    ground: AnyGround,
     floor: object,
 ) -> Iterator[RelativeIssue]:
     """Find what a building names that is not there, or cannot be a part of it, and a matrix that holds to nothing."""
@@ -287,6 +288,12 @@ def check_building(
     if floor is not None:
         hint = "checks of a floor know its loads as they are given"
         yield RelativeIssue(("building",), "a building on an industrial floor", "no floor, or no building", hint)
+    if plates and isinstance(ground, ContinuousGround):
+        found, hint = (
+            f"a building on several plates on {quote(ground.kind)} ground",
+            "Winkler, Pasternak, Vlasov and layered ground take several",
+        )
+        yield RelativeIssue(("building",), found, "one plate", hint)
     every_plate = list_plates(plate, plates)
     unfit = [*_check_names(building, columns, place_walls(walls, every_plate))]
     yield from unfit

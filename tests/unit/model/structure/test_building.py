@@ -108,6 +108,16 @@ def test_a_building_on_an_industrial_floor_is_refused() -> None:
         gs.Model(**case(building=FRAME, floor=floor))
 
 
+def test_a_building_on_several_plates_on_a_continuum_is_refused() -> None:
+    """Their rigid motions are sought for each by itself there, which a building joins."""
+    parts = case(building=FRAME, ground={"kind": "continuum", "layers": [{"thickness": 8.0, "E": 40e6, "nu": 0.3}]})
+    parts["plate"] = {"name": "one", "outline": {"kind": "rectangle", "x": [-6, 6], "y": [-4, 4]}, "thickness": 0.5,
+                      "E": 30e9, "nu": 0.2}  # fmt: skip
+    other = parts["plate"] | {"name": "other", "outline": {"kind": "rectangle", "x": [7, 9], "y": [-4, 4]}}
+    with pytest.raises(gs.InputError, match='a building on several plates on "continuum" ground'):
+        gs.Model(**parts | {"plates": [other]})
+
+
 def test_a_beam_to_what_stands_on_the_same_wall_is_refused() -> None:
     """A beam starts where a wall is nearest to its other end, which stands on the wall here."""
     near = {"name": "N", "x": 0.5, "y": 2.0, "width_x": 0.4, "width_y": 0.4}
@@ -161,6 +171,9 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     with pytest.raises(gs.InputError, match="line 2, value 4: found nothing") as refused:
         load(path)
     assert 'line 3, value 2: found "4_0"' in str(refused.value)
+    write_case(tmp_path, '"A,M,B\n1,-2,"1\n-2,4,-2\n' + "9" * 200_000 + "\n")
+    with pytest.raises(gs.InputError, match="line 4, value 1"):
+        load(path)
     (tmp_path / "frame.csv").unlink()
     with pytest.raises(gs.InputError, match=r'building\.file: found "frame.csv", expected the name of a file in'):
         load(path)
