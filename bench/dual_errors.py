@@ -95,7 +95,7 @@ def product_of_errors(model: Model, solution: Solution, Z: Array) -> float:
     squares = []
     for sign in (1, -1):
         together = replace(solution, U=solution.U + sign * scale * Z)
-        squares.append(energy_errors(together, frame, recover_fields(together, frame).forces).sum())
+        squares.append(energy_errors(together, frame, recover_fields(together, frame)).sum())
     return float(squares[0] - squares[1]) / (4 * scale)
 
 

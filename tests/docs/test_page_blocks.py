@@ -50,7 +50,7 @@ def test_cases_of_the_page_on_input_load(tmp_path: Path) -> None:
     assert core.acting[-1][1] == LineForce(core.walls[0].edges, q=(250e3, 250e3), width=0.3)
     (around,) = casefile.loads(f"{smallest}\n{outer}").placed_walls
     assert around.closed
-    assert len(casefile.loads(f"{smallest}\n{beams}").beams) == 3
+    assert len(casefile.loads(f"{smallest}\n{beams}").beams) == 5
     assert len(casefile.loads(f"{smallest}\n{stiff}").members) == 3
     columns = "".join(
         f'[[columns]]\nname = "A{n}"\nx = "{2 * n - 4} m"\ny = "0 m"\nwidth_x = "0.4 m"\nwidth_y = "0.4 m"\n'

@@ -340,7 +340,16 @@ def beams(draw: st.DrawFn, plate: Plate, names: list[str]) -> list[Beam]:
                 [
                     RectangularSection(width=width, height=height),
                     RibSection(width=width, height=height, effective_width=4 * width),
+                    RibSection(
+                        width=width, height=height, eccentric=True, side=draw(st.sampled_from(["below", "above"]))
+                    ),
                     GivenSection(second_moment=width * height**3, shear_area=width * height),
+                    GivenSection(
+                        second_moment=width * height**3,
+                        shear_area=width * height,
+                        area=width * height,
+                        eccentricity=draw(st.sampled_from([-1.0, -0.5, 0.0, 0.5, 1.0])) * height,
+                    ),
                 ]
             )
         )

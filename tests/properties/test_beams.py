@@ -60,7 +60,7 @@ def compare(one: CombinationResult, image: CombinationResult, turn: Array, sign:
         distance[node], w[node] = off.min(), image.plate.settlement[off.argmin()]
     assert distance.max() < 1e-9
     assert_same(one.plate.settlement, w, float(np.abs(w).max()))
-    for name, turned in (("moment", 1.0), ("shear", 1.0), ("torsion", sign)):
+    for name, turned in (("moment", 1.0), ("shear", 1.0), ("axial", 1.0), ("torsion", sign)):
         values = [np.abs(getattr(beam, name)) for beam in one.beams]
         scale = max(float(each.max()) for each in (*values, *(np.abs(beam.moment) for beam in one.beams)))
         for beam, other in zip(one.beams, image.beams, strict=True):
@@ -98,3 +98,4 @@ def test_other_units(ribs: list[Beam], lengths: float, forces: float) -> None:
         scale = float(np.abs(scaled.moment).max())
         assert_same(lengths * forces * beam.moment, scaled.moment, scale)
         assert_same(forces * beam.shear, scaled.shear, max(float(np.abs(scaled.shear).max()), scale / lengths))
+        assert_same(forces * beam.axial, scaled.axial, max(float(np.abs(scaled.axial).max()), scale / lengths))

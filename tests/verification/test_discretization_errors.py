@@ -98,7 +98,7 @@ def test_energy(case: str) -> None:
     model, reference = slab(8, **given), slab(32, **given)
     coarse, fine = solution_of(model), solution_of(reference)
     frame = make_result_mesh(model, coarse.system.problem)
-    estimate = np.sqrt(energy_errors(model, coarse, recover_fields(coarse, frame).forces).sum())
+    estimate = np.sqrt(energy_errors(model, coarse, recover_fields(coarse, frame)).sum())
     true = true_energy_error(coarse, fine, own_forces(fine.system.problem, fine.U, gauss(2)[0]))
     assert 0.7 < estimate / true < 1.5
 

@@ -41,8 +41,8 @@ def compare(
     frame, coarser_frame = prolongation.finer, prolongation.coarser
     coarser_fields = recover_fields(coarser, coarser_frame)
     parts, parts_before = (
-        energy_errors(model, solution, fields.forces),
-        energy_errors(model, coarser, coarser_fields.forces),
+        energy_errors(model, solution, fields),
+        energy_errors(model, coarser, coarser_fields),
     )
     squared, before = float(parts.sum()), float(parts_before.sum())
     total = energy(solution) + squared

@@ -19,7 +19,7 @@ from groundslab.model.model import Model
 from groundslab.results.balance.beam_forces import squared_errors
 from groundslab.results.balance.forces import pressing_forces, resistance
 from groundslab.results.patch_recovery import extrapolation
-from groundslab.results.recovery import own_forces
+from groundslab.results.recovery import MeshedFields, own_forces, own_membrane
 from groundslab.results.result_mesh import ResultMesh
 from groundslab.solvers.solution import Solution
 
@@ -43,15 +43,17 @@ def energy(solution: Solution) -> float:
     return max(stored, 0.0)
 
 
-def energy_errors(model: Model, solution: Solution, recovered: Array) -> Array:
+def energy_errors(model: Model, solution: Solution, fields: MeshedFields) -> Array:
     """Return the squared errors of elements of plate and ground in the energy norm, (m, 3) [N m].
 
-    They are those of moments, shear forces and slopes of the ground. recovered (mp, 9, 5) are moments and shear forces
-    at the nodes of the plate's elements. Those of a beam belong to the elements along it.
+    They are those of moments and membrane forces, of shear forces, and of slopes of the ground, against recovered
+    fields. Those of a beam belong to the elements along it.
     """
     of_ground = _ground_errors(solution)
     errors = np.zeros((len(of_ground), 3))
-    errors[solution.system.problem.plate.elements, :2] = _plate_errors(solution, recovered)
+    errors[solution.system.problem.plate.elements, :2] = _plate_errors(solution, fields.forces)
+    if fields.membrane is not None:
+        errors[solution.system.problem.plate.elements, 0] += _membrane_errors(solution, fields.membrane)
     errors[:, 2] = of_ground
     if model.members:
         errors[:, :2] += _beam_errors(model, solution)
@@ -60,16 +62,19 @@ def energy_errors(model: Model, solution: Solution, recovered: Array) -> Array:
 
 
 def _beam_errors(model: Model, solution: Solution) -> Array:
-    """Return the squared errors of moments and of shear forces of beams in the elements along them, (m, 2) [N m]."""
+    """Return the squared errors of moments and axial forces, and of shear forces, of beams, (m, 2) [N m].
+
+    They belong to the elements along the beams.
+    """
     problem = solution.system.problem
     elements, sides = problem.mesh.elements, problem.beams.sides
-    M, T, V = squared_errors(model, solution).T
+    M, T, V, N = squared_errors(model, solution).T
     number = np.full(len(problem.mesh.nodes), -1)
     number[sides[:, 2]] = np.arange(len(sides))
     element, side = np.nonzero(number[elements[:, SIDES[:, 2]]] >= 0)
     piece = number[elements[element, SIDES[side, 2]]]
     share = 1 / np.bincount(piece, minlength=len(sides))[piece]
-    return np.column_stack([scatter(element, share * each[piece], len(elements)) for each in (M + T, V)])
+    return np.column_stack([scatter(element, share * each[piece], len(elements)) for each in (M + T + N, V)])
 
 
 def error_density(solution: Solution, frame: ResultMesh, squared: Array, total: float) -> Array:
@@ -97,6 +102,18 @@ def _plate_errors(solution: Solution, recovered: Array) -> Array:
     dA = determinants(dN, problem.mesh.nodes[problem.mesh.elements[problem.plate.elements]]) * weights
     of_moments, of_shear = ((moments @ compliance) * moments).sum(axis=2), (shear**2).sum(axis=2) / S[:, None]
     return np.column_stack([(dA * each).sum(axis=1) for each in (of_moments, of_shear)])
+
+
+def _membrane_errors(solution: Solution, recovered: Array) -> Array:
+    """Return int (n* - n) . C^-1 (n* - n) of each plate element (mp,), n* recovered at nodes (mp, 9, 3)."""
+    problem, (points, weights) = solution.system.problem, gauss(3)
+    N, dN = q9(points)
+    sheet = problem.plate
+    compliance = np.linalg.inv(sheet.membrane)[sheet.section]
+    error = N @ recovered - own_membrane(problem, solution.U, points)
+    dA = determinants(dN, problem.mesh.nodes[problem.mesh.elements[sheet.elements]]) * weights
+    found: Array = (dA * ((error @ compliance) * error).sum(axis=2)).sum(axis=1)
+    return found
 
 
 def _ground_errors(solution: Solution) -> Array:

@@ -133,11 +133,11 @@ def _section(results: CombinationResult, beam: Beam, own: BeamResult, steel: Rei
     t = _flange(results, own)
     x, y = own.nodes[len(own.nodes) // 2]
     plate = model.every_plate[PlateRegion(model.plate, model.plates).plate_at((float(x), float(y)))]
-    E, nu = plate.E, plate.nu
-    bending = _at_each(lambda thickness, _: beam.rigidities(E, nu, thickness)[0], t, t)
+    E, width = plate.E, section.flange_width
+    bending = beam.stiffness * _at_each(lambda thickness, _: beam.added_bending(E, thickness), t, t)
     h = section.height + t
-    wide = (section.effective_width, b) if section.side == "below" else (b, section.effective_width)
-    share = 1 + E * section.effective_width * t**3 / 12 / bending
+    wide = (width, b) if section.side == "below" else (b, width)
+    share = 1 + E * width * t**3 / 12 / bending
     return _Section(share, h, b, wide, t, (h - axes[0], h - axes[1]))
 
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers
+from groundslab.arrays import Array, Flags, Integers
 from groundslab.discretize.plan_layout import Layout
 from groundslab.errors import InputError, Issue
 from groundslab.fem.hanging import find_hanging
 from groundslab.fem.mesh import SIDES, select_along, sides_of
 from groundslab.fem.parts.beams import Beams, lengths_of
+from groundslab.fem.parts.membrane import held
 from groundslab.geometry.plan import Segment
 from groundslab.model.model import Model
 from groundslab.model.structure.beams import Beam
@@ -26,20 +27,40 @@ def beams_on(model: Model, plan: Layout, sections: list[tuple[float, float, floa
     """
     members = model.members
     if not members:
-        none = np.zeros((0, 3), dtype=np.int64)
-        return Beams(none, none[:, 0], np.zeros(0), np.zeros(0), np.zeros((0, 3)), np.zeros((0, 2), dtype=bool))
+        none, zero = np.zeros((0, 3), dtype=np.int64), np.zeros(0)
+        return Beams(none, none[:, 0], zero, zero, np.zeros((0, 4)), zero, np.zeros((0, 2), dtype=bool))
     every = _whole_sides(plan)
     parts = [_along(plan, every, beam) for beam in members]
     sides, start, length = (np.concatenate(each) for each in zip(*parts, strict=True))
     number = np.repeat(np.arange(len(parts)), [len(own) for own, _, _ in parts])
     beside = _sections_beside(plan, sides, np.array([t for _, _, t in sections]))
-    rigidity, released = np.empty((len(sides), 3)), np.zeros((len(sides), 2), dtype=bool)
+    rigidity, eccentricity = np.empty((len(sides), 4)), np.zeros(len(sides))
+    released = np.zeros((len(sides), 2), dtype=bool)
     for which, section in np.unique(np.column_stack([number, beside]), axis=0).tolist():
         own = (number == which) & (beside == section)
         rigidity[own] = members[which].rigidities(*sections[section])
+        eccentricity[own] = members[which].eccentricity(sections[section][2])
     for which, beam in enumerate(members):
         released[np.flatnonzero(number == which)[[0, -1]], [0, 1]] = [end == "hinged" for end in beam.joined]
-    return Beams(sides, number, start, length, rigidity, released)
+    return Beams(sides, number, start, length, rigidity, eccentricity, released)
+
+
+def with_in_plane(present: Flags, plan: Layout, beams: Beams) -> tuple[Flags, tuple[int, ...]]:
+    """Return which unknowns exist (n, F) with u and v of plates whose beams are eccentric, and the fields of these."""
+    eccentric = beams.rigidity[:, 3] > 0
+    if not eccentric.any():
+        return present, ()
+    n, elements = len(plan.mesh.nodes), plan.mesh.elements[plan.plate_elements]
+    along, free = np.zeros(n, dtype=bool), np.ones(n, dtype=bool)
+    along[beams.sides[eccentric, 2]] = True
+    free[find_hanging(plan.mesh.elements)[:, 0]] = False
+    found = np.zeros((n, 2), dtype=bool)
+    for number in np.unique(plan.plate[along[elements].any(axis=1)]):
+        own = np.unique(elements[plan.plate == number])
+        own = own[free[own]]
+        found[own] = ~held(plan.mesh.nodes, own)[own]
+    fields = present.shape[1]
+    return np.hstack([present, found]), (fields, fields + 1)
 
 
 def _whole_sides(plan: Layout) -> Integers:

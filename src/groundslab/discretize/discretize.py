@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.discretize.beams import beams_on
+from groundslab.discretize.beams import beams_on, with_in_plane
 from groundslab.discretize.building import building_on, with_building
 from groundslab.discretize.constraints import (
     JointLine,
@@ -29,6 +29,7 @@ from groundslab.fem.assembly import number_unknowns
 from groundslab.fem.hanging import find_hanging
 from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.parts.contact import Bearing, ContactConditions, Depths
+from groundslab.fem.parts.membrane import membrane_rigidity
 from groundslab.fem.parts.plates import Plates
 from groundslab.fem.problem import BETA_X, BETA_Y, TOP, Loading, Problem, W
 from groundslab.geometry.plan import SAME_PLACE
@@ -60,6 +61,8 @@ def discretize(
     surfaces = surfaces_of(ground)
     lines = joint_lines(model, plan, surfaces)
     present = _with_slips(_present(model, plan, element, surfaces), lines)
+    beams = beams_on(model, plan, materials(model))
+    present, in_plane = with_in_plane(present, plan, beams)
     building = building_on(model, plan, element, present)
     present = with_building(present, building)
     cases = _cases(model, plan, element, fields := present.shape[1], like, loaded)
@@ -70,7 +73,7 @@ def discretize(
     edges, corners = _infinite_edges(model, plan)
     return Problem(
         mesh=plan.mesh,
-        plate=_plates(model, plan, element),
+        plate=_plates(model, plan, element, bool(in_plane)),
         ground=ground,
         constants=constants,
         rank=plan.rank,
@@ -81,7 +84,8 @@ def discretize(
         contact=_contact(model, gap, below, bearing),
         shear_at_edges=carries_shear(ground),
         links=make_links(model, plan, lines, surfaces, fields, carries_shear(ground)),
-        beams=beams_on(model, plan, materials(model)),
+        beams=beams,
+        in_plane=in_plane,
         building=building,
         edges=edges,
         corners=corners,
@@ -91,8 +95,8 @@ def discretize(
     )
 
 
-def _plates(model: Model, plan: Layout, element: plate.PlateElement) -> Plates:
-    """Return the plates with their sections."""
+def _plates(model: Model, plan: Layout, element: plate.PlateElement, in_plane: bool) -> Plates:
+    """Return the plates with their sections; in_plane says whether they stretch."""
     sections = _with_shear_factors(model)
     centers = plan.mesh.nodes[plan.mesh.elements[plan.plate_elements, -1]]
     return Plates(
@@ -101,6 +105,7 @@ def _plates(model: Model, plan: Layout, element: plate.PlateElement) -> Plates:
         element=element,
         bending=np.array([plate.bending_rigidity(E, nu, t) for E, nu, t, _ in sections]),
         shear=np.array([plate.shear_rigidity(*section) for section in sections]),
+        membrane=np.array([membrane_rigidity(E, nu, t) for E, nu, t, _ in sections if in_plane]).reshape(-1, 3, 3),
         rigidity=plan.section,
         section=plan.section,
         number=plan.plate,

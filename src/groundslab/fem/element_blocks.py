@@ -11,6 +11,7 @@ from groundslab.fem import plate
 from groundslab.fem.assembly import find_congruent
 from groundslab.fem.foundation import mass_and_slope
 from groundslab.fem.hanging import connect
+from groundslab.fem.parts import membrane as stretching
 from groundslab.fem.problem import TOP, Problem
 
 
@@ -29,23 +30,30 @@ class Blocks:
     slope: Array  # (u, 9, 9)
     T: Array  # (u, 9, 9)
     P: Array  # (u, 9, 9): see `hanging.connect`
+    membrane: Array  # (u, 18, 18), zero beside the plate; (u, 0, 0) where no plate has u and v
 
     def of(self, kinds: Integers) -> Blocks:
         """Return the blocks of some kinds (k,), renumbered."""
-        return Blocks(
-            np.arange(len(kinds)), *(each[kinds] for each in (self.plate, self.mass, self.slope, self.T, self.P))
-        )
+        every = self.plate, self.mass, self.slope, self.T, self.P, self.membrane
+        return Blocks(np.arange(len(kinds)), *(each[kinds] for each in every))
 
-    def between_unknowns(self, fields: int) -> Array:
-        """Return the plate's matrices between unknowns of nodes, (u, 9, 9, F, F)."""
+    def between_unknowns(self, fields: int, in_plane: tuple[int, ...]) -> Array:
+        """Return the plate's matrices between unknowns of nodes, (u, 9, 9, F, F); in_plane are the fields u and v."""
         K = np.zeros((len(self.plate), 9, 9, fields, fields))
-        by_field = self.plate.reshape(-1, TOP, 9, TOP, 9)
+        K[..., :TOP, :TOP] = self._between_fields(self.plate, TOP)
+        if in_plane:
+            u, v = in_plane
+            K[..., u : v + 1, u : v + 1] = self._between_fields(self.membrane, len(in_plane))
+        return K
+
+    def _between_fields(self, matrices: Array, fields: int) -> Array:
+        """Return matrices (u, 9 f, 9 f) between the fields of nodes that move the elements, (u, 9, 9, f, f)."""
+        by_field = matrices.reshape(-1, fields, 9, fields, 9)
         hangs = self.hangs
         if hangs.any():
             P, by_field = self.P[hangs], by_field.copy()
             by_field[hangs] = np.einsum("eba,eibjc,ecd->eiajd", P, by_field[hangs], P, optimize=True)
-        K[..., :TOP, :TOP] = by_field.transpose(0, 2, 4, 1, 3)
-        return K
+        return by_field.transpose(0, 2, 4, 1, 3)
 
     @property
     def hangs(self) -> Flags:
@@ -86,6 +94,12 @@ def blocks(problem: Problem) -> Blocks:
     T[under] = sheet.element.w_functions(xy[under])
     rigidities = sheet.bending[section], sheet.shear[section]
     K[under] = plate.stiffness(sheet.element, xy[under], *rigidities, T[under], halves[under])
+    stretches = bool(len(sheet.membrane))
+    membrane = np.zeros((len(kinds), 18, 18) if stretches else (len(kinds), 0, 0))
+    if stretches:
+        of_rigidity = np.empty(sections, dtype=np.int64)
+        of_rigidity[sheet.rigidity] = sheet.section
+        membrane[under] = stretching.stiffness(xy[under], sheet.membrane[of_rigidity[section]])
     mass, slope = mass_and_slope(xy)
     on_diagonal = masses[:, 1:] * mass.sum(axis=2)
-    return Blocks(kind, K, masses[:, :1, None] * mass + on_diagonal[:, :, None] * np.eye(9), slope, T, P)
+    return Blocks(kind, K, masses[:, :1, None] * mass + on_diagonal[:, :, None] * np.eye(9), slope, T, P, membrane)

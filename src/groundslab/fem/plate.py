@@ -210,12 +210,16 @@ def stiffness(element: PlateElement, xy: Array, D: Array, S: Array, T: Array, ha
     for start in range(0, len(xy), CHUNK):
         some = slice(start, start + CHUNK)
         K[some] = _shear_stiffness(element, xy[some], S[some], T[some], None if halves is None else halves[some])
-        K[some, 9:, 9:] += _bending_stiffness(xy[some], D[some])
+        K[some, 9:, 9:] += symmetric_gradient_stiffness(xy[some], D[some])
     return K
 
 
-def _bending_stiffness(xy: Array, D: Array) -> Array:
-    """Return int B_b^T D B_b dA (m, 18, 18) between the rotations, by products of their derivatives by x and y."""
+def symmetric_gradient_stiffness(xy: Array, D: Array) -> Array:
+    """Return int B_b^T D B_b dA (m, 18, 18) between two fields, by products of their derivatives by x and y.
+
+    These are the rotations and rigidities D (m, 3, 3) against bending, or displacements in the plate's plane and those
+    against stretching.
+    """
     points, weights = gauss(3)
     x, y, det = derivatives(points, xy)
     dA = (det * weights)[..., None]

@@ -2,8 +2,9 @@
 
 Fields of a node: W, BETA_X, BETA_Y of the plate; TOP, which is the settlement of the ground's surface, under the plate
 relative to the plate's; then the settlements of the lower surfaces. Under the plate w_0 = w + h, and the gap is h + g0.
-Where joints have play, their slip at nodes of the second plate comes next; unknowns of the building above, which stand
-at some nodes that mean nothing to them, come last. What bears on single unknowns (the ground
+Where joints have play, their slip at nodes of the second plate comes next; then, where beams are eccentric, the
+displacements u, v in the plane of their plates; unknowns of the building above, which stand at some nodes that mean
+nothing to them, come last. What bears on single unknowns (the ground
 where the plate may lift off, supports, the ends of the play) stands beside the matrix.
 """
 
@@ -81,6 +82,7 @@ class Problem:
     mesh_plan: MeshPlan
     origin: tuple[float, float] = (0.0, 0.0)  # [m]: where x = y = 0 lies in the plan that was given, for messages
     building: Building | None = None  # above, which joins footprints on the plates
+    in_plane: tuple[int, ...] = ()  # the fields of u and v, none where no beam is eccentric
     elastic: ElasticGround | None = None  # bears the plate, instead of columns, whose constants are zero then
 
     @property
@@ -148,6 +150,15 @@ class Problem:
 
 #: The lengths of problems on a mesh, see `Problem.length`.
 _LENGTHS: Memo[float] = Memo()
+
+
+def membrane_unknowns(problem: Problem, U: Array) -> Array:
+    """Return u and v of each plate element (mp, 18) from U (n, F), less those of its center.
+
+    Strains are the same; stiffness times what an element moves as a whole would be rounding alone.
+    """
+    elements = problem.mesh.elements[problem.plate.elements]
+    return np.concatenate([U[elements, field] - U[elements[:, 8:], field] for field in problem.in_plane], axis=1)
 
 
 def plate_unknowns(problem: Problem, U: Array) -> Array:

@@ -59,7 +59,7 @@ class System:
     problem: Problem
     pattern: Pattern
     blocks: Blocks
-    beams: Array  # (b, 3, 3, 3, 3): stiffness of the pieces of beams, see `parts.beams`
+    beams: Array  # (b, 3, 3, 5, 5): stiffness of the pieces of beams, see `parts.beams`
     building: tuple[Integers, Array] | None = None  # node pairs and blocks of the building above, see `parts.building`
 
 
@@ -80,6 +80,7 @@ def build_system(problem: Problem, like: System | None = None) -> System:
             (known_sheet.rigidity, sheet.rigidity),
             (known_sheet.bending, sheet.bending),
             (known_sheet.shear, sheet.shear),
+            (known_sheet.membrane, sheet.membrane),
             (known_depths.mass_kind, depths.mass_kind),
             (known_depths.mass_kinds, depths.mass_kinds),
         )
@@ -122,7 +123,7 @@ def stiffness(s: System, column: Column) -> Symmetric:
 
     def matrices(kinds: Integers) -> Array:
         own = b.of(kinds)
-        K, ground = own.between_unknowns(F), functools.cache(own.ground)
+        K, ground = own.between_unknowns(F, s.problem.in_plane), functools.cache(own.ground)
         for a, c in _coupled(column):
             for i, j in itertools.product(surface_fields(a), surface_fields(c)):
                 mass, slope = ground(*_of_plate(s.problem, i, j))
@@ -181,7 +182,8 @@ def _make_parts(s: System) -> _Parts:
     b, p = s.blocks, s.pattern
     F = p.unknown.shape[1]
     none = np.zeros(0, dtype=np.int64), np.zeros((0, F, F))
-    plate_alone = assembly.assemble(p, b.kind, lambda kinds: b.of(kinds).between_unknowns(F), *none)
+    in_plane = s.problem.in_plane
+    plate_alone = assembly.assemble(p, b.kind, lambda kinds: b.of(kinds).between_unknowns(F, in_plane), *none)
     return _Parts(plate_alone, assembly.entries_of_pairs(p), {})
 
 
@@ -256,15 +258,30 @@ def _link_blocks(s: System, column: Column) -> tuple[Integers, Array]:
     return np.concatenate(pairs), np.concatenate([own, own, -own])
 
 
+def beam_fields(problem: Problem) -> Integers:
+    """Return the fields that move beams: w, beta_x and beta_y, and u and v where there are such."""
+    return np.array([*range(TOP), *problem.in_plane])
+
+
+def beam_unknowns(problem: Problem, U: Array) -> Array:
+    """Return w, beta_x, beta_y, u and v of the nodes of beams (b, 3, 5) from U (n, F), without u and v zeros."""
+    sides, fields = problem.beams.sides, beam_fields(problem)
+    found = np.zeros((*sides.shape, beams.FIELDS))
+    found[..., : len(fields)] = U[sides][..., fields]
+    return found
+
+
 def _beam_blocks(s: System) -> tuple[Integers, Array]:
     """Return the node pairs (t,) of beams and their blocks (t, F, F), rows being of the node eliminated first."""
     sides, rank, F = s.problem.beams.sides, s.pattern.rank, s.pattern.unknown.shape[1]
+    fields = beam_fields(s.problem)
+    k, between = len(fields), np.ix_(np.arange(len(sides)), fields, fields)
     pairs, found = [], []
     for a, c in itertools.combinations_with_replacement(range(3), 2):
         one, other = sides[:, a], sides[:, c]
         own = np.zeros((len(sides), F, F))
         turned = (rank[one] > rank[other])[:, None, None]
-        own[:, :TOP, :TOP] = np.where(turned, s.beams[:, c, a], s.beams[:, a, c])
+        own[between] = np.where(turned, s.beams[:, c, a, :k, :k], s.beams[:, a, c, :k, :k])
         pairs.append(s.pattern.pairs(one, other))
         found.append(own)
     return np.concatenate(pairs), np.concatenate(found)

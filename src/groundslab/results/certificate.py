@@ -46,6 +46,8 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     rest = inner - load
 
     fixed, borne = problem.unknown < 0, bearing_forces(solution)
+    # what holds plates in their plane may carry nothing
+    fixed[:, list(problem.in_plane)] = False
     elastic = np.isfinite(solution.law.stiffness)
     rounding = _rounding(solution)
     residual = _residual(solution, inner, np.where(fixed, 0.0, rest - borne), rounding)

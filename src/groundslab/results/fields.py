@@ -65,6 +65,10 @@ def _shear(symbol: str, meaning: str) -> ResultField:
     return ResultField("shear", symbol, "kN/m", "force per length", meaning, "any", PATCHES)
 
 
+def _membrane(symbol: str, meaning: str) -> ResultField:
+    return ResultField("membrane force", symbol, "kN/m", "force per length", meaning, "any", NOT)
+
+
 def _rotation(symbol: str, meaning: str) -> ResultField:
     return ResultField("rotation", symbol, "mrad", "slope", meaning, "any", NOT)
 
@@ -99,6 +103,12 @@ ERROR = "discretization_error"
 
 #: The field of elements that is there only where the slab may crack.
 STIFFNESS = "stiffness_ratio"
+#: The fields of elements that are there only where beams are eccentric.
+MEMBRANE: dict[str, ResultField] = {
+    "membrane_x": _membrane("n_x", "force along x in the plate's plane, tension positive"),
+    "membrane_y": _membrane("n_y", "force along y in the plate's plane, tension positive"),
+    "membrane_xy": _membrane("n_xy", "shear force in the plate's plane"),
+}
 
 #: The field that only nodes on the plate's edge have.
 LINE_FORCE = "line_force"
@@ -119,12 +129,13 @@ ELEMENT_FIELDS: dict[str, ResultField] = {
         "stiffness ratio", "r_B", "%", "share", "lesser bending stiffness over the uncracked one",
         "not negative", MEAN,
     ),
+    **MEMBRANE,
 }  # fmt: skip
 
 #: Fields of elements that pictures show, by their means at the nodes.
 SHOWN_ELEMENT_FIELDS = {
     name: replace(ELEMENT_FIELDS[name], averaged="mean of the elements that meet, by area")
-    for name in (ERROR, STIFFNESS)
+    for name in (ERROR, STIFFNESS, *MEMBRANE)
 }
 
 #: What is computed from the moments at a node: principal moments, and the direction of the larger one.

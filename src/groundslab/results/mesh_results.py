@@ -237,12 +237,11 @@ class ElementResult:
     section : (m,) array of int
         Section of the plate: 0 outside all zones, else the number of the zone, from 1.
     discretization_error : (m,) array of float or None
-        Density of the discretization error in the energy norm [1], sqrt((eta_e^2 / E) / (A_e / A)): the error of an
-        element and of the ground under it as a share of the solution's norm, over the root of the element's share of
-        the plate's area. The mesh is too coarse where it is large. None if there was no coarser mesh to compare with.
+        Density of the discretization error in energy [1], large where the mesh is too coarse. None if unknown.
     stiffness_ratio : (m,) array of float or None
-        Bending stiffness over that of the uncracked section [1], along x or y where it is less; 1 in combinations
-        without cracks. None if cracking was not asked for.
+        Lesser bending stiffness along x and y over that of the uncracked section [1]. None if nothing may crack.
+    membrane_x, membrane_y, membrane_xy : (m,) array of float or None
+        Forces in the plate's plane [N/m], tension positive. None if no beam is eccentric.
     """
 
     pressure: Array
@@ -255,6 +254,9 @@ class ElementResult:
     section: Integers
     discretization_error: Array | None = None
     stiffness_ratio: Array | None = None
+    membrane_x: Array | None = None
+    membrane_y: Array | None = None
+    membrane_xy: Array | None = None
 
     def at_nodes(self, plate: PlateResult) -> tuple[Array, Integers]:
         """Return thickness [m] and section of the plate's nodes, (n,) each: a node belongs to one section only.

@@ -124,12 +124,16 @@ class BeamResult:
     settlement : (k,) array of float
         Settlement of beam and plate there [m].
     moment : (k,) array of float
-        Bending moment M [N m], positive where the beam sags; that of a rib includes the couple of the axial forces in
-        rib and flange.
+        Bending moment M about the plate's middle plane [N m], positive where the beam sags; that of a rib includes the
+        couple of the axial forces in rib and flange. About the beam's own axis it is M - e N.
     shear : (k,) array of float
         Shear force V [N]: dM/ds where the plate does not bend the beam.
     torsion : (k,) array of float
         Torsional moment T [N m]: -G J times the twist, which is positive if what lies to the left turns down along it.
+    axial : (k,) array of float
+        Axial force N [N], tension positive; 0 of a beam that is not eccentric.
+    eccentricity : (k,) array of float
+        How far its axis lies below the plate's middle plane [m].
     """
 
     name: str
@@ -139,6 +143,8 @@ class BeamResult:
     moment: Array
     shear: Array
     torsion: Array
+    axial: Array
+    eccentricity: Array
 
     @property
     def closed(self) -> bool:

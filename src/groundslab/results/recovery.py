@@ -11,7 +11,8 @@ from groundslab.fem import plate
 from groundslab.fem.assembly import scatter
 from groundslab.fem.continuum.pressed_cells import PressedCells, press
 from groundslab.fem.hanging import find_halves
-from groundslab.fem.problem import BETA_X, BETA_Y, Problem, W, plate_unknowns
+from groundslab.fem.parts import membrane as stretching
+from groundslab.fem.problem import BETA_X, BETA_Y, Problem, W, membrane_unknowns, plate_unknowns
 from groundslab.fem.shape_functions import gauss
 from groundslab.fem.system import plate_settlement, surface_settlement
 from groundslab.fem.vlasov import Soil
@@ -21,6 +22,7 @@ from groundslab.results.balance.beam_forces import beam_results
 from groundslab.results.balance.building_forces import base_results
 from groundslab.results.balance.forces import resistance
 from groundslab.results.contact_fields import contact_fields
+from groundslab.results.fields import MEMBRANE
 from groundslab.results.mesh_results import ElementResult, GroundResult, PlateResult
 from groundslab.results.record import Certificate, Constants, JointResult, Step, SupportResult
 from groundslab.results.result_mesh import ResultMesh
@@ -32,6 +34,8 @@ from groundslab.solvers.solution import Solution
 FORCES = ("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y")
 #: Weights of their squares in the size of the moment tensor, and of the shear force, in any direction alike.
 SIZES = (np.array([1.0, 1.0, 2.0, 0.0, 0.0]), np.array([0.0, 0.0, 0.0, 1.0, 1.0]))
+#: The same weights of the membrane forces.
+OF_TENSOR = (np.array([1.0, 1.0, 2.0]),)
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +47,7 @@ class MeshedFields:
     elements: dict[str, Array]  # (mp,)
     surfaces: Array  # (S, n) [m]: settlements
     cells: PressedCells | None = None
+    membrane: Array | None = None  # (mp, 9, 3): recovered forces in the plane at nodes of elements, as fields.MEMBRANE
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +107,12 @@ def recover_fields(solution: Solution, frame: ResultMesh) -> MeshedFields:
     nodal = {name: field[frame.node] for name, field in moved.items()}
     nodal |= {"area": frame.area, "edge_length": frame.edge_length} | section_forces(frame, forces) | contact
     elements = _element_fields(problem, at_points) | {"pressure": pressure}
-    return MeshedFields(forces, nodal, elements, surface_settlement(s, U), _press(solution))
+    membrane = None
+    if problem.in_plane:
+        own = own_membrane(problem, U, gauss(2)[0])
+        elements |= dict(zip(MEMBRANE, own.mean(axis=1).T, strict=True))
+        membrane = frame.at_nodes(own, tuple(MEMBRANE), OF_TENSOR)
+    return MeshedFields(forces, nodal, elements, surface_settlement(s, U), _press(solution), membrane)
 
 
 def _press(solution: Solution) -> PressedCells | None:
@@ -208,6 +218,13 @@ def own_forces(problem: Problem, U: Array, points: Array) -> Array:
     forces = plate.section_forces(sheet.element, points, xy, D, S, u, halves)
     forces[..., :3] += np.einsum("eij,ej->ei", D[:, :, :2], problem.loading.free_curvature)[:, None]
     return forces
+
+
+def own_membrane(problem: Problem, U: Array, points: Array) -> Array:
+    """Return n_x, n_y, n_xy [N/m] at points (p, 2) of the plate's elements, (mp, p, 3), the elements' own."""
+    sheet = problem.plate
+    xy = problem.mesh.nodes[problem.mesh.elements[sheet.elements]]
+    return stretching.forces(points, xy, sheet.membrane[sheet.section], membrane_unknowns(problem, U))
 
 
 def section_forces(frame: ResultMesh, forces: Array) -> dict[str, Array]:

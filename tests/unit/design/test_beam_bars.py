@@ -42,7 +42,7 @@ def results(
         0 * way,
         moment * np.array([0, 0.5, 1, 0.5, 0]),
         shear * np.array([5.0, 0.2, 0, -1, 5.0]),
-        0 * way,
+        *(0 * way,) * 3,
     )
     return replace(solved, results={"ULS": replace(solved["ULS"], beams=(beam,))})
 

@@ -42,7 +42,7 @@ VALUES: dict[str, tuple[str, ...]] = {
     ),
     "beams": (
         "greatest moment", "least moment", "largest shear force", "largest torsional moment", "least settlement",
-        "greatest settlement",
+        "greatest settlement", "greatest axial force", "least axial force",
     ),
     "building": (
         "load", "change of load", "change of M_x", "change of M_y", "settlement", "slope along x", "slope along y",

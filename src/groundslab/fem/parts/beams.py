@@ -1,12 +1,14 @@
 """Timoshenko beams along sides of plate elements: where they run, their stiffness, and section forces at points.
 
-Unknowns of a piece, node after node (start, end, middle): w, beta_x, beta_y of the plate, on whose middle plane the
-beam's axis lies. The beam bends by the slope beta . t along its direction t, twists by beta . n, n to the left of it:
+Unknowns of a piece, node after node (start, end, middle): w, beta_x, beta_y of the plate, and u, v of its middle plane,
+e below which the beam's centroid lies. The beam bends by the slope beta . t along its direction t, twists by beta . n,
+n to the left of it, and stretches:
 
-    M = -E I t . dbeta/ds,   T = -G J n . dbeta/ds,   V = G A_v (dw/ds - t . beta),
+    M = -E I t . dbeta/ds,   T = -G J n . dbeta/ds,   V = G A_v (dw/ds - t . beta),   N = E A t . (du/ds - e dbeta/ds),
 
-s along the axis, which may be curved. All are integrated at two points, where the shear strain of a quadratic w and
-beta is taken on MITC9's sides, too: neither locks (Zienkiewicz, Taylor and Too 1971). See docs/theory.md, beams.
+M about its own centroid, s along the axis, which may be curved. All are integrated at two points, where the shear
+strain of a quadratic w and beta is taken on MITC9's sides, too, and u and e beta are of one order: nothing locks
+(Zienkiewicz, Taylor and Too 1971). See docs/theory.md, beams.
 """
 
 from __future__ import annotations
@@ -18,6 +20,8 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem.shape_functions import gauss_line
 
+#: w, beta_x, beta_y, u, v of a node.
+FIELDS = 5
 #: The two Gauss points, from -1 at the start to 1 at the end.
 POINTS = np.array([-1.0, 1.0]) / np.sqrt(3.0)
 #: Of a line through the values at both points: its values at the start and at the end.
@@ -32,17 +36,18 @@ class Beams:
     number: Integers  # (b,): which beam it belongs to; the pieces of a beam follow each other
     start: Array  # (b,) [m]: where it starts, measured along the beam
     length: Array  # (b,) [m]
-    rigidity: Array  # (b, 3): E I and G J [N m2], G A_s [N]
+    rigidity: Array  # (b, 4): E I and G J [N m2], G A_v and E A [N], of which the last is 0 of concentric ones
+    eccentricity: Array  # (b,) [m]: how far the centroid lies below the plate's middle plane
     released: Flags  # (b, 2): whether it bends freely at its start, at its end: hinges at ends of beams
 
 
 def stiffness(beams: Beams, nodes: Array) -> Array:
-    """Return the stiffness matrices (b, 3, 3, 3, 3) of pieces between nodes a, c and fields i, j: entry [a, c, i, j].
+    """Return the stiffness matrices (b, 3, 3, 5, 5) of pieces between nodes a, c and fields i, j: entry [a, c, i, j].
 
     nodes (n, 2) are those of the mesh [m]. What is released has been eliminated.
     """
     xy = nodes[beams.sides]
-    K = _full_stiffness(xy, beams.rigidity)
+    K = _full_stiffness(xy, beams.rigidity, beams.eccentricity)
     if beams.released.any():
         some = beams.released.any(axis=1)
         _, K_r, inverse = _releases(xy[some], K[some], beams.released[some])
@@ -51,40 +56,40 @@ def stiffness(beams: Beams, nodes: Array) -> Array:
 
 
 def section_forces(beams: Beams, nodes: Array, u: Array) -> Array:
-    """Return M [N m], T [N m] and V [N] at both Gauss points of pieces, (b, 2, 3), for unknowns u (b, 3, 3).
+    """Return M, T [N m], V and N [N] at both Gauss points of pieces, (b, 2, 4), for unknowns u (b, 3, 5) of nodes.
 
-    u are w, beta_x and beta_y of each node. M is positive where the beam sags, V = dM/ds where no torsion enters.
+    M is positive where the beam sags, N in tension. V = d(M + e N)/ds where no torsion enters.
     """
     xy = nodes[beams.sides]
-    B, _ = _strains(xy)
+    B, _ = _strains(xy, beams.eccentricity)
     own = without_motion(xy, u)
     if beams.released.any():
         some = beams.released.any(axis=1)
-        K = _full_stiffness(xy[some], beams.rigidity[some])
+        K = _full_stiffness(xy[some], beams.rigidity[some], beams.eccentricity[some])
         released, K_r, inverse = _releases(xy[some], K, beams.released[some])
         turned = np.einsum("bkl,blai,bai->bk", inverse, K_r, own[some])
         own[some] -= np.einsum("bk,bkai->bai", turned, released)
-    forces: Array = np.einsum("bprai,bai->bpr", B, own) * beams.rigidity[:, None] * [-1.0, -1.0, 1.0]
+    forces: Array = np.einsum("bprai,bai->bpr", B, own) * beams.rigidity[:, None] * [-1.0, -1.0, 1.0, 1.0]
     return forces
 
 
-def _full_stiffness(xy: Array, rigidity: Array) -> Array:
+def _full_stiffness(xy: Array, rigidity: Array, eccentricity: Array) -> Array:
     """Return the stiffness matrices of pieces whose ends turn with the plate."""
-    B, ds = _strains(xy)
+    B, ds = _strains(xy, eccentricity)
     K: Array = np.einsum("bprai,br,bp,bprcj->bacij", B, rigidity, ds, B, optimize=True)
     return K
 
 
 def _releases(xy: Array, K: Array, released: Flags) -> tuple[Array, Array, Array]:
-    """Return the slopes along the axis at released ends as unknowns r (b, 2, 3, 3), K r, and (r . K r)^-1 (b, 2, 2).
+    """Return the slopes along the axis at released ends as unknowns r (b, 2, 3, 5), K r, and (r . K r)^-1 (b, 2, 2).
 
     An end that is not released has neither.
     """
     a, b, middle = (xy[:, k] for k in range(3))
     ways = np.stack([2 * middle - 1.5 * a - 0.5 * b, 0.5 * a + 1.5 * b - 2 * middle], axis=1)
-    r = np.zeros((len(xy), 2, 3, 3))
+    r = np.zeros((len(xy), 2, 3, FIELDS))
     for end in (0, 1):
-        r[:, end, end, 1:] = ways[:, end] / np.linalg.norm(ways[:, end], axis=1, keepdims=True)
+        r[:, end, end, 1:3] = ways[:, end] / np.linalg.norm(ways[:, end], axis=1, keepdims=True)
     r[~released] = 0.0
     K_r = np.einsum("bacij,bkcj->bkai", K, r)
     resisted = np.einsum("bkai,blai->bkl", r, K_r)
@@ -93,9 +98,9 @@ def _releases(xy: Array, K: Array, released: Flags) -> tuple[Array, Array, Array
 
 
 def without_motion(xy: Array, u: Array) -> Array:
-    """Return unknowns (b, 3, 3) less the rigid motion of each piece's middle, whose size would be rounding."""
+    """Return unknowns (b, 3, 5) less the rigid motion of each piece's middle, whose size would be rounding."""
     left: Array = u - u[:, 2:]
-    left[..., 0] -= np.einsum("bax,bx->ba", xy - xy[:, 2:], u[:, 2, 1:])
+    left[..., 0] -= np.einsum("bax,bx->ba", xy - xy[:, 2:], u[:, 2, 1:3])
     return left
 
 
@@ -107,8 +112,11 @@ def lengths_of(xy: Array) -> Array:
     return length
 
 
-def _strains(xy: Array) -> tuple[Array, Array]:
-    """Return B (b, 2, 3, 3, 3) from fields (last) of nodes to curvature, twist and shear strain, and ds (b, 2) [m]."""
+def _strains(xy: Array, eccentricity: Array) -> tuple[Array, Array]:
+    """Return B (b, 2, 4, 3, 5) from fields (last) of nodes to strains, and ds (b, 2) [m].
+
+    The strains are curvature, twist, shear strain, and the strain of the centroid's axis.
+    """
     s = POINTS[:, None]
     N = np.hstack([s * (s - 1) / 2, s * (s + 1) / 2, 1 - s * s])
     dN = np.hstack([s - 0.5, s + 0.5, -2 * s])
@@ -117,9 +125,11 @@ def _strains(xy: Array) -> tuple[Array, Array]:
     t = along / ds[..., None]
     n = np.stack([-t[..., 1], t[..., 0]], axis=-1)
     slope = dN / ds[..., None]
-    B = np.zeros((len(xy), 2, 3, 3, 3))
-    B[:, :, 0, :, 1:] = slope[..., None] * t[:, :, None]
-    B[:, :, 1, :, 1:] = slope[..., None] * n[:, :, None]
+    B = np.zeros((len(xy), 2, 4, 3, FIELDS))
+    B[:, :, 0, :, 1:3] = slope[..., None] * t[:, :, None]
+    B[:, :, 1, :, 1:3] = slope[..., None] * n[:, :, None]
     B[:, :, 2, :, 0] = slope
-    B[:, :, 2, :, 1:] = -N[:, :, None] * t[:, :, None]
+    B[:, :, 2, :, 1:3] = -N[:, :, None] * t[:, :, None]
+    B[:, :, 3, :, 3:] = B[:, :, 0, :, 1:3]
+    B[:, :, 3, :, 1:3] = -eccentricity[:, None, None, None] * B[:, :, 0, :, 1:3]
     return B, ds

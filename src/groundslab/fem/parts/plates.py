@@ -18,7 +18,8 @@ class Plates:
     element: PlateElement  # the kind of all
     bending: Array  # (k, 3, 3) [N m]: rigidities of the sections, or of the elements where these have cracked
     shear: Array  # (k,) [N/m]
-    rigidity: Integers  # (mp,): which of these each element has
+    membrane: Array  # (sections, 3, 3) [N/m]: rigidities in their plane; none where no plate has u and v
+    rigidity: Integers  # (mp,): which of bending and shear each element has
     section: Integers  # (mp,): number of each element's section: 0 outside all zones, else the zone's, from 1
     number: Integers  # (mp,): which of several plates it belongs to
     names: tuple[str, ...]  # of the plates

@@ -18,7 +18,7 @@ from groundslab.model.structure.lines import (
     line_segments,
 )
 from groundslab.schema.base import Check, Section
-from groundslab.schema.fields import Choice, ListOf, Number, Quantity, Text
+from groundslab.schema.fields import Boolean, Choice, ListOf, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.ranges import Range
 from groundslab.schema.section_fields import ByKind, Table
@@ -51,6 +51,11 @@ class _Rectangle(Section):
         return self.width * self.height**3 / 12
 
     @property
+    def area(self) -> float:
+        """Return A [m2]."""
+        return self.width * self.height
+
+    @property
     def torsion_constant(self) -> float:
         """Return J [m4]."""
         return torsion_constant(self.width, self.height)
@@ -58,7 +63,7 @@ class _Rectangle(Section):
     @property
     def shear_area(self) -> float:
         """Return the area that carries shear [m2]."""
-        return SHEAR_SHARE * self.width * self.height
+        return SHEAR_SHARE * self.area
 
 
 class RectangularSection(_Rectangle):
@@ -69,32 +74,78 @@ class RectangularSection(_Rectangle):
     )
 
 
+def _check_flange(effective_width: float | None, eccentric: bool) -> Iterator[RelativeIssue]:
+    if effective_width is None and not eccentric:
+        hint = "or eccentric = true, which needs none"
+        yield RelativeIssue(("effective_width",), "nothing", "the width of the rib's flange [m]", hint)
+
+
+def _check_eccentricity(area: float | None, eccentricity: float | None) -> Iterator[RelativeIssue]:
+    if (area is None) != (eccentricity is None):
+        lacking, there = ("area", "an eccentricity") if area is None else ("eccentricity", "an area")
+        yield RelativeIssue((lacking,), f"nothing, with {there}", "both or neither", "")
+
+
 class RibSection(_Rectangle):
     """A rib below or above the plate, a strip of which is its flange."""
 
+    checks: ClassVar[tuple[Check, ...]] = (_check_flange,)
+
     kind: Annotated[Literal["rib"], Table("a rib below or above the plate, a strip of which is its flange")] = "rib"
     effective_width: Annotated[
-        float, Quantity("length", "b_eff", "width of the plate that acts as the flange", POSITIVE)
-    ]
+        float | None,
+        Quantity(
+            "length",
+            "b_eff",
+            "width of the plate that acts as the flange; of an eccentric rib for its bars alone, by default its own",
+            POSITIVE,
+        ),
+    ] = None
+    eccentric: Annotated[
+        bool, Boolean("whether it stretches the plate in its plane, which replaces the effective width")
+    ] = False
     side: Annotated[
         Literal["below", "above"],
-        Choice(Literal["below", "above"], "side of the plate on which it lies, for its bars", ""),
+        Choice(Literal["below", "above"], "side of the plate on which it lies", ""),
     ] = "below"
+
+    @property
+    def flange_width(self) -> float:
+        """Return the width of the plate that acts as the flange [m]."""
+        return self.width if self.effective_width is None else self.effective_width
 
 
 class GivenSection(Section):
     """A section of which the properties are given, such as of steel."""
 
+    checks: ClassVar[tuple[Check, ...]] = (_check_eccentricity,)
+
     kind: Annotated[Literal["properties"], Table("a section of which the properties are given, such as of steel")] = (
         "properties"
     )
     second_moment: Annotated[
-        float, Quantity("second moment of area", "I", "second moment of area about the plate's middle plane", POSITIVE)
+        float,
+        Quantity(
+            "second moment of area",
+            "I",
+            "second moment of area about the plate's middle plane, of an eccentric one about its own axis",
+            POSITIVE,
+        ),
     ]
     torsion_constant: Annotated[
         float, Quantity("second moment of area", "J", "torsion constant; 0 resists no torsion", Range(at_least=0))
     ] = 0.0
     shear_area: Annotated[float, Quantity("area", "A_v", "area that carries shear", POSITIVE)]
+    area: Annotated[float | None, Quantity("area", "A", "area, which an eccentric section needs", POSITIVE)] = None
+    eccentricity: Annotated[
+        float | None,
+        Quantity(
+            "length",
+            "e",
+            "how far its centroid lies below the plate's middle plane, above it negative; with it, it stretches the "
+            "plate in its plane",
+        ),
+    ] = None
 
 
 End = Literal["fixed", "hinged"]
@@ -120,7 +171,10 @@ def _check_ends(
 
 
 class Beam(Section):
-    """A beam or rib that bends, shears and twists with the plate, on whose middle plane its axis is taken to lie."""
+    """A beam or rib that bends, shears and twists with the plate, and stretches it where it is eccentric.
+
+    Else its axis is taken to lie in the plate's middle plane.
+    """
 
     checks: ClassVar[tuple[Check, ...]] = (_check_points_or_shape, _check_length, _check_ends)
 
@@ -180,20 +234,49 @@ class Beam(Section):
         edges = self.edges
         return (*(edge.start for edge in edges), edges[-1].end) if all(edge.straight for edge in edges) else ()
 
-    def rigidities(self, E: float, nu: float, thickness: float) -> tuple[float, float, float]:
-        """Return E I, G J [N m2] and G A_v [N] on a plate with E [Pa], nu and a thickness [m].
+    @property
+    def eccentric(self) -> bool:
+        """Return whether it stretches the plate in its plane."""
+        section = self.section
+        return section.eccentric if isinstance(section, RibSection) else self._given_eccentricity is not None
 
-        Those of a rib are what it adds to the plate: E I is that of the T or L about its centroid, less that of the
-        flange alone.
+    @property
+    def _given_eccentricity(self) -> float | None:
+        return self.section.eccentricity if isinstance(self.section, GivenSection) else None
+
+    def eccentricity(self, thickness: float) -> float:
+        """Return how far its centroid lies below the middle plane of a plate [m], 0 of one that does not stretch it."""
+        if isinstance(self.section, RibSection) and self.section.eccentric:
+            away = (thickness + self.section.height) / 2
+            return away if self.section.side == "below" else -away
+        return self._given_eccentricity or 0.0
+
+    def rigidities(self, E: float, nu: float, thickness: float) -> tuple[float, float, float, float]:
+        """Return E I, G J [N m2], G A_v and E A [N] on a plate with E [Pa], nu and a thickness [m].
+
+        Those of a rib that is not eccentric are what it adds to the plate: E I is that of the T or L about its
+        centroid, less that of the flange alone. E A counts of eccentric ones alone.
         """
         own, section = E if self.E is None else self.E, self.section
         G = own / (2 * (1 + (nu if self.nu is None else self.nu)))
+        bending = own * section.second_moment if self.eccentric else self.added_bending(E, thickness)
+        area = (section.area or 0.0) if self.eccentric else 0.0
+        share = self.stiffness
+        return (
+            share * bending,
+            share * G * section.torsion_constant,
+            share * G * section.shear_area,
+            share * own * area,
+        )
+
+    def added_bending(self, E: float, thickness: float) -> float:
+        """Return E I [N m2] that it adds to a plate with E [Pa] and a thickness [m], a rib with its effective width."""
+        own, section = E if self.E is None else self.E, self.section
         bending = own * section.second_moment
         if isinstance(section, RibSection):
-            rib, flange = own * section.width * section.height, E * section.effective_width * thickness
+            rib, flange = own * section.area, E * section.flange_width * thickness
             bending += rib * flange / (rib + flange) * ((thickness + section.height) / 2) ** 2
-        share = self.stiffness
-        return share * bending, share * G * section.torsion_constant, share * G * section.shear_area
+        return bending
 
     def to_shapely(self, chord: float) -> LineString:
         """Return the axis, arcs as chords at most so far off [m]."""

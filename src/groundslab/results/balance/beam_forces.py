@@ -9,8 +9,8 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers, Memo
 from groundslab.fem.mesh import select_along, sides_of
 from groundslab.fem.parts.beams import POINTS, TO_ENDS, section_forces
-from groundslab.fem.problem import TOP, Problem
-from groundslab.fem.system import plate_settlement
+from groundslab.fem.problem import Problem
+from groundslab.fem.system import beam_unknowns, plate_settlement
 from groundslab.geometry.nearest import nearest_distance
 from groundslab.model.loads.acting import borders_of
 from groundslab.model.model import Model
@@ -31,6 +31,7 @@ class Stations:
     beam: Integers  # (k,): number
     node: Integers  # (k,): of the problem's mesh
     way: Array  # (k,) [m]: along the beam
+    piece: Integers  # (k,): to which it belongs
     points: Integers  # (k, 4): Gauss points of pieces, numbered 2 piece + point, from which each takes its values
     weights: Array  # (k, 4)
     of_piece: Integers  # (b, 2): those at its start and at its end
@@ -46,21 +47,23 @@ def beam_results(model: Model, solution: Solution) -> tuple[BeamResult, ...]:
     if not model.members:
         return ()
     problem = solution.system.problem
-    stations, _, (M, T, V) = _along(model, solution)
+    stations, _, (M, T, V, N) = _along(model, solution)
+    e = problem.beams.eccentricity[stations.piece]
+    M += e * N
     w = plate_settlement(solution.system, solution.U)
     found = []
     for number, beam in enumerate(model.members):
         own = stations.beam == number
         node = stations.node[own]
-        found.append(
-            BeamResult(beam.name, problem.mesh.nodes[node], stations.way[own], w[node], M[own], V[own], T[own])
-        )
+        forces = (each[own] for each in (M, V, T, N, e))
+        found.append(BeamResult(beam.name, problem.mesh.nodes[node], stations.way[own], w[node], *forces))
     return tuple(found)
 
 
 def squared_errors(model: Model, solution: Solution) -> Array:
-    """Return int (M* - M)^2 / EI, the same of T, and int (V* - V)^2 / G A_v of the pieces of beams, (b, 3) [N m].
+    """Return int (M* - M)^2 / EI of the pieces of beams, and the same of T, V and N, (b, 4) [N m].
 
+    M is about the beams' own axes.
     What is recovered, M*, has the elements' own values at both Gauss points, and those at the stations: there is a
     parabola between, c (s^2 - 1/3) with s = -1 .. 1, of which the integral of the square is 4 c^2 / 45 of the length.
     """
@@ -74,12 +77,15 @@ def squared_errors(model: Model, solution: Solution) -> Array:
 
 
 def _along(model: Model, solution: Solution) -> tuple[Stations, Array, Array]:
-    """Return the stations of beams, and M, T and V at the Gauss points of pieces (b, 2, 3) and at stations (3, k)."""
+    """Return the stations of beams, and M, T, V and N at the Gauss points of pieces (b, 2, 4) and at stations (4, k).
+
+    M is about the beams' own axes.
+    """
     problem = solution.system.problem
     b = problem.beams
     stations = _STATIONS.get(problem.mesh.nodes, model.loads, lambda: _make_stations(model, problem))
-    own = section_forces(b, problem.mesh.nodes, solution.U[b.sides][..., :TOP])
-    return stations, own, np.einsum("kp,kpr->rk", stations.weights, own.reshape(-1, 3)[stations.points])
+    own = section_forces(b, problem.mesh.nodes, beam_unknowns(problem, solution.U))
+    return stations, own, np.einsum("kp,kpr->rk", stations.weights, own.reshape(-1, own.shape[-1])[stations.points])
 
 
 #: Those of a mesh with its beams.
@@ -100,8 +106,8 @@ def _make_stations(model: Model, problem: Problem) -> Stations:
         # the two pieces about the place, at ends the two nearest; a run may be one piece alone
         before = begin + np.clip(place - 1, 0, max(n - 2, 0))
         after = np.minimum(before + 1, end - 1)
-        parts.append((b.number[piece], node, way, np.column_stack([before, before, after, after])))
-    beam, node, way, pieces = (np.concatenate(each) for each in zip(*parts, strict=True))
+        parts.append((b.number[piece], node, way, piece, np.column_stack([before, before, after, after])))
+    beam, node, way, piece, pieces = (np.concatenate(each) for each in zip(*parts, strict=True))
     at = (b.start + b.length / 2)[:, None] + b.length[:, None] / 2 * POINTS
     points = 2 * pieces + [0, 1, 0, 1]
     x = at.ravel()[points] - way[:, None]
@@ -110,7 +116,7 @@ def _make_stations(model: Model, problem: Problem) -> Stations:
     A = np.stack([np.ones_like(x), x, np.where(alone, 0.0, x * x)], axis=2)
     run = np.searchsorted(first, np.arange(len(b.sides)), side="right") - 1
     at_start = np.arange(len(b.sides)) + run
-    return Stations(beam, node, way, points, np.linalg.pinv(A)[:, 0], np.column_stack([at_start, at_start + 1]))
+    return Stations(beam, node, way, piece, points, np.linalg.pinv(A)[:, 0], np.column_stack([at_start, at_start + 1]))
 
 
 def _goes_on(model: Model, problem: Problem) -> Flags:

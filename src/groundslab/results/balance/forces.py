@@ -16,11 +16,14 @@ from groundslab.fem.problem import (
     Problem,
     W,
     free_motions,
+    membrane_unknowns,
     move_plates,
     plate_unknowns,
 )
 from groundslab.fem.system import (
     System,
+    beam_fields,
+    beam_unknowns,
     edge_decays,
     edge_lengths,
     link_forces,
@@ -85,13 +88,25 @@ def plate_forces(s: System, U: Array) -> Array:
     return collect(problem.mesh.elements, forces)
 
 
+def membrane_forces(s: System, U: Array) -> Array:
+    """Return the forces (n, 2) that the plates' deformation in their plane puts on u and v of each node."""
+    problem, b = s.problem, s.blocks
+    elements, n = problem.mesh.elements[problem.plate.elements], len(problem.mesh.nodes)
+    f = apply(b.membrane, b.kind[problem.plate.elements], membrane_unknowns(problem, U))
+    return collect(problem.mesh.elements, np.column_stack([scatter(elements, f[:, own], n) for own in _HALVES]))
+
+
+#: u and v among the unknowns of an element.
+_HALVES = slice(0, 9), slice(9, 18)
+
+
 def beam_forces(s: System, U: Array) -> Array:
-    """Return the forces (n, 3) that the deformation of beams puts on w, beta_x, beta_y of each node."""
-    forces = np.zeros((len(U), TOP))
-    sides = s.problem.beams.sides
+    """Return the forces (n, F) that the deformation of beams puts on nodes."""
+    forces, sides = np.zeros_like(U), s.problem.beams.sides
     if len(sides):
-        u = without_motion(s.problem.mesh.nodes[sides], U[sides][..., :TOP])
-        np.add.at(forces, sides, np.einsum("bacij,bcj->bai", s.beams, u))
+        u, fields = without_motion(s.problem.mesh.nodes[sides], beam_unknowns(s.problem, U)), beam_fields(s.problem)
+        on_nodes = np.einsum("bacij,bcj->bai", s.beams, u)[..., : len(fields)]
+        np.add.at(forces, (sides[..., None], fields), on_nodes)
     return forces
 
 
@@ -199,8 +214,10 @@ def _resist(solution: Solution) -> Resistance:
     """Return the forces with which plate, beams, building, ground and joints resist."""
     s, U, column = solution.system, solution.U, solution.column
     ground = ground_forces(s, U, column) if solution.pressed is None else pressing_forces(solution)
-    inner = np.zeros_like(U)
-    inner[:, :TOP] += plate_forces(s, U) + beam_forces(s, U) + building_forces(s.problem, U)
+    inner = beam_forces(s, U)
+    inner[:, :TOP] += plate_forces(s, U) + building_forces(s.problem, U)
+    if s.problem.in_plane:
+        inner[:, list(s.problem.in_plane)] += membrane_forces(s, U)
     for surface in range(column.surfaces):
         for field in surface_fields(surface):
             inner[:, field] += ground[:, 0] if field == W else ground[:, 1 + surface]

@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from groundslab.model.model import Model
 
 #: The version of the archive's layout; it grows when an array changes its name, unit or meaning.
-FORMAT = 10
+FORMAT = 11
 
 
 #: Longest text of a library's reason.

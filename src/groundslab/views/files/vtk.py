@@ -134,6 +134,7 @@ def beam_lines(results: CombinationResult) -> Grid:
         "moment M [kNm]": ("moment", 1e-3),
         "shear force V [kN]": ("shear", 1e-3),
         "torsional moment T [kNm]": ("torsion", 1e-3),
+        "axial force N [kN]": ("axial", 1e-3),
         "settlement w [mm]": ("settlement", 1e3),
     }
     data = {name: scale * np.concatenate([getattr(beam, field) for beam in beams])

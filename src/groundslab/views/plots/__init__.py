@@ -38,7 +38,8 @@ def plot(
     *fields : str
         Quantities to draw, by name or symbol, as docs/plots.md lists them: nodal fields of the plate ("settlement" or
         "w", "moment_x" or "m_x", ...), principal moments "m_1" and "m_2", design moments "bottom_x", ...,
-        "discretization_error", "stiffness_ratio", bars "required_bottom_x", ... Without any, a usual choice.
+        "discretization_error", "stiffness_ratio", "membrane_x", ..., bars "required_bottom_x", ... Without any, a
+        usual choice.
     kind : str, optional
         "plan" (default), "deformed", "lines" (with a line), "beams", "mesh", "soil", "stress" or "convergence".
     combination : str or sequence of str, optional

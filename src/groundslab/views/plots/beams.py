@@ -1,4 +1,4 @@
-"""Section forces along beams: moment and shear force of several combinations."""
+"""Section forces along beams of several combinations: moments, shear forces, and axial forces where there are any."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ if TYPE_CHECKING:
 
 #: Boxes of the curves [mm].
 LEFT, HIGH, ABOVE, BETWEEN, BELOW = 17.0, 30.0, 12.0, 4.0, 13.0
-#: So many beams are on a page.
-ON_PAGE = 3
+#: So many beams are on a page, and so many with axial forces.
+ON_PAGE, ON_PAGE_WITH_AXIAL = 3, 2
 #: What is drawn of each beam: its attribute, its label, and whether positive values point down.
-DRAWN = (("moment", "M [kNm]", True), ("shear", "V [kN]", False))
+DRAWN = (("moment", "M [kNm]", True), ("shear", "V [kN]", False), ("axial", "N [kN]", False))
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +46,12 @@ def draw_sheet(request: PlotRequest) -> Figure:
 
 def draw_pages(request: PlotRequest) -> list[Figure]:
     """Return the beams on pages."""
-    return [draw_curves(request, part) for part in style.batch(curves_along(request), ON_PAGE)]
+    return [draw_curves(request, part) for part in batches(curves_along(request))]
+
+
+def batches(curves: Sequence[BeamCurves]) -> list[Sequence[BeamCurves]]:
+    """Return the beams page by page."""
+    return style.batch(curves, ON_PAGE_WITH_AXIAL if any("axial" in beam.values for beam in curves) else ON_PAGE)
 
 
 def curves_along(request: PlotRequest) -> list[BeamCurves]:
@@ -56,6 +61,8 @@ def curves_along(request: PlotRequest) -> list[BeamCurves]:
     found = []
     for beams in zip(*(combination.results.beams for combination in request.combinations), strict=True):
         values = {name: np.stack([getattr(beam, name) for beam in beams]) / 1e3 for name, _, _ in DRAWN}
+        if not values["axial"].any():
+            del values["axial"]
         if band:
             values = {name: np.stack([rows.max(axis=0), rows.min(axis=0)]) for name, rows in values.items()}
         words = (f"largest of {len(names)} combinations", "smallest") if band else names
@@ -74,7 +81,8 @@ def draw_curves(request: PlotRequest, curves: Sequence[BeamCurves], *, titled: b
     legend: dict[str, Any] = {}
     for beam in curves:
         top += ABOVE
-        for row, (what, label, downwards) in enumerate(DRAWN):
+        drawn = [each for each in DRAWN if each[0] in beam.values]
+        for row, (what, label, downwards) in enumerate(drawn):
             axes = page.add_axes(LEFT, top, width, HIGH)
             legend |= _draw(axes, beam, what)
             axes.set(xlim=(0.0, float(beam.way[-1])), ylabel=label)
@@ -83,7 +91,7 @@ def draw_curves(request: PlotRequest, curves: Sequence[BeamCurves], *, titled: b
                 axes.invert_yaxis()
             if row == 0:
                 draw_title(axes, [TitleLine(style.plain_text(beam.name, 80), style.BASE, style.INK, "bold")])
-            axes.tick_params(labelbottom=row == len(DRAWN) - 1)
+            axes.tick_params(labelbottom=row == len(drawn) - 1)
             top += HIGH + BETWEEN
         axes.set_xlabel("distance s along the beam [m]")
         top += BELOW - BETWEEN

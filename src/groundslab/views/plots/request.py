@@ -17,6 +17,7 @@ from groundslab.results.fields import (
     BAR_FIELDS,
     ERROR,
     LINE_FORCE,
+    MEMBRANE,
     RANGED_FIELDS,
     SHOWN_ELEMENT_FIELDS,
     STIFFNESS,
@@ -228,6 +229,7 @@ def _require_element_fields(quantities: Sequence[PlotQuantity], combinations: Se
     hints = {
         ERROR: "it comes from a comparison with a coarser mesh, which these results have not",
         STIFFNESS: "it belongs to cases with [cracking]",
+        **dict.fromkeys(MEMBRANE, "it belongs to cases with eccentric beams"),
     }
     issues = [
         Issue("FIELD", quote(quantity.name), f"a field that {quote(combination.name)} has", hints[quantity.name])

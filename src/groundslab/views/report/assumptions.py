@@ -37,7 +37,8 @@ _GROUND = {
 }
 _BEAMS = (
     "Beams and ribs bend, shear and twist with the plate, linearly elastic and uncracked, their axes in its middle "
-    "plane; a rib has a flange of its effective width. They add stiffness, but no weight."
+    "plane; a rib has a flange of its effective width. Eccentric ones stretch the plate in its plane instead, in which "
+    "nothing else holds it. They add stiffness, but no weight."
 )
 _BUILDING = (
     "Loads on columns and walls are those of the building on a base that does not move. Its stiffness, which is linear "

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.results.fields import PLATE_FIELDS
-from groundslab.views.plots import beams, plot, style
+from groundslab.views.plots import beams, plot
 from groundslab.views.plots.export import to_inline_svg
 from groundslab.views.plots.ground.soil import draw_columns, soil_columns
 from groundslab.views.plots.plan import draw_mesh
@@ -89,9 +89,10 @@ def draw_beams(combined: Results) -> Iterator[Drawing]:
     if not (combined.model.members and combined.results):
         return
     request = parse_request(combined, (), "beams", None, None, None)
-    for number, part in enumerate(style.batch(beams.curves_along(request), beams.ON_PAGE), 1):
+    for number, part in enumerate(beams.batches(beams.curves_along(request)), 1):
         names = ", ".join(curves.name for curves in part)
-        caption = f"Bending moment, positive downwards where the beam sags, and shear force along {names}."
+        forces = "shear force, and axial force" if any("axial" in beam.values for beam in part) else "and shear force"
+        caption = f"Bending moment, positive downwards where the beam sags, {forces} along {names}."
         draw = partial(beams.draw_curves, request, part, titled=False)
         yield Drawing(to_inline_svg(draw, f"beams{number}", caption), caption)
 

@@ -11,6 +11,7 @@ from groundslab.errors import InputError
 from groundslab.model.structure.beams import torsion_constant
 
 SECTION = {"kind": "rectangle", "width": 0.3, "height": 0.6}
+GIVEN = {"kind": "properties", "second_moment": 1e-3, "shear_area": 0.1}
 CIRCLE = {"kind": "circle", "centre": (0.0, 0.0), "radius": 1.0}
 ACROSS = {"name": "A", "points": [(-3.0, 0.0), (3.0, 0.0)], "section": SECTION}
 
@@ -59,6 +60,18 @@ def test_a_flange_of_another_material_counts_by_its_stiffness() -> None:
     assert bending == pytest.approx(about_common)
 
 
+def test_an_eccentric_rib_has_its_own_section_off_the_middle_plane() -> None:
+    """E I about its own axis, E A, and the distance of both middles; below is positive."""
+    rib = {"kind": "rib", "width": 0.3, "height": 0.6, "eccentric": True}
+    below, above = (model(ACROSS | {"section": rib | {"side": side}}).beams[0] for side in ("below", "above"))
+    assert below.rigidities(30e9, 0.2, 0.2)[::3] == pytest.approx((30e9 * 0.3 * 0.6**3 / 12, 30e9 * 0.18))
+    assert (below.eccentricity(0.2), above.eccentricity(0.2)) == pytest.approx((0.4, -0.4))
+    assert below.added_bending(30e9, 0.2) > below.rigidities(30e9, 0.2, 0.2)[0]
+    given = model(ACROSS | {"section": GIVEN | {"area": 0.1, "eccentricity": -0.25}}).beams[0]
+    assert given.rigidities(30e9, 0.2, 0.2)[::3] == pytest.approx((30e6, 3e9))
+    assert given.eccentricity(0.2) == -0.25
+
+
 @pytest.mark.parametrize(
     ("beams", "said"),
     [
@@ -72,6 +85,9 @@ def test_a_flange_of_another_material_counts_by_its_stiffness() -> None:
         ([ACROSS | {"section": SECTION | {"width": 0.0}}], "beams[1].section.width: 0"),
         ([ACROSS | {"section": {"kind": "tee"}}], "beams[1].section.kind: \"tee\""),
         ([{"name": "A", "section": SECTION}], "beams[1].points: nothing"),
+        ([ACROSS | {"section": SECTION | {"kind": "rib"}}], "beams[1].section.effective_width: nothing"),
+        ([ACROSS | {"section": GIVEN | {"area": 0.1}}], "beams[1].section.eccentricity: nothing, with an area"),
+        ([ACROSS | {"section": GIVEN | {"eccentricity": 0.1}}], "beams[1].section.area: nothing, with an eccentricity"),
         ([{"name": "A", "section": SECTION, "shape": CIRCLE, "joined": ["hinged", "fixed"]}],
          "beams[1].joined: hinged ends of a closed beam"),
         ([ACROSS | {"points": [(-3.0, 0.0), (1.0, 0.0), (-1.0, 0.0)]}], "beams[1]: a beam that runs back along 2 m"),

@@ -14,7 +14,7 @@ import pytest
 from groundslab.design.tables.envelopes import fields_of_envelope
 from groundslab.fem.shape_functions import q9
 from groundslab.model.design.reinforcement import Reinforcement
-from groundslab.results.fields import ELEMENT_FIELDS, ERROR, PLATE_FIELDS, STIFFNESS
+from groundslab.results.fields import ELEMENT_FIELDS, ERROR, MEMBRANE, PLATE_FIELDS, STIFFNESS
 from groundslab.results.results import CombinationResult, Results
 from groundslab.views.files import results_folder, vtk
 from helpers import synthetic
@@ -169,7 +169,7 @@ class TestArrays:
             assert np.allclose(nodal[PLATE_FIELDS[name].name], getattr(results.plate, name) * about.scale, rtol=1e-15)
         for name, about in ELEMENT_FIELDS.items():
             given, key = getattr(results.elements, name), f"{about.name} (centre, {about.averaged})"
-            assert (given is None) == (name in (ERROR, STIFFNESS)) == (key not in cells)
+            assert (given is None) == (name in (ERROR, STIFFNESS, *MEMBRANE)) == (key not in cells)
             if given is not None:
                 assert np.allclose(cells[key], given * about.scale, rtol=1e-15)
 

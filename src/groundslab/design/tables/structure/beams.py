@@ -25,6 +25,12 @@ _NOTES = (
     "Shear forces and torsional moments are the largest in size one thickness of the plate away from the beam's ends, "
     "where forces pass from the beam into the plate.",
 )
+#: Of eccentric beams.
+_OF_AXIAL = (("greatest axial force", "kN"), ("least axial force", "kN"))
+_NOTE_ON_AXIAL = (
+    "Moments of eccentric beams are about the plate's middle plane; about the beam's own axis, e below it, they are "
+    "less by e times the axial force, of which tension is positive. What balances it are the plate's membrane forces."
+)
 
 
 def beam_table(combined: Results) -> Table:
@@ -35,7 +41,15 @@ def beam_table(combined: Results) -> Table:
         for results in solved_results(combined)
         for beam in results.beams
     ]
-    return table_of("beams", "Beams", _HEADS, rows, _NOTES)
+    if not any(beam.eccentric for beam in combined.model.members):
+        return table_of("beams", "Beams", _HEADS, rows, _NOTES)
+    axial = [
+        [beam.axial.max() / 1e3, beam.axial.min() / 1e3]
+        for results in solved_results(combined)
+        for beam in results.beams
+    ]
+    rows = [[*row, *own] for row, own in zip(rows, axial, strict=True)]
+    return table_of("beams", "Beams", (*_HEADS, *_OF_AXIAL), rows, (*_NOTES, _NOTE_ON_AXIAL))
 
 
 def _figures(beam: BeamResult, away: float) -> list[Cell]:

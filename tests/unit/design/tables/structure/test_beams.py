@@ -13,6 +13,7 @@ import groundslab as gs
 from groundslab.design.result_tables import tables_of
 from groundslab.errors import InputError
 from groundslab.results.record import BeamResult
+from groundslab.views.files import npz
 from groundslab.views.files.vtk import beam_lines
 from groundslab.views.report.html import render_report
 
@@ -109,10 +110,38 @@ def test_beams_have_figures(results: gs.Results) -> None:
         gs.plot(gs.solve(bare), kind="beams")
 
 
+def test_eccentric_beams_show_their_axial_forces(tmp_path: Path) -> None:
+    """In the table with errors, in a diagram of their own, in reports, VTU files and archives; n_x in plan."""
+    rib = {"kind": "rib", "width": 0.3, "height": 0.4, "eccentric": True}
+    eccentric = gs.solve(
+        gs.Model(
+            plate={"length_x": 6.0, "length_y": 4.0, "thickness": 0.25, "E": 30e9, "nu": 0.2},
+            ground={"kind": "winkler", "k": 2e7},
+            beams=[{"name": "rib", "points": [(-3.0, 0.0), (3.0, 0.0)], "section": rib}],
+            loads=[{"kind": "point", "x": 0.0, "y": 0.0, "P": 2e5, "width_x": 0.4, "width_y": 0.4}],
+            mesh={"size": 0.5},
+        )
+    )
+    (beam,) = eccentric.only.beams
+    found = table(eccentric)
+    assert found["greatest axial force"] == (pytest.approx(beam.axial.max() / 1e3),)
+    assert found["least axial force"] == (pytest.approx(beam.axial.min() / 1e3),)
+    assert all(error is not None and error > 0 for error in found["error of greatest axial force"])
+    assert [axes.get_ylabel() for axes in gs.plot(eccentric, kind="beams").axes] == ["M [kNm]", "V [kN]", "N [kN]"]
+    assert gs.plot(eccentric, "n_x").axes
+    assert "shear force, and axial force along rib." in render_report(eccentric)
+    assert np.array_equal(beam_lines(eccentric.only).point_data["axial force N [kN]"], beam.axial * 1e-3)
+    npz.write(eccentric.only, tmp_path / "results.npz")
+    again = npz.load(tmp_path / "results.npz")
+    assert np.array_equal(again.beams[0].axial, beam.axial)
+    assert again.elements.membrane_x is not None
+    assert np.array_equal(again.elements.membrane_x, eccentric.only.elements.membrane_x)
+
+
 def test_the_ends_of_short_beams_leave_something_to_read() -> None:
     """Away from the ends is a quarter of the length at most."""
     way = np.linspace(0.0, 1.0, 9)
-    beam = BeamResult("short", np.column_stack([way, 0 * way]), way, way, way, way, way)
+    beam = BeamResult("short", np.column_stack([way, 0 * way]), way, way, way, way, way, 0 * way, 0 * way)
     assert way[beam.away_from_ends(0.1)] == pytest.approx(way[1:-1])
     assert way[beam.away_from_ends(2.0)] == pytest.approx(way[2:-2])
     ring = replace(beam, nodes=np.column_stack([np.sin(2 * np.pi * way), np.cos(2 * np.pi * way)]))
