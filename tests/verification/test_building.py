@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -378,3 +379,34 @@ def test_a_closed_wall_settles_and_turns_as_its_ring_does() -> None:
         assert base.settlement[0] == pytest.approx(plane @ [1.0, *at], rel=1e-3)
         assert [base.slope_x[0], base.slope_y[0]] == pytest.approx(plane[1:], rel=1e-2)
     assert results.only.bases[0].nodes[0] == pytest.approx([-2.0, -0.5])
+
+
+@pytest.mark.parametrize("turn", [0.0, 30.0, 90.0])
+def test_columns_in_a_row_take_what_the_matrix_says(turn: float) -> None:
+    """Settlements alone, of columns in a row, across which nothing tilts: the change of each load is -K w."""
+    along = np.array([-3.0, -1.5, 0.5, 3.0])
+    # what a beam over two of three columns resists: w_1 l_2 - w_2 (l_1 + l_2) + w_3 l_1
+    bends = np.zeros((2, 4))
+    for row in (0, 1):
+        l_1, l_2 = np.diff(along[row : row + 3])
+        bends[row, row : row + 3] = l_2, -l_1 - l_2, l_1
+    K = 5e6 * bends.T @ bends
+    c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+    columns = [
+        {"name": f"C{n}", "x": float(c * way), "y": float(s * way), "width_x": 0.4, "width_y": 0.4}
+        for n, way in enumerate(along)
+    ]
+    results = gs.solve(
+        gs.Model(
+            plate={"length_x": 9.0, "length_y": 9.0, "thickness": 0.4, "E": 30e9, "nu": 0.2},
+            ground={"kind": "winkler", "k": 10e6},
+            columns=columns,
+            building={"nodes": [each["name"] for each in columns], "matrix": K.tolist(), "unit": "N"},
+            loads=[{"kind": "point", "column": f"C{n}", "P": P} for n, P in enumerate((1e6, 2e5, 8e5, 3e5))],
+            mesh={"size": 0.5},
+        )
+    ).only
+    assert results.certificate.holds
+    w, change = (np.array([getattr(base, name)[0] for base in results.bases]) for name in ("settlement", "force"))
+    assert change == pytest.approx(-K @ w, rel=1e-6, abs=1e-6 * np.abs(change).max())
+    assert np.abs(change).max() > 10e3

@@ -18,7 +18,7 @@ from groundslab.geometry.plan import FLAT
 from groundslab.model.loads.acting import PointForce
 from groundslab.model.model import Model
 from groundslab.model.structure import building as described
-from groundslab.model.structure.building import Base, motions_of
+from groundslab.model.structure.building import IN_A_ROW, Base, motions_of
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
@@ -123,7 +123,9 @@ def stiffness_of(model: Model, storeys: int | None = None) -> Array:
     assert given is not None
     every = bases_of(model)
     K = given.K if given.matrix else given.stiffness * condensed(given, every, storeys or len(given.storeys))
-    Q, _ = np.linalg.qr(motions_of(every, _motions_of_each(model)))
+    # of bases in a row that only settle a tilt across it is none
+    directions, sizes, _ = np.linalg.svd(motions_of(every, _motions_of_each(model)), full_matrices=False)
+    Q = directions[:, sizes > IN_A_ROW * sizes.max()]
     rest = np.eye(len(K)) - Q @ Q.T
     found: Array = rest @ K @ rest
     return (found + found.T) / 2
