@@ -10,7 +10,7 @@ import numpy as np
 from groundslab.discretize.nodal_loads import materials
 from groundslab.errors import GroundslabError, NoEquilibrium, NotCertified
 from groundslab.fem.parts.mesh_plan import MeshPlan
-from groundslab.geometry.plan import sections
+from groundslab.geometry.regions import sections
 from groundslab.model.combinations import as_solved
 from groundslab.model.ground import Pasternak, Winkler
 from groundslab.model.loads.load_cases import Combination, LoadCase

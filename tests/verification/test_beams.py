@@ -478,3 +478,33 @@ def _punching_at_column(beams: list[list[tuple[float, float]]], distance: float)
     inside = perimeter(results.plate, column.footprint, distance).inside
     near = loads_near(results, column, distance).inside(results, inside)
     return punching_shear(results, near, column, np.array(column.place), edge_relieves=False).V
+
+
+def test_an_arc_is_a_polygon_with_many_corners() -> None:
+    """Half a circle as two arcs and as sixty straight pieces, whose section forces turn a little at each corner."""
+    angles = np.linspace(0.0, np.pi, 61)
+    bulge = math.tan(math.pi / 8)
+    axes: list[dict[str, Any]] = [
+        {"points": [(3.0, 0.0), (0.0, 3.0), (-3.0, 0.0)], "bulges": [bulge, bulge]},
+        {"points": [(3 * math.cos(angle), 3 * math.sin(angle)) for angle in angles.tolist()]},
+    ]
+    arc, polygon = (
+        gs.solve(
+            gs.Model(
+                plate={"length_x": 12.0, "length_y": 10.0, "thickness": 0.25, "E": E, "nu": 0.2},
+                ground={"kind": "pasternak", "k0": 15e6, "k1": 5e6},
+                beams=[{"name": "arc", "section": {"kind": "rectangle", "width": 0.4, "height": 0.8}} | axis],
+                loads=[
+                    {"kind": "uniform", "q": 5e3},
+                    {"kind": "point", "x": 0.0, "y": 3.0, "P": 5e5, "width_x": 0.5, "width_y": 0.5},
+                ],
+                mesh={"size": 0.5},
+            )
+        ).only
+        for axis in axes
+    )
+    assert arc.certificate.holds
+    assert arc.beams[0].way[-1] == pytest.approx(3 * math.pi, rel=1e-4)
+    assert arc.plate.settlement.max() == pytest.approx(polygon.plate.settlement.max(), rel=2e-3)
+    assert arc.beams[0].moment.max() == pytest.approx(polygon.beams[0].moment.max(), rel=5e-3)
+    assert arc.beams[0].torsion.max() == pytest.approx(-arc.beams[0].torsion.min(), rel=1e-2)

@@ -182,11 +182,10 @@ def _mesh_of(
         source = model.plate.sides, symmetry, counts, model.mesh.counts, tuple(widths.values()), edge_size
         return source, lambda: _make_grid(model, symmetry, counts, widths, edge_size), []
     plan, size = plan_of(model, symmetry, width), _size(model) * 2**coarsening
-    arcs = [edge for ring in plan.rings().values() for edge in ring.segments() if not edge.straight]
     if local is not None:
         local = local[0], local[1] * 2**coarsening
-    adaptive = model.mesh.adaptive
-    return (plan, size, edge_size, adaptive), lambda: _make_plan_mesh(plan, size, edge_size, local, adaptive), arcs
+    of_plan = plan, size, edge_size, model.mesh.adaptive
+    return of_plan, lambda: _make_plan_mesh(plan, size, edge_size, local, model.mesh.adaptive), plan.arcs()
 
 
 def uniform(model: Model, symmetry: tuple[bool, bool], width: float) -> bool:
@@ -374,7 +373,7 @@ def plan_of(model: Model, symmetry: tuple[bool, bool], width: float) -> Plan:
         return rectangle(max(x0, low[0]), x1, max(y0, low[1]), y1)
 
     beyond = meshed(*_reach(model, width)) if width else None
-    lines = tuple(beam.line for beam in model.members if beam.line)
+    lines = tuple(beam.path for beam in model.members if beam.path is not None)
     plan = plan_of_plate(model.plate, model.supports, beyond, model.plates, lines)
     if any(symmetry):
         plan = replace(plan, outline=meshed(*model.plate.bounds))

@@ -6,16 +6,16 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import chain, pairwise, repeat
+from itertools import chain, pairwise, repeat, zip_longest
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags, Integers
+from groundslab.arrays import Array, Integers
 from groundslab.units import format_coordinate
 
 if TYPE_CHECKING:
-    from shapely import MultiPolygon, Polygon
+    from shapely import LineString, MultiPolygon, Polygon
 
 Place = tuple[float, float]
 
@@ -33,10 +33,6 @@ MOST_CHORDS = 10_000
 LARGEST_BULGE = 100.0
 #: Most elements of a mesh.
 MOST_ELEMENTS = 4_000_000
-#: Section of a place that is not meshed at all; see `sections`.
-NOTHING = -2
-#: Section of a place where ground lies and no plate.
-GROUND = -1
 
 
 @dataclass(frozen=True)
@@ -182,6 +178,13 @@ def make_segments(points: Sequence[Place], bulges: Sequence[float]) -> tuple[Seg
     return tuple(segment(start, end, bulge) for (start, end), bulge in ends_with_bulges)
 
 
+def flatten(edges: Iterable[Segment], off: float) -> list[LineString]:
+    """Return edges as lines, arcs as chords at most so far off [m]."""
+    from shapely import LineString
+
+    return [LineString(edge.at(np.linspace(0, 1, edge.chords(off) + 1))) for edge in edges]
+
+
 def get_bounds(edges: Iterable[Segment]) -> tuple[float, float, float, float]:
     """Return the rectangle x0, x1, y0, y1 around edges [m]."""
     left, right, low, high = zip(*(edge.bounds for edge in edges), strict=True)
@@ -306,6 +309,7 @@ class Plan:
     beyond: Ring | None = None
     points: tuple[Place, ...] = ()
     lines: tuple[tuple[Place, ...], ...] = ()
+    line_bulges: tuple[tuple[float, ...], ...] = ()  # of the pieces of lines, straight where they lack one
     borders: tuple[Ring, ...] = ()
     others: tuple[tuple[Ring, int], ...] = ()
     origin: Place = (0.0, 0.0)  # where x = y = 0 lies in the plan that was given, for messages
@@ -338,9 +342,18 @@ class Plan:
         """Return the plates' outlines and openings if ground is meshed beyond them, else nothing."""
         return () if self.beyond is None else (*self.outlines, *self.openings)
 
+    def segments_by_line(self) -> list[tuple[Segment, ...]]:
+        """Return the straight pieces and arcs of each line."""
+        return [make_segments(*each) for each in zip_longest(self.lines, self.line_bulges, fillvalue=())]
+
     def line_segments(self) -> list[Segment]:
-        """Return the straight pieces of all lines."""
-        return [Segment(a, b) for line in self.lines for a, b in pairwise(line)]
+        """Return the straight pieces and arcs of all lines."""
+        return [edge for line in self.segments_by_line() for edge in line]
+
+    def arcs(self) -> list[Segment]:
+        """Return the arcs of all rings and lines."""
+        edges = [edge for ring in self.rings().values() for edge in ring.segments()] + self.line_segments()
+        return [edge for edge in edges if not edge.straight]
 
     @cached_property
     def bounds(self) -> tuple[float, float, float, float]:
@@ -367,29 +380,6 @@ class Plan:
     def area(self) -> float:
         """Return the area of the plates without openings [m2]."""
         return sum(ring.area for ring in self.outlines) - sum(ring.area for ring in self.openings)
-
-
-def sections(plan: Plan, places: Array) -> Integers:
-    """Return the section at each place (p, 2): GROUND where there is ground only, NOTHING where nothing is meshed."""
-    import shapely
-
-    def inside(ring: Ring) -> Flags:
-        return np.asarray(shapely.contains_xy(ring.polygon(FLAT * plan.extent), places[:, 0], places[:, 1]), dtype=bool)
-
-    section = np.full(len(places), NOTHING, dtype=np.int64)
-    if plan.beyond is not None:
-        section[inside(plan.beyond)] = GROUND
-    empty = section.copy()
-    starts = np.array([0, *(number for _, number in plan.others)])
-    for ring, number in zip(plan.outlines, starts, strict=True):
-        section[inside(ring)] = number
-    of_plates = section.copy()
-    for ring, number in plan.zones:
-        section[inside(ring) & (of_plates == starts[starts <= number].max())] = number
-    for ring in plan.openings:
-        cut = inside(ring)
-        section[cut] = empty[cut]
-    return section
 
 
 def format_place(place: Place | Array, origin: Place = (0.0, 0.0)) -> str:

@@ -1,11 +1,19 @@
-"""What lies inside closed curves of straight edges and arcs."""
+"""What lies inside closed curves of straight edges and arcs, and in which section of a plan."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
 
-from groundslab.geometry.plan import Place, Segment, bounding_box
+import numpy as np
+
+from groundslab.arrays import Array, Flags, Integers
+from groundslab.geometry.plan import FLAT, Place, Plan, Ring, Segment, bounding_box
+
+#: Section of a place that is not meshed at all; see `sections`.
+NOTHING = -2
+#: Section of a place where ground lies and no plate.
+GROUND = -1
 
 #: Counts work that is about to be done, and raises where it is too much.
 Spend = Callable[[int], None]
@@ -53,3 +61,26 @@ def _wind_around(place: Place, edges: Iterable[Segment]) -> bool:
 def _side(edge: Segment, place: Place) -> float:
     """Return a positive number for a place on the left; on a chord it counts as slightly higher, then farther right."""
     return edge.side(place) or (edge.end[0] - edge.start[0]) or (edge.start[1] - edge.end[1])
+
+
+def sections(plan: Plan, places: Array) -> Integers:
+    """Return the section at each place (p, 2): GROUND where there is ground only, NOTHING where nothing is meshed."""
+    import shapely
+
+    def inside(ring: Ring) -> Flags:
+        return np.asarray(shapely.contains_xy(ring.polygon(FLAT * plan.extent), places[:, 0], places[:, 1]), dtype=bool)
+
+    section = np.full(len(places), NOTHING, dtype=np.int64)
+    if plan.beyond is not None:
+        section[inside(plan.beyond)] = GROUND
+    empty = section.copy()
+    starts = np.array([0, *(number for _, number in plan.others)])
+    for ring, number in zip(plan.outlines, starts, strict=True):
+        section[inside(ring)] = number
+    of_plates = section.copy()
+    for ring, number in plan.zones:
+        section[inside(ring) & (of_plates == starts[starts <= number].max())] = number
+    for ring in plan.openings:
+        cut = inside(ring)
+        section[cut] = empty[cut]
+    return section

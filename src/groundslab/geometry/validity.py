@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -13,10 +13,10 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.errors import Issue
 from groundslab.geometry.places import same_place_in
-from groundslab.geometry.plan import FLAT, Place, Plan, Ring, Segment, format_place
+from groundslab.geometry.plan import FLAT, Place, Plan, Ring, Segment, flatten, format_place
 
 if TYPE_CHECKING:
-    from shapely import LineString, Polygon
+    from shapely import Polygon
 
 #: Edges shorter than this, relative to the extent, have no length.
 NO_LENGTH = 1e-6
@@ -191,8 +191,8 @@ def _find_place_issues(plan: Plan, flat: dict[str, Polygon]) -> Iterator[Issue]:
     for i, point in enumerate(plan.points, start=1):
         if not plate.covers(shapely.Point(point)):
             yield Issue(f"plate.points[{i}]", f"a point off the plate at {format_place(point)}", "one on the plate")
-    for i, line in enumerate(plan.lines, start=1):
-        left = shapely.LineString(line).difference(plate)
+    for i, line in enumerate(plan.segments_by_line(), start=1):
+        left = shapely.union_all(flatten(line, FLAT * plan.extent)).difference(plate)
         if not left.is_empty:
             place = left.representative_point()
             found = f"a line that leaves the plate at {format_place((place.x, place.y))}"
@@ -204,13 +204,6 @@ def _name_edges(plan: Plan) -> list[tuple[str, Segment]]:
     lines = [f"plate.lines[{i}]" for i, line in enumerate(plan.lines, start=1) for _ in line[1:]]
     edges = [(name, edge) for name, ring in plan.rings().items() for edge in ring.segments()]
     return edges + list(zip(lines, plan.line_segments(), strict=True))
-
-
-def _flatten(edges: Iterable[Segment], off: float) -> list[LineString]:
-    """Return edges as lines, arcs as chords at most so far off [m]."""
-    from shapely import LineString
-
-    return [LineString(edge.at(np.linspace(0, 1, edge.chords(off) + 1))) for edge in edges]
 
 
 def _find_near_misses(plan: Plan) -> Iterator[Issue]:
@@ -250,9 +243,7 @@ def _find_near_places(plan: Plan, edges: list[Segment], places: Array, near: flo
     import shapely
 
     off = FLAT * plan.extent
-    pairs = shapely.STRtree(shapely.points(places)).query(
-        _flatten(edges, off), predicate="dwithin", distance=near + off
-    )
+    pairs = shapely.STRtree(shapely.points(places)).query(flatten(edges, off), predicate="dwithin", distance=near + off)
     pairs = pairs[:, np.lexsort(pairs[::-1])]
     begins = np.flatnonzero(np.diff(pairs[0], prepend=-1))
     for one, many in zip(pairs[0, begins], np.split(pairs[1], begins[1:]), strict=False):
@@ -265,7 +256,7 @@ def _find_narrow_wedges(plan: Plan) -> Iterator[Issue]:
 
     edges = _name_edges(plan)
     same, step = 2 * FLAT * plan.extent, 10 * TOO_CLOSE * plan.extent
-    flat = _flatten([edge for _, edge in edges], same / 2)
+    flat = flatten([edge for _, edge in edges], same / 2)
     seen: set[tuple[str, str]] = set()
     curve = np.unique([name for name, _ in edges], return_inverse=True)[1]
     # boxes first, as there may be very many of them

@@ -12,7 +12,8 @@ from itertools import islice
 
 from groundslab.arrays import Array, Integers
 from groundslab.errors import InputError, Issue
-from groundslab.geometry.plan import Plan, sections
+from groundslab.geometry.plan import Plan
+from groundslab.geometry.regions import sections
 from groundslab.meshing import quadrangulation, sizing
 from groundslab.meshing.backends import Maker, available, choose, with_netgen
 from groundslab.meshing.grid import rectilinear

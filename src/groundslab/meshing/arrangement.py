@@ -10,7 +10,8 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags
 from groundslab.geometry.intersections import find_crossings
-from groundslab.geometry.plan import FLAT, NOTHING, SAME_PLACE, Place, Plan, Segment, bounding_box, sections
+from groundslab.geometry.plan import FLAT, SAME_PLACE, Place, Plan, Segment, bounding_box
+from groundslab.geometry.regions import NOTHING, sections
 
 #: Crossings this close to an end that both edges have, relative to the extent, are this end: an arc that leaves a line
 #: as its tangent crosses it again nearby, by rounding.

@@ -258,7 +258,7 @@ def _fixed_sides(
 ) -> FixedSides:
     """Return the sides on edges of the plan, after moving the nodes on arcs exactly onto these."""
     gmsh = geometry.gmsh
-    arcs = [edge for ring in plan.rings().values() for edge in ring.segments() if not edge.straight]
+    arcs = plan.arcs()
     ends, centre, radius = [np.zeros((0, 2), dtype=np.int64)], [np.zeros((0, 2))], [np.zeros(0)]
     for _, tag in gmsh.model.getEntities(1):
         own = sides_on(tag)

@@ -10,7 +10,8 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.errors import InputError, Issue
 from groundslab.fem.mesh import GRADING, count_intervals, divide_graded, graded_size, grid
-from groundslab.geometry.plan import MOST_ELEMENTS, NOTHING, Plan, sections
+from groundslab.geometry.plan import MOST_ELEMENTS, Plan
+from groundslab.geometry.regions import NOTHING, sections
 from groundslab.meshing.plan_mesh import PlanMesh, check, finish, too_many_elements
 from groundslab.meshing.sizing import growth_distance
 

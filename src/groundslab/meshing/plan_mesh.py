@@ -11,7 +11,8 @@ from groundslab.arrays import Array, Integers
 from groundslab.errors import InputError, Issue
 from groundslab.fem.shape_functions import determinants, gauss, q9
 from groundslab.geometry.places import same_place_in
-from groundslab.geometry.plan import MOST_ELEMENTS, NOTHING, Plan, format_place
+from groundslab.geometry.plan import MOST_ELEMENTS, Plan, format_place
+from groundslab.geometry.regions import NOTHING
 from groundslab.geometry.validity import find_issues
 from groundslab.meshing.quality import Quality, quality
 

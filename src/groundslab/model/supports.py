@@ -241,14 +241,15 @@ def plan_of_plate(
     supports: tuple[AnySupport, ...],
     beyond: Ring | None = None,
     plates: tuple[FurtherPlate, ...] = (),
-    lines: tuple[tuple[tuple[float, float], ...], ...] = (),
+    lines: tuple[tuple[tuple[tuple[float, float], ...], tuple[float, ...]], ...] = (),
 ) -> Plan:
     """Return the plan of a plate, and of further ones, with supports and further lines that the mesh is to follow.
 
-    Sections are numbered as by `first_sections`.
+    A line is its points, and the bulges of its pieces. Sections are numbered as by `first_sections`.
     """
     every = list_plates(plate, plates)
     starts = first_sections(every)
+    along = [support.points for support in supports if support.edges]
     return Plan(
         plate.ring(),
         tuple(shape.ring() for slab in every for shape in slab.openings),
@@ -259,7 +260,8 @@ def plan_of_plate(
         ),
         beyond,
         tuple(support.points[0] for support in supports if not support.edges),
-        (*(support.points for support in supports if support.edges), *lines),
+        (*along, *(points for points, _ in lines)),
+        (*((),) * len(along), *(bulges for _, bulges in lines)),
         others=tuple((slab.ring(), start) for slab, start in zip(plates, starts[1:], strict=True)),
     )
 

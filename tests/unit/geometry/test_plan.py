@@ -7,7 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from groundslab.geometry.plan import GROUND, NOTHING, Plan, Ring, circle, rectangle, sections, segment
+from groundslab.geometry.plan import Plan, Ring, circle, rectangle, segment
+from groundslab.geometry.regions import GROUND, NOTHING, sections
 from groundslab.geometry.validity import find_issues
 
 SQUARE = rectangle(0, 10, 0, 8)

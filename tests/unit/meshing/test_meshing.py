@@ -16,7 +16,8 @@ from groundslab import meshing
 from groundslab.errors import InputError, Issue
 from groundslab.fem.hanging import find_hanging
 from groundslab.fem.mesh import sides_on_boundary
-from groundslab.geometry.plan import GROUND, Plan, Ring, circle, rectangle
+from groundslab.geometry.plan import Plan, Ring, circle, rectangle
+from groundslab.geometry.regions import GROUND
 from groundslab.meshing import adaptable, mesh, quality, unstructured
 from groundslab.meshing.backends import Maker, with_gmsh
 from groundslab.meshing.cells import Cells

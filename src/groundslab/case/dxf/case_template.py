@@ -132,24 +132,19 @@ def _wall_lines(wall: LineMark, number: int) -> list[str]:
 
 
 def _beam_lines(beam: LineMark, number: int) -> list[str]:
-    """Return the lines of a beam; one without a section is there to be filled in, one along an arc for information."""
+    """Return the lines of a beam; one without a section is there to be filled in."""
     said = [f"# {beam.text}"] if beam.text else []
     section = _SECTION.search(beam.text)
     sizes = ("400", "800", "mm") if section is None else section.groups()
     width, height, unit = (size.replace(",", ".") for size in sizes)
     fill = "  # fill in" if section is None else ""
-    place = _place_line(beam, "[beams.shape]")
     lines = [
         "[[beams]]",
         f'name = "B{number}"',
         f'section = {{ kind = "rectangle", width = "{width} {unit}", height = "{height} {unit}" }}{fill}',
-        *place,
+        *_place_line(beam, "[beams.shape]"),
     ]
-    if any(beam.bulges) and not place[0].startswith("["):
-        said.append(f"# Beam {number} of the drawing, for information only: a beam runs straight, or around a circle.")
-    elif section is not None:
-        return ["", *said, *lines]
-    return ["", *said, *(f"# {line}" for line in lines)]
+    return ["", *said, *(lines if section is not None else (f"# {line}" for line in lines))]
 
 
 def _footprint_lines(column: Footprint, number: int) -> list[str]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from groundslab.discretize.plan.borders import MOST_BORDERS, add_borders
 from groundslab.geometry.places import same_place_in
-from groundslab.geometry.plan import FLAT, Place, Plan, Ring
+from groundslab.geometry.plan import FLAT, Place, Plan, Ring, flatten
 from groundslab.geometry.validity import find_issues
 from groundslab.model.loads.acting import LineForce, rings_of
 from groundslab.model.model import Model
@@ -49,7 +49,7 @@ def _follow(plan: Plan, rings: tuple[Ring, ...], lines: tuple[Line, ...], thickn
     from shapely import LineString
 
     chord = FLAT * plan.extent
-    there = [ring.polygon(chord).exterior for ring in plan.rings().values()] + [LineString(each) for each in plan.lines]
+    there = [ring.polygon(chord).exterior for ring in plan.rings().values()] + flatten(plan.line_segments(), chord)
     same = same_place_in(plan)
 
     def is_clear(own: LineString, near: float) -> bool:

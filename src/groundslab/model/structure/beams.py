@@ -9,8 +9,10 @@ from groundslab.geometry.plan import Segment
 from groundslab.model.ground import POISSON, POSITIVE
 from groundslab.model.shapes import AnyShape
 from groundslab.model.structure.lines import (
+    LineBulges,
     LinePoints,
     LineShape,
+    Path,
     check_line,
     check_line_length,
     flat_line,
@@ -153,13 +155,9 @@ BeamSection = RectangularSection | RibSection | GivenSection
 
 
 def _check_points_or_shape(
-    points: tuple[tuple[float, float], ...] | None, shape: AnyShape | None
+    points: tuple[tuple[float, float], ...] | None, bulges: tuple[float, ...], shape: AnyShape | None
 ) -> Iterator[RelativeIssue]:
-    yield from check_line(points, shape, {}, "a closed curve has no ends", "the axis")
-
-
-def _check_length(points: tuple[tuple[float, float], ...] | None) -> Iterator[RelativeIssue]:
-    yield from check_line_length(points, ())
+    yield from check_line(points, shape, {"bulges": bulges or None}, "a closed curve has no ends", "the axis")
 
 
 def _check_ends(
@@ -176,10 +174,11 @@ class Beam(Section):
     Else its axis is taken to lie in the plate's middle plane.
     """
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_points_or_shape, _check_length, _check_ends)
+    checks: ClassVar[tuple[Check, ...]] = (_check_points_or_shape, check_line_length, _check_ends)
 
     name: Annotated[str, Text("name of the beam")]
     points: LinePoints = None
+    bulges: LineBulges = ()
     shape: LineShape = None
     section: Annotated[BeamSection, ByKind(), Table("the section")]
     E: Annotated[float | None, Quantity("pressure", "E", "Young's modulus, by default that of the plate", POSITIVE)] = (
@@ -204,7 +203,7 @@ class Beam(Section):
     @property
     def edges(self) -> tuple[Segment, ...]:
         """Return the straight pieces and arcs of its axis, one after the other."""
-        return line_segments(self.points, (), self.shape)
+        return line_segments(self.points, self.bulges, self.shape)
 
     @property
     def closed(self) -> bool:
@@ -227,12 +226,12 @@ class Beam(Section):
         return () if self.closed else (self.edges[0].start, self.edges[-1].end)
 
     @property
-    def line(self) -> tuple[tuple[float, float], ...]:
-        """Return the places that its axis runs through if it is straight between them, none if it has arcs."""
+    def path(self) -> Path | None:
+        """Return the places that its axis runs through, and the bulges between; None of a closed curve with arcs."""
         if self.points is not None:
-            return self.points
+            return self.points, self.bulges
         edges = self.edges
-        return (*(edge.start for edge in edges), edges[-1].end) if all(edge.straight for edge in edges) else ()
+        return ((*(edge.start for edge in edges), edges[-1].end), ()) if all(edge.straight for edge in edges) else None
 
     @property
     def eccentric(self) -> bool:

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 NO_LENGTH = 1e-9
 
 Points = tuple[tuple[float, float], ...]
+#: A line: its points, and the bulges of its pieces, which are straight where they lack one.
+Path = tuple[Points, tuple[float, ...]]
 
 LinePoints = Annotated[Points | None, ListOf(Place, "x, y", "the line's points, in order")]
 LineBulges = Annotated[

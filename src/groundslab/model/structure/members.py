@@ -10,13 +10,16 @@ from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
 
-from groundslab.geometry.plan import FLAT, Place, Ring
+import numpy as np
+
+from groundslab.geometry.plan import FLAT, Place, Ring, Segment
 from groundslab.geometry.validity import TOO_CLOSE, find_issues
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, list_plates, shared_line
 from groundslab.model.plates.joints import AnyJoint
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.structure.beams import Beam, RectangularSection
+from groundslab.model.structure.lines import Path
 from groundslab.model.structure.walls import Wall, place_walls
 from groundslab.model.supports import AnySupport, check_names, plan_of_plate
 from groundslab.schema.issues import RelativeIssue
@@ -38,23 +41,22 @@ def wall_beams(wall: Wall) -> tuple[Beam, ...]:
     Over an opening what is left of the height counts.
     """
     assert wall.height is not None
-    points = wall.line
     length = wall.length
     cuts = sorted(
         {0.0, length, *(min(way, length) for opening in wall.openings for way in (opening.start, opening.end))}
     )
-    ways = [0.0, *itertools.accumulate(math.dist(a, b) for a, b in pairwise(points))]
     parts = []
     for start, end in pairwise(cuts):
         if end - start <= SAME * length:
             continue
         middle = (start + end) / 2
         open_there = max((each.height for each in wall.openings if each.start < middle < each.end), default=0.0)
-        between = [point for point, way in zip(points, ways, strict=True) if start < way < end]
+        alone = len(cuts) == 2
+        points, bulges = _between(wall.edges, start, end)
         parts.append(
             Beam(
-                name=wall.name if len(cuts) == 2 else f"{wall.name}, {start:g} m to {end:g} m",
-                points=(_at(points, ways, start), *between, _at(points, ways, end)),
+                name=wall.name if alone else f"{wall.name}, {start:g} m to {end:g} m",
+                **({"shape": wall.shape} if alone and wall.shape is not None else {"points": points, "bulges": bulges}),
                 section=RectangularSection(width=wall.thickness, height=wall.height - open_there),
                 E=wall.E,
                 nu=wall.nu,
@@ -64,20 +66,26 @@ def wall_beams(wall: Wall) -> tuple[Beam, ...]:
     return tuple(parts)
 
 
-def _at(points: tuple[Place, ...], ways: list[float], way: float) -> Place:
-    """Return the place on a line through points, which lie at ways from its start [m]."""
-    for (a, b), (low, high) in zip(pairwise(points), pairwise(ways), strict=True):
-        if way <= high:
-            part = (way - low) / (high - low)
-            # its own ends exactly
-            return a if part == 0 else b if part == 1 else (a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1]))
-    return points[-1]
+def _between(edges: tuple[Segment, ...], start: float, end: float) -> Path:
+    """Return the part of a line between two ways along it [m]: its points, and the bulges of its pieces."""
+    points, bulges, low = list[Place](), list[float](), 0.0
+    for edge in edges:
+        a, b = np.clip((np.array([start, end]) - low) / edge.length, 0.0, 1.0)
+        low += edge.length
+        # its own ends exactly
+        a, b = 0.0 if a < SAME else a, 1.0 if b > 1 - SAME else b
+        if b - a <= SAME:
+            continue
+        places = [(float(x), float(y)) for x, y in edge.at(np.array([a, b]))]
+        points += places if not points else places[1:]
+        bulges.append(math.tan((b - a) * edge.sweep / 4))
+    return tuple(points), tuple(bulges) if any(bulges) else ()
 
 
 def curved_beams(beams: tuple[Beam, ...], plates: tuple[AnyPlate, ...]) -> tuple[Ring, ...]:
     """Return the closed curves with arcs along which beams run, but for those that are edges of plates."""
     edges = [ring for plate in plates for ring in plate.rings()]
-    rings = (beam.shape.ring() for beam in beams if beam.shape is not None and not beam.line)
+    rings = (beam.shape.ring() for beam in beams if beam.shape is not None and beam.path is None)
     return tuple(ring for ring in rings if ring not in edges)
 
 
@@ -112,10 +120,10 @@ def check_members(
         return
     x0, x1, y0, y1 = bounds_of(plate, plates)
     yield from (_at_place(issue, where) for issue in _check_apart(beams, TOO_CLOSE * max(x1 - x0, y1 - y0)))
-    straight = {number: beam.line for number, beam in enumerate(beams) if beam.line}
+    paths = {number: beam.path for number, beam in enumerate(beams) if beam.path is not None}
     before = sum(bool(support.edges) for support in supports)
-    beams_by_line = dict(enumerate(straight, start=before + 1))
-    for issue in find_issues(plan_of_plate(plate, supports, plates=plates, lines=(*straight.values(),))):
+    beams_by_line = dict(enumerate(paths, start=before + 1))
+    for issue in find_issues(plan_of_plate(plate, supports, plates=plates, lines=(*paths.values(),))):
         # the beam at which the issue is, or else the first one that it names
         for text in (issue.location, issue.found):
             if own := [number for count, number in beams_by_line.items() if f"plate.lines[{count}]" in text]:
@@ -126,12 +134,8 @@ def check_members(
 
 
 def _check_stiff_wall(number: int, wall: Wall) -> Iterator[RelativeIssue]:
-    """Find walls with a height along arcs, and openings that are none."""
+    """Find openings of walls with a height that are none."""
     place = ("walls", number)
-    if wall.curved:
-        hint = "a wall without a height may follow arcs"
-        yield RelativeIssue((*place, "height"), "a height of a wall along an arc", "straight pieces", hint)
-        return
     assert wall.height is not None
     for position, opening in enumerate(wall.openings):
         if opening.end > wall.length * (1 + SAME):
@@ -156,7 +160,7 @@ def _check_curves(plates: tuple[AnyPlate, ...], beams: tuple[Beam, ...]) -> Iter
     """Find closed curves with arcs along which beams run that touch an edge of a plate, but for those that are one."""
     edges = [ring for plate in plates for ring in plate.rings()]
     for number, beam in enumerate(beams):
-        if beam.shape is None or beam.line or (ring := beam.shape.ring()) in edges:
+        if beam.shape is None or beam.path is not None or (ring := beam.shape.ring()) in edges:
             continue
         chord = FLAT * max(max(each.sides) for each in edges)
         own = ring.polygon(chord).exterior

@@ -38,8 +38,7 @@ def plot(
     *fields : str
         Quantities to draw, by name or symbol, as docs/plots.md lists them: nodal fields of the plate ("settlement" or
         "w", "moment_x" or "m_x", ...), principal moments "m_1" and "m_2", design moments "bottom_x", ...,
-        "discretization_error", "stiffness_ratio", "membrane_x", ..., bars "required_bottom_x", ... Without any, a
-        usual choice.
+        "stiffness_ratio", "membrane_x", "discretization_error", bars "required_bottom_x", ... Or a usual choice.
     kind : str, optional
         "plan" (default), "deformed", "lines" (with a line), "beams", "mesh", "soil", "stress" or "convergence".
     combination : str or sequence of str, optional

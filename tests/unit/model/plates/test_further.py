@@ -11,7 +11,7 @@ from groundslab import InputError, Model
 from groundslab.case import casefile
 from groundslab.discretize.discretize import discretize
 from groundslab.discretize.plan_layout import plan_of
-from groundslab.geometry.plan import sections
+from groundslab.geometry.regions import sections
 from groundslab.geometry.validity import find_issues
 from groundslab.model.plates.further import first_sections
 from groundslab.model.plates.region import PlateRegion

@@ -72,10 +72,32 @@ def test_a_wall_has_parts_at_its_openings() -> None:
     assert [beam.way[-1] for beam in found.beams] == pytest.approx([part.length for part in parts])
 
 
+def test_a_wall_along_an_arc_has_parts_along_it() -> None:
+    """A quarter of a circle and a straight piece; the opening begins on the arc and ends on the piece."""
+    arc = math.pi / 2
+    wall = {
+        "name": "A", "thickness": 0.2, "height": 2.5, "points": [(1.0, 0.0), (0.0, 1.0), (-2.0, 1.0)],
+        "bulges": [math.tan(math.pi / 8)], "openings": [{"start": arc / 2, "end": arc + 0.5, "height": 2.0}],
+    }  # fmt: skip
+    first, middle, last = model(wall).members
+    assert [each.length for each in (first, middle, last)] == pytest.approx([arc / 2, arc / 2 + 0.5, 1.5])
+    corner = math.sqrt(0.5), math.sqrt(0.5)
+    assert first.points[-1] == pytest.approx(corner)
+    assert middle.points == (pytest.approx(corner), (0.0, 1.0), pytest.approx((-0.5, 1.0)))
+    assert middle.edges[0].centre == pytest.approx((0.0, 0.0), abs=1e-12)
+    results = gs.solve(model(wall)).only
+    assert results.certificate.holds
+    assert sum(beam.way[-1] for beam in results.beams) == pytest.approx(wall_length := arc + 2.0, rel=1e-6)
+    assert wall_length == pytest.approx(model(wall).placed_walls[0].length)
+    ring = {key: wall[key] for key in ("name", "thickness", "height")}
+    around = model(ring | {"shape": {"kind": "circle", "centre": (0.0, 0.0), "radius": 1.5}})
+    assert [part.closed for part in around.members] == [True]
+    assert gs.solve(around).only.certificate.holds
+
+
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
-        ({"bulges": [0.5]}, "walls[1].height: a height of a wall along an arc"),
         ({"openings": [{"start": 1.0, "end": 0.5, "height": 1.0}]}, "walls[1].openings[1].end: 0.5 m"),
         ({"openings": [{"start": 0.0, "end": 0.5, "height": 3.0}]}, "walls[1].openings[1].height: 3.0 m"),
         ({"openings": [{"start": 3.0, "end": 4.5, "height": 1.0}]}, "walls[1].openings[1].end: 4.5 m"),
