@@ -139,6 +139,53 @@ def test_a_wide_flange_acts_with_the_width_of_karman() -> None:
     assert results.plate.value_at("settlement", 0.0, 0.0) == pytest.approx(deflection, rel=1e-3)
 
 
+#: Settlements [mm] at places, and axial force [kN] and moment about its own axis [kNm] of each rib at x = 0, of
+#: `ngsolve_shells.py`: under 10 kPa everywhere, and under 100 kPa on 2 m by 1 m.
+PLACES = ((0.0, -1.2), (0.0, 1.2), (0.0, 0.0), (3.0, 1.2), (0.0, 2.4), (0.0, -2.4))
+SHELLS = {
+    "uniform": (
+        (8.09657, 8.09657, 8.02212, 5.78858, 8.51654, 8.51654),
+        (804.59734, 804.59738),
+        (85.25422, 85.25422),
+    ),
+    "patch": (
+        (2.58522, 6.31371, 4.42990, 4.28486, 8.09683, 1.06980),
+        (260.53021, 746.09643),
+        (29.31595, 82.36068),
+    ),
+}
+
+
+@pytest.mark.parametrize("load", list(SHELLS))
+def test_a_bridge_strip_with_two_ribs_is_near_that_of_shells(load: str) -> None:
+    """12 m by 4.8 m, simply supported: settlements to 1 % of the largest, forces in ribs to 1 %, moments to 2.5 %."""
+    loads = {
+        "uniform": {"kind": "uniform", "q": 10e3},
+        "patch": {"kind": "patch", "x": (-1.0, 1.0), "y": (0.7, 1.7), "q": 100e3},
+    }
+    results = only(
+        gs.Model(
+            plate={"length_x": 12.0, "length_y": 4.8, "thickness": T, "E": E, "nu": 0.2},
+            ground={"kind": "winkler", "k": 1.0},
+            contact={"tensionless": False},
+            supports=[{"kind": "line", "points": [(x, -2.4), (x, 2.4)], "acts": "both ways"} for x in (-6.0, 6.0)],
+            beams=[
+                {"name": f"rib at {y:g} m", "points": [(-6.0, y), (6.0, y)], "section": ECCENTRIC} for y in (-1.2, 1.2)
+            ],
+            loads=[loads[load]],
+            mesh={"size": 0.2},
+        )
+    )
+    settlements, axial, moments = (np.array(each) for each in SHELLS[load])
+    w = np.array([1e3 * results.plate.value_at("settlement", x, y) for x, y in PLACES])
+    assert np.abs(w - settlements).max() < 0.01 * settlements.max()
+    for rib, N, M in zip(results.beams, axial, moments, strict=True):
+        middle = int(np.argmin(np.abs(rib.nodes[:, 0])))
+        assert rib.axial[middle] == pytest.approx(1e3 * N, rel=0.01)
+        own = rib.moment - rib.eccentricity * rib.axial
+        assert own[middle] == pytest.approx(1e3 * M, rel=0.025)
+
+
 def raft(*, turned: bool = False, ground: dict[str, Any] | None = None, **others: Any) -> gs.Model:
     """Return a raft with two crossing ribs, one not along its middle, that lifts off at a corner; or turned."""
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import count
+
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
@@ -9,7 +11,7 @@ from groundslab.discretize.plan_layout import Layout
 from groundslab.errors import InputError, Issue
 from groundslab.fem.hanging import find_hanging
 from groundslab.fem.mesh import SIDES, select_along, sides_of
-from groundslab.fem.parts.beams import Beams, lengths_of
+from groundslab.fem.parts.beams import Beams, goes_on, lengths_of
 from groundslab.fem.parts.membrane import held
 from groundslab.geometry.plan import Segment
 from groundslab.model.model import Model
@@ -20,15 +22,17 @@ from groundslab.schema.wording import quote
 MET = 1e-4
 
 
-def beams_on(model: Model, plan: Layout, sections: list[tuple[float, float, float]]) -> Beams:
+def beams_on(model: Model, plan: Layout, sections: list[tuple[float, float, float]], fields: int) -> Beams:
     """Return the beams of a model on its mesh; sections are E [Pa], nu and thickness [m] of each of the plate's.
 
-    A rib between two sections of the plate has as its flange the thinner one.
+    A rib between two sections of the plate has as its flange the thinner one. What sections of walls turn by are fields
+    beyond so many.
     """
     members = model.members
     if not members:
         none, zero = np.zeros((0, 3), dtype=np.int64), np.zeros(0)
-        return Beams(none, none[:, 0], zero, zero, np.zeros((0, 4)), zero, np.zeros((0, 2), dtype=bool))
+        hinges, along = np.zeros((0, 2), dtype=bool), np.zeros((0, 3, 2))
+        return Beams(none, none[:, 0], zero, zero, np.zeros((0, 4)), zero, hinges, none[:, 0], along)
     every = _whole_sides(plan)
     parts = [_along(plan, every, beam) for beam in members]
     sides, start, length = (np.concatenate(each) for each in zip(*parts, strict=True))
@@ -42,7 +46,43 @@ def beams_on(model: Model, plan: Layout, sections: list[tuple[float, float, floa
         eccentricity[own] = members[which].eccentricity(sections[section][2])
     for which, beam in enumerate(members):
         released[np.flatnonzero(number == which)[[0, -1]], [0, 1]] = [end == "hinged" for end in beam.joined]
-    return Beams(sides, number, start, length, rigidity, eccentricity, released)
+    wall = np.array(model.wall_of_members)[number]
+    field, along = _sections_of_walls(plan.mesh.nodes, sides, wall, fields)
+    return Beams(sides, number, start, length, rigidity, eccentricity, released, field, along)
+
+
+def _sections_of_walls(nodes: Array, sides: Integers, wall: Integers, fields: int) -> tuple[Integers, Array]:
+    """Return the field of theta (b,) of each piece of a wall, 0 of others, and the axis' direction at nodes (b, 3, 2).
+
+    wall (b,) is the wall that a piece belongs to, -1 of none. theta goes on to the wall's next corner: another field
+    begins where that node has it already.
+    """
+    field = np.zeros(len(sides), dtype=np.int64)
+    start, end, middle = (nodes[sides[:, k]] for k in range(3))
+    along = np.stack([2 * middle - 1.5 * start - 0.5 * end, 0.5 * start + 1.5 * end - 2 * middle, end - start], axis=1)
+    along /= np.linalg.norm(along, axis=2, keepdims=True)
+    begins = (np.diff(wall, prepend=-2) != 0) | ~goes_on(sides, nodes)
+    part = np.cumsum(begins)
+    taken: dict[int, Flags] = {}
+    for number in np.unique(part[wall >= 0]):
+        some = np.flatnonzero(part == number)
+        own, place = np.unique(sides[some], return_inverse=True)
+        free = next(f for f in count(fields) if f not in taken or not taken[f][own].any())
+        taken.setdefault(free, np.zeros(len(nodes), dtype=bool))[own] = True
+        field[some] = free
+        # one direction at a node, of both pieces there
+        mean = np.zeros((len(own), 2))
+        np.add.at(mean, place.reshape(-1, 3), along[some])
+        along[some] = (mean / np.linalg.norm(mean, axis=1, keepdims=True))[place.reshape(-1, 3)]
+    return field, along
+
+
+def with_turning(present: Flags, beams: Beams) -> Flags:
+    """Return which unknowns exist (n, F), with theta of walls."""
+    found = np.pad(present, ((0, 0), (0, max(0, int(beams.field.max(initial=0)) + 1 - present.shape[1]))))
+    some = beams.field > 0
+    found[beams.sides[some], beams.field[some, None]] = True
+    return found
 
 
 def with_in_plane(present: Flags, plan: Layout, beams: Beams) -> tuple[Flags, tuple[int, ...]]:

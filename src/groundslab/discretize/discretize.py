@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.discretize.beams import beams_on, with_in_plane
+from groundslab.discretize.beams import beams_on, with_in_plane, with_turning
 from groundslab.discretize.building import building_on, with_building
 from groundslab.discretize.constraints import (
     JointLine,
@@ -61,8 +61,8 @@ def discretize(
     surfaces = surfaces_of(ground)
     lines = joint_lines(model, plan, surfaces)
     present = _with_slips(_present(model, plan, element, surfaces), lines)
-    beams = beams_on(model, plan, materials(model))
-    present, in_plane = with_in_plane(present, plan, beams)
+    beams = beams_on(model, plan, materials(model), present.shape[1])
+    present, in_plane = with_in_plane(with_turning(present, beams), plan, beams)
     building = building_on(model, plan, element, present)
     present = with_building(present, building)
     cases = _cases(model, plan, element, fields := present.shape[1], like, loaded)

@@ -2,9 +2,9 @@
 
 Fields of a node: W, BETA_X, BETA_Y of the plate; TOP, which is the settlement of the ground's surface, under the plate
 relative to the plate's; then the settlements of the lower surfaces. Under the plate w_0 = w + h, and the gap is h + g0.
-Where joints have play, their slip at nodes of the second plate comes next; then, where beams are eccentric, the
-displacements u, v in the plane of their plates; unknowns of the building above, which stand at some nodes that mean
-nothing to them, come last. What bears on single unknowns (the ground
+Where joints have play, their slip at nodes of the second plate comes next; then what sections of walls turn by; where
+beams are eccentric, the displacements u, v in the plane of their plates; unknowns of the building above, which stand at
+some nodes that mean nothing to them, come last. What bears on single unknowns (the ground
 where the plate may lift off, supports, the ends of the play) stands beside the matrix.
 """
 
@@ -129,16 +129,34 @@ class Problem:
         """Return what displacements and forces are measured by."""
         has, size = self.unknown >= 0, self.unknown.max(initial=-1) + 1
         lever, plate = np.ones(size), np.full(size, -1)
-        lever[self.unknown[:, BETA_X : BETA_Y + 1][has[:, BETA_X : BETA_Y + 1]]] = self.length
+        turns = self.unknown[:, self.turning]
+        lever[turns[turns >= 0]] = self.length
         if len(self.plate.names) == 1:
             return Measures(lever)
         plate[self.unknown[has]] = np.broadcast_to(self.plate_at_nodes[:, None], self.unknown.shape)[has]
         return Measures(lever, plate)
 
+    @property
+    def turning(self) -> Integers:
+        """Return the fields that are slopes: those of the plate, and of the sections of walls."""
+        fields = np.unique(self.beams.field)
+        return np.array([BETA_X, BETA_Y, *fields[fields > 0]])
+
+    def with_followers(self, U: Array) -> Array:
+        """Return a table of unknowns (n, F) in which sections of walls and the building above follow the plate."""
+        b = self.beams
+        if not b.own.any() and self.building is None:
+            return U
+        found = U.copy()
+        some = b.own
+        sides = b.sides[some]
+        found[sides, b.field[some, None]] = (b.along[some] * U[sides, BETA_X : BETA_Y + 1]).sum(axis=2)
+        return found if self.building is None else self.building.with_own(found)
+
     def nodal_sizes(self, forces: Array) -> Array:
         """Return the largest of the forces (n, F) at each node, moments over the plate's length, (n,) [N]."""
         lever = np.ones(forces.shape[1])
-        lever[BETA_X : BETA_Y + 1] = self.length
+        lever[self.turning] = self.length
         sizes: Array = (np.abs(forces) / lever).max(axis=1)
         return sizes
 

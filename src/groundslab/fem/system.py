@@ -59,7 +59,7 @@ class System:
     problem: Problem
     pattern: Pattern
     blocks: Blocks
-    beams: Array  # (b, 3, 3, 5, 5): stiffness of the pieces of beams, see `parts.beams`
+    beams: Array  # (b, 3, 3, 6, 6): stiffness of the pieces of beams, see `parts.beams`
     building: tuple[Integers, Array] | None = None  # node pairs and blocks of the building above, see `parts.building`
 
 
@@ -258,30 +258,35 @@ def _link_blocks(s: System, column: Column) -> tuple[Integers, Array]:
     return np.concatenate(pairs), np.concatenate([own, own, -own])
 
 
-def beam_fields(problem: Problem) -> Integers:
-    """Return the fields that move beams: w, beta_x and beta_y, and u and v where there are such."""
-    return np.array([*range(TOP), *problem.in_plane])
+def beam_fields(problem: Problem) -> Iterator[tuple[Integers, Integers, Integers]]:
+    """Yield pieces of beams (k,), the fields that move them, and which of w, beta_x, beta_y, u, v, theta these are."""
+    known = [*range(TOP), *problem.in_plane]
+    for field in np.unique(problem.beams.field).tolist():
+        some = np.flatnonzero(problem.beams.field == field)
+        own = [*range(len(known)), *([beams.THETA] if field else [])]
+        yield some, np.array([*known, *([field] if field else [])]), np.array(own)
 
 
 def beam_unknowns(problem: Problem, U: Array) -> Array:
-    """Return w, beta_x, beta_y, u and v of the nodes of beams (b, 3, 5) from U (n, F), without u and v zeros."""
-    sides, fields = problem.beams.sides, beam_fields(problem)
+    """Return w, beta_x, beta_y, u, v and theta of the nodes of beams (b, 3, 6) from U (n, F), zeros for what is not."""
+    sides = problem.beams.sides
     found = np.zeros((*sides.shape, beams.FIELDS))
-    found[..., : len(fields)] = U[sides][..., fields]
+    for some, fields, own in beam_fields(problem):
+        found[some[:, None, None], np.arange(3)[:, None], own] = U[sides[some][..., None], fields]
     return found
 
 
 def _beam_blocks(s: System) -> tuple[Integers, Array]:
     """Return the node pairs (t,) of beams and their blocks (t, F, F), rows being of the node eliminated first."""
     sides, rank, F = s.problem.beams.sides, s.pattern.rank, s.pattern.unknown.shape[1]
-    fields = beam_fields(s.problem)
-    k, between = len(fields), np.ix_(np.arange(len(sides)), fields, fields)
     pairs, found = [], []
     for a, c in itertools.combinations_with_replacement(range(3), 2):
         one, other = sides[:, a], sides[:, c]
         own = np.zeros((len(sides), F, F))
         turned = (rank[one] > rank[other])[:, None, None]
-        own[between] = np.where(turned, s.beams[:, c, a, :k, :k], s.beams[:, a, c, :k, :k])
+        blocks = np.where(turned, s.beams[:, c, a], s.beams[:, a, c])
+        for some, fields, kept in beam_fields(s.problem):
+            own[np.ix_(some, fields, fields)] = blocks[np.ix_(some, kept, kept)]
         pairs.append(s.pattern.pairs(one, other))
         found.append(own)
     return np.concatenate(pairs), np.concatenate(found)

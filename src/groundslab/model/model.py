@@ -33,7 +33,7 @@ from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.structure.beams import Beam
 from groundslab.model.structure.building import Building, check_building
 from groundslab.model.structure.columns import Column
-from groundslab.model.structure.members import check_members, members_of
+from groundslab.model.structure.members import check_members, members_of, wall_of_members
 from groundslab.model.structure.walls import Wall, place_walls
 from groundslab.model.supports import Support, check_piles
 from groundslab.schema import reference
@@ -193,8 +193,17 @@ class Model(Section):
     @property
     def members(self) -> tuple[Beam, ...]:
         """Return what stiffens the plate: beams, then the walls that have a height as deep beams."""
-        stiff = tuple(wall for wall in self.walls if wall.height is not None)
-        return members_of(self.beams, stiff, self.every_plate) if stiff else self.beams
+        return members_of(self.beams, self._stiff_walls, self.every_plate) if self._stiff_walls else self.beams
+
+    @property
+    def wall_of_members(self) -> tuple[int, ...]:
+        """Return of which wall each member is a part, -1 of beams."""
+        return wall_of_members(self.beams, self._stiff_walls, self.every_plate)
+
+    @property
+    def _stiff_walls(self) -> tuple[Wall, ...]:
+        """Return the walls that have a height."""
+        return tuple(wall for wall in self.walls if wall.height is not None)
 
     def shapes(self, load: AnyLoad) -> tuple[Acting, ...]:
         """Return the acting shapes of a load, at the place of its column or wall if it names one."""

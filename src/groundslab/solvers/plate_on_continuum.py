@@ -170,21 +170,20 @@ def move(p: PlateOnContinuum, f: Array, found: BoundedSolution) -> Array:
 def _rigid_motions(problem: Problem, size: int) -> Array:
     """Return the rigid motions (size, r) of plates without their supports and the play of joints, which are forces.
 
-    What a joint with play slips is an unknown without stiffness, and follows the plates, as a building does.
+    What a joint with play slips is an unknown without stiffness, and follows the plates, as walls and a building do.
     """
     links, none = problem.links, np.zeros(len(problem.contact.bearing.law), dtype=bool)
     slips = np.asarray(links.fields[:, TOP + 1 :].any(axis=1))
     contact = replace(problem.contact, bearing=problem.contact.bearing.select(none))
     alone = replace(problem, contact=contact, links=links.select(~slips), elastic=None)
-    moved, unknown = move_plates(problem, free_motions(alone)), problem.unknown[:, :TOP]
+    moved, has = move_plates(problem, free_motions(alone)), problem.unknown >= 0
     R = np.zeros((size, moved.shape[2]))
-    R[unknown[unknown >= 0]] = moved[unknown >= 0]
+    for number, motion in enumerate(np.moveaxis(moved, 2, 0)):
+        U = np.pad(motion, ((0, 0), (0, problem.unknown.shape[1] - TOP)))
+        R[problem.unknown[has], number] = problem.with_followers(U)[has]
     for (first, second), own in zip(links.nodes[slips], links.fields[slips], strict=True):
         field = TOP + 1 + int(np.flatnonzero(own[TOP + 1 :])[0])
         R[problem.unknown[second, field]] = moved[first, W] - moved[second, W]
-    if (above := problem.building) is not None:
-        own = problem.unknown[above.host, above.field]
-        R[own] = above.spread.T @ moved[:, :TOP].reshape(-1, moved.shape[2])
     return R
 
 

@@ -84,7 +84,7 @@ def from_coarser(start: Solution, problem: Problem, at: NodeLocations) -> tuple[
     U[:, TOP : TOP + problem.surfaces] = interpolate(coarse, surfaces.T, at.everywhere)
     U[under, TOP] -= U[under, W]
     U[problem.unknown < 0] = 0.0
-    return state, U if problem.building is None else problem.building.with_own(U)
+    return state, problem.with_followers(U)
 
 
 def unknowns_in(problem: Problem, U: Array) -> Array:

@@ -8,7 +8,11 @@ n to the left of it, and stretches:
 
 M about its own centroid, s along the axis, which may be curved. All are integrated at two points, where the shear
 strain of a quadratic w and beta is taken on MITC9's sides, too, and u and e beta are of one order: nothing locks
-(Zienkiewicz, Taylor and Too 1971). See docs/theory.md, beams.
+(Zienkiewicz, Taylor and Too 1971).
+
+Walls are deep beams, which shear as much as they bend. The plate's normals follow a wall's foot, the slope of which
+differs from its sections' by that shear strain: beta . t is an unknown of its own, theta, up to the wall's corners.
+See docs/theory.md, beams.
 """
 
 from __future__ import annotations
@@ -20,8 +24,10 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem.shape_functions import gauss_line
 
-#: w, beta_x, beta_y, u, v of a node.
-FIELDS = 5
+#: Where the axis turns by more than this [rad], section forces jump, and the sections of walls turn apart.
+KINK = 1e-3
+#: w, beta_x, beta_y, u, v, theta of a node.
+FIELDS, THETA = 6, 5
 #: The two Gauss points, from -1 at the start to 1 at the end.
 POINTS = np.array([-1.0, 1.0]) / np.sqrt(3.0)
 #: Of a line through the values at both points: its values at the start and at the end.
@@ -39,44 +45,49 @@ class Beams:
     rigidity: Array  # (b, 4): E I and G J [N m2], G A_v and E A [N], of which the last is 0 of concentric ones
     eccentricity: Array  # (b,) [m]: how far the centroid lies below the plate's middle plane
     released: Flags  # (b, 2): whether it bends freely at its start, at its end: hinges at ends of beams
+    field: Integers  # (b,): of theta at its nodes, 0 where its sections turn with the plate
+    along: Array  # (b, 3, 2): direction of the axis at its nodes
+
+    @property
+    def own(self) -> Flags:
+        """Return which pieces have sections that turn by themselves, (b,)."""
+        return self.field > 0
 
 
 def stiffness(beams: Beams, nodes: Array) -> Array:
-    """Return the stiffness matrices (b, 3, 3, 5, 5) of pieces between nodes a, c and fields i, j: entry [a, c, i, j].
+    """Return the stiffness matrices (b, 3, 3, 6, 6) of pieces between nodes a, c and fields i, j: entry [a, c, i, j].
 
     nodes (n, 2) are those of the mesh [m]. What is released has been eliminated.
     """
-    xy = nodes[beams.sides]
-    K = _full_stiffness(xy, beams.rigidity, beams.eccentricity)
+    K = _full_stiffness(beams, nodes)
     if beams.released.any():
         some = beams.released.any(axis=1)
-        _, K_r, inverse = _releases(xy[some], K[some], beams.released[some])
+        _, K_r, inverse = _releases(nodes[beams.sides[some]], K[some], beams.released[some])
         K[some] -= np.einsum("bkai,bkl,blcj->bacij", K_r, inverse, K_r)
     return K
 
 
 def section_forces(beams: Beams, nodes: Array, u: Array) -> Array:
-    """Return M, T [N m], V and N [N] at both Gauss points of pieces, (b, 2, 4), for unknowns u (b, 3, 5) of nodes.
+    """Return M, T [N m], V and N [N] at both Gauss points of pieces, (b, 2, 4), for unknowns u (b, 3, 6) of nodes.
 
     M is positive where the beam sags, N in tension. V = d(M + e N)/ds where no torsion enters.
     """
-    xy = nodes[beams.sides]
-    B, _ = _strains(xy, beams.eccentricity)
-    own = without_motion(xy, u)
+    B, _ = _strains(beams, nodes)
+    own = without_motion(beams, nodes, u)
     if beams.released.any():
         some = beams.released.any(axis=1)
-        K = _full_stiffness(xy[some], beams.rigidity[some], beams.eccentricity[some])
-        released, K_r, inverse = _releases(xy[some], K, beams.released[some])
+        K = _full_stiffness(beams, nodes)[some]
+        released, K_r, inverse = _releases(nodes[beams.sides[some]], K, beams.released[some])
         turned = np.einsum("bkl,blai,bai->bk", inverse, K_r, own[some])
         own[some] -= np.einsum("bk,bkai->bai", turned, released)
     forces: Array = np.einsum("bprai,bai->bpr", B, own) * beams.rigidity[:, None] * [-1.0, -1.0, 1.0, 1.0]
     return forces
 
 
-def _full_stiffness(xy: Array, rigidity: Array, eccentricity: Array) -> Array:
+def _full_stiffness(beams: Beams, nodes: Array) -> Array:
     """Return the stiffness matrices of pieces whose ends turn with the plate."""
-    B, ds = _strains(xy, eccentricity)
-    K: Array = np.einsum("bprai,br,bp,bprcj->bacij", B, rigidity, ds, B, optimize=True)
+    B, ds = _strains(beams, nodes)
+    K: Array = np.einsum("bprai,br,bp,bprcj->bacij", B, beams.rigidity, ds, B, optimize=True)
     return K
 
 
@@ -97,10 +108,23 @@ def _releases(xy: Array, K: Array, released: Flags) -> tuple[Array, Array, Array
     return r, K_r, np.linalg.inv(resisted)
 
 
-def without_motion(xy: Array, u: Array) -> Array:
-    """Return unknowns (b, 3, 5) less the rigid motion of each piece's middle, whose size would be rounding."""
+def goes_on(sides: Integers, nodes: Array) -> Flags:
+    """Return which pieces (b, 3) go on from the one before (b,): from its end, turning by less than KINK."""
+    start, end, middle = (nodes[sides[:, k]] for k in range(3))
+    leaving, arriving = (2 * middle - 1.5 * start - 0.5 * end)[1:], (0.5 * start + 1.5 * end - 2 * middle)[:-1]
+    size = np.linalg.norm(leaving, axis=1) * np.linalg.norm(arriving, axis=1)
+    across = arriving[:, 0] * leaving[:, 1] - arriving[:, 1] * leaving[:, 0]
+    ahead = (arriving * leaving).sum(axis=1) > 0
+    smooth: Flags = ahead & (np.abs(across) <= KINK * size) & (sides[:-1, 1] == sides[1:, 0])
+    return np.concatenate([np.zeros(min(len(sides), 1), dtype=bool), smooth])
+
+
+def without_motion(beams: Beams, nodes: Array, u: Array) -> Array:
+    """Return unknowns (b, 3, 6) less the rigid motion of each piece's middle, whose size would be rounding."""
+    xy, slope = nodes[beams.sides], u[:, 2, 1:3]
     left: Array = u - u[:, 2:]
-    left[..., 0] -= np.einsum("bax,bx->ba", xy - xy[:, 2:], u[:, 2, 1:3])
+    left[..., 0] -= np.einsum("bax,bx->ba", xy - xy[:, 2:], slope)
+    left[..., THETA] = u[..., THETA] - np.where(beams.own[:, None], np.einsum("bax,bx->ba", beams.along, slope), 0.0)
     return left
 
 
@@ -112,17 +136,18 @@ def lengths_of(xy: Array) -> Array:
     return length
 
 
-def _strains(xy: Array, eccentricity: Array) -> tuple[Array, Array]:
-    """Return B (b, 2, 4, 3, 5) from fields (last) of nodes to strains, and ds (b, 2) [m].
+def _strains(beams: Beams, nodes: Array) -> tuple[Array, Array]:
+    """Return B (b, 2, 4, 3, 6) from fields (last) of nodes to strains, and ds (b, 2) [m].
 
     The strains are curvature, twist, shear strain, and the strain of the centroid's axis.
     """
+    xy = nodes[beams.sides]
     s = POINTS[:, None]
     N = np.hstack([s * (s - 1) / 2, s * (s + 1) / 2, 1 - s * s])
     dN = np.hstack([s - 0.5, s + 0.5, -2 * s])
-    along = np.einsum("pa,bax->bpx", dN, xy)
-    ds = np.linalg.norm(along, axis=2)
-    t = along / ds[..., None]
+    tangent = np.einsum("pa,bax->bpx", dN, xy)
+    ds = np.linalg.norm(tangent, axis=2)
+    t = tangent / ds[..., None]
     n = np.stack([-t[..., 1], t[..., 0]], axis=-1)
     slope = dN / ds[..., None]
     B = np.zeros((len(xy), 2, 4, 3, FIELDS))
@@ -130,6 +155,13 @@ def _strains(xy: Array, eccentricity: Array) -> tuple[Array, Array]:
     B[:, :, 1, :, 1:3] = slope[..., None] * n[:, :, None]
     B[:, :, 2, :, 0] = slope
     B[:, :, 2, :, 1:3] = -N[:, :, None] * t[:, :, None]
-    B[:, :, 3, :, 3:] = B[:, :, 0, :, 1:3]
-    B[:, :, 3, :, 1:3] = -eccentricity[:, None, None, None] * B[:, :, 0, :, 1:3]
+    B[:, :, 3, :, 3:5] = B[:, :, 0, :, 1:3]
+    B[:, :, 3, :, 1:3] = -beams.eccentricity[:, None, None, None] * B[:, :, 0, :, 1:3]
+    if beams.own.any():
+        # sections that turn by themselves have theta along the axis, and what the plate turns across it
+        some, along = beams.own, beams.along[beams.own]
+        across = np.stack([-along[..., 1], along[..., 0]], axis=-1)
+        turning = B[some][..., 1:3]
+        B[some, ..., THETA] = np.einsum("bprax,bax->bpra", turning, along)
+        B[some, ..., 1:3] = np.einsum("bprax,bax,bay->bpray", turning, across, across)
     return B, ds

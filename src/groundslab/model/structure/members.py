@@ -35,6 +35,13 @@ def members_of(beams: tuple[Beam, ...], walls: tuple[Wall, ...], plates: tuple[A
     return *beams, *(part for wall in place_walls(walls, plates) for part in wall_beams(wall))
 
 
+@lru_cache(maxsize=64)
+def wall_of_members(beams: tuple[Beam, ...], walls: tuple[Wall, ...], plates: tuple[AnyPlate, ...]) -> tuple[int, ...]:
+    """Return of which wall each member is a part, -1 of beams."""
+    parts = [number for number, wall in enumerate(place_walls(walls, plates)) for _ in wall_beams(wall)]
+    return (-1,) * len(beams) + tuple(parts)
+
+
 def wall_beams(wall: Wall) -> tuple[Beam, ...]:
     """Return a wall that has a height and stands on its axis as deep beams: parts of it as high as they are.
 

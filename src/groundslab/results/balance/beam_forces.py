@@ -8,7 +8,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers, Memo
 from groundslab.fem.mesh import select_along, sides_of
-from groundslab.fem.parts.beams import POINTS, TO_ENDS, section_forces
+from groundslab.fem.parts.beams import POINTS, TO_ENDS, goes_on, section_forces
 from groundslab.fem.problem import Problem
 from groundslab.fem.system import beam_unknowns, plate_settlement
 from groundslab.geometry.nearest import nearest_distance
@@ -20,8 +20,6 @@ from groundslab.solvers.solution import Solution
 
 #: Places this close, relative to the plate's length, are one.
 NEAR = 1e-8
-#: Where the axis turns by more than this [rad], section forces jump.
-KINK = 1e-3
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,16 +119,10 @@ def _make_stations(model: Model, problem: Problem) -> Stations:
 
 def _goes_on(model: Model, problem: Problem) -> Flags:
     """Return which pieces of beams (b,) go on smoothly from the piece before: nothing meets the beam there."""
-    b, nodes = problem.beams, problem.mesh.nodes
-    start, end, middle = (nodes[b.sides[:, k]] for k in range(3))
-    leaving, arriving = (2 * middle - 1.5 * start - 0.5 * end)[1:], (0.5 * start + 1.5 * end - 2 * middle)[:-1]
-    size = np.linalg.norm(leaving, axis=1) * np.linalg.norm(arriving, axis=1)
-    across = arriving[:, 0] * leaving[:, 1] - arriving[:, 1] * leaving[:, 0]
-    at = b.sides[1:, 0]
-    ahead = (arriving * leaving).sum(axis=1) > 0
-    same = (b.number[1:] == b.number[:-1]) & (b.sides[:-1, 1] == at)
-    goes_on = same & ahead & (np.abs(across) <= KINK * size) & ~_meeting(model, problem)[at]
-    return np.concatenate([[False], goes_on])
+    b = problem.beams
+    same = np.diff(b.number, prepend=-1) == 0
+    found: Flags = same & goes_on(b.sides, problem.mesh.nodes) & ~_meeting(model, problem)[b.sides[:, 0]]
+    return found
 
 
 def _meeting(model: Model, problem: Problem) -> Flags:

@@ -101,12 +101,13 @@ _HALVES = slice(0, 9), slice(9, 18)
 
 
 def beam_forces(s: System, U: Array) -> Array:
-    """Return the forces (n, F) that the deformation of beams puts on nodes."""
+    """Return the forces (n, F) that the deformation of beams and walls puts on nodes."""
     forces, sides = np.zeros_like(U), s.problem.beams.sides
     if len(sides):
-        u, fields = without_motion(s.problem.mesh.nodes[sides], beam_unknowns(s.problem, U)), beam_fields(s.problem)
-        on_nodes = np.einsum("bacij,bcj->bai", s.beams, u)[..., : len(fields)]
-        np.add.at(forces, (sides[..., None], fields), on_nodes)
+        u = without_motion(s.problem.beams, s.problem.mesh.nodes, beam_unknowns(s.problem, U))
+        on_nodes = np.einsum("bacij,bcj->bai", s.beams, u)
+        for some, fields, own in beam_fields(s.problem):
+            np.add.at(forces, (sides[some][..., None], fields), on_nodes[some][..., own])
     return forces
 
 
@@ -160,6 +161,7 @@ def exact_rigid_products(s: System, column: Column) -> tuple[Array, Array]:
     for number, motion in enumerate(np.moveaxis(move_plates(problem, free), 2, 0)):
         U = np.zeros(problem.unknown.shape)
         U[nodes, :TOP] = motion[nodes]
+        U = problem.with_followers(U)
         ground = ground_forces(s, U, column)
         resisting = link_forces(s, U, column, joints=True)
         resisting[:, :TOP] += building_forces(problem, U)

@@ -1,0 +1,124 @@
+"""Walls with a height against hand calculations and against shells of another program."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import groundslab as gs
+from groundslab.results.results import CombinationResult
+
+E, THICKNESS, HEIGHT = 30e9, 0.25, 3.0
+
+
+def only(model: gs.Model) -> CombinationResult:
+    """Return the only combination, certified."""
+    results = gs.solve(model).only
+    assert results.certificate.holds
+    return results
+
+
+def test_a_deep_wall_spans_as_it_bends_and_shears() -> None:
+    """6 m by 3 m on two line supports, on a plate as soft as nothing: by hand, shear is a good third of it.
+
+    5 q L^4 / 384 E I + q L^2 / 8 G A_v, with G of nu = 0.2; moment q L^2 / 8 and shear force q L / 2.
+    """
+    length, q = 6.0, 300e3
+    ends = [{"kind": "line", "points": [(x, -0.5), (x, 0.5)], "acts": "both ways"} for x in (-length / 2, length / 2)]
+    wall = {"name": "W", "thickness": THICKNESS, "height": HEIGHT, "E": E, "nu": 0.2}
+    results = only(
+        gs.Model(
+            plate={"length_x": length, "length_y": 1.0, "thickness": 0.1, "E": 1e6, "nu": 0.0},
+            ground={"kind": "winkler", "k": 1.0},
+            contact={"tensionless": False},
+            supports=ends,
+            walls=[wall | {"points": [(-length / 2, 0.0), (length / 2, 0.0)]}],
+            loads=[{"kind": "line", "wall": "W", "q": q}],
+            mesh={"size": 0.25},
+        )
+    )
+    area = THICKNESS * HEIGHT
+    bending = 5 * q * length**4 / (384 * E * area * HEIGHT**2 / 12)
+    shear = q * length**2 / 8 / (E / 2.4 * 5 / 6 * area)
+    assert shear > 0.35 * (bending + shear)
+    (beam,) = results.beams
+    middle = int(np.argmin(np.abs(beam.nodes[:, 0])))
+    assert beam.settlement[middle] == pytest.approx(bending + shear, rel=2e-3)
+    assert beam.moment.max() == pytest.approx(q * length**2 / 8, rel=2e-3)
+    assert beam.shear[1] == pytest.approx(q * (length / 2 - beam.way[1]), rel=1e-2)
+
+
+#: Settlements [mm] and moments m_y [kNm/m] of `ngsolve_shells.py`, the wall sliding on the raft: a load all along, and
+#: one at an end; heights of 1 m and 3 m.
+PLACES = ((0.0, 0.0), (-3.0, 0.0), (3.0, 0.0), (-5.0, 0.0), (5.0, 0.0), (0.0, 4.0), (-5.0, -4.0))
+SHELLS = {
+    (1.0, "all"): ((2.30958, 1.62822, 1.62822, 0.78971, 0.78971, 0.60302, -0.22997), (81.60556, 22.86104)),
+    (1.0, "end"): ((0.57587, 1.17650, 0.06311, 1.04486, -0.13185, 0.11459, 0.30899), (20.66002, 8.61814)),
+    (3.0, "all"): ((2.02786, 1.74264, 1.74264, 1.08008, 1.08008, 0.47428, -0.06183), (72.00595, 24.14588)),
+    (3.0, "end"): ((0.63895, 1.15156, 0.03847, 0.98642, -0.19660, 0.14231, 0.27466), (22.80488, 8.27418)),
+}
+
+
+@pytest.mark.parametrize(("height", "where"), list(SHELLS))
+def test_a_raft_under_a_wall_is_near_that_of_shells(height: float, where: str) -> None:
+    """A wall 6 m long: of 1 m to 1.5 % of the largest settlement, of 3 m to 8 %, where beams are no shells any more."""
+    loads = {
+        "all": {"kind": "line", "wall": "W", "q": 300e3},
+        "end": {"kind": "line", "points": [(-3.0, 0.0), (-2.0, 0.0)], "q": 600e3},
+    }
+    plate = only(
+        gs.Model(
+            plate={"length_x": 10.0, "length_y": 8.0, "thickness": 0.5, "E": E, "nu": 0.2},
+            ground={"kind": "winkler", "k": 20e6},
+            contact={"tensionless": False},
+            walls=[{"name": "W", "thickness": THICKNESS, "height": height, "points": [(-3.0, 0.0), (3.0, 0.0)]}],
+            loads=[loads[where]],
+            mesh={"size": 0.25},
+        )
+    ).plate
+    settlements, moments = (np.array(each) for each in SHELLS[height, where])
+    w = np.array([1e3 * plate.value_at("settlement", x, y) for x, y in PLACES])
+    off = 0.015 if height == 1.0 else 0.08
+    assert np.abs(w - settlements).max() < off * settlements.max()
+    m_y = np.array([plate.value_at("moment_y", 0.0, y) / 1e3 for y in (1.0, 2.0)])
+    assert np.abs(m_y - moments).max() < max(off, 0.02) * moments.max()
+
+
+def building_corner(walls: list[dict[str, Any]]) -> CombinationResult:
+    """Return a raft under walls that meet at a corner."""
+    return only(
+        gs.Model(
+            plate={"length_x": 8.0, "length_y": 8.0, "thickness": 0.4, "E": E, "nu": 0.2},
+            ground={"kind": "pasternak", "k0": 15e6, "k1": 5e6},
+            walls=[{"thickness": THICKNESS, "height": HEIGHT} | wall for wall in walls],
+            loads=[
+                {"kind": "uniform", "q": 10e3},
+                {"kind": "point", "x": -2.0, "y": 2.0, "P": 600e3, "width_x": 0.5, "width_y": 0.5},
+            ],
+            mesh={"size": 0.5},
+        )
+    )
+
+
+def test_a_wall_around_a_corner_is_two_walls() -> None:
+    """Each part bends in its own plane."""
+    around = building_corner([{"name": "A", "points": [(-3.0, -1.0), (-3.0, 3.0), (2.0, 3.0)]}])
+    two = building_corner(
+        [{"name": "A", "points": [(-3.0, -1.0), (-3.0, 3.0)]}, {"name": "B", "points": [(-3.0, 3.0), (2.0, 3.0)]}]
+    )
+    assert around.plate.settlement == pytest.approx(two.plate.settlement, rel=1e-8)
+
+
+def test_sections_go_on_beside_openings() -> None:
+    """An opening as good as none changes nothing: the wall's parts at both ends of it turn as one."""
+    wall = {"name": "A", "points": [(-3.0, -1.0), (-3.0, 3.0), (2.0, 3.0)]}
+    whole = building_corner([wall])
+    parted = building_corner([wall | {"openings": [{"start": 1.0, "end": 2.0, "height": 1e-6}]}])
+    assert len(parted.beams) == 3
+    assert parted.plate.settlement.max() == pytest.approx(whole.plate.settlement.max(), rel=1e-5)
+    assert max(beam.moment.max() for beam in parted.beams) == pytest.approx(whole.beams[0].moment.max(), rel=1e-3)
+    opened = building_corner([wall | {"openings": [{"start": 1.0, "end": 2.0, "height": 2.6}]}])
+    at_load = [each.plate.value_at("settlement", -2.0, 2.0) for each in (opened, whole)]
+    assert at_load[0] > 1.005 * at_load[1]
