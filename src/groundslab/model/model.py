@@ -20,9 +20,9 @@ from groundslab.model.loads.clipping import check_distributed_loads
 from groundslab.model.loads.en1990 import check_combine
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, check_design_combinations
-from groundslab.model.loads.load_types import AnyLoad, Load, PointLoad
+from groundslab.model.loads.load_types import AnyLoad, Load, PointLoad, SelfWeight
 from groundslab.model.loads.patterns import Move, Pattern, check_patterns, check_positions
-from groundslab.model.loads.placement import check_load_columns, check_load_walls, check_point_loads
+from groundslab.model.loads.placement import check_load_columns, check_load_walls, check_point_loads, weights_of
 from groundslab.model.outputs import Output, Project, Report, check_output
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, check_plates, list_plates
@@ -212,6 +212,8 @@ class Model(Section):
         if isinstance(load, LineLoad | LineMoment) and load.wall:
             named = [wall for wall in self.walls if wall.name == load.wall]
             return load.on(place_walls(named, self.every_plate)).acts
+        if isinstance(load, SelfWeight) and load.beams:
+            return *load.acts, *weights_of(self.beams, self.plate, self.plates, load)
         return load.acts
 
     @property

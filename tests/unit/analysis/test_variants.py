@@ -247,3 +247,20 @@ def test_combinations_with_the_same_factors_are_refused_alike() -> None:
     assert solved.call_count == 1
     assert all(isinstance(each, NoEquilibrium) for each in combined.refused.values())
     assert list(combined.refused) == ["one", "two"]
+
+
+def test_loads_follow_the_walls_on_which_they_act() -> None:
+    """A wall at another place on the same mesh, with the same load."""
+
+    def slab(y: float) -> Model:
+        return Model(
+            plate={"length_x": 6.0, "length_y": 6.0, "thickness": 0.3, "E": 30e9, "nu": 0.2},
+            ground={"kind": "winkler", "k": 1e7},
+            walls=[{"name": "W", "thickness": 0.25, "points": [(-2.0, y), (2.0, y)]}],
+            loads=[{"kind": "line", "wall": "W", "q": 1e5}, {"kind": "uniform", "q": 1e4}],
+            mesh={"size": 0.5, "symmetry": "off"},
+        )
+
+    alone, found = driver.solve(slab(1.0)), driver.Variants(slab(0.0)).solve_combinations(slab(1.0))
+    assert np.array_equal(found.only.plate.nodes, alone.only.plate.nodes)
+    assert found.only.plate.settlement == pytest.approx(alone.only.plate.settlement, rel=1e-9)

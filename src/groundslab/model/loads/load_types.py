@@ -22,7 +22,7 @@ from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Shape
 from groundslab.model.structure.columns import Column, check_footprint, footprint
 from groundslab.schema.base import Check
-from groundslab.schema.fields import Choice, Number, Quantity, Text, list_quantities
+from groundslab.schema.fields import Boolean, Choice, Number, Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.places import coordinate, place_in_plan
 from groundslab.schema.ranges import Range
@@ -127,12 +127,13 @@ class AreaLoad(_PressureOnPart):
 
 
 class SelfWeight(_Load):
-    """The self-weight of the plate."""
+    """The self-weight of the plate, and of beams cast with it."""
 
     kind: Annotated[Literal["self weight"], Table("self-weight of the plate, by its thickness in each zone")] = (
         "self weight"
     )
     unit_weight: Annotated[float, Quantity("weight per volume", "gamma_c", "weight of the material", POSITIVE)]
+    beams: Annotated[bool, Boolean("whether ribs weigh, too, and of rectangles what is higher than the plate")] = False
     plate: PlateKey = ""
 
     @property

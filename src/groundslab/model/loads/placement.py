@@ -1,4 +1,4 @@
-"""Checks that point loads, columns, walls, outputs and voids lie on the plate, and that loads name what there is."""
+"""Checks that loads, columns, walls, outputs and voids lie on the plate and name what there is; the weight of beams."""
 
 from __future__ import annotations
 
@@ -7,12 +7,14 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Protocol
 
 from groundslab.geometry.plan import format_place
+from groundslab.model.loads.acting import LineForce
 from groundslab.model.loads.lines import LineLoad, LineMoment
-from groundslab.model.loads.load_types import AnyLoad, PointLoad, Spread
+from groundslab.model.loads.load_types import AnyLoad, PointLoad, SelfWeight, Spread
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import FurtherPlate
+from groundslab.model.plates.further import FurtherPlate, list_plates
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import CHORD
+from groundslab.model.structure.beams import Beam
 from groundslab.model.structure.columns import Column
 from groundslab.model.structure.walls import Wall
 from groundslab.schema.issues import RelativeIssue
@@ -117,3 +119,16 @@ def _check_names_of(loads: tuple[AnyLoad, ...], key: str, names: list[str]) -> I
             place = ("loads", position, key)
             hint, repairs = suggestion(name, names), use_nearest(place, name, names)
             yield RelativeIssue(place, describe(name), expected, hint, repairs)
+
+
+def weights_of(
+    beams: tuple[Beam, ...], plate: Plate, plates: tuple[FurtherPlate, ...], load: SelfWeight
+) -> Iterator[LineForce]:
+    """Yield the weight of each beam of concrete along its axis, on the plates that a load names."""
+    every, region = list_plates(plate, plates), PlateRegion(plate, plates)
+    for beam in beams:
+        own = every[region.plate_at(beam.edges[0].middle)]
+        area = beam.beside_plate(own.thickness)
+        if area > 0 and load.plate in ("", own.name):
+            q = load.unit_weight * area
+            yield LineForce(beam.edges, q=(q, q))

@@ -277,6 +277,15 @@ class Beam(Section):
             bending += rib * flange / (rib + flange) * ((thickness + section.height) / 2) ** 2
         return bending
 
+    def beside_plate(self, thickness: float) -> float:
+        """Return the area of concrete that a plate of a thickness [m] lacks [m2], 0 of a section by its properties."""
+        section = self.section
+        if isinstance(section, RibSection):
+            return section.area
+        if isinstance(section, RectangularSection):
+            return section.width * max(section.height - thickness, 0.0)
+        return 0.0
+
     def to_shapely(self, chord: float) -> LineString:
         """Return the axis, arcs as chords at most so far off [m]."""
         return flat_line(self.edges, chord)

@@ -38,7 +38,7 @@ _GROUND = {
 _BEAMS = (
     "Beams and ribs bend, shear and twist with the plate, linearly elastic and uncracked, their axes in its middle "
     "plane; a rib has a flange of its effective width. Eccentric ones stretch the plate in its plane instead, in which "
-    "nothing else holds it. They add stiffness, but no weight."
+    "nothing else holds it. They weigh what loads say."
 )
 _BUILDING = (
     "Loads on columns and walls are those of the building on a base that does not move. Its stiffness, which is linear "

@@ -8,6 +8,7 @@ import pytest
 
 import groundslab as gs
 from groundslab.errors import InputError
+from groundslab.model.loads.acting import LineForce
 from groundslab.model.structure.beams import torsion_constant
 
 SECTION = {"kind": "rectangle", "width": 0.3, "height": 0.6}
@@ -144,3 +145,27 @@ def test_a_beam_follows_a_closed_shape() -> None:
         found = gs.solve(model({"name": "ring", "shape": shape, "section": SECTION}, mesh={"size": 0.5})).only
         assert found.certificate.holds
         assert found.beams[0].way[-1] == pytest.approx(length, rel=1e-4)
+
+
+def test_a_self_weight_weighs_beams_of_concrete_if_it_says_so() -> None:
+    """A rib by its section, a rectangle by what is higher than the plate, one by its properties not at all."""
+    weight = {"kind": "self weight", "unit_weight": 25e3}
+    rib = {"kind": "rib", "width": 0.4, "height": 0.5, "effective_width": 1.0}
+    ribs = [
+        ACROSS,
+        {"name": "B", "points": [(0.0, -2.0), (0.0, 2.0)], "section": rib},
+        {"name": "C", "points": [(1.0, -2.0), (1.0, 2.0)], "section": GIVEN},
+        {
+            "name": "D",
+            "points": [(2.0, -2.0), (2.0, 2.0)],
+            "section": {"kind": "rectangle", "width": 1.0, "height": 0.15},
+        },
+    ]
+    plain, weighed = (model(*ribs, loads=[weight | {"beams": beams}]) for beams in (False, True))
+    assert [type(shape).__name__ for _, shape in plain.acting] == ["PlateAction"]
+    lines = [shape for _, shape in weighed.acting if isinstance(shape, LineForce)]
+    assert [(line.length, line.q[0]) for line in lines] == [
+        (6.0, pytest.approx(25e3 * 0.3 * 0.4)), (4.0, pytest.approx(25e3 * 0.4 * 0.5)),
+    ]  # fmt: skip
+    solved = gs.solve(weighed.replace(mesh={"size": 1.0})).only
+    assert solved.certificate.load == pytest.approx(25e3 * (24 * 0.2 + 6 * 0.12 + 4 * 0.2), rel=1e-9)
