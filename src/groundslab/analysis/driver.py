@@ -13,6 +13,7 @@ from groundslab.analysis.mesh_hierarchy import MeshHierarchy, ReferenceSolutions
 from groundslab.analysis.moved_results import move_along, move_back
 from groundslab.analysis.tasks.run import Report, Setting, run
 from groundslab.analysis.tasks.task import Outcome, Task, solve_task, task_of
+from groundslab.analysis.wall_limits import with_limits
 from groundslab.arrays import Array
 from groundslab.discretize.ground import Factors
 from groundslab.discretize.plan_layout import Meshes
@@ -121,8 +122,13 @@ def solve_combinations(
         if on_mesh is not None:
             on_mesh(move_back(results, model))
 
+    def on_last_mesh(variant: Model) -> Results:
+        return analyze(variant, Setting(as_solved(variant), setting.meshes), _report())
+
     begun = None if start is None else (move_along(start, local), None)
     results, _ = solve_adaptively(solved_model, begin, on_mesh=report_mesh, start=begun)
+    if model.output.wall_limits:
+        results = with_limits(results, local, on_last_mesh)
     return move_back(results, model)
 
 

@@ -18,7 +18,7 @@ from groundslab.design.tables.reinforcement import reinforcement
 from groundslab.design.tables.structure.beams import beam_reinforcement, beam_table
 from groundslab.design.tables.structure.building import building_table, storey_table
 from groundslab.design.tables.structure.columns import column_envelope, column_table
-from groundslab.design.tables.structure.walls import wall_table
+from groundslab.design.tables.structure.walls import wall_limit_table, wall_table
 from groundslab.design.tables.summary import acting_cases, combinations, extremes, tilts
 from groundslab.design.tables.supports import joint_table, support_table
 from groundslab.design.tables.table import Column, Table
@@ -32,9 +32,10 @@ __all__ = ["Column", "Table", "fields_of_envelope", "table_makers", "tables_of"]
 def tables_of(combined: Results) -> tuple[Table, ...]:
     """Return the tables of results: combinations, extremes, envelopes and tilt, and those that the model asks for.
 
-    Load cases have a table of what acts where. Points, section lines, design strips, supports, joints, walls, beams,
-    the building above with its storeys, columns, piles and ends of walls that punch the plate, reinforcement and laid
-    bars have a table each if the model names any, and so have checks; on a continuum, the soil below the points too.
+    Load cases have a table of what acts where. Points, section lines, design strips, supports, joints, walls and their
+    limits, beams, the building above with its storeys, columns, piles and ends of walls that punch the plate,
+    reinforcement and laid bars have a table each if the model names any, and so have checks; on a continuum, the soil
+    below the points too.
     Discretization errors stand in columns at the right. docs/results.md explains every column.
 
     Parameters
@@ -104,6 +105,8 @@ def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
         "building": (model.building, building_table),
     }
     makers |= {name: partial(errors.with_errors, make, combined) for name, (asked, make) in wanted.items() if asked}
+    if any(results.wall_limits for results in combined.values()):
+        makers["wall_limits"] = lambda: wall_limit_table(combined)
     if _knows_storeys(combined):
         makers["storeys"] = lambda: storey_table(combined)
     if model.columns:

@@ -23,7 +23,7 @@ from groundslab.model.loads.load_cases import Combination, Combine, LoadCase, ch
 from groundslab.model.loads.load_types import AnyLoad, Load, PointLoad, SelfWeight
 from groundslab.model.loads.patterns import Move, Pattern, check_patterns, check_positions
 from groundslab.model.loads.placement import check_load_columns, check_load_walls, check_point_loads, weights_of
-from groundslab.model.outputs import Output, Project, Report, check_output
+from groundslab.model.outputs import Output, Project, Report, check_output, check_wall_limits
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, check_plates, list_plates
 from groundslab.model.plates.joints import Joint, check_joints
@@ -81,6 +81,7 @@ class Model(Section):
         varying_ground.check_soil_depth,
         varying_ground.check_boreholes,
         check_output,
+        check_wall_limits,
         check_bar_distances,
         check_bar_zones,
         check_cracking,

@@ -11,9 +11,10 @@ from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, list_plates
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import Place
+from groundslab.model.structure.walls import Wall
 from groundslab.model.supports import check_names
 from groundslab.schema.base import Check, Section
-from groundslab.schema.fields import Choice, Integer, ListOf, Quantity, Text
+from groundslab.schema.fields import Boolean, Choice, Integer, ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.places import coordinate
 from groundslab.schema.section_fields import Table
@@ -114,6 +115,15 @@ class Output(Section):
     points: Annotated[tuple[OutputPoint, ...], Table("points at which all fields are listed", 10_000)] = ()
     lines: Annotated[tuple[OutputLine, ...], Table("section lines along which all fields are listed")] = ()
     strips: Annotated[tuple[OutputStrip, ...], Table("design strips")] = ()
+    wall_limits: Annotated[
+        bool, Boolean("whether to solve with none and with all of the stiffness of walls that have a height, too")
+    ] = False
+
+
+def check_wall_limits(output: Output, walls: tuple[Wall, ...]) -> Iterator[RelativeIssue]:
+    """Find limits that are asked for without walls that have any."""
+    if output.wall_limits and all(wall.height is None for wall in walls):
+        yield RelativeIssue(("output", "wall_limits"), "true, without such a wall", "a wall with a height, or false")
 
 
 def check_output(plate: Plate, plates: tuple[FurtherPlate, ...], output: Output) -> Iterator[RelativeIssue]:

@@ -197,6 +197,10 @@ class BaseResult:
     by_storeys: Array
 
 
+#: Share of the walls' stiffness, and of fields of the plate their least and greatest values with it.
+WallLimit = tuple[float, tuple[tuple[str, float, float], ...]]
+
+
 @dataclass(frozen=True, slots=True)
 class Constants:
     """The ground's constants that the analysis ended with, from the top layer downwards.

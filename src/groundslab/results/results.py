@@ -22,6 +22,7 @@ from groundslab.results.record import (
     MeshHistory,
     Step,
     SupportResult,
+    WallLimit,
 )
 from groundslab.schema.wording import listed, quote
 from groundslab.units import format_number
@@ -167,6 +168,8 @@ class CombinationResult:
         The largest values over all combinations, against which these errors are judged; None before all are solved.
     mesh_history : MeshHistory or None
         The meshes that were made for the accuracy; None where the case says which mesh.
+    wall_limits : tuple of (float, tuple of (str, float, float))
+        Extremes of fields of the plate with none and all of its walls' stiffness, if they were asked for.
     """
 
     model: Model
@@ -191,6 +194,7 @@ class CombinationResult:
     comparison: Comparison | None = None
     largest: LargestValues | None = None
     mesh_history: MeshHistory | None = None
+    wall_limits: tuple[WallLimit, ...] = ()
 
     @property
     def symmetry(self) -> tuple[bool, bool]:

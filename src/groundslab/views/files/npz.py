@@ -27,6 +27,7 @@ from groundslab.results.record import (
     MeshHistory,
     Step,
     SupportResult,
+    WallLimit,
 )
 from groundslab.results.results import CombinationResult, Comparison, Increment
 from groundslab.views.files.validation import require_sound
@@ -83,6 +84,7 @@ class _About:
     comparison: tuple[float, float, Constants] | None  # error in energy, its reduction, the coarser mesh's constants
     largest: LargestValues | None
     mesh_history: MeshHistory | None
+    wall_limits: tuple[WallLimit, ...]
 
 
 #: What has a name each, by the part of the results.

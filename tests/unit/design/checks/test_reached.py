@@ -283,6 +283,7 @@ ELSEWHERE = {
     "Mesh.accuracy": "of the mesh",
     "Refinement.size": "of the mesh",
     "Analysis.max_iterations": "of the program",
+    "Output.wall_limits": "of what is told beside",
 }
 NAMES = re.compile(r"limit|gap|acts|play|tensionless|resist|capacity|_max|max_")
 MEANINGS = re.compile(r"\blimit|yield|largest|at most|\bonly\b|\bplay\b|lift|resistance|capacity")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.demands.loads.wall_loads import loads_on_wall, settlement_along
 from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.results.fields import PLATE_FIELDS
 from groundslab.results.results import Results
 
 _HEADS = (
@@ -21,6 +22,31 @@ _NOTES = (
     "The deflection is the largest distance of the settlement along the wall from the straight line between the "
     "settlements of its ends, positive where the wall sags; a closed wall has none.",
 )
+
+
+_LIMITS = (
+    ("combination", ""), ("quantity", ""), ("unit", ""),
+    ("least without stiffness", ""), ("least", ""), ("least uncracked", ""),
+    ("greatest without stiffness", ""), ("greatest", ""), ("greatest uncracked", ""),
+)  # fmt: skip
+_LIMIT_NOTES = (
+    "The case as it is beside the same with none and with all of the stiffness of its walls, on the same mesh. What is "
+    "designed is the case as it is.",
+)
+
+
+def wall_limit_table(combined: Results) -> Table:
+    """Return the extremes of the plate with none, with the stated share and with all of its walls' stiffness."""
+    rows: list[list[Cell]] = []
+    for results in solved_results(combined):
+        limits = {share: {name: ends for name, *ends in told} for share, told in results.wall_limits}
+        for name in next(iter(limits.values()), {}):
+            about, values = PLATE_FIELDS[name], getattr(results.plate, name)
+            of_each = [limits.get(0.0, {}).get(name), [values.min(), values.max()], limits.get(1.0, {}).get(name)]
+            ends: list[Cell] = [None if each is None else float(each[k] * about.scale) for k in (0, 1)
+                                for each in of_each]  # fmt: skip
+            rows.append([results.combination, about.label, about.unit, *ends])
+    return table_of("wall_limits", "Limits of walls", _LIMITS, rows, _LIMIT_NOTES)
 
 
 def wall_table(combined: Results) -> Table:
