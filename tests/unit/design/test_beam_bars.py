@@ -151,3 +151,18 @@ def test_checks_and_tables_say_it() -> None:
     assert "beam_reinforcement" not in table_makers(given)
     (check,) = (each for each in gs.check_design(given).checks if each.name == "beams by their properties")
     assert (check.status, check.words) == ("attention", "the strength of B is not checked")
+
+
+def test_the_shear_in_flanges_is_said_not_to_be_checked() -> None:
+    """Of ribs, not of rectangles."""
+    words = "the shear between ribs and their flanges is not checked"
+    assert words in gs.check_design(results(RIB, 100e3, 50e3)).headline
+    assert words not in gs.check_design(results(RECTANGLE, 100e3, 50e3)).headline
+
+
+def test_an_eccentric_rib_needs_what_one_with_an_effective_width_does() -> None:
+    """For the same moment about the middle plane; without a width less of the slab's moment adds to it."""
+    concentric, eccentric = (needs(RIB | {"eccentric": each}, 300e3, 0.0)["bottom"] for each in (False, True))
+    assert eccentric.area == pytest.approx(concentric.area, rel=1e-9)
+    own = {key: value for key, value in RIB.items() if key != "effective_width"} | {"eccentric": True}
+    assert 300e3 < needs(own, 300e3, 0.0)["bottom"].force < concentric.force

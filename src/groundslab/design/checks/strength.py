@@ -17,7 +17,7 @@ from groundslab.design.basis.design_code import DesignCode, no_rule
 from groundslab.design.checks import pulling
 from groundslab.design.codes import code_of
 from groundslab.model.loads.load_cases import STRENGTH
-from groundslab.model.structure.beams import GivenSection
+from groundslab.model.structure.beams import GivenSection, RibSection
 from groundslab.results.results import Results
 
 
@@ -59,6 +59,8 @@ def _beams(combined: Results, code: DesignCode) -> Iterator[DesignCheck]:
     if given:
         words = f"the strength of {', '.join(given[:5])}{' ...' if len(given) > 5 else ''} is not checked"
         yield DesignCheck("beams by their properties", "attention", words)
+    if any(isinstance(beam.section, RibSection) for beam in combined.model.beams):
+        yield DesignCheck("flanges", "not checked", "the shear between ribs and their flanges is not checked")
     needs = beam_bars.beam_needs(combined, steel)
     if not needs:
         return
