@@ -7,6 +7,7 @@ import re
 import pytest
 
 from groundslab.design.result_tables import tables_of
+from groundslab.design.tables.structure.walls import wall_limit_table
 from groundslab.model.combinations import list_combinations
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS, POINT_FIELDS
@@ -18,6 +19,13 @@ ROW = re.compile(r"^\| ([^|]+?) \|(?: ([^|]*?) ?)?\| ", re.MULTILINE)
 QUANTITIES = [about.head for about in POINT_FIELDS.values()]
 #: The same with what has extremes only.
 EXPLAINED = [about.head for about in (PLATE_FIELDS | POINT_FIELDS).values()]
+
+
+SLAB = {
+    "plate": {"length_x": 4, "length_y": 4, "thickness": 0.3, "E": 30e9, "nu": 0.2},
+    "ground": {"kind": "winkler", "k": 20e6},
+    "loads": [{"kind": "uniform", "q": 1e3}],
+}
 
 
 def explained(heading: str) -> list[tuple[str, str]]:
@@ -37,6 +45,13 @@ def test_every_column_is_explained() -> None:
         combinations=[{"name": "ULS", "factors": {"G": 1.35}}],
         supports=[{"kind": "point", "x": 0, "y": 0}],
         columns=[{"name": "A", "x": 0, "y": 0, "diameter": 0.4}],
+        beams=[
+            {
+                "name": "B",
+                "points": [(-1, 1), (1, 1)],
+                "section": {"kind": "rib", "width": 0.3, "height": 0.3, "eccentric": True},
+            }
+        ],
         output={
             "points": [{"name": "P", "x": 0, "y": 0}],
             "lines": [{"name": "L", "start": (0, 0), "end": (1, 0)}],
@@ -52,7 +67,7 @@ def test_every_column_is_explained() -> None:
         },
     )
     tables = tables_of(Results(model, list_combinations(model), {}, {"ULS": Exception("not solved")}))
-    assert len(tables) == 14
+    assert len(tables) == 16
     assert explained("Quantities") == EXPLAINED
     for table in tables:
         columns = [(column.name, column.unit) for column in table.columns]
@@ -67,6 +82,12 @@ def test_every_column_is_explained() -> None:
     }
     own = explained("columns, by ACI 318")
     assert [(column.name, column.unit) for column in found["columns"].columns][-len(own) :] == own
+
+
+def test_columns_of_limits_of_walls_are_explained() -> None:
+    """The table that a key asks for has a section, too."""
+    columns = wall_limit_table(Results(Model(**SLAB), [], {}, {})).columns
+    assert explained("wall_limits") == [(column.name, column.unit) for column in columns]
 
 
 def test_columns_of_joints_are_explained() -> None:

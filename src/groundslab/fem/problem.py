@@ -4,8 +4,8 @@ Fields of a node: W, BETA_X, BETA_Y of the plate; TOP, which is the settlement o
 relative to the plate's; then the settlements of the lower surfaces. Under the plate w_0 = w + h, and the gap is h + g0.
 Where joints have play, their slip at nodes of the second plate comes next; then what sections of walls turn by; where
 beams are eccentric, the displacements u, v in the plane of their plates; unknowns of the building above, which stand at
-some nodes that mean nothing to them, come last. What bears on single unknowns (the ground
-where the plate may lift off, supports, the ends of the play) stands beside the matrix.
+some nodes that mean nothing to them, come last. What bears on single unknowns (the ground where the plate may lift off,
+supports, the ends of the play) stands beside the matrix.
 """
 
 from __future__ import annotations

@@ -30,7 +30,7 @@ VALUES: dict[str, tuple[str, ...]] = {
     "strips": (
         "moment", "shear", "mean moment", "mean shear", "greatest moment", "least moment",
         "design moment bottom along", "design moment top along", "design moment bottom across",
-        "design moment top across",
+        "design moment top across", "moment of beams", "shear of beams",
     ),
     "supports": (
         "force", "least force per length", "greatest force per length", "least settlement", "greatest settlement",

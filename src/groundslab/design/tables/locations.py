@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from groundslab.arrays import Array
 from groundslab.design.basis.combinations import solved_results
+from groundslab.design.demands.beams_across import carried_across
 from groundslab.design.demands.design_moments import fields_of
 from groundslab.design.demands.section_cuts import cut_along, strip
 from groundslab.design.tables.quantities import point_values
@@ -12,8 +14,9 @@ from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.errors import InputError
 from groundslab.fem.mesh import Mesh, locate
 from groundslab.fem.shape_functions import q9
+from groundslab.model.outputs import OutputStrip
 from groundslab.results.fields import POINT_FIELDS
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult, Results
 from groundslab.results.soil_profile import profile_depths
 
 SETTLEMENT, STRESS = ("settlement w", "mm"), ("vertical stress sigma_z", "kPa")
@@ -103,6 +106,8 @@ def strips(combined: Results) -> Table:
         ("design moment bottom along", "kNm/m"), ("design moment top along", "kNm/m"),
         ("design moment bottom across", "kNm/m"), ("design moment top across", "kNm/m"),
     ]  # fmt: skip
+    members = bool(combined.model.members)
+    heads += [("moment of beams", "kNm"), ("shear of beams", "kN")] if members else []
     rows: list[list[Cell]] = []
     missed: list[str] = []
     for results in solved_results(combined):
@@ -114,7 +119,9 @@ def strips(combined: Results) -> Table:
                 continue
             forces = [f.moment, f.shear, f.mean_moment, f.mean_shear, f.largest, f.least]
             design = [f.bottom, f.top, f.bottom_across, f.top_across]
-            values = np.column_stack([f.s, f.x, f.y, f.length, *(field / 1e3 for field in (*forces, *design))])
+            beams = _of_beams(results, output, f.s).T if members else ()
+            fields = (*forces, *design, *beams)
+            values = np.column_stack([f.s, f.x, f.y, f.length, *(field / 1e3 for field in fields)])
             rows += [[results.combination, output.name, *row] for row in values]
     notes = [
         "Moments bend the strip along its axis, sagging positive; moment and shear are integrals over the width that "
@@ -122,13 +129,22 @@ def strips(combined: Results) -> Table:
         "Design moments (Wood and Armer) are means over the cut of the values at its points, for bars along the strip "
         "and across it.",
         *(
-            ["Forces are those of the plate; what beams and walls with a height carry across a cut is in table beams."]
-            if combined.model.members
+            ["Forces are those of the plate, beside which stand those of beams and walls with a height across the cut."]
+            if members
             else []
         ),
         *_not_met("strip", missed),
     ]
     return table_of("strips", "Design strips", heads, rows, notes)
+
+
+def _of_beams(results: CombinationResult, output: OutputStrip, s: Array) -> Array:
+    """Return moments [N m] and shear forces [N] of beams across the cuts of a strip at distances s (k,), (k, 2)."""
+    start, end = np.array(output.start), np.array(output.end)
+    along = (end - start) / np.linalg.norm(end - start)
+    half = output.width / 2 * np.array([along[1], -along[0]])
+    places = start + s[:, None] * along
+    return carried_across(results, places - half, places + half)
 
 
 def _not_met(kind: str, missed: list[str]) -> list[str]:

@@ -92,7 +92,7 @@ def _full_stiffness(beams: Beams, nodes: Array) -> Array:
 
 
 def _releases(xy: Array, K: Array, released: Flags) -> tuple[Array, Array, Array]:
-    """Return the slopes along the axis at released ends as unknowns r (b, 2, 3, 5), K r, and (r . K r)^-1 (b, 2, 2).
+    """Return the slopes along the axis at released ends as unknowns r (b, 2, 3, 6), K r, and (r . K r)^-1 (b, 2, 2).
 
     An end that is not released has neither.
     """
