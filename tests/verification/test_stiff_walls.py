@@ -122,3 +122,30 @@ def test_sections_go_on_beside_openings() -> None:
     opened = building_corner([wall | {"openings": [{"start": 1.0, "end": 2.0, "height": 2.6}]}])
     at_load = [each.plate.value_at("settlement", -2.0, 2.0) for each in (opened, whole)]
     assert at_load[0] > 1.005 * at_load[1]
+
+
+def test_a_closed_wall_may_begin_anywhere() -> None:
+    """Two straight pieces and two half circles, none of which meet at a corner: one part, whatever comes first."""
+    starts = [
+        ([(3.0, -1.5), (3.0, 1.5), (-2.0, 1.5), (-2.0, -1.5), (3.0, -1.5)], [1.0, 0.0, 1.0, 0.0]),
+        ([(0.0, -1.5), (3.0, -1.5), (3.0, 1.5), (-2.0, 1.5), (-2.0, -1.5), (0.0, -1.5)], [0.0, 1.0, 0.0, 1.0, 0.0]),
+    ]
+    one, other = (
+        only(
+            gs.Model(
+                plate={"length_x": 12.0, "length_y": 8.0, "thickness": 0.4, "E": E, "nu": 0.2},
+                ground={"kind": "winkler", "k": 15e6},
+                walls=[{"name": "W", "thickness": THICKNESS, "height": HEIGHT, "points": points, "bulges": bulges}],
+                loads=[
+                    {"kind": "uniform", "q": 5e3},
+                    {"kind": "point", "x": 3.0, "y": -1.0, "P": 5e5, "width_x": 0.5, "width_y": 0.5},
+                ],
+                mesh={"size": 0.5},
+            )
+        )
+        for points, bulges in starts
+    )
+    assert one.plate.settlement.max() == pytest.approx(other.plate.settlement.max(), rel=1e-4)
+    assert one.beams[0].moment.max() == pytest.approx(other.beams[0].moment.max(), rel=2e-3)
+    # nothing meets it: each place stands there once, on coarse arcs, too
+    assert (np.diff(one.beams[0].way) > 0).all()

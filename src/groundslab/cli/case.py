@@ -105,7 +105,7 @@ def _structure_and_supports(model: Model) -> list[str]:
         what = "a section by its properties"
         if section.kind != "properties":
             what = f"{section.kind} of {section.width:g} m x {section.height:g} m"
-        what += f", {beam.length:.6g} m long{_share(beam.stiffness)}"
+        what += f"{', eccentric' * beam.eccentric}, {beam.length:.6g} m long{_share(beam.stiffness)}"
         lines.append(f"  beam {beam.name}: {what}")
     if (above := model.building) is not None:
         count = len(above.storeys)

@@ -11,13 +11,15 @@ from groundslab.discretize.plan_layout import Layout
 from groundslab.errors import InputError, Issue
 from groundslab.fem.hanging import find_hanging
 from groundslab.fem.mesh import SIDES, select_along, sides_of
-from groundslab.fem.parts.beams import Beams, goes_on, lengths_of
+from groundslab.fem.parts.beams import Beams, lengths_of
 from groundslab.fem.parts.membrane import held
 from groundslab.geometry.plan import Segment
 from groundslab.model.model import Model
 from groundslab.model.structure.beams import Beam
 from groundslab.schema.wording import quote
 
+#: Where an axis turns by more than this [rad], section forces jump, and the sections of walls turn apart.
+KINK = 1e-3
 #: A mesh meets a beam if it follows its line but for this share, which arcs as parabolas may take.
 MET = 1e-4
 
@@ -32,11 +34,11 @@ def beams_on(model: Model, plan: Layout, sections: list[tuple[float, float, floa
     if not members:
         none, zero = np.zeros((0, 3), dtype=np.int64), np.zeros(0)
         hinges, along = np.zeros((0, 2), dtype=bool), np.zeros((0, 3, 2))
-        return Beams(none, none[:, 0], zero, zero, np.zeros((0, 4)), zero, hinges, none[:, 0], along)
+        return Beams(none, none[:, 0], zero, zero, np.zeros((0, 4)), zero, hinges, hinges[:, 0], none[:, 0], along)
     every = _whole_sides(plan)
     parts = [_along(plan, every, beam) for beam in members]
-    sides, start, length = (np.concatenate(each) for each in zip(*parts, strict=True))
-    number = np.repeat(np.arange(len(parts)), [len(own) for own, _, _ in parts])
+    sides, start, length, angles = (np.concatenate(each) for each in zip(*parts, strict=True))
+    number = np.repeat(np.arange(len(parts)), [len(own) for own, *_ in parts])
     beside = _sections_beside(plan, sides, np.array([t for _, _, t in sections]))
     rigidity, eccentricity = np.empty((len(sides), 4)), np.zeros(len(sides))
     released = np.zeros((len(sides), 2), dtype=bool)
@@ -46,25 +48,44 @@ def beams_on(model: Model, plan: Layout, sections: list[tuple[float, float, floa
         eccentricity[own] = members[which].eccentricity(sections[section][2])
     for which, beam in enumerate(members):
         released[np.flatnonzero(number == which)[[0, -1]], [0, 1]] = [end == "hinged" for end in beam.joined]
-    wall = np.array(model.wall_of_members)[number]
-    field, along = _sections_of_walls(plan.mesh.nodes, sides, wall, fields)
-    return Beams(sides, number, start, length, rigidity, eccentricity, released, field, along)
+    smooth = np.append(False, _go_on(sides, angles, np.arange(len(sides) - 1), np.arange(1, len(sides))))
+    part = _parts_of_walls(np.array(model.wall_of_members)[number], sides, angles, smooth)
+    field, along = _sections_of_walls(plan.mesh.nodes, sides, part, fields)
+    return Beams(sides, number, start, length, rigidity, eccentricity, released, smooth, field, along)
 
 
-def _sections_of_walls(nodes: Array, sides: Integers, wall: Integers, fields: int) -> tuple[Integers, Array]:
+def _go_on(sides: Integers, angles: Array, one: Integers, next_one: Integers) -> Flags:
+    """Return whether the pieces next (k,) go on from others (k,): they begin where these end, without a corner."""
+    turn = (angles[next_one, 0] - angles[one, 1] + np.pi) % (2 * np.pi) - np.pi
+    found: Flags = (np.abs(turn) <= KINK) & (sides[next_one, 0] == sides[one, 1])
+    return found
+
+
+def _parts_of_walls(wall: Integers, sides: Integers, angles: Array, smooth: Flags) -> Integers:
+    """Return the part from corner to corner that each piece of a wall belongs to, -1 of none, (b,).
+
+    wall (b,) is its wall, -1 of none. The last part of a closed wall that begins without a corner is its first one.
+    """
+    part = np.where(wall < 0, -1, np.cumsum(~smooth | (np.diff(wall, prepend=-2) != 0)))
+    for number in np.unique(wall[wall >= 0]):
+        own = np.flatnonzero(wall == number)
+        if _go_on(sides, angles, own[-1:], own[:1]).all():
+            part[own[part[own] == part[own[-1]]]] = part[own[0]]
+    return part
+
+
+def _sections_of_walls(nodes: Array, sides: Integers, part: Integers, fields: int) -> tuple[Integers, Array]:
     """Return the field of theta (b,) of each piece of a wall, 0 of others, and the axis' direction at nodes (b, 3, 2).
 
-    wall (b,) is the wall that a piece belongs to, -1 of none. theta goes on to the wall's next corner: another field
-    begins where that node has it already.
+    part (b,) is the part of a wall from corner to corner that a piece belongs to, -1 of none. theta goes on along it:
+    another field is taken where another part has it at one of its nodes.
     """
     field = np.zeros(len(sides), dtype=np.int64)
     start, end, middle = (nodes[sides[:, k]] for k in range(3))
     along = np.stack([2 * middle - 1.5 * start - 0.5 * end, 0.5 * start + 1.5 * end - 2 * middle, end - start], axis=1)
     along /= np.linalg.norm(along, axis=2, keepdims=True)
-    begins = (np.diff(wall, prepend=-2) != 0) | ~goes_on(sides, nodes)
-    part = np.cumsum(begins)
     taken: dict[int, Flags] = {}
-    for number in np.unique(part[wall >= 0]):
+    for number in np.unique(part[part >= 0]):
         some = np.flatnonzero(part == number)
         own, place = np.unique(sides[some], return_inverse=True)
         free = next(f for f in count(fields) if f not in taken or not taken[f][own].any())
@@ -109,13 +130,13 @@ def _whole_sides(plan: Layout) -> Integers:
     return sides[~np.isin(sides[:, 2], find_hanging(plan.mesh.elements)[:, 0])]
 
 
-def _along(plan: Layout, every: Integers, beam: Beam) -> tuple[Integers, Array, Array]:
+def _along(plan: Layout, every: Integers, beam: Beam) -> tuple[Integers, Array, Array, Array]:
     """Return which of the sides lie along a beam, from its start to its end (b, 3), and of each start and length [m].
 
-    Both are (b,), along the beam.
+    Both are (b,), along the beam; and the angle of the beam's direction [rad] where each begins and ends, (b, 2).
     """
     mesh = plan.mesh
-    found, starts, lengths, before = [], [], [], 0.0
+    found, starts, lengths, angles, before = [], [], [], [], 0.0
     for edge in beam.edges:
         sides = select_along(mesh, every, [edge])
         part = _parts(edge, mesh.nodes[sides[:, 2]])
@@ -128,11 +149,16 @@ def _along(plan: Layout, every: Integers, beam: Beam) -> tuple[Integers, Array, 
         found.append(sides)
         starts.append(before + np.cumsum(length) - length)
         lengths.append(length)
+        # between pieces of one edge there is no corner, whatever the mesh makes of an arc
+        middles = np.sort(part)
+        cuts = np.concatenate([[0.0], (middles[1:] + middles[:-1]) / 2, [1.0]])
+        angle = np.array([edge.direction(float(cut)) for cut in cuts])
+        angles.append(np.column_stack([angle[:-1], angle[1:]]))
         before += float(length.sum())
     if abs(before - beam.length) > MET * beam.length:
         said = f"sides of elements along {before:g} m of a line of {beam.length:g} m"
         raise InputError([Issue(f"beam {quote(beam.name)}", said, "a mesh that meets every beam")])
-    return np.concatenate(found), np.concatenate(starts), np.concatenate(lengths)
+    return np.concatenate(found), np.concatenate(starts), np.concatenate(lengths), np.concatenate(angles)
 
 
 def _parts(edge: Segment, places: Array) -> Array:

@@ -372,7 +372,7 @@ class Plan:
     @property
     def rectilinear(self) -> bool:
         """Return whether everything runs along x or y, so that a grid can be fitted to it."""
-        return all(edge.along_axis for edge in self.line_segments()) and all(
+        return all(edge.straight and edge.along_axis for edge in self.line_segments()) and all(
             ring.rectilinear for ring in self.rings().values()
         )
 

@@ -428,7 +428,7 @@ class TestOthers:
             ],
             beams=[
                 {"name": "R", "points": [(-2, 3), (2, 3)], "stiffness": 0.7,
-                 "section": {"kind": "rib", "width": 0.4, "height": 0.6, "effective_width": 2.0}},
+                 "section": {"kind": "rib", "width": 0.4, "height": 0.6, "eccentric": True}},
                 {"name": "S", "points": [(-2, -3), (2, -3)],
                  "section": {"kind": "properties", "second_moment": 2e-4, "shear_area": 3e-3}},
             ],
@@ -441,7 +441,7 @@ class TestOthers:
             "  wall W: 0.3 m thick, 4 m long",
             "  wall V: 0.3 m thick, 4 m long, a deep beam 3 m high, 50 % of its stiffness, an opening 2.2 m high at "
             "1 m to 2 m",
-            "  beam R: rib of 0.4 m x 0.6 m, 4 m long, 70 % of its stiffness",
+            "  beam R: rib of 0.4 m x 0.6 m, eccentric, 4 m long, 70 % of its stiffness",
             "  beam S: a section by its properties, 4 m long",
             "  support pile: point, elastic, acts in compression, at (-2, -1) m",
             "  support 2: line, rigid, acts both ways, at (-3, 1) to (-1, 1) m",

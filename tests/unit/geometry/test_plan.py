@@ -141,3 +141,13 @@ def test_circles_look_round_at_any_size(radius: float) -> None:
     places = circle((1.0, 2.0), radius).flat(2e-4 * 10.0)
     assert len(places) >= 90
     assert radius * (1 - math.cos(math.pi / len(places))) <= 2e-4 * 10.0
+
+
+def test_arcs_of_lines_are_no_straight_pieces() -> None:
+    """One whose ends lie beside each other along an axis makes no grid; its bulges stand beside the points."""
+    line = ((3.0, 1.0), (3.0, 5.0), (3.0, 8.0))
+    assert Plan(SQUARE, lines=(line,)).rectilinear
+    bent = Plan(SQUARE, lines=(line,), line_bulges=((1.0,),))
+    assert not bent.rectilinear
+    assert [edge.straight for edge in bent.line_segments()] == [False, True]
+    assert [edge.radius for edge in bent.arcs()] == [2.0]

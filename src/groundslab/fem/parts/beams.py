@@ -24,8 +24,6 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Integers
 from groundslab.fem.shape_functions import gauss_line
 
-#: Where the axis turns by more than this [rad], section forces jump, and the sections of walls turn apart.
-KINK = 1e-3
 #: w, beta_x, beta_y, u, v, theta of a node.
 FIELDS, THETA = 6, 5
 #: The two Gauss points, from -1 at the start to 1 at the end.
@@ -45,6 +43,7 @@ class Beams:
     rigidity: Array  # (b, 4): E I and G J [N m2], G A_v and E A [N], of which the last is 0 of concentric ones
     eccentricity: Array  # (b,) [m]: how far the centroid lies below the plate's middle plane
     released: Flags  # (b, 2): whether it bends freely at its start, at its end: hinges at ends of beams
+    smooth: Flags  # (b,): whether it goes on from the piece before, which may be another beam's, without a corner
     field: Integers  # (b,): of theta at its nodes, 0 where its sections turn with the plate
     along: Array  # (b, 3, 2): direction of the axis at its nodes
 
@@ -106,17 +105,6 @@ def _releases(xy: Array, K: Array, released: Flags) -> tuple[Array, Array, Array
     resisted = np.einsum("bkai,blai->bkl", r, K_r)
     resisted[:, [0, 1], [0, 1]] += ~released
     return r, K_r, np.linalg.inv(resisted)
-
-
-def goes_on(sides: Integers, nodes: Array) -> Flags:
-    """Return which pieces (b, 3) go on from the one before (b,): from its end, turning by less than KINK."""
-    start, end, middle = (nodes[sides[:, k]] for k in range(3))
-    leaving, arriving = (2 * middle - 1.5 * start - 0.5 * end)[1:], (0.5 * start + 1.5 * end - 2 * middle)[:-1]
-    size = np.linalg.norm(leaving, axis=1) * np.linalg.norm(arriving, axis=1)
-    across = arriving[:, 0] * leaving[:, 1] - arriving[:, 1] * leaving[:, 0]
-    ahead = (arriving * leaving).sum(axis=1) > 0
-    smooth: Flags = ahead & (np.abs(across) <= KINK * size) & (sides[:-1, 1] == sides[1:, 0])
-    return np.concatenate([np.zeros(min(len(sides), 1), dtype=bool), smooth])
 
 
 def without_motion(beams: Beams, nodes: Array, u: Array) -> Array:

@@ -8,7 +8,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers, Memo
 from groundslab.fem.mesh import select_along, sides_of
-from groundslab.fem.parts.beams import POINTS, TO_ENDS, goes_on, section_forces
+from groundslab.fem.parts.beams import POINTS, TO_ENDS, section_forces
 from groundslab.fem.problem import Problem
 from groundslab.fem.system import beam_unknowns, plate_settlement
 from groundslab.geometry.nearest import nearest_distance
@@ -120,8 +120,7 @@ def _make_stations(model: Model, problem: Problem) -> Stations:
 def _goes_on(model: Model, problem: Problem) -> Flags:
     """Return which pieces of beams (b,) go on smoothly from the piece before: nothing meets the beam there."""
     b = problem.beams
-    same = np.diff(b.number, prepend=-1) == 0
-    found: Flags = same & goes_on(b.sides, problem.mesh.nodes) & ~_meeting(model, problem)[b.sides[:, 0]]
+    found: Flags = b.smooth & (np.diff(b.number, prepend=-1) == 0) & ~_meeting(model, problem)[b.sides[:, 0]]
     return found
 
 
