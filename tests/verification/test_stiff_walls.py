@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -149,3 +150,29 @@ def test_a_closed_wall_may_begin_anywhere() -> None:
     assert one.beams[0].moment.max() == pytest.approx(other.beams[0].moment.max(), rel=2e-3)
     # nothing meets it: each place stands there once, on coarse arcs, too
     assert (np.diff(one.beams[0].way) > 0).all()
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+def test_walls_end_to_end_are_one(backwards: bool) -> None:
+    """Drawn in two pieces, either way round, along a line and along an arc; one at a corner is another part."""
+    bulge = math.tan(math.pi / 8)
+    for whole, pieces in (
+        (
+            {"points": [(-3.0, 2.0), (3.0, 2.0)]},
+            [{"points": [(-3.0, 2.0), (1.0, 2.0)]}, {"points": [(1.0, 2.0), (3.0, 2.0)]}],
+        ),
+        (
+            {"points": [(3.0, 0.0), (0.0, 3.0), (-3.0, 0.0)], "bulges": [bulge, bulge]},
+            [
+                {"points": [(3.0, 0.0), (0.0, 3.0)], "bulges": [bulge]},
+                {"points": [(0.0, 3.0), (-3.0, 0.0)], "bulges": [bulge]},
+            ],
+        ),
+    ):
+        if backwards:
+            pieces[1] = {"points": pieces[1]["points"][::-1]} | ({"bulges": [-bulge]} if "bulges" in pieces[1] else {})
+        one = building_corner([{"name": "A"} | whole])
+        two = building_corner([{"name": f"A{n}"} | piece for n, piece in enumerate(pieces)])
+        assert two.plate.settlement.max() == pytest.approx(one.plate.settlement.max(), rel=1e-5)
+        largest = max(beam.moment.max() for beam in two.beams)
+        assert largest == pytest.approx(one.beams[0].moment.max(), rel=5e-3)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import count
+from itertools import combinations, count
 
 import numpy as np
 
@@ -48,42 +48,63 @@ def beams_on(model: Model, plan: Layout, sections: list[tuple[float, float, floa
         eccentricity[own] = members[which].eccentricity(sections[section][2])
     for which, beam in enumerate(members):
         released[np.flatnonzero(number == which)[[0, -1]], [0, 1]] = [end == "hinged" for end in beam.joined]
-    smooth = np.append(False, _go_on(sides, angles, np.arange(len(sides) - 1), np.arange(1, len(sides))))
-    part = _parts_of_walls(np.array(model.wall_of_members)[number], sides, angles, smooth)
-    field, along = _sections_of_walls(plan.mesh.nodes, sides, part, fields)
+    smooth = _go_on(sides, angles)
+    part, sign = _parts_of_walls(np.array(model.wall_of_members)[number], sides, angles, smooth)
+    field, along = _sections_of_walls(plan.mesh.nodes, sides, part, sign, fields)
     return Beams(sides, number, start, length, rigidity, eccentricity, released, smooth, field, along)
 
 
-def _go_on(sides: Integers, angles: Array, one: Integers, next_one: Integers) -> Flags:
-    """Return whether the pieces next (k,) go on from others (k,): they begin where these end, without a corner."""
-    turn = (angles[next_one, 0] - angles[one, 1] + np.pi) % (2 * np.pi) - np.pi
-    found: Flags = (np.abs(turn) <= KINK) & (sides[next_one, 0] == sides[one, 1])
+def _go_on(sides: Integers, angles: Array) -> Flags:
+    """Return whether each piece (b, 3) begins where the one before ends, and without a corner, (b,)."""
+    turn = _between_turns(angles[1:, 0] - angles[:-1, 1])
+    return np.append(False, (np.abs(turn) <= KINK) & (sides[1:, 0] == sides[:-1, 1]))
+
+
+def _between_turns(angle: Array) -> Array:
+    """Return angles [rad] between half a turn to the right and half a turn to the left."""
+    found: Array = (angle + np.pi) % (2 * np.pi) - np.pi
     return found
 
 
-def _parts_of_walls(wall: Integers, sides: Integers, angles: Array, smooth: Flags) -> Integers:
+def _parts_of_walls(wall: Integers, sides: Integers, angles: Array, smooth: Flags) -> tuple[Integers, Array]:
     """Return the part from corner to corner that each piece of a wall belongs to, -1 of none, (b,).
 
-    wall (b,) is its wall, -1 of none. The last part of a closed wall that begins without a corner is its first one.
+    wall (b,) is its wall, -1 of none. Where two walls, or both ends of one, meet without a corner, one part goes on.
+    With it 1 (b,), or -1 where a piece runs against its part.
     """
     part = np.where(wall < 0, -1, np.cumsum(~smooth | (np.diff(wall, prepend=-2) != 0)))
-    for number in np.unique(wall[wall >= 0]):
-        own = np.flatnonzero(wall == number)
-        if _go_on(sides, angles, own[-1:], own[:1]).all():
-            part[own[part[own] == part[own[-1]]]] = part[own[0]]
-    return part
+    sign = np.ones(len(part))
+    # both ends of each part: its node, the direction out of the part, and which end it is
+    ends = [
+        (int(sides[piece, end]), angles[piece, end] + (0.0 if end else np.pi), end, piece)
+        for own in (np.flatnonzero(part == number) for number in np.unique(part[part >= 0]))
+        for piece, end in ((own[0], 0), (own[-1], 1))
+    ]
+    for (node, out, end, piece), (other_node, other_out, other_end, other) in combinations(ends, 2):
+        if node != other_node or abs(_between_turns(np.array(out - other_out + np.pi))) > KINK:
+            continue
+        if part[piece] == part[other]:
+            continue
+        joined = part == part[other]
+        # from an end to a beginning a part goes on as it runs
+        against = sign[piece] * sign[other] * (1.0 if end != other_end else -1.0)
+        sign[joined] *= against
+        part[joined] = part[piece]
+    return part, sign
 
 
-def _sections_of_walls(nodes: Array, sides: Integers, part: Integers, fields: int) -> tuple[Integers, Array]:
+def _sections_of_walls(
+    nodes: Array, sides: Integers, part: Integers, sign: Array, fields: int
+) -> tuple[Integers, Array]:
     """Return the field of theta (b,) of each piece of a wall, 0 of others, and the axis' direction at nodes (b, 3, 2).
 
-    part (b,) is the part of a wall from corner to corner that a piece belongs to, -1 of none. theta goes on along it:
-    another field is taken where another part has it at one of its nodes.
+    part (b,) is the part of a wall from corner to corner that a piece belongs to, -1 of none, and sign (b,) whether it
+    runs with it. theta goes on along it: another field is taken where another part has it at one of its nodes.
     """
     field = np.zeros(len(sides), dtype=np.int64)
     start, end, middle = (nodes[sides[:, k]] for k in range(3))
     along = np.stack([2 * middle - 1.5 * start - 0.5 * end, 0.5 * start + 1.5 * end - 2 * middle, end - start], axis=1)
-    along /= np.linalg.norm(along, axis=2, keepdims=True)
+    along *= sign[:, None, None] / np.linalg.norm(along, axis=2, keepdims=True)
     taken: dict[int, Flags] = {}
     for number in np.unique(part[part >= 0]):
         some = np.flatnonzero(part == number)

@@ -12,7 +12,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from groundslab.geometry.plan import FLAT, Place, Ring, Segment
+from groundslab.geometry.plan import FLAT, LARGEST_BULGE, Place, Ring, Segment
 from groundslab.geometry.validity import TOO_CLOSE, find_issues
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, list_plates, shared_line
@@ -48,14 +48,9 @@ def wall_beams(wall: Wall) -> tuple[Beam, ...]:
     Over an opening what is left of the height counts.
     """
     assert wall.height is not None
-    length = wall.length
-    cuts = sorted(
-        {0.0, length, *(min(way, length) for opening in wall.openings for way in (opening.start, opening.end))}
-    )
+    cuts = _cuts(wall)
     parts = []
     for start, end in pairwise(cuts):
-        if end - start <= SAME * length:
-            continue
         middle = (start + end) / 2
         open_there = max((each.height for each in wall.openings if each.start < middle < each.end), default=0.0)
         alone = len(cuts) == 2
@@ -73,6 +68,14 @@ def wall_beams(wall: Wall) -> tuple[Beam, ...]:
     return tuple(parts)
 
 
+def _cuts(wall: Wall) -> list[float]:
+    """Return the ways along a wall [m] at which it or an opening in it begins or ends, each once."""
+    length = wall.length
+    ways = {min(way, length) for opening in wall.openings for way in (opening.start, opening.end)} - {length}
+    cuts = [0.0, *(way for way in sorted(ways) if SAME * length < way < (1 - SAME) * length), length]
+    return [cut for cut, before in zip(cuts, [-math.inf, *cuts], strict=False) if cut - before > SAME * length]
+
+
 def _between(edges: tuple[Segment, ...], start: float, end: float) -> Path:
     """Return the part of a line between two ways along it [m]: its points, and the bulges of its pieces."""
     points, bulges, low = list[Place](), list[float](), 0.0
@@ -85,7 +88,8 @@ def _between(edges: tuple[Segment, ...], start: float, end: float) -> Path:
             continue
         places = [(float(x), float(y)) for x, y in edge.at(np.array([a, b]))]
         points += places if not points else places[1:]
-        bulges.append(math.tan((b - a) * edge.sweep / 4))
+        bulge = math.tan((b - a) * edge.sweep / 4)
+        bulges.append(min(max(bulge, -LARGEST_BULGE), LARGEST_BULGE))
     return tuple(points), tuple(bulges) if any(bulges) else ()
 
 
@@ -111,11 +115,13 @@ def check_members(
     yield from check_names("beams", [beam.name for beam in beams], needed=True)
     every = list_plates(plate, plates)
     where = [("beams", number) for number in range(len(beams))]
+    x0, x1, y0, y1 = bounds_of(plate, plates)
+    near = TOO_CLOSE * max(x1 - x0, y1 - y0)
     for number, wall in enumerate(walls):
         if wall.height is None:
             continue
         for placed in place_walls([wall], every):
-            unfit = [*_check_stiff_wall(number, placed)]
+            unfit = [*_check_stiff_wall(number, placed, near)]
             yield from unfit
             parts = () if unfit else wall_beams(placed)
             beams, where = (*beams, *parts), [*where, *[("walls", number)] * len(parts)]
@@ -125,8 +131,7 @@ def check_members(
     yield from (_at_place(issue, where) for issue in off)
     if off:
         return
-    x0, x1, y0, y1 = bounds_of(plate, plates)
-    yield from (_at_place(issue, where) for issue in _check_apart(beams, TOO_CLOSE * max(x1 - x0, y1 - y0)))
+    yield from (_at_place(issue, where) for issue in _check_apart(beams, near))
     paths = {number: beam.path for number, beam in enumerate(beams) if beam.path is not None}
     before = sum(bool(support.edges) for support in supports)
     beams_by_line = dict(enumerate(paths, start=before + 1))
@@ -140,8 +145,8 @@ def check_members(
     yield from _check_curves(every, beams)
 
 
-def _check_stiff_wall(number: int, wall: Wall) -> Iterator[RelativeIssue]:
-    """Find openings of walls with a height that are none."""
+def _check_stiff_wall(number: int, wall: Wall, near: float) -> Iterator[RelativeIssue]:
+    """Find openings of walls with a height that are none, or leave parts shorter than elements may be near [m]."""
     place = ("walls", number)
     assert wall.height is not None
     for position, opening in enumerate(wall.openings):
@@ -151,6 +156,11 @@ def _check_stiff_wall(number: int, wall: Wall) -> Iterator[RelativeIssue]:
         if opening.height >= wall.height:
             expected = f"less than the wall's, {wall.height!r} m"
             yield RelativeIssue((*place, "openings", position, "height"), f"{opening.height!r} m", expected)
+    shortest = min((end - start for start, end in pairwise(_cuts(wall))), default=near)
+    if shortest < near:
+        hint = "let openings begin or end together, or leave a short one out"
+        found = f"openings that leave a part of {shortest:.3g} m"
+        yield RelativeIssue((*place, "openings"), found, f"parts of at least {near:.3g} m", hint)
 
 
 def _with_names(found: str, names: dict[int, tuple[str, int]]) -> str:

@@ -108,6 +108,10 @@ def test_a_wall_along_an_arc_has_parts_along_it() -> None:
         ({"openings": [{"start": 0.0, "end": 0.5, "height": 3.0}]}, "walls[1].openings[1].height: 3.0 m"),
         ({"openings": [{"start": 3.0, "end": 4.5, "height": 1.0}]}, "walls[1].openings[1].end: 4.5 m"),
         ({"height": None, "stiffness": 0.5}, "walls[1].stiffness: stiffness without a height"),
+        (
+            {"openings": [{"start": 1.0, "end": 1.001, "height": 1.0}]},
+            "walls[1].openings: openings that leave a part of 0.001 m",
+        ),
         ({"stiffness": 1.5}, "walls[1].stiffness: 1.5"),
     ],
 )
