@@ -35,7 +35,7 @@ from groundslab.model.structure.columns import Column
 from groundslab.model.supports import LineSupport, PointSupport
 from groundslab.model.varying_ground import Borehole, Void
 from groundslab.results.contact_zone import contact_function
-from groundslab.results.fields import BAR_FIELDS
+from groundslab.results.fields import BAR_FIELDS, MEMBRANE
 from groundslab.results.results import CombinationResult, Results, results_of
 from groundslab.views import plots
 from groundslab.views.files import results_folder
@@ -221,10 +221,11 @@ class TestScale:
 
 
 def with_all_fields() -> CombinationResult:
-    """Return results that have every field: a comparison, and elements that cracked."""
+    """Return results that have every field: a comparison, and elements that cracked and were stretched."""
     results = synthetic.compared(synthetic.results(3))
     ratio = np.linspace(0.3, 1.0, len(results.plate.elements))
-    return replace(results, elements=replace(results.elements, stiffness_ratio=ratio))
+    stretched = dict.fromkeys(MEMBRANE, 100000.0 * ratio)
+    return replace(results, elements=replace(results.elements, stiffness_ratio=ratio, **stretched))
 
 
 class TestPlan:
