@@ -224,7 +224,7 @@ def across(results: CombinationResult, x: float) -> float:
     return total / size
 
 
-def test_forces_in_the_plane_balance_across_every_section() -> None:
+def test_forces_in_the_plane_balance_across_sections() -> None:
     """Nothing acts in the plane: what ribs along x pull the plate pushes, where it lifts off too."""
     results = only(raft(mesh={"size": 0.25}))
     assert not results.plate.in_contact.all()

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from itertools import combinations, count
+from collections import defaultdict
+from itertools import chain, combinations, count
 
 import numpy as np
 
@@ -74,16 +75,15 @@ def _parts_of_walls(wall: Integers, sides: Integers, angles: Array, smooth: Flag
     """
     part = np.where(wall < 0, -1, np.cumsum(~smooth | (np.diff(wall, prepend=-2) != 0)))
     sign = np.ones(len(part))
-    # both ends of each part: its node, the direction out of the part, and which end it is
-    ends = [
-        (int(sides[piece, end]), angles[piece, end] + (0.0 if end else np.pi), end, piece)
-        for own in (np.flatnonzero(part == number) for number in np.unique(part[part >= 0]))
-        for piece, end in ((own[0], 0), (own[-1], 1))
-    ]
-    for (node, out, end, piece), (other_node, other_out, other_end, other) in combinations(ends, 2):
-        if node != other_node or abs(_between_turns(np.array(out - other_out + np.pi))) > KINK:
-            continue
-        if part[piece] == part[other]:
+    # both ends of each part at their nodes: its piece, which end of it, and the direction out of the part
+    ends = defaultdict[int, list[tuple[int, int, float]]](list)
+    for number in np.unique(part[part >= 0]):
+        own = np.flatnonzero(part == number)
+        for piece, end in ((own[0], 0), (own[-1], 1)):
+            ends[int(sides[piece, end])].append((piece, end, angles[piece, end] + (0.0 if end else np.pi)))
+    for (piece, end, out), (other, other_end, other_out) in chain(*(combinations(met, 2) for met in ends.values())):
+        straight_on = abs(_between_turns(np.array(out - other_out + np.pi))) <= KINK
+        if not straight_on or part[piece] == part[other]:
             continue
         joined = part == part[other]
         # from an end to a beginning a part goes on as it runs
@@ -121,9 +121,9 @@ def _sections_of_walls(
 
 def with_turning(present: Flags, beams: Beams) -> Flags:
     """Return which unknowns exist (n, F), with theta of walls."""
-    found = np.pad(present, ((0, 0), (0, max(0, int(beams.field.max(initial=0)) + 1 - present.shape[1]))))
-    some = beams.field > 0
-    found[beams.sides[some], beams.field[some, None]] = True
+    found = np.pad(present, ((0, 0), (0, max(0, int(beams.theta.max(initial=0)) + 1 - present.shape[1]))))
+    some = beams.deep
+    found[beams.sides[some], beams.theta[some, None]] = True
     return found
 
 

@@ -139,18 +139,18 @@ class Problem:
     @property
     def turning(self) -> Integers:
         """Return the fields that are slopes: those of the plate, and of the sections of walls."""
-        fields = np.unique(self.beams.field)
+        fields = np.unique(self.beams.theta)
         return np.array([BETA_X, BETA_Y, *fields[fields > 0]])
 
     def with_followers(self, U: Array) -> Array:
         """Return a table of unknowns (n, F) in which sections of walls and the building above follow the plate."""
         b = self.beams
-        if not b.own.any() and self.building is None:
+        if not b.deep.any() and self.building is None:
             return U
         found = U.copy()
-        some = b.own
+        some = b.deep
         sides = b.sides[some]
-        found[sides, b.field[some, None]] = (b.along[some] * U[sides, BETA_X : BETA_Y + 1]).sum(axis=2)
+        found[sides, b.theta[some, None]] = (b.along[some] * U[sides, BETA_X : BETA_Y + 1]).sum(axis=2)
         return found if self.building is None else self.building.with_own(found)
 
     def nodal_sizes(self, forces: Array) -> Array:

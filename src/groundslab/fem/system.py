@@ -261,8 +261,8 @@ def _link_blocks(s: System, column: Column) -> tuple[Integers, Array]:
 def beam_fields(problem: Problem) -> Iterator[tuple[Integers, Integers, Integers]]:
     """Yield pieces of beams (k,), the fields that move them, and which of w, beta_x, beta_y, u, v, theta these are."""
     known = [*range(TOP), *problem.in_plane]
-    for field in np.unique(problem.beams.field).tolist():
-        some = np.flatnonzero(problem.beams.field == field)
+    for field in np.unique(problem.beams.theta).tolist():
+        some = np.flatnonzero(problem.beams.theta == field)
         own = [*range(len(known)), *([beams.THETA] if field else [])]
         yield some, np.array([*known, *([field] if field else [])]), np.array(own)
 

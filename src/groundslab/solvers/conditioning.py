@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from groundslab.arrays import Flags
 from groundslab.errors import IllConditioned
 from groundslab.fem.foundation import Column
 from groundslab.fem.problem import Problem, free_motions, single_plates
@@ -28,12 +29,13 @@ def stiffness_ratio(s: System, column: Column) -> float:
 
 def plate_stiffness(s: System) -> float:
     """Return the largest stiffness of the plate's elements, of beams, or of the building against settlements [N/m]."""
-    return float(max(np.abs(s.blocks.plate[:, :9, :9]).max(), _of_beams(s), _of_building(s)))
+    own = s.problem.beams.deep
+    return float(max(np.abs(s.blocks.plate[:, :9, :9]).max(), _of_beams(s, own), _of_beams(s, ~own), _of_building(s)))
 
 
-def _of_beams(s: System) -> float:
-    """Return the largest stiffness of beams against settlements [N/m]."""
-    return float(np.abs(s.beams[..., 0, 0]).max(initial=0.0))
+def _of_beams(s: System, some: Flags) -> float:
+    """Return the largest stiffness of some pieces of beams (b,) against settlements [N/m]."""
+    return float(np.abs(s.beams[some][..., 0, 0]).max(initial=0.0))
 
 
 def _of_building(s: System) -> float:
@@ -47,8 +49,13 @@ def require_digits(s: System, column: Column) -> None:
     ratio = stiffness_ratio(s, column)
     carried = s.problem.loading.size.any() and free_motions(s.problem).shape[1] > 0
     if ratio > TOO_RIGID and carried:
-        kinds = {"plate.E": ("the plate", 0.0), "beams.E": ("a beam", _of_beams(s)),
-                 "building.stiffness": ("the building", _of_building(s))}  # fmt: skip
+        deep = s.problem.beams.deep
+        kinds = {
+            "plate.E": ("the plate", 0.0),
+            "beams.E": ("a beam", _of_beams(s, ~deep)),
+            "walls.E": ("a wall", _of_beams(s, deep)),
+            "building.stiffness": ("the building", _of_building(s)),
+        }
         key, (what, _) = max(kinds.items(), key=lambda kind: kind[1][1] * 2 > plate_stiffness(s))
         raise IllConditioned(
             f"{what} is {ratio:.1e} times as stiff as the ground, beyond what numbers of 16 digits can tell (about "

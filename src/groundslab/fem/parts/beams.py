@@ -44,13 +44,13 @@ class Beams:
     eccentricity: Array  # (b,) [m]: how far the centroid lies below the plate's middle plane
     released: Flags  # (b, 2): whether it bends freely at its start, at its end: hinges at ends of beams
     smooth: Flags  # (b,): whether it goes on from the piece before, which may be another beam's, without a corner
-    field: Integers  # (b,): of theta at its nodes, 0 where its sections turn with the plate
+    theta: Integers  # (b,): field of theta at its nodes, 0 where its sections turn with the plate
     along: Array  # (b, 3, 2): direction of the axis at its nodes
 
     @property
-    def own(self) -> Flags:
-        """Return which pieces have sections that turn by themselves, (b,)."""
-        return self.field > 0
+    def deep(self) -> Flags:
+        """Return which pieces are deep beams, the sections of which turn by themselves, (b,)."""
+        return self.theta > 0
 
 
 def stiffness(beams: Beams, nodes: Array) -> Array:
@@ -112,7 +112,7 @@ def without_motion(beams: Beams, nodes: Array, u: Array) -> Array:
     xy, slope = nodes[beams.sides], u[:, 2, 1:3]
     left: Array = u - u[:, 2:]
     left[..., 0] -= np.einsum("bax,bx->ba", xy - xy[:, 2:], slope)
-    left[..., THETA] = u[..., THETA] - np.where(beams.own[:, None], np.einsum("bax,bx->ba", beams.along, slope), 0.0)
+    left[..., THETA] = u[..., THETA] - np.where(beams.deep[:, None], np.einsum("bax,bx->ba", beams.along, slope), 0.0)
     return left
 
 
@@ -145,9 +145,9 @@ def _strains(beams: Beams, nodes: Array) -> tuple[Array, Array]:
     B[:, :, 2, :, 1:3] = -N[:, :, None] * t[:, :, None]
     B[:, :, 3, :, 3:5] = B[:, :, 0, :, 1:3]
     B[:, :, 3, :, 1:3] = -beams.eccentricity[:, None, None, None] * B[:, :, 0, :, 1:3]
-    if beams.own.any():
+    if beams.deep.any():
         # sections that turn by themselves have theta along the axis, and what the plate turns across it
-        some, along = beams.own, beams.along[beams.own]
+        some, along = beams.deep, beams.along[beams.deep]
         across = np.stack([-along[..., 1], along[..., 0]], axis=-1)
         turning = B[some][..., 1:3]
         B[some, ..., THETA] = np.einsum("bprax,bax->bpra", turning, along)

@@ -142,3 +142,9 @@ def test_the_strength_of_stiff_walls_is_not_checked() -> None:
     loads = [{"kind": "line", "wall": "W", "q": 50e3, "case": "G"}, {"kind": "uniform", "q": 5e3, "case": "G"}]
     found = gs.check_design(gs.solve(model(WALL, reinforcement=steel, loads=loads, mesh={"size": 0.5}, **case)))
     assert "the strength of walls with a height is not checked" in found.headline
+
+
+def test_a_wall_too_stiff_for_sixteen_digits_is_told() -> None:
+    """It is the wall of which the message speaks."""
+    with pytest.raises(gs.IllConditioned, match=r"a wall is .* times as stiff as the ground.* a walls\.E a thousand"):
+        gs.solve(model(WALL | {"E": 1e18}, mesh={"size": 0.5}))
