@@ -12,13 +12,18 @@ export interface RowBox {
   readonly margin: number;
 }
 
+/** Return the first of the rows to have in the page and the one after the last; it moves in steps as the table scrolls. */
+export function rangeInView({ scroller, height, margin }: RowBox, count: number): [first: number, last: number] {
+  const step = margin / 2; // a row that is pressed is still there when it is let go, but after a step
+  const first = Math.max(0, (Math.floor(scroller.scrollTop / height / step) - 2) * step);
+  return [first, Math.min(count, first + Math.ceil(scroller.clientHeight / height) + 2 * margin)];
+}
+
 /** Return the rows of a table in view between spaces for those above and below; `make` makes a row. */
 export function rowsInView(box: RowBox, count: number, make: (row: number) => HTMLElement): (HTMLElement | null)[] {
-  const { scroller, height, margin } = box;
-  const first = Math.max(0, Math.floor(scroller.scrollTop / height) - margin);
-  const last = Math.min(count, first + Math.ceil(scroller.clientHeight / height) + 2 * margin);
+  const [first, last] = rangeInView(box, count);
   const space = (rows: number) =>
-    rows > 0 ? h("tr", { class: "space", style: `height:${rows * height}px`, "aria-hidden": "true" }) : null;
+    rows > 0 ? h("tr", { class: "space", style: `height:${rows * box.height}px`, "aria-hidden": "true" }) : null;
   const rows = Array.from({ length: Math.max(0, last - first) }, (_, n) => make(first + n));
   return [space(first), ...rows, space(count - last)];
 }

@@ -2,7 +2,7 @@
 import { button, fill, h, setText } from "../../viewer/shared/dom";
 import { plainSymbols, symbolElement } from "../../viewer/shared/symbols";
 import type { ResultTable, TableCell, TableHead } from "../client/api";
-import { type RowBox, revealRow, rowsInView } from "../controls/virtual-rows";
+import { type RowBox, rangeInView, revealRow, rowsInView } from "../controls/virtual-rows";
 import { arrangeRows, columnWidths, type Sorting, type Target, targetOf, textOf, toTabSeparated } from "./table-rows";
 import "./table-view.css";
 
@@ -24,6 +24,7 @@ export class TableView {
   private sorting: Sorting | null = null;
   private chosen: [first: number, last: number] | null = null; // positions in the order
   private column = 0;
+  private drawn = ""; // the range of the rows in the page
 
   /** `choice`: what stands before the filter; `onTarget` is called with what a clicked cell leads to. */
   constructor(
@@ -44,10 +45,10 @@ export class TableView {
       this.scroller,
     );
     this.filter.addEventListener("input", () => this.arrange());
-    this.scroller.addEventListener("scroll", () => this.draw());
+    this.scroller.addEventListener("scroll", () => this.follow());
     this.scroller.addEventListener("keydown", (event) => this.handleKey(event));
     this.body.addEventListener("click", (event) => this.click(event));
-    new ResizeObserver(() => this.draw()).observe(this.scroller);
+    new ResizeObserver(() => this.follow()).observe(this.scroller);
   }
 
   /** Show a table; of another name it is neither sorted nor filtered at first. */
@@ -102,6 +103,12 @@ export class TableView {
   private draw(): void {
     const { table, order } = this;
     if (table) fill(this.body, ...rowsInView(this.box, order.length, (n) => this.makeRow(table, order[n]!, n)));
+    this.drawn = String(rangeInView(this.box, order.length));
+  }
+
+  /** Draw again where other rows have come into view; else the rows stay, or a click that has begun on one gets lost. */
+  private follow(): void {
+    if (String(rangeInView(this.box, this.order.length)) !== this.drawn) this.draw();
   }
 
   private makeRow({ rows, heads }: ResultTable, position: number, place: number): HTMLElement {
