@@ -70,7 +70,8 @@ def _beam_errors(model: Model, solution: Solution) -> Array:
     elements, sides = problem.mesh.elements, problem.beams.sides
     M, T, V, N = squared_errors(model, solution).T
     number = np.full(len(problem.mesh.nodes), -1)
-    number[sides[:, 2]] = np.arange(len(sides))
+    alone = problem.beams.spans
+    number[sides[~alone, 2]] = np.flatnonzero(~alone)
     element, side = np.nonzero(number[elements[:, SIDES[:, 2]]] >= 0)
     piece = number[elements[element, SIDES[side, 2]]]
     share = 1 / np.bincount(piece, minlength=len(sides))[piece]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from dataclasses import dataclass
 from itertools import chain, combinations, count
 
 import numpy as np
@@ -11,18 +12,22 @@ from groundslab.arrays import Array, Flags, Integers
 from groundslab.discretize.plan_layout import Layout
 from groundslab.errors import InputError, Issue
 from groundslab.fem.hanging import find_hanging
-from groundslab.fem.mesh import SIDES, select_along, sides_of
+from groundslab.fem.mesh import select_along, sides_of
 from groundslab.fem.parts.beams import Beams, lengths_of
 from groundslab.fem.parts.membrane import held
-from groundslab.geometry.plan import Segment
+from groundslab.fem.problem import BETA_X, BETA_Y, W
+from groundslab.geometry.plan import Segment, format_place
 from groundslab.model.model import Model
 from groundslab.model.structure.beams import Beam
+from groundslab.model.structure.spans import spans_as_segments
 from groundslab.schema.wording import quote
 
 #: Where an axis turns by more than this [rad], section forces jump, and the sections of walls turn apart.
 KINK = 1e-3
 #: A mesh meets a beam if it follows its line but for this share, which arcs as parabolas may take.
 MET = 1e-4
+#: The middle of an edge.
+HALF = np.array([0.5])
 
 
 def beams_on(model: Model, plan: Layout, sections: list[tuple[float, float, float]], fields: int) -> Beams:
@@ -37,7 +42,7 @@ def beams_on(model: Model, plan: Layout, sections: list[tuple[float, float, floa
         hinges, along = np.zeros((0, 2), dtype=bool), np.zeros((0, 3, 2))
         return Beams(none, none[:, 0], zero, zero, np.zeros((0, 4)), zero, hinges, hinges[:, 0], none[:, 0], along)
     every = _whole_sides(plan)
-    parts = [_along(plan, every, beam) for beam in members]
+    parts = [_along(plan, every, beam, spans_as_segments(beam, model.plate, model.plates)) for beam in members]
     sides, start, length, angles = (np.concatenate(each) for each in zip(*parts, strict=True))
     number = np.repeat(np.arange(len(parts)), [len(own) for own, *_ in parts])
     beside = _sections_beside(plan, sides, np.array([t for _, _, t in sections]))
@@ -49,9 +54,14 @@ def beams_on(model: Model, plan: Layout, sections: list[tuple[float, float, floa
         eccentricity[own] = members[which].eccentricity(sections[section][2])
     for which, beam in enumerate(members):
         released[np.flatnonzero(number == which)[[0, -1]], [0, 1]] = [end == "hinged" for end in beam.joined]
-    smooth = _go_on(sides, angles)
-    part, sign = _parts_of_walls(np.array(model.wall_of_members)[number], sides, angles, smooth)
-    field, along = _sections_of_walls(plan.mesh.nodes, sides, part, sign, fields)
+    wall = np.array(model.wall_of_members)[number]
+    before, after = _across_joints(plan, sides, number, wall)
+    met = np.arange(len(plan.mesh.nodes))
+    across = np.concatenate([sides[before, 1], sides[after, 0]])
+    met[across] = plan.source[across]
+    smooth = _go_on(met[sides], angles)
+    part, sign = _parts_of_walls(wall, met[sides], angles, smooth)
+    field, along = _sections_of_walls(plan.mesh.nodes, sides, met, part, sign, fields)
     return Beams(sides, number, start, length, rigidity, eccentricity, released, smooth, field, along)
 
 
@@ -94,29 +104,67 @@ def _parts_of_walls(wall: Integers, sides: Integers, angles: Array, smooth: Flag
 
 
 def _sections_of_walls(
-    nodes: Array, sides: Integers, part: Integers, sign: Array, fields: int
+    nodes: Array, sides: Integers, met: Integers, part: Integers, sign: Array, fields: int
 ) -> tuple[Integers, Array]:
     """Return the field of theta (b,) of each piece of a wall, 0 of others, and the axis' direction at nodes (b, 3, 2).
 
     part (b,) is the part of a wall from corner to corner that a piece belongs to, -1 of none, and sign (b,) whether it
-    runs with it. theta goes on along it: another field is taken where another part has it at one of its nodes.
+    runs with it; met (n,) is one node for those across joints at which members go on, elsewhere each itself. theta goes
+    on along the part: another field is taken where another part has it at one of its nodes.
     """
     field = np.zeros(len(sides), dtype=np.int64)
     start, end, middle = (nodes[sides[:, k]] for k in range(3))
+    spans = sides[:, 2] == sides[:, 0]
+    middle[spans] = (start[spans] + end[spans]) / 2
     along = np.stack([2 * middle - 1.5 * start - 0.5 * end, 0.5 * start + 1.5 * end - 2 * middle, end - start], axis=1)
     along *= sign[:, None, None] / np.linalg.norm(along, axis=2, keepdims=True)
     taken: dict[int, Flags] = {}
     for number in np.unique(part[part >= 0]):
         some = np.flatnonzero(part == number)
-        own, place = np.unique(sides[some], return_inverse=True)
+        own = np.unique(sides[some])
         free = next(f for f in count(fields) if f not in taken or not taken[f][own].any())
         taken.setdefault(free, np.zeros(len(nodes), dtype=bool))[own] = True
         field[some] = free
         # one direction at a node, of both pieces there
-        mean = np.zeros((len(own), 2))
+        places, place = np.unique(met[sides[some]], return_inverse=True)
+        mean = np.zeros((len(places), 2))
         np.add.at(mean, place.reshape(-1, 3), along[some])
         along[some] = (mean / np.linalg.norm(mean, axis=1, keepdims=True))[place.reshape(-1, 3)]
     return field, along
+
+
+@dataclass(frozen=True, slots=True)
+class MembersAcross:
+    """Where beams and walls go on across joints: k pairs of nodes of both plates, and the fields that these share."""
+
+    pairs: Integers  # (k, 2)
+    shared: Flags  # (k, F)
+
+
+def members_across(model: Model, plan: Layout, beams: Beams, in_plane: tuple[int, ...], fields: int) -> MembersAcross:
+    """Return where the members of a model go on across joints; fields is F, in_plane the fields of u and v."""
+    wall = np.array([*model.wall_of_members], dtype=np.int64)[beams.number]
+    before, after = _across_joints(plan, beams.sides, beams.number, wall)
+    shared = np.zeros((len(before), fields), dtype=bool)
+    shared[:, [W, BETA_X, BETA_Y]] = True
+    theta = np.where(beams.theta[before] == beams.theta[after], beams.theta[before], 0)
+    goes_on = np.flatnonzero(theta)
+    shared[goes_on, theta[goes_on]] = True
+    both = (beams.rigidity[before, 3] > 0) & (beams.rigidity[after, 3] > 0)
+    shared[np.ix_(both, in_plane)] = True
+    return MembersAcross(np.column_stack([beams.sides[before, 1], beams.sides[after, 0]]), shared)
+
+
+def _across_joints(plan: Layout, sides: Integers, number: Integers, wall: Integers) -> tuple[Integers, Integers]:
+    """Return the pieces (k,) before joints that members cross, and those after, of one beam or wall each."""
+    line = np.where(wall < 0, number, len(number) + wall)
+    after = np.arange(len(sides))
+    before = after - 1
+    starts = np.flatnonzero(np.diff(line, prepend=-1))
+    before[starts] = np.append(starts[1:], len(sides))[: len(starts)] - 1  # of a closed one its end, of others too
+    end, start = sides[before, 1], sides[after, 0]
+    found = np.flatnonzero((end != start) & (plan.source[end] == plan.source[start]))
+    return before[found], after[found]
 
 
 def with_turning(present: Flags, beams: Beams) -> Flags:
@@ -127,7 +175,7 @@ def with_turning(present: Flags, beams: Beams) -> Flags:
     return found
 
 
-def with_in_plane(present: Flags, plan: Layout, beams: Beams) -> tuple[Flags, tuple[int, ...]]:
+def with_in_plane(model: Model, present: Flags, plan: Layout, beams: Beams) -> tuple[Flags, tuple[int, ...]]:
     """Return which unknowns exist (n, F) with u and v of plates whose beams are eccentric, and the fields of these."""
     eccentric = beams.rigidity[:, 3] > 0
     if not eccentric.any():
@@ -137,12 +185,14 @@ def with_in_plane(present: Flags, plan: Layout, beams: Beams) -> tuple[Flags, tu
     along[beams.sides[eccentric, 2]] = True
     free[find_hanging(plan.mesh.elements)[:, 0]] = False
     found = np.zeros((n, 2), dtype=bool)
-    for number in np.unique(plan.plate[along[elements].any(axis=1)]):
-        own = np.unique(elements[plan.plate == number])
-        own = own[free[own]]
-        found[own] = ~held(plan.mesh.nodes, own)[own]
+    parts = [np.unique(elements[plan.plate == number]) for number in np.unique(plan.plate[along[elements].any(axis=1)])]
+    parts = [own[free[own]] for own in parts]
+    found[np.concatenate(parts)] = True
     fields = present.shape[1]
-    return np.hstack([present, found]), (fields, fields + 1)
+    in_plane = (fields, fields + 1)
+    across = members_across(model, plan, beams, in_plane, fields + 2)
+    found &= ~held(plan.mesh.nodes, parts, across.pairs[across.shared[:, fields]])
+    return np.hstack([present, found]), in_plane
 
 
 def _whole_sides(plan: Layout) -> Integers:
@@ -151,22 +201,31 @@ def _whole_sides(plan: Layout) -> Integers:
     return sides[~np.isin(sides[:, 2], find_hanging(plan.mesh.elements)[:, 0])]
 
 
-def _along(plan: Layout, every: Integers, beam: Beam) -> tuple[Integers, Array, Array, Array]:
+def _along(
+    plan: Layout, every: Integers, beam: Beam, spans: tuple[Segment, ...]
+) -> tuple[Integers, Array, Array, Array]:
     """Return which of the sides lie along a beam, from its start to its end (b, 3), and of each start and length [m].
 
-    Both are (b,), along the beam; and the angle of the beam's direction [rad] where each begins and ends, (b, 2).
+    Where it spans an opening there is one piece. Both are (b,), along the beam; and the angle of the beam's direction
+    [rad] where each begins and ends, (b, 2).
     """
     mesh = plan.mesh
     found, starts, lengths, angles, before = [], [], [], [], 0.0
     for edge in beam.edges:
         sides = select_along(mesh, every, [edge])
         part = _parts(edge, mesh.nodes[sides[:, 2]])
+        over = [span for span in spans if edge.straight and edge.holds(span.at(HALF)[0], MET * edge.length)]
+        if over:
+            sides = np.vstack([sides, [_ends_of_span(plan, span) for span in over]])
+            part = np.append(part, _parts(edge, np.concatenate([span.at(HALF) for span in over])))
         order = np.argsort(part)
         sides, left = sides[order], edge.left(part[order])
         way = mesh.nodes[sides[:, 1]] - mesh.nodes[sides[:, 0]]
-        backwards = way[:, 0] * left[:, 1] < way[:, 1] * left[:, 0]
+        backwards = (way[:, 0] * left[:, 1] < way[:, 1] * left[:, 0]) & (sides[:, 2] != sides[:, 0])
         sides[backwards] = sides[backwards][:, [1, 0, 2]]
-        length = lengths_of(mesh.nodes[sides])
+        xy = mesh.nodes[sides]
+        alone = sides[:, 2] == sides[:, 0]
+        length = np.where(alone, np.linalg.norm(xy[:, 1] - xy[:, 0], axis=1), lengths_of(xy))
         found.append(sides)
         starts.append(before + np.cumsum(length) - length)
         lengths.append(length)
@@ -182,6 +241,17 @@ def _along(plan: Layout, every: Integers, beam: Beam) -> tuple[Integers, Array, 
     return np.concatenate(found), np.concatenate(starts), np.concatenate(lengths), np.concatenate(angles)
 
 
+def _ends_of_span(plan: Layout, span: Segment) -> list[int]:
+    """Return the nodes at which a span starts and ends, as those of a piece."""
+    under, ends = plan.plate_nodes, np.array([span.start, span.end])
+    distance = np.linalg.norm(plan.mesh.nodes[under] - ends[:, None], axis=2)
+    start, end = under[np.argmin(distance, axis=1)].tolist()
+    if distance.min(axis=1).max() > MET * span.length:
+        found = f"no node at {format_place(span.start, plan.origin)} m or {format_place(span.end, plan.origin)} m"
+        raise InputError([Issue("beams", found, "a mesh that meets the ends of every span")])
+    return [start, end, start]
+
+
 def _parts(edge: Segment, places: Array) -> Array:
     """Return after which part of an edge each of some places (p, 2) on it comes, (p,)."""
     return np.array([edge.part((float(x), float(y))) for x, y in places])
@@ -193,5 +263,5 @@ def _sections_beside(plan: Layout, sides: Integers, thickness: Array) -> Integer
     by_thickness = np.argsort(-thickness, kind="stable")
     of_node = np.full(len(plan.mesh.nodes), -1)
     for section in by_thickness:
-        of_node[elements[plan.section == section][:, SIDES[:, 2]]] = section
+        of_node[elements[plan.section == section]] = section
     return of_node[sides[:, 2]]

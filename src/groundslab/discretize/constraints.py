@@ -10,11 +10,12 @@ from itertools import count
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
+from groundslab.discretize.beams import MembersAcross
 from groundslab.discretize.plan_layout import Layout
 from groundslab.discretize.voids import bottoms
 from groundslab.errors import InputError, Issue
 from groundslab.fem import bearings
-from groundslab.fem.bearings import Bearings, Links, make_bearings
+from groundslab.fem.bearings import MEMBER, SURFACE, Bearings, Links, make_bearings
 from groundslab.fem.foundation import Column
 from groundslab.fem.mesh import sides_along, sides_on_boundary
 from groundslab.fem.parts.contact import Bearing, Depths
@@ -132,11 +133,14 @@ def joint_lines(model: Model, plan: Layout, surfaces: int) -> list[JointLine]:
     return found
 
 
-def make_links(model: Model, plan: Layout, lines: list[JointLine], surfaces: int, fields: int, shear: bool) -> Links:
+def make_links(
+    model: Model, plan: Layout, lines: list[JointLine], members: MembersAcross, surfaces: int, shear: bool
+) -> Links:
     """Return the links across joints: shear by the difference of settlement, and the ground's surfaces, which go on.
 
-    Where the ground carries no shear its surface may step, and does. fields is F.
+    Where the ground carries no shear its surface may step, and does. Members that go on hold what they share.
     """
+    fields = members.shared.shape[1]
     own = np.eye(fields, dtype=bool)
     none = np.zeros((0, 2), dtype=np.int64), np.zeros((0, fields), dtype=bool), np.zeros(0)
     parts = [(*none, np.zeros(0, dtype=np.int64), np.zeros(0))]
@@ -151,28 +155,48 @@ def make_links(model: Model, plan: Layout, lines: list[JointLine], surfaces: int
     if shear and len(again):
         pairs = np.column_stack([plan.source[again], again])
         for added in (own[W] | own[TOP], *own[TOP + 1 : TOP + surfaces]):
-            add(pairs, added, np.full(len(pairs), np.inf), -1, np.zeros(len(pairs)))
+            add(pairs, added, np.full(len(pairs), np.inf), SURFACE, np.zeros(len(pairs)))
+    hinged = _hinges(model, lines)
+    for field in np.flatnonzero(members.shared.any(axis=0)):
+        pairs = members.pairs[members.shared[:, field]]
+        if field == W:
+            pairs = np.array([pair for pair in pairs.tolist() if sorted(pair) not in hinged], np.int64).reshape(-1, 2)
+        add(pairs, own[field], np.full(len(pairs), np.inf), MEMBER, np.zeros(len(pairs)))
     return Links(*(np.concatenate(each) for each in zip(*parts, strict=True)))
 
 
-def hinged_nodes(model: Model, lines: list[JointLine], present: Flags) -> tuple[Integers, Flags]:
+def _hinges(model: Model, lines: list[JointLine]) -> list[list[int]]:
+    """Return the pairs of nodes that hinges hold together, each the lower one first."""
+    hinges = [line.pairs for joint, line in zip(model.joints, lines, strict=True) if joint.kind == "hinge"]
+    found: list[list[int]] = np.sort(np.concatenate([np.zeros((0, 2), dtype=np.int64), *hinges]), axis=1).tolist()
+    return found
+
+
+def joined_nodes(
+    model: Model, lines: list[JointLine], members: MembersAcross, present: Flags
+) -> tuple[Integers, Flags]:
     """Return which group each node is of in each field (n, F), and which unknowns are left (n, F).
 
-    In w the nodes of one place that hinges hold together are a group, else each node is its own. Held at zero at one of
-    them, w is at all of them.
+    The nodes of one place that hinges or members hold together in a field are a group, else each node is its own. Held
+    at zero at one of them, it is at all of them.
     """
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
     n = len(present)
     group, left = np.tile(np.arange(n)[:, None], present.shape[1]), present.copy()
-    hinges = [line.pairs for joint, line in zip(model.joints, lines, strict=True) if joint.kind == "hinge"]
-    pairs = np.concatenate([np.zeros((0, 2), dtype=np.int64), *hinges])
-    together = coo_array((np.ones(len(pairs)), pairs.T), shape=(n, n))
-    group[:, W] = connected_components(together, directed=False)[1]
-    held = np.unique(pairs)
-    zero = group[held[~present[held, W]], W]
-    left[held, W] = ~np.isin(group[held, W], zero)
+    hinges = np.reshape(_hinges(model, lines), (-1, 2)).astype(np.int64)
+    for field in range(present.shape[1]):
+        pairs = members.pairs[members.shared[:, field]]
+        if field == W:
+            pairs = np.concatenate([hinges, pairs])
+        if not len(pairs):
+            continue
+        together = coo_array((np.ones(len(pairs)), pairs.T), shape=(n, n))
+        group[:, field] = connected_components(together, directed=False)[1]
+        held = np.unique(pairs)
+        zero = group[held[~present[held, field]], field]
+        left[held, field] = ~np.isin(group[held, field], zero)
     return group, left
 
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers
-from groundslab.discretize.beams import beams_on, with_in_plane, with_turning
+from groundslab.discretize.beams import MembersAcross, beams_on, members_across, with_in_plane, with_turning
 from groundslab.discretize.building import building_on, with_building
 from groundslab.discretize.constraints import (
     JointLine,
     concatenate,
     fixed_nodes,
     ground_bearing,
-    hinged_nodes,
+    joined_nodes,
     joint_lines,
     make_links,
     slip_bearing,
@@ -28,6 +28,7 @@ from groundslab.fem import plate
 from groundslab.fem.assembly import number_unknowns
 from groundslab.fem.hanging import find_hanging
 from groundslab.fem.mesh import sides_on_boundary
+from groundslab.fem.parts.beams import Beams
 from groundslab.fem.parts.contact import Bearing, ContactConditions, Depths
 from groundslab.fem.parts.membrane import membrane_rigidity
 from groundslab.fem.parts.plates import Plates
@@ -62,11 +63,12 @@ def discretize(
     lines = joint_lines(model, plan, surfaces)
     present = _with_slips(_present(model, plan, element, surfaces), lines)
     beams = beams_on(model, plan, materials(model), present.shape[1])
-    present, in_plane = with_in_plane(with_turning(present, beams), plan, beams)
+    present, in_plane = with_in_plane(model, with_turning(present, beams), plan, beams)
     building = building_on(model, plan, element, present)
     present = with_building(present, building)
-    cases = _cases(model, plan, element, fields := present.shape[1], like, loaded)
-    unknown = _numbered(model, plan, lines, present)
+    members = members_across(model, plan, beams, in_plane, fields := present.shape[1])
+    cases = _cases(model, plan, beams, element, fields, like, loaded)
+    unknown = _numbered(model, plan, lines, members, present)
     below, gap = find_depths(model, plan, ground, coarsening == 0), initial_gap(model, plan)
     of_ground = ground_bearing(model, plan, unknown, below, ground, gap)
     bearing = concatenate(of_ground, support_bearing(model, plan, unknown), slip_bearing(model, lines, unknown))
@@ -83,7 +85,7 @@ def discretize(
         loading=sum(cases[1:], cases[0]),
         contact=_contact(model, gap, below, bearing),
         shear_at_edges=carries_shear(ground),
-        links=make_links(model, plan, lines, surfaces, fields, carries_shear(ground)),
+        links=make_links(model, plan, lines, members, surfaces, carries_shear(ground)),
         beams=beams,
         in_plane=in_plane,
         building=building,
@@ -137,6 +139,7 @@ def _contact(model: Model, gap: Array, below: Depths, bearing: Bearing) -> Conta
 def _cases(
     model: Model,
     plan: Layout,
+    beams: Beams,
     element: plate.PlateElement,
     fields: int,
     like: tuple[Model, Problem] | None,
@@ -152,7 +155,8 @@ def _cases(
             and all(getattr(known, name) == getattr(model, name) for name in ACTING)
         ):
             return problem.cases
-    return loadings(model if loaded else model.model_copy(update={"cases": (), "loads": ()}), plan, element, fields)
+    acting = model if loaded else model.model_copy(update={"cases": (), "loads": ()})
+    return loadings(acting, plan, beams, element, fields)
 
 
 def _infinite_edges(model: Model, plan: Layout) -> tuple[Integers, Integers]:
@@ -209,11 +213,11 @@ def _with_slips(present: Flags, lines: list[JointLine]) -> Flags:
     return found
 
 
-def _numbered(model: Model, plan: Layout, lines: list[JointLine], present: Flags) -> Integers:
-    """Return the numbers of the unknowns that are present, (n, F); nodes that hinges hold together share that of w."""
-    if not model.joints:
+def _numbered(model: Model, plan: Layout, lines: list[JointLine], members: MembersAcross, present: Flags) -> Integers:
+    """Return the numbers of the unknowns that are present, (n, F), which nodes that hold together share."""
+    if not (model.joints or len(members.pairs)):
         return number_unknowns(plan.rank, present)
-    group, left = hinged_nodes(model, lines, present)
+    group, left = joined_nodes(model, lines, members, present)
     return number_unknowns(plan.rank, left, group)
 
 

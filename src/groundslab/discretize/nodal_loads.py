@@ -9,6 +9,8 @@ from groundslab.discretize.plan_layout import Layout
 from groundslab.fem import load_vectors, plate
 from groundslab.fem.assembly import scatter
 from groundslab.fem.hanging import collect
+from groundslab.fem.parts.beams import Beams
+from groundslab.fem.parts.spans import end_forces
 from groundslab.fem.problem import BETA_X, TOP, Loading, W
 from groundslab.geometry.plan import FLAT, SAME_PLACE
 from groundslab.model.ground import ContinuousGround
@@ -20,20 +22,21 @@ from groundslab.model.loads.acting import (
     PointForce,
     SupportSettlement,
 )
-from groundslab.model.loads.clipping import get_plate_region
+from groundslab.model.loads.clipping import pieces_on_spans
 from groundslab.model.loads.spreading import spread_line
 from groundslab.model.model import Model
+from groundslab.model.plates.region import get_plate_region
 
 #: Points each way by which a load beside the plate acts on an elastic continuum.
 POINTS = 100
 
 
-def loadings(model: Model, plan: Layout, element: plate.PlateElement, fields: int) -> tuple[Loading, ...]:
+def loadings(model: Model, plan: Layout, beams: Beams, element: plate.PlateElement, fields: int) -> tuple[Loading, ...]:
     """Return the loading of each case of a model, of a nameless one if it has no cases; fields is F."""
     acting: dict[str, list[Acting]] = {name: [] for name in [case.name for case in model.cases] or [""]}
     for load, shape in model.acting:
         acting[load.case].append(shape)
-    return tuple(_loading(shapes, model, plan, element, fields) for shapes in acting.values())
+    return tuple(_loading(shapes, model, plan, beams, element, fields) for shapes in acting.values())
 
 
 def materials(model: Model) -> list[tuple[float, float, float]]:
@@ -47,7 +50,9 @@ def materials(model: Model) -> list[tuple[float, float, float]]:
     return found
 
 
-def _loading(acting: list[Acting], model: Model, plan: Layout, element: plate.PlateElement, fields: int) -> Loading:
+def _loading(
+    acting: list[Acting], model: Model, plan: Layout, beams: Beams, element: plate.PlateElement, fields: int
+) -> Loading:
     """Return the loading of some shapes; distributed ones are integrated exactly over the meshed part of the plate."""
     mesh = plan.mesh
     elements = plan.plate_elements
@@ -59,6 +64,7 @@ def _loading(acting: list[Acting], model: Model, plan: Layout, element: plate.Pl
     pressing = [np.zeros((0, 3))]
     warp = np.zeros(len(elements))
     settlement = np.zeros(len(model.supports))
+    spans, on_spans = model.spans, np.zeros((np.count_nonzero(beams.spans), 4))
     for shape in acting:
         if isinstance(shape, SupportSettlement):
             settlement[[support.name for support in model.supports].index(shape.support)] += shape.w
@@ -74,6 +80,9 @@ def _loading(acting: list[Acting], model: Model, plan: Layout, element: plate.Pl
             size += of_forces + of_couples / lengths
             if isinstance(shape, PlateAction):
                 warp += _warp(shape, model, plan)
+            if isinstance(shape, LineForce):
+                for number, piece in pieces_on_spans(shape, spans):
+                    on_spans[number] += (*piece.q, *piece.m)
     if not element.center_w:
         forces = np.einsum("ea,eab->eb", forces, element.w_functions(mesh.xy[elements]))
     table = np.zeros((n, fields))
@@ -89,7 +98,34 @@ def _loading(acting: list[Acting], model: Model, plan: Layout, element: plate.Pl
         if couples[axis].any():
             table[:, BETA_X + axis] = scatter(mesh.elements[elements], couples[axis], n)
     table = collect(mesh.elements, table)
-    return Loading(table, np.column_stack([warp, warp]), settlement, size, np.vstack(pressing))
+    if on_spans.any():
+        force, turning, twisting = end_forces(beams, on_spans)
+        _add_from_spans(table, beams, mesh.nodes, (force, turning, twisting))
+        plate_at = np.full(n, -1)
+        plate_at[mesh.elements[elements]] = plan.plate[:, None]
+        under = plate_at[beams.sides[beams.spans, 0]]
+        np.add.at(
+            size, under, np.abs(force).sum(axis=1) + np.abs([turning, twisting]).sum(axis=(0, 2)) / lengths[under]
+        )
+    return Loading(table, np.column_stack([warp, warp]), settlement, size, np.vstack(pressing), on_spans)
+
+
+def _add_from_spans(table: Array, beams: Beams, nodes: Array, at_ends: tuple[Array, Array, Array]) -> None:
+    """Add to nodal loads (n, F) what spans bring to their ends, as `end_forces` returns it, between nodes (n, 2)."""
+    some = np.flatnonzero(beams.spans)
+    deep = beams.theta[some]
+    way = nodes[beams.sides[some, 1]] - nodes[beams.sides[some, 0]]
+    t = way / np.linalg.norm(way, axis=1, keepdims=True)
+    n = np.column_stack([-t[:, 1], t[:, 0]])
+    for end in (0, 1):
+        node, (force, turning, twisting) = beams.sides[some, end], (each[:, end] for each in at_ends)
+        np.add.at(table, (node, W), force)
+        # of a wall, whose direction may be against that of its span, the couple turns its sections
+        own = turning * (t * beams.along[some, end]).sum(axis=1)
+        np.add.at(table, (node[deep > 0], deep[deep > 0]), own[deep > 0])
+        couple = np.where(deep > 0, 0.0, turning)[:, None] * t + twisting[:, None] * n
+        for axis in (0, 1):
+            np.add.at(table, (node, BETA_X + axis), couple[:, axis])
 
 
 def _on_ground(area: AreaPressure, plan: Layout) -> Array:

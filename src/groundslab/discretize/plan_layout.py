@@ -36,6 +36,7 @@ from groundslab.model.model import Model
 from groundslab.model.plates.further import first_sections
 from groundslab.model.settings import SIDES, Side
 from groundslab.model.structure.members import curved_beams
+from groundslab.model.structure.spans import paths_on_plates
 from groundslab.model.supports import plan_of_plate
 
 #: A mesh is made coarser for the nested iteration while its plate keeps at least this many elements each way.
@@ -373,7 +374,7 @@ def plan_of(model: Model, symmetry: tuple[bool, bool], width: float) -> Plan:
         return rectangle(max(x0, low[0]), x1, max(y0, low[1]), y1)
 
     beyond = meshed(*_reach(model, width)) if width else None
-    lines = tuple(beam.path for beam in model.members if beam.path is not None)
+    lines = tuple(path for beam in model.members for path in paths_on_plates(beam, model.plate, model.plates))
     plan = plan_of_plate(model.plate, model.supports, beyond, model.plates, lines)
     if any(symmetry):
         plan = replace(plan, outline=meshed(*model.plate.bounds))

@@ -91,15 +91,19 @@ def concatenate(*parts: Bearings) -> Bearings:
     return Bearings(*(np.concatenate([getattr(part, each.name) for part in parts]) for each in fields(Bearings)))
 
 
+#: What links across joints are of, besides a joint by its number: the ground's surface, or a beam or wall that goes on.
+SURFACE, MEMBER = -1, -2
+
+
 @dataclass(frozen=True, slots=True)
 class Links:
     """Links of l pairs of nodes at one place, by the difference of what their fields add up to."""
 
     nodes: Integers  # (l, 2)
     fields: Flags  # (l, F): which fields of each node add up
-    stiffness: Array  # (l,) [N/m]; infinite where the difference must vanish, in hinges by a shared unknown
-    joint: Integers  # (l,): number of the joint, -1 for the ground's surface, which goes on across joints
-    length: Array  # (l,) [m]: the share of the joint's line, 0 for the ground's surface
+    stiffness: Array  # (l,) [N/m]; infinite where the difference must vanish
+    joint: Integers  # (l,): number of the joint, or SURFACE or MEMBER
+    length: Array  # (l,) [m]: the share of the joint's line, 0 of others
 
     @property
     def rigid(self) -> Flags:
@@ -108,14 +112,14 @@ class Links:
 
     @property
     def shared(self) -> Flags:
-        """Return which links (l,) are hinges, whose nodes share the unknown."""
-        found: Flags = (self.joint >= 0) & self.rigid
+        """Return which links (l,) are hinges, or of a member, whose nodes share the unknown of one field."""
+        found: Flags = (self.joint != SURFACE) & self.rigid
         return found
 
     @property
     def holds(self) -> Flags:
-        """Return which links (l,) hold two plates to each other: those of joints that carry something."""
-        found: Flags = (self.joint >= 0) & (self.stiffness > 0)
+        """Return which links (l,) hold two plates to each other: of joints that carry something, and of members."""
+        found: Flags = (self.joint != SURFACE) & (self.stiffness > 0)
         return found
 
     def select(self, which: Flags) -> Links:

@@ -43,6 +43,7 @@ class Loading:
     settlement: Array  # (s,) [m]: of each support
     size: Array  # (plates,) [N]: sizes of all forces on each, and of moments over its length, whatever they cancel
     beside: Array  # (f, 3): places x, y [m] and forces [N] of what presses an elastic continuum beside the plate
+    on_spans: Array  # (k, 4): q [N/m] at start and end of each span of beams over openings, and m [N] there
 
     def __add__(self, other: Loading) -> Loading:
         """Return the sum of two loadings."""
@@ -52,12 +53,14 @@ class Loading:
             self.settlement + other.settlement,
             self.size + other.size,
             np.vstack([self.beside, other.beside]),
+            self.on_spans + other.on_spans,
         )
 
     def scale(self, factor: float) -> Loading:
         """Return the loading multiplied by a factor."""
         many = factor * self.load, factor * self.free_curvature, factor * self.settlement
-        return Loading(*many, abs(factor) * self.size, self.beside * [1.0, 1.0, factor])
+        size, beside = abs(factor) * self.size, self.beside * [1.0, 1.0, factor]
+        return Loading(*many, size, beside, factor * self.on_spans)
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +105,7 @@ class Problem:
         # on an elastic continuum what presses beside the plate is in TOP alone
         if self.elastic is None:
             load[self.plate.nodes, W] -= self.loading.load[self.plate.nodes, TOP]
-        return load
+        return load + self.turned(self.loading.load)
 
     def nodes_of(self, plate: int) -> Integers:
         """Return the nodes of one of the plates, ascending."""
@@ -152,6 +155,15 @@ class Problem:
         sides = b.sides[some]
         found[sides, b.theta[some, None]] = (b.along[some] * U[sides, BETA_X : BETA_Y + 1]).sum(axis=2)
         return found if self.building is None else self.building.with_own(found)
+
+    def turned(self, forces: Array) -> Array:
+        """Return what couples of forces (n, F) on sections of walls are for the plate that these turn with, (n, 3)."""
+        b, found = self.beams, np.zeros((len(forces), TOP))
+        for field in np.unique(b.theta[b.deep]):
+            own, along = b.theta == field, np.zeros((len(forces), 2))
+            along[b.sides[own]] = b.along[own]
+            found[:, BETA_X : BETA_Y + 1] += forces[:, field, None] * along
+        return found
 
     def nodal_sizes(self, forces: Array) -> Array:
         """Return the largest of the forces (n, F) at each node, moments over the plate's length, (n,) [N]."""
@@ -284,18 +296,22 @@ def free_motions(problem: Problem, mirrored: bool = False) -> Array:
 
 
 def _without_steps(problem: Problem, motions: Array) -> Array:
-    """Return those combinations of motions (3 plates, d) that make no step across joints that hold plates together."""
+    """Return those combinations of motions (3 plates, d) that make no step across joints that hold plates together.
+
+    Where a member goes on across a joint they make no kink, either.
+    """
     links = problem.links
-    first, second = links.nodes[links.holds].T
+    moving = links.holds & links.fields[:, :TOP].any(axis=1)
+    first, second = links.nodes[moving].T
     if not len(first):
         return motions
     size = np.ptp(problem.mesh.nodes[problem.plate.nodes], axis=0).max()
     scale = np.tile([1.0, 1 / size, 1 / size], len(problem.plate.names))
     # about the plates' middle, in which settlements and slopes are alike
     unit = np.linalg.qr(scale[:, None] ** -1 * motions)[0]
-    settling = np.full(len(first), W)
-    one, other = (motion_rows(problem, nodes, settling) for nodes in (first, second))
-    steps = ((one - other) * scale) @ unit
+    field = np.argmax(links.fields[moving], axis=1)
+    one, other = (motion_rows(problem, nodes, field) for nodes in (first, second))
+    steps = (np.where(field == W, 1.0, size)[:, None] * (one - other) * scale) @ unit
     _, sizes, V = np.linalg.svd(np.linalg.qr(np.vstack([steps, np.zeros((unit.shape[1],) * 2)]), mode="r"))
     rank = int((sizes > 1e-9 * sizes.max(initial=0.0)).sum())
     found: Array = scale[:, None] * (unit @ V[rank:].T)
@@ -324,15 +340,22 @@ def single_plates(problem: Problem) -> Iterator[tuple[Problem, Flags]]:
 
 def joined_plates(problem: Problem) -> Iterator[tuple[Problem, Flags]]:
     """Yield the plates that joints hold to each other together, each other one by itself, as `single_plates`."""
-    count, links = len(problem.plate.names), problem.links
-    if not links.holds.any():
+    if not problem.links.holds.any():
         return single_plates(problem)
+    groups = groups_of_plates(problem, problem.links.holds)
+    return (_restrict(problem, tuple(np.flatnonzero(groups == n).tolist())) for n in range(groups.max() + 1))
+
+
+def groups_of_plates(problem: Problem, joining: Flags) -> Integers:
+    """Return the number of the group that each plate belongs to, (plates,), which some of the links (l,) join."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
 
-    one, other = problem.plate_at_nodes[links.nodes[links.holds]].T
-    groups = connected_components(coo_array((np.ones(len(one)), (one, other)), shape=(count, count)), directed=False)[1]
-    return (_restrict(problem, tuple(np.flatnonzero(groups == n).tolist())) for n in range(groups.max() + 1))
+    count = len(problem.plate.names)
+    one, other = problem.plate_at_nodes[problem.links.nodes[joining]].T
+    together = coo_array((np.ones(len(one)), (one, other)), shape=(count, count))
+    group: Integers = connected_components(together, directed=False)[1]
+    return group
 
 
 def _restrict(problem: Problem, numbers: tuple[int, ...]) -> tuple[Problem, Flags]:

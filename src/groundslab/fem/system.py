@@ -13,7 +13,7 @@ import numpy as np
 from groundslab.arrays import Array, Flags, Indices, Integers, Memo
 from groundslab.fem import assembly
 from groundslab.fem.assembly import Pattern
-from groundslab.fem.bearings import Bearings
+from groundslab.fem.bearings import SURFACE, Bearings
 from groundslab.fem.element_blocks import Blocks, blocks
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column, EdgeDecay, edge_decay
 from groundslab.fem.hanging import carry, connect
@@ -102,8 +102,9 @@ def _pattern(problem: Problem) -> Pattern:
 
 
 def _linked(problem: Problem) -> Integers:
-    """Return the pairs of nodes (l, 2) that links and the building join, which no element may."""
-    linked, above = problem.links.nodes, problem.building
+    """Return the pairs of nodes (l, 2) that links, spans and the building join, which no element may."""
+    spans = problem.beams.sides[problem.beams.spans, :2]
+    linked, above = np.concatenate([problem.links.nodes, spans]), problem.building
     return linked if above is None else np.concatenate([linked, above.pairs()])
 
 
@@ -306,7 +307,7 @@ def link_stiffness(s: System, column: Column) -> Array:
 def link_forces(s: System, U: Array, column: Column, joints: bool) -> Array:
     """Return the forces (n, F) with which elastic joints resist, or links of the ground's surface."""
     links = s.problem.links
-    counts = (links.joint >= 0) == joints
+    counts = (links.joint != SURFACE) == joints
     stiffness = np.where(counts, link_stiffness(s, column), 0.0)
     return links.spread(stiffness * links.difference(U), len(U))
 

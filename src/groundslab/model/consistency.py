@@ -21,6 +21,8 @@ from groundslab.model.plates.region import PlateRegion
 from groundslab.model.serviceability.cracking import Cracking
 from groundslab.model.settings import SIDES, Beyond, Contact, Mesh
 from groundslab.model.structure.columns import Column
+from groundslab.model.structure.members import as_beam
+from groundslab.model.structure.spans import spans_of
 from groundslab.model.structure.walls import Wall, WallFaces
 from groundslab.model.supports import (
     AnySupport,
@@ -183,6 +185,8 @@ def check_walls(plate: Plate, plates: tuple[FurtherPlate, ...], walls: tuple[Wal
         except FieldError as error:
             yield from (issue.below(("walls", position)) for issue in error.relative_issues)
         else:
+            if wall.height is not None and spans_of(as_beam(placed), plate, plates):
+                continue  # over openings of the plate it is checked as a beam
             yield from on_plate(covered, placed if wall.edge is None else WallFaces(placed), ("walls", position))
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any, ClassVar, Self
 
-from groundslab.geometry.plan import Ring
+from groundslab.geometry.plan import Ring, Segment
 from groundslab.model import consistency, varying_ground
 from groundslab.model.design.floors import Floor, check_floor
 from groundslab.model.design.limits import Limits, SoilStrength
@@ -34,6 +34,7 @@ from groundslab.model.structure.beams import Beam
 from groundslab.model.structure.building import Building, check_building
 from groundslab.model.structure.columns import Column
 from groundslab.model.structure.members import check_members, members_of, wall_of_members
+from groundslab.model.structure.spans import spans_as_segments
 from groundslab.model.structure.walls import Wall, place_walls
 from groundslab.model.supports import Support, check_piles
 from groundslab.schema import reference
@@ -200,6 +201,11 @@ class Model(Section):
     def wall_of_members(self) -> tuple[int, ...]:
         """Return of which wall each member is a part, -1 of beams."""
         return wall_of_members(self.beams, self._stiff_walls, self.every_plate)
+
+    @property
+    def spans(self) -> tuple[Segment, ...]:
+        """Return where members span openings of the plates."""
+        return tuple(span for each in self.members for span in spans_as_segments(each, self.plate, self.plates))
 
     @property
     def _stiff_walls(self) -> tuple[Wall, ...]:

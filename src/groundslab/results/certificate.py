@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from groundslab.arrays import Array, Integers
-from groundslab.fem.bearings import CLOSED, LEAST, YIELDING, largest_of_parts
+from groundslab.fem.bearings import CLOSED, LEAST, MEMBER, YIELDING, largest_of_parts
 from groundslab.fem.continuum.pile_group import PileGroup
 from groundslab.fem.foundation import Column
 from groundslab.fem.problem import (
@@ -17,6 +17,7 @@ from groundslab.fem.problem import (
     TOP,
     Problem,
     W,
+    groups_of_plates,
     settlement_by_loads_beside,
     single_plates,
 )
@@ -57,7 +58,8 @@ def certificate(solution: Solution, margin_effect: float | None) -> Certificate:
     support[:, W] *= _own_w(problem)
     own = bearing.field < TOP
     np.add.at(support, (bearing.node[own], bearing.field[own]), (bearing.law.sign * c.force)[own])
-    support[:, W] -= problem.links.spread(resisting.joints, len(U))[:, W]
+    across = problem.links.spread(resisting.joints, len(U))
+    support -= across[:, :TOP] + problem.turned(across)
     # what presses on the ground beside the plate's edge does not reach the plate
     contact = ground[:, 0].copy()
     if solution.pressed is None:
@@ -115,7 +117,7 @@ def _scales(problem: Problem, U: Array, size: Array) -> _Scales:
 
 
 def _residual(solution: Solution, inner: Array, left: Array, rounding: float) -> float:
-    """Return the largest force that is left over at a node (n, F), over the largest one of its plate.
+    """Return the largest force that is left over at a node (n, F), over the largest one of its plate or plates.
 
     A load that a rigid support takes at once is no measure of what plate, ground and springs resist.
     """
@@ -128,7 +130,9 @@ def _residual(solution: Solution, inner: Array, left: Array, rounding: float) ->
     scale = np.full(len(force), force.max())
     if len(problem.plate.names) > 1:
         plate = problem.plate_at_nodes
-        scale = np.where(plate < 0, scale, largest_of_parts(force, plate))
+        # members make one structure of their plates, of which one may carry nothing but the rounding of the others
+        part = groups_of_plates(problem, problem.links.joint == MEMBER)[plate]
+        scale = np.where(plate < 0, scale, largest_of_parts(force, np.where(plate < 0, -1, part)))
     scale = np.maximum(scale, rounding)
     largest = problem.nodal_sizes(left)
     return float(np.divide(largest, scale, out=np.zeros_like(largest), where=scale > 0).max())

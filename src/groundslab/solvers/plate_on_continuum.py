@@ -173,7 +173,7 @@ def _rigid_motions(problem: Problem, size: int) -> Array:
     What a joint with play slips is an unknown without stiffness, and follows the plates, as walls and a building do.
     """
     links, none = problem.links, np.zeros(len(problem.contact.bearing.law), dtype=bool)
-    slips = np.asarray(links.fields[:, TOP + 1 :].any(axis=1))
+    slips = np.asarray(links.fields[:, TOP + 1 :].any(axis=1) & (links.joint >= 0))
     contact = replace(problem.contact, bearing=problem.contact.bearing.select(none))
     alone = replace(problem, contact=contact, links=links.select(~slips), elastic=None)
     moved, has = move_plates(problem, free_motions(alone)), problem.unknown >= 0

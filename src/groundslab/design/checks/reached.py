@@ -189,7 +189,7 @@ def _yielding_share(results: CombinationResult, limit: float) -> float:
 def _cut_off(combined: Results) -> Iterator[DesignCheck]:
     """Yield what of the loads does not act, as it lies beside the plate, or under it if it presses on the ground."""
     model = combined.solved_model
-    clipped = find_clipped_loads(model.plate, model.loads, model.plates, model.walls)
+    clipped = find_clipped_loads(model.plate, model.loads, model.plates, model.walls, model.spans)
     for where in dict.fromkeys(part.where for part in clipped):
         yield _cut_off_there([part for part in clipped if part.where == where])
 

@@ -16,9 +16,10 @@ from groundslab.design.demands.perimeters import RectangularColumn, RoundColumn
 from groundslab.design.floors.yield_lines import Location
 from groundslab.geometry.plan import FLAT
 from groundslab.model.loads.acting import AreaPressure, LineForce, PlateAction
-from groundslab.model.loads.clipping import clip_line, get_plate_region
+from groundslab.model.loads.clipping import clip_line
 from groundslab.model.loads.load_types import PointLoad
 from groundslab.model.model import Model
+from groundslab.model.plates.region import get_plate_region
 from groundslab.results.results import CombinationResult
 
 if TYPE_CHECKING:

@@ -12,6 +12,8 @@ strain of a quadratic w and beta is taken on MITC9's sides, too, and u and e bet
 
 Walls are deep beams, which shear as much as they bend. The plate's normals follow a wall's foot, the slope of which
 differs from its sections' by that shear strain: beta . t is an unknown of its own, theta, up to the wall's corners.
+Over an opening a beam spans from edge to edge, with no nodes between: exactly, as without loads M is linear there and V
+constant. What acts on it there goes to both ends as if these were fixed, see `spans`.
 See docs/theory.md, beams.
 """
 
@@ -36,7 +38,7 @@ TO_ENDS = np.array([[1 + np.sqrt(3.0), 1 - np.sqrt(3.0)], [1 - np.sqrt(3.0), 1 +
 class Beams:
     """All beams on a mesh, b pieces together: each runs along one side of an element."""
 
-    sides: Integers  # (b, 3): start, end and middle node of each piece, in the direction of its beam
+    sides: Integers  # (b, 3): start, end and middle node of each piece, along its beam; of a span start, end and start
     number: Integers  # (b,): which beam it belongs to; the pieces of a beam follow each other
     start: Array  # (b,) [m]: where it starts, measured along the beam
     length: Array  # (b,) [m]
@@ -51,6 +53,12 @@ class Beams:
     def deep(self) -> Flags:
         """Return which pieces are deep beams, the sections of which turn by themselves, (b,)."""
         return self.theta > 0
+
+    @property
+    def spans(self) -> Flags:
+        """Return which pieces span an opening, (b,)."""
+        found: Flags = self.sides[:, 2] == self.sides[:, 0]
+        return found
 
 
 def stiffness(beams: Beams, nodes: Array) -> Array:
@@ -117,7 +125,7 @@ def without_motion(beams: Beams, nodes: Array, u: Array) -> Array:
 
 
 def lengths_of(xy: Array) -> Array:
-    """Return the lengths (b,) [m] of pieces between nodes xy (b, 3, 2), which may be curved."""
+    """Return the lengths (b,) [m] of pieces between nodes xy (b, 3, 2), which may be curved, but for spans."""
     s, weights = gauss_line(3)
     dN = np.column_stack([s - 0.5, s + 0.5, -2 * s])
     length: Array = np.linalg.norm(np.einsum("pa,bax->bpx", dN, xy), axis=2) @ weights
@@ -145,6 +153,9 @@ def _strains(beams: Beams, nodes: Array) -> tuple[Array, Array]:
     B[:, :, 2, :, 1:3] = -N[:, :, None] * t[:, :, None]
     B[:, :, 3, :, 3:5] = B[:, :, 0, :, 1:3]
     B[:, :, 3, :, 1:3] = -beams.eccentricity[:, None, None, None] * B[:, :, 0, :, 1:3]
+    spans = beams.spans
+    if spans.any():
+        B[spans], ds[spans] = _strains_of_spans(xy[spans], beams.rigidity[spans], beams.eccentricity[spans])
     if beams.deep.any():
         # sections that turn by themselves have theta along the axis, and what the plate turns across it
         some, along = beams.deep, beams.along[beams.deep]
@@ -153,3 +164,28 @@ def _strains(beams: Beams, nodes: Array) -> tuple[Array, Array]:
         B[some, ..., THETA] = np.einsum("bprax,bax->bpra", turning, along)
         B[some, ..., 1:3] = np.einsum("bprax,bax,bay->bpray", turning, across, across)
     return B, ds
+
+
+def _strains_of_spans(xy: Array, rigidity: Array, eccentricity: Array) -> tuple[Array, Array]:
+    """Return B (b, 2, 4, 3, 6) and ds (b, 2) as `_strains` for spans between nodes xy (b, 3: start, end, start, 2).
+
+    The shear strain is that of a beam without loads, gamma = ((w_2 - w_1) / L - (beta_1 + beta_2) / 2) phi / (1 + phi),
+    phi = 12 E I / (G A_v L^2), and the curvature (beta_2 - beta_1) / L + 12 gamma / (phi L^2) (L / 2 - s).
+    """
+    way = xy[:, 1] - xy[:, 0]
+    L = np.linalg.norm(way, axis=1)
+    t = way / L[:, None]
+    n = np.column_stack([-t[:, 1], t[:, 0]])
+    phi = 12 * rigidity[:, 0] / (rigidity[:, 2] * L**2)
+    B = np.zeros((len(xy), 2, 4, 3, FIELDS))
+    skew = np.zeros((len(xy), 3, FIELDS))  # (w_2 - w_1) / L - (beta_1 + beta_2) / 2
+    for node, sign in ((0, -1.0), (1, 1.0)):
+        B[:, :, 0, node, 1:3] = sign * (t / L[:, None])[:, None]
+        B[:, :, 1, node, 1:3] = sign * (n / L[:, None])[:, None]
+        B[:, :, 3, node, 3:5] = sign * (t / L[:, None])[:, None]
+        B[:, :, 3, node, 1:3] = -eccentricity[:, None, None] * B[:, :, 0, node, 1:3]
+        skew[:, node, 0] = sign / L
+        skew[:, node, 1:3] = -t / 2
+    B[:, :, 2] = ((phi / (1 + phi))[:, None, None] * skew)[:, None]
+    B[:, :, 0] -= np.einsum("bai,b,p->bpai", skew, 6 / ((1 + phi) * L), POINTS)
+    return B, np.repeat(L[:, None] / 2, 2, axis=1)

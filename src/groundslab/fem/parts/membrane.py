@@ -40,10 +40,35 @@ def forces(points: Array, xy: Array, C: Array, u: Array) -> Array:
     return found
 
 
-def held(nodes: Array, own: Integers) -> Flags:
-    """Return which u and v (n, 2) hold a plate with its own nodes in its plane: both at one end, v at the other."""
+def held(nodes: Array, plates: list[Integers], joined: Integers) -> Flags:
+    """Return which u and v (n, 2) hold plates in their plane, each with its own nodes, as few as do.
+
+    Of a plate by itself both at one end, and v at the other. joined (k, 2) are pairs of nodes of two plates that move
+    alike.
+    """
+    from scipy.linalg import null_space, qr
+
+    place, rows = list[tuple[int, int]](), list[Array]()
+    plate = np.full(len(nodes), -1)
+    for number, own in enumerate(plates):
+        plate[own] = number
+        x = nodes[own, 0]
+        first, last = int(own[np.argmin(x)]), int(own[np.argmax(x)])
+        place += [(first, 0), (first, 1), (last, 1)]
+    middle, size = nodes.mean(axis=0), np.ptp(nodes, axis=0).max()
+
+    def motion(node: int, field: int) -> Array:
+        """Return what u or v of a node is for each plate's motions: along x, along y, turned, (3 plates,)."""
+        row = np.zeros((len(plates), 3))
+        x, y = (nodes[node] - middle) / size
+        row[plate[node]] = (1.0, 0.0, -y) if field == 0 else (0.0, 1.0, x)
+        return row.ravel()
+
+    rows = [motion(*each) for each in place]
+    steps = [motion(a, field) - motion(b, field) for a, b in joined.tolist() for field in (0, 1)]
+    free = null_space(np.array(steps)) if steps else np.eye(3 * len(plates))
+    order = qr((np.array(rows) @ free).T, pivoting=True, mode="r")[1]
     found = np.zeros((len(nodes), 2), dtype=bool)
-    x = nodes[own, 0]
-    found[own[np.argmin(x)]] = True
-    found[own[np.argmax(x)], 1] = True
+    for each in order[: free.shape[1]]:
+        found[place[each]] = True
     return found

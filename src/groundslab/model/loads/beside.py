@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from groundslab.model.ground import AnyGround, carry_shear
-from groundslab.model.loads.clipping import NO_PART, get_plate_region
 from groundslab.model.loads.load_types import AnyLoad, OnGround, presses_ground
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, bounds_of
-from groundslab.model.plates.region import PlateRegion
+from groundslab.model.plates.region import NO_PART, PlateRegion, get_plate_region
 from groundslab.model.settings import Beyond, Side
 from groundslab.model.varying_ground import SoilZone
 from groundslab.schema.issues import RelativeIssue

@@ -6,24 +6,20 @@ reported. Of a load on the ground only what lies beside the plate acts.
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array
-from groundslab.geometry.intersections import find_crossings
 from groundslab.geometry.plan import Segment, bounding_box
 from groundslab.model.loads.acting import AreaPressure, LineForce, Pressure
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_types import AnyLoad, Spread
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, list_plates
-from groundslab.model.plates.region import PlateRegion
+from groundslab.model.plates.region import NO_PART, PlateRegion, get_plate_region, parts_on_plates
 from groundslab.model.structure.walls import Wall, place_walls
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import quote
@@ -32,13 +28,10 @@ from groundslab.units import together
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
-#: A part of a line shorter than this, relative to the line, is nothing but rounding.
-NO_PART = 1e-9
-
+#: Places closer to a line than this share of its length lie on it.
+ROUNDING = 1e-9
 #: A load that reaches further off the plate than so many times its longer side was not meant so.
 FAR = 1e3
-#: The tangents around an arc span this angle [rad] at most.
-TANGENT = 2 * math.pi / 256
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,17 +76,17 @@ class LinePiece:
         return self.edge.length * sum(self.m) / 2
 
 
-#: That of plates, kept for its loads.
-get_plate_region = lru_cache(maxsize=4)(PlateRegion)
-
-
 def find_clipped_loads(
-    plate: Plate, loads: Sequence[AnyLoad], plates: tuple[FurtherPlate, ...] = (), walls: tuple[Wall, ...] = ()
+    plate: Plate,
+    loads: Sequence[AnyLoad],
+    plates: tuple[FurtherPlate, ...] = (),
+    walls: tuple[Wall, ...] = (),
+    spans: Sequence[Segment] = (),
 ) -> tuple[Clipped, ...]:
-    """Return the parts of loads that lie off all plates, of loads on the ground those under one."""
+    """Return the parts of loads off all plates and spans of members, of loads on the ground those under a plate."""
     drawn = _drawn_shapes(loads, place_walls(walls, list_plates(plate, plates)))
     region = get_plate_region(plate, plates)
-    clipped = [*_find_clipped(region, drawn), *_find_covered(region, drawn)]
+    clipped = [*_find_clipped(region, drawn, spans), *_find_covered(region, drawn)]
     return tuple(sorted(clipped, key=lambda part: part.number))
 
 
@@ -126,21 +119,40 @@ def clip_line(plate: Plate, line: LineForce, plates: tuple[FurtherPlate, ...] = 
 
 def _clip_line(region: PlateRegion, line: LineForce) -> list[LinePiece]:
     """Return the parts of a line force that lie in a region."""
-    ways = np.concatenate([[0.0], np.cumsum([edge.length for edge in line.edges])])
+    return [
+        _piece(line, number, low, high)
+        for number, edge in enumerate(line.edges)
+        for low, high in parts_on_plates(region, edge)
+    ]
 
-    def between(ends: tuple[float, float], edge: Segment, start: float, low: float, high: float) -> tuple[float, float]:
-        growth = (ends[1] - ends[0]) / float(ways[-1])
+
+def _piece(line: LineForce, number: int, low: float, high: float) -> LinePiece:
+    """Return the part of a line force on one of its edges from low to high, 0 to 1 of that edge."""
+    edge = line.edges[number]
+    start = sum(before.length for before in line.edges[:number])
+
+    def between(ends: tuple[float, float]) -> tuple[float, float]:
+        growth = (ends[1] - ends[0]) / line.length
         return ends[0] + growth * (start + low * edge.length), ends[0] + growth * (start + high * edge.length)
 
-    return [
-        LinePiece(
-            _cut_segment(edge, low, high),
-            between(line.q, edge, start, low, high),
-            between(line.m, edge, start, low, high),
-        )
-        for edge, start in zip(line.edges, ways.tolist(), strict=False)
-        for low, high in _parts_on_plate(region, edge)
-    ]
+    return LinePiece(_cut_segment(edge, low, high), between(line.q), between(line.m))
+
+
+def pieces_on_spans(line: LineForce, spans: Sequence[Segment]) -> list[tuple[int, LinePiece]]:
+    """Return what of a line force acts on spans of members over openings, with the number of each, and along it."""
+    found = []
+    for number, edge in enumerate(line.edges if spans else ()):
+        near = ROUNDING * edge.length
+        for position, span in enumerate(spans):
+            if not (edge.straight and edge.holds(span.start, near) and edge.holds(span.end, near)):
+                continue
+            start, end = edge.part(span.start), edge.part(span.end)
+            piece = _piece(line, number, min(start, end), max(start, end))
+            if start > end:
+                (q_1, q_2), (m_1, m_2) = piece.q, piece.m
+                piece = LinePiece(span, (q_2, q_1), (-m_2, -m_1))
+            found.append((position, piece))
+    return found
 
 
 @dataclass(frozen=True, slots=True)
@@ -176,8 +188,8 @@ def _drawn_shapes(loads: Sequence[AnyLoad], walls: tuple[Wall, ...]) -> list[_Dr
     ]
 
 
-def _find_clipped(region: PlateRegion, drawn: Sequence[_Drawn]) -> Iterator[Clipped]:
-    """Yield what lies off the plate of loads on it."""
+def _find_clipped(region: PlateRegion, drawn: Sequence[_Drawn], spans: Sequence[Segment] = ()) -> Iterator[Clipped]:
+    """Yield what lies off the plate, and off spans of members, of loads on it."""
     import shapely
 
     on_plate = [part for part in drawn if not part.on_ground]
@@ -186,7 +198,9 @@ def _find_clipped(region: PlateRegion, drawn: Sequence[_Drawn]) -> Iterator[Clip
     for k in np.flatnonzero(~shapely.covers(region.grown, [part.covered for part in on_plate])):
         part = on_plate[int(k)]
         shape = part.shape
-        off = _off_line(region, shape) if isinstance(shape, LineForce) else _off_area(region, shape, part.covered)
+        off = (
+            _off_line(region, shape, spans) if isinstance(shape, LineForce) else _off_area(region, shape, part.covered)
+        )
         if off is not None:
             share, force, total = off
             dimension = "moment" if isinstance(shape, LineForce) and not any(shape.q) else "force"
@@ -213,12 +227,12 @@ def _off_area(region: PlateRegion, area: AreaPressure, drawn: BaseGeometry) -> t
     return off.area / drawn.area, integral(off, area.pressure), integral(drawn, area.pressure)
 
 
-def _off_line(region: PlateRegion, line: LineForce) -> tuple[float, float, float] | None:
+def _off_line(region: PlateRegion, line: LineForce, spans: Sequence[Segment]) -> tuple[float, float, float] | None:
     """Return the share of a line that lies off the plate, the force there and in all [N]; None if all is on it.
 
     Of a line without a force its couples [N m] count.
     """
-    pieces = _clip_line(region, line)
+    pieces = [*_clip_line(region, line), *(piece for _, piece in pieces_on_spans(line, spans))]
     share = 1 - sum(piece.edge.length for piece in pieces) / line.length
     if share <= NO_PART:
         return None
@@ -245,43 +259,6 @@ def integral(area: BaseGeometry, pressure: Pressure) -> float:
             middles = at[0] + np.stack([a, b, a + b], axis=1) / 2
             force += sign * math.copysign(1.0, twice.sum()) * float(twice @ pressure(middles).sum(axis=1)) / 6
     return force
-
-
-def _parts_on_plate(region: PlateRegion, edge: Segment) -> list[tuple[float, float]]:
-    """Return the parts of an edge, from 0 to 1, that lie on the plate."""
-    from shapely import LineString, Point
-
-    if region.grown.covers(LineString(enclosing_line(edge))):
-        return [(0.0, 1.0)]
-    cuts = {0.0, 1.0}
-    for side in (region.edges.edges[k] for k in region.edges.find_near(edge, 0.0)):
-        for place in find_crossings(edge, side):
-            if edge.holds(place, region.near) and side.holds(place, region.near):
-                cuts.add(min(max(_parameter_at(edge, place), 0.0), 1.0))
-    parts: list[tuple[float, float]] = []
-    for low, high in itertools.pairwise(sorted(cuts)):
-        if high - low > NO_PART and region.grown.covers(Point(edge.at(np.array([(low + high) / 2]))[0])):
-            joined = bool(parts) and parts[-1][1] == low
-            parts[-1:] = [(parts[-1][0], high)] if joined else [*parts[-1:], (low, high)]
-    return parts
-
-
-def enclosing_line(edge: Segment) -> Array:
-    """Return the corners (p, 2) of lines that an edge does not leave to the outside: tangents of an arc."""
-    if edge.straight:
-        return np.array([edge.start, edge.end])
-    n = max(2, math.ceil(abs(edge.sweep) / TANGENT))
-    places, centre = edge.at((np.arange(n) + 0.5) / n), np.array(edge.centre)
-    corners: Array = centre + (places - centre) / math.cos(edge.sweep / n / 2)
-    return np.vstack([edge.start, corners, edge.end])
-
-
-def _parameter_at(edge: Segment, place: tuple[float, float]) -> float:
-    """Return after which part of an edge a place on it comes; about 0 or 1, not round the circle, near its ends."""
-    near = 1e-9 * edge.length
-    if math.dist(place, edge.start) <= near or math.dist(place, edge.end) <= near:
-        return float(math.dist(place, edge.start) > math.dist(place, edge.end))
-    return edge.part(place)
 
 
 def _cut_segment(edge: Segment, low: float, high: float) -> Segment:

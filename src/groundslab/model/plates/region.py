@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
-from functools import cached_property
+import itertools
+import math
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from groundslab.arrays import Array
 from groundslab.geometry.areas import equal_area_polygon
+from groundslab.geometry.intersections import find_crossings
 from groundslab.geometry.places import same_place
-from groundslab.geometry.plan import Place
+from groundslab.geometry.plan import Place, Segment
 from groundslab.geometry.regions import Region
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, list_plates
@@ -19,6 +25,10 @@ if TYPE_CHECKING:
 #: What reaches over the edge by less than this, relative to the longer side of all plates, lies on them where arcs are
 #: chords.
 CURVED = 5e-5
+#: A part of a line shorter than this, relative to the line, is nothing but rounding.
+NO_PART = 1e-9
+#: The tangents around an arc span this angle [rad] at most.
+TANGENT = 2 * math.pi / 256
 
 
 class PlateRegion:
@@ -76,9 +86,50 @@ class PlateRegion:
         return grown
 
 
+#: The region of plates, computed once.
+get_plate_region = lru_cache(maxsize=4)(PlateRegion)
+
+
 def _area(plate: AnyPlate) -> BaseGeometry:
     """Return the area of a plate without its openings."""
     from shapely import union_all
 
     outline, *openings = map(equal_area_polygon, plate.rings())
     return outline.difference(union_all(openings))
+
+
+def parts_on_plates(region: PlateRegion, edge: Segment) -> list[tuple[float, float]]:
+    """Return the parts of an edge, from 0 to 1, that lie on the plates."""
+    from shapely import LineString, Point
+
+    if region.grown.covers(LineString(enclosing_line(edge))):
+        return [(0.0, 1.0)]
+    cuts = {0.0, 1.0}
+    for side in (region.edges.edges[k] for k in region.edges.find_near(edge, 0.0)):
+        for place in find_crossings(edge, side):
+            if edge.holds(place, region.near) and side.holds(place, region.near):
+                cuts.add(min(max(_parameter_at(edge, place), 0.0), 1.0))
+    parts: list[tuple[float, float]] = []
+    for low, high in itertools.pairwise(sorted(cuts)):
+        if high - low > NO_PART and region.grown.covers(Point(edge.at(np.array([(low + high) / 2]))[0])):
+            joined = bool(parts) and parts[-1][1] == low
+            parts[-1:] = [(parts[-1][0], high)] if joined else [*parts[-1:], (low, high)]
+    return parts
+
+
+def enclosing_line(edge: Segment) -> Array:
+    """Return the corners (p, 2) of lines that an edge does not leave to the outside: tangents of an arc."""
+    if edge.straight:
+        return np.array([edge.start, edge.end])
+    n = max(2, math.ceil(abs(edge.sweep) / TANGENT))
+    places, centre = edge.at((np.arange(n) + 0.5) / n), np.array(edge.centre)
+    corners: Array = centre + (places - centre) / math.cos(edge.sweep / n / 2)
+    return np.vstack([edge.start, corners, edge.end])
+
+
+def _parameter_at(edge: Segment, place: tuple[float, float]) -> float:
+    """Return after which part of an edge a place on it comes; about 0 or 1, not round the circle, near its ends."""
+    near = 1e-9 * edge.length
+    if math.dist(place, edge.start) <= near or math.dist(place, edge.end) <= near:
+        return float(math.dist(place, edge.start) > math.dist(place, edge.end))
+    return edge.part(place)

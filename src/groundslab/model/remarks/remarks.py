@@ -165,7 +165,7 @@ def _on_columns(model: Model) -> Iterator[Remark]:
 
 def _on_clipped_loads(model: Model) -> Iterator[Remark]:
     """Yield the loads of which a part does not act."""
-    for clipped in find_clipped_loads(model.plate, model.loads, model.plates, model.walls):
+    for clipped in find_clipped_loads(model.plate, model.loads, model.plates, model.walls, model.spans):
         yield Remark(("loads", clipped.number - 1), clipped.words())
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, assert_never
 
 from groundslab.geometry.areas import equal_area_polygon
@@ -14,12 +15,13 @@ from groundslab.model.loads.acting import (
     PointForce,
     SupportSettlement,
 )
-from groundslab.model.loads.clipping import clip_line, get_plate_region, integral
-from groundslab.model.plates.region import PlateRegion
+from groundslab.model.loads.clipping import clip_line, integral, pieces_on_spans
+from groundslab.model.plates.region import PlateRegion, get_plate_region
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
+    from groundslab.geometry.plan import Segment
     from groundslab.model.model import Model
     from groundslab.model.plates.further import AnyPlate
 
@@ -30,24 +32,26 @@ BALANCED = 1e-6
 def case_forces(model: Model) -> dict[str, float]:
     """Return the sum of the vertical loads of each case on the plates [N], downwards positive, without factors.
 
-    What lies off the plates does not act. Patterns do not count unless they are placed. A sum that is rounding is 0.
+    What lies off the plates, and off members over openings, does not act. Patterns do not count unless they are placed.
+    A sum that is rounding is 0.
     """
     region = get_plate_region(model.plate, model.plates)
     total: dict[str, float] = defaultdict(float)
     size: dict[str, float] = defaultdict(float)
     for load, shape in model.acting:
-        force = vertical_force(shape, region)
+        force = vertical_force(shape, region, model.spans)
         total[load.case] += force
         size[load.case] += abs(force)
     return {case: force if abs(force) > BALANCED * size[case] else 0.0 for case, force in total.items()}
 
 
-def vertical_force(shape: Acting, region: PlateRegion) -> float:
-    """Return the vertical force of a shape on the plates [N], downwards positive."""
+def vertical_force(shape: Acting, region: PlateRegion, spans: Sequence[Segment] = ()) -> float:
+    """Return the vertical force of a shape on the plates and on spans of members [N], downwards positive."""
     if isinstance(shape, PointForce):
         return shape.P
     if isinstance(shape, LineForce):
-        return sum(piece.force for piece in clip_line(region.plate, shape, region.plates))
+        on_plates = clip_line(region.plate, shape, region.plates)
+        return sum(piece.force for piece in (*on_plates, *(piece for _, piece in pieces_on_spans(shape, spans))))
     if isinstance(shape, AreaPressure):
         return 0.0 if shape.on == "ground" else integral(shape.to_shapely().intersection(region.area), shape.pressure)
     if isinstance(shape, PlateAction):

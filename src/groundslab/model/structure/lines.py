@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 
-from groundslab.geometry.plan import Segment, make_segments
+from groundslab.geometry.plan import LARGEST_BULGE, Segment, make_segments
 from groundslab.model.shapes import BULGE, AnyShape, Place, Shape
 from groundslab.schema.fields import ListOf
 from groundslab.schema.issues import RelativeIssue
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 #: Lines shorter than this [m] go nowhere.
 NO_LENGTH = 1e-9
+#: Places along a line closer than this share of its length are one.
+SAME = 1e-9
 
 Points = tuple[tuple[float, float], ...]
 #: A line: its points, and the bulges of its pieces, which are straight where they lack one.
@@ -90,3 +92,20 @@ def line_segments(points: Points | None, bulges: tuple[float, ...], shape: AnySh
         return shape.ring().segments()
     assert points is not None
     return make_segments(points, bulges)
+
+
+def part_of_line(edges: tuple[Segment, ...], start: float, end: float) -> Path:
+    """Return the part of a line between two ways along it [m]: its points, and the bulges of its pieces."""
+    points, bulges, low = list[tuple[float, float]](), list[float](), 0.0
+    for edge in edges:
+        a, b = np.clip((np.array([start, end]) - low) / edge.length, 0.0, 1.0)
+        low += edge.length
+        # its own ends exactly
+        a, b = 0.0 if a < SAME else a, 1.0 if b > 1 - SAME else b
+        if b - a <= SAME:
+            continue
+        places = [(float(x), float(y)) for x, y in edge.at(np.array([a, b]))]
+        points += places if not points else places[1:]
+        bulge = math.tan((b - a) * edge.sweep / 4)
+        bulges.append(min(max(bulge, -LARGEST_BULGE), LARGEST_BULGE))
+    return tuple(points), tuple(bulges) if any(bulges) else ()

@@ -10,23 +10,22 @@ from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
 
-import numpy as np
-
-from groundslab.geometry.plan import FLAT, LARGEST_BULGE, Place, Ring, Segment
+from groundslab.geometry.plan import FLAT, Ring
 from groundslab.geometry.validity import TOO_CLOSE, find_issues
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, list_plates, shared_line
 from groundslab.model.plates.joints import AnyJoint
-from groundslab.model.plates.region import PlateRegion
+from groundslab.model.plates.region import PlateRegion, get_plate_region
 from groundslab.model.structure.beams import Beam, RectangularSection
-from groundslab.model.structure.lines import Path
+from groundslab.model.structure.lines import SAME, part_of_line
+from groundslab.model.structure.spans import check_spans, paths_on_plates, spans_of
 from groundslab.model.structure.walls import Wall, place_walls
 from groundslab.model.supports import AnySupport, check_names, plan_of_plate
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import quote
 
-#: Places along a wall closer than this share of its length are one.
-SAME = 1e-9
+#: The sine of the angle below which lines run along each other.
+FLATTEST = math.sin(math.radians(5))
 
 
 @lru_cache(maxsize=64)
@@ -54,7 +53,7 @@ def wall_beams(wall: Wall) -> tuple[Beam, ...]:
         middle = (start + end) / 2
         open_there = max((each.height for each in wall.openings if each.start < middle < each.end), default=0.0)
         alone = len(cuts) == 2
-        points, bulges = _between(wall.edges, start, end)
+        points, bulges = part_of_line(wall.edges, start, end)
         parts.append(
             Beam(
                 name=wall.name if alone else f"{wall.name}, {start:g} m to {end:g} m",
@@ -68,29 +67,17 @@ def wall_beams(wall: Wall) -> tuple[Beam, ...]:
     return tuple(parts)
 
 
+def as_beam(wall: Wall) -> Beam:
+    """Return a wall that has a height, without its openings, as one deep beam."""
+    return wall_beams(wall.model_copy(update={"openings": ()}))[0]
+
+
 def _cuts(wall: Wall) -> list[float]:
     """Return the ways along a wall [m] at which it or an opening in it begins or ends, each once."""
     length = wall.length
     ways = {min(way, length) for opening in wall.openings for way in (opening.start, opening.end)} - {length}
     cuts = [0.0, *(way for way in sorted(ways) if SAME * length < way < (1 - SAME) * length), length]
     return [cut for cut, before in zip(cuts, [-math.inf, *cuts], strict=False) if cut - before > SAME * length]
-
-
-def _between(edges: tuple[Segment, ...], start: float, end: float) -> Path:
-    """Return the part of a line between two ways along it [m]: its points, and the bulges of its pieces."""
-    points, bulges, low = list[Place](), list[float](), 0.0
-    for edge in edges:
-        a, b = np.clip((np.array([start, end]) - low) / edge.length, 0.0, 1.0)
-        low += edge.length
-        # its own ends exactly
-        a, b = 0.0 if a < SAME else a, 1.0 if b > 1 - SAME else b
-        if b - a <= SAME:
-            continue
-        places = [(float(x), float(y)) for x, y in edge.at(np.array([a, b]))]
-        points += places if not points else places[1:]
-        bulge = math.tan((b - a) * edge.sweep / 4)
-        bulges.append(min(max(bulge, -LARGEST_BULGE), LARGEST_BULGE))
-    return tuple(points), tuple(bulges) if any(bulges) else ()
 
 
 def curved_beams(beams: tuple[Beam, ...], plates: tuple[AnyPlate, ...]) -> tuple[Ring, ...]:
@@ -127,15 +114,18 @@ def check_members(
             beams, where = (*beams, *parts), [*where, *[("walls", number)] * len(parts)]
     if not beams:
         return
-    off = [*_check_on_one_plate(PlateRegion(plate, plates), beams), *_check_joints(every, joints, beams)]
+    region = get_plate_region(plate, plates)
+    off = [*_check_on_plates(region, beams), *_check_joints(every, joints, beams)]
+    off += [] if off else check_spans(region, beams)
     yield from (_at_place(issue, where) for issue in off)
     if off:
         return
     yield from (_at_place(issue, where) for issue in _check_apart(beams, near))
-    paths = {number: beam.path for number, beam in enumerate(beams) if beam.path is not None}
+    paths = [(number, path) for number, beam in enumerate(beams) for path in paths_on_plates(beam, plate, plates)]
     before = sum(bool(support.edges) for support in supports)
-    beams_by_line = dict(enumerate(paths, start=before + 1))
-    for issue in find_issues(plan_of_plate(plate, supports, plates=plates, lines=(*paths.values(),))):
+    beams_by_line = dict(enumerate((number for number, _ in paths), start=before + 1))
+    lines = tuple(path for _, path in paths)
+    for issue in find_issues(plan_of_plate(plate, supports, plates=plates, lines=lines)):
         # the beam at which the issue is, or else the first one that it names
         for text in (issue.location, issue.found):
             if own := [number for count, number in beams_by_line.items() if f"plate.lines[{count}]" in text]:
@@ -194,29 +184,33 @@ def _at_place(issue: RelativeIssue, where: list[tuple[str, int]]) -> RelativeIss
     return replace(issue, place=(kind, own, *(rest if kind == "beams" else ())))
 
 
-def _check_on_one_plate(region: PlateRegion, beams: tuple[Beam, ...]) -> Iterator[RelativeIssue]:
-    """Find members of which a part lies off the plate, over an opening, or on another plate."""
+def _check_on_plates(region: PlateRegion, beams: tuple[Beam, ...]) -> Iterator[RelativeIssue]:
+    """Find members of which a part lies off the plates, but for what spans an opening."""
+    from shapely import unary_union
+
     chord = 1e-4 * region.size
     for number, beam in enumerate(beams):
         axis = beam.to_shapely(chord)
         areas = [area.buffer(max(region.near, 2 * chord * (beam.shape is not None)), join_style="mitre")
                  for area in region.areas]  # fmt: skip
-        if any(area.covers(axis) for area in areas):
+        if unary_union(areas).covers(axis):
             continue
+        spans = sum(end - start for start, end in spans_of(beam, region.plate, region.plates))
         place = ("beams", number, "points" if beam.points is not None else "shape")
-        if region.plates and region.reach.covers(axis):
-            hint = "two beams, one on either side of the joint, bend with their own plates"
-            yield RelativeIssue(place, "a beam that goes from one plate to another", "a beam on one plate", hint)
+        over = axis.length - unary_union(areas).intersection(axis).length - spans
+        if over <= max(region.near, 2 * chord):
             continue
-        over = axis.length - max(area.intersection(axis).length for area in areas)
         found = f"{over:.3g} m of {axis.length:.3g} m that do not lie on the plate"
-        yield RelativeIssue(place, found, "a beam that lies on the plate, clear of openings", "shorten or divide it")
+        hint = "over an opening it is straight from edge to edge, and in one part" if spans else "shorten or divide it"
+        yield RelativeIssue(place, found, "a beam that begins and ends on the plate", hint)
 
 
 def _check_joints(
     plates: tuple[AnyPlate, ...], joints: tuple[AnyJoint, ...], beams: tuple[Beam, ...]
 ) -> Iterator[RelativeIssue]:
     """Find beams along joints, of which nobody knows which plate they stiffen."""
+    from shapely import Point, get_parts
+
     known = {plate.name: plate for plate in plates}
     for joint in joints:
         if not all(name in known for name in joint.between):
@@ -224,7 +218,8 @@ def _check_joints(
         line = shared_line(*(known[name] for name in joint.between))
         for number, beam in enumerate(beams):
             near = TOO_CLOSE * line.length
-            if line.buffer(near).intersection(beam.to_shapely(near)).length > 4 * near:
+            shared = line.buffer(near, cap_style="flat").intersection(beam.to_shapely(near))
+            if max(part.length for part in get_parts([shared, Point()])) > 2 * near / FLATTEST:
                 found = f"a beam along the joint {quote(joint.title)}"
                 yield RelativeIssue(("beams", number), found, "a beam on one of the plates", "move it off the joint")
 
@@ -241,7 +236,7 @@ def _check_apart(beams: tuple[Beam, ...], near: float) -> Iterator[RelativeIssue
         if a.distance(b) > near:
             continue
         shared = b.intersection(a.buffer(near, cap_style="flat")).length
-        if shared > 4 * near and shared > near / math.sin(math.radians(5)):
+        if shared > 4 * near and shared > near / FLATTEST:
             found = f"a beam along {shared:.3g} m of {quote(beams[one].name)}"
             hint = "one beam with a section that stands for both"
             yield RelativeIssue(("beams", other), found, "one beam at each place", hint)

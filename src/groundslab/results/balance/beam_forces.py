@@ -8,7 +8,8 @@ import numpy as np
 
 from groundslab.arrays import Array, Flags, Integers, Memo
 from groundslab.fem.mesh import select_along, sides_of
-from groundslab.fem.parts.beams import POINTS, TO_ENDS, section_forces
+from groundslab.fem.parts.beams import POINTS, THETA, TO_ENDS, section_forces
+from groundslab.fem.parts.spans import forces_within, settlements_within
 from groundslab.fem.problem import Problem
 from groundslab.fem.system import beam_unknowns, plate_settlement
 from groundslab.geometry.nearest import nearest_distance
@@ -18,6 +19,8 @@ from groundslab.model.remarks.singular_places import forces_without_footprint
 from groundslab.results.record import BeamResult
 from groundslab.solvers.solution import Solution
 
+#: The parts of a span over an opening after which section forces are told.
+PARTS = np.linspace(0.0, 1.0, 9)
 #: Places this close, relative to the plate's length, are one.
 NEAR = 1e-8
 
@@ -33,6 +36,8 @@ class Stations:
     points: Integers  # (k, 4): Gauss points of pieces, numbered 2 piece + point, from which each takes its values
     weights: Array  # (k, 4)
     of_piece: Integers  # (b, 2): those at its start and at its end
+    place: Array  # (k, 2) [m]
+    spans: Flags  # (k,): those along spans over openings, PARTS of each
 
 
 def beam_results(model: Model, solution: Solution) -> tuple[BeamResult, ...]:
@@ -46,16 +51,33 @@ def beam_results(model: Model, solution: Solution) -> tuple[BeamResult, ...]:
         return ()
     problem = solution.system.problem
     stations, _, (M, T, V, N) = _along(model, solution)
+    w = plate_settlement(solution.system, solution.U)[stations.node]
+    w[stations.spans] = _settlements_of_spans(solution, np.column_stack([M, T, V, N])[stations.spans])
     e = problem.beams.eccentricity[stations.piece]
     M += e * N
-    w = plate_settlement(solution.system, solution.U)
     found = []
     for number, beam in enumerate(model.members):
         own = stations.beam == number
-        node = stations.node[own]
-        forces = (each[own] for each in (M, V, T, N, e))
-        found.append(BeamResult(beam.name, problem.mesh.nodes[node], stations.way[own], w[node], *forces))
+        each = (values[own] for values in (stations.place, stations.way, w, M, V, T, N, e))
+        found.append(BeamResult(beam.name, *each))
     return tuple(found)
+
+
+def _settlements_of_spans(solution: Solution, forces: Array) -> Array:
+    """Return the settlements [m] at the stations of spans, whose M, T, V and N are (k, 4)."""
+    problem = solution.system.problem
+    b, xy = problem.beams, problem.mesh.nodes
+    some = b.spans
+    if not some.any():
+        return np.zeros(0)
+    u = beam_unknowns(problem, solution.U)[some, 0]
+    way = xy[b.sides[some, 1]] - xy[b.sides[some, 0]]
+    t = way / np.linalg.norm(way, axis=1, keepdims=True)
+    of_sections = u[:, THETA] * (t * b.along[some, 0]).sum(axis=1)
+    slope = np.where(b.deep[some], of_sections, (u[:, 1:3] * t).sum(axis=1))
+    start = np.column_stack([u[:, 0], slope])
+    at_start = forces[:: len(PARTS)]
+    return settlements_within(b, problem.loading.on_spans, start, at_start, PARTS).ravel()
 
 
 def squared_errors(model: Model, solution: Solution) -> Array:
@@ -71,6 +93,7 @@ def squared_errors(model: Model, solution: Solution) -> Array:
     c = 1.5 * off.mean(axis=1)
     rigidity = np.where(b.rigidity > 0, b.rigidity, np.inf)
     squares: Array = 4 / 45 * c**2 * b.length[:, None] / rigidity
+    squares[b.spans] = 0.0
     return squares
 
 
@@ -83,7 +106,10 @@ def _along(model: Model, solution: Solution) -> tuple[Stations, Array, Array]:
     b = problem.beams
     stations = _STATIONS.get(problem.mesh.nodes, model.loads, lambda: _make_stations(model, problem))
     own = section_forces(b, problem.mesh.nodes, beam_unknowns(problem, solution.U))
-    return stations, own, np.einsum("kp,kpr->rk", stations.weights, own.reshape(-1, own.shape[-1])[stations.points])
+    recovered = np.einsum("kp,kpr->rk", stations.weights, own.reshape(-1, own.shape[-1])[stations.points])
+    if b.spans.any():
+        recovered[:, stations.spans] += forces_within(b, problem.loading.on_spans, PARTS).reshape(-1, 4).T
+    return stations, own, recovered
 
 
 #: Those of a mesh with its beams.
@@ -94,33 +120,43 @@ def _make_stations(model: Model, problem: Problem) -> Stations:
     """Return the stations of all beams of a problem, from one beam's start to its end after the other."""
     b = problem.beams
     first = np.flatnonzero(~_goes_on(model, problem))
-    parts = []
+    parts, at_start, count = [], np.zeros(len(b.sides), dtype=np.int64), 0
     for begin, end in zip(first, [*first[1:], len(b.sides)], strict=True):
         n = end - begin
         place = np.arange(n + 1)
+        at_start[begin:end] = count + place[:-1]
+        if b.spans[begin]:
+            place = np.zeros(len(PARTS), dtype=np.int64)
+        count += len(place)
         piece = begin + np.minimum(place, n - 1)
         node, way = b.sides[piece, 0], b.start[piece]
         node[-1], way[-1] = b.sides[end - 1, 1], b.start[end - 1] + b.length[end - 1]
+        xy = problem.mesh.nodes[node]
+        if b.spans[begin]:
+            xy, way = xy[0] + PARTS[:, None] * (xy[-1] - xy[0]), way[0] + PARTS * b.length[begin]
         # the two pieces about the place, at ends the two nearest; a run may be one piece alone
         before = begin + np.clip(place - 1, 0, max(n - 2, 0))
         after = np.minimum(before + 1, end - 1)
-        parts.append((b.number[piece], node, way, piece, np.column_stack([before, before, after, after])))
-    beam, node, way, piece, pieces = (np.concatenate(each) for each in zip(*parts, strict=True))
+        parts.append((b.number[piece], node, way, piece, np.column_stack([before, before, after, after]), xy))
+    beam, node, way, piece, pieces, places = (np.concatenate(each) for each in zip(*parts, strict=True))
     at = (b.start + b.length / 2)[:, None] + b.length[:, None] / 2 * POINTS
     points = 2 * pieces + [0, 1, 0, 1]
     x = at.ravel()[points] - way[:, None]
     x /= np.abs(x).max(axis=1, keepdims=True)
     alone = (pieces[:, :1] == pieces[:, 2:3]).astype(bool)
     A = np.stack([np.ones_like(x), x, np.where(alone, 0.0, x * x)], axis=2)
-    run = np.searchsorted(first, np.arange(len(b.sides)), side="right") - 1
-    at_start = np.arange(len(b.sides)) + run
-    return Stations(beam, node, way, piece, points, np.linalg.pinv(A)[:, 0], np.column_stack([at_start, at_start + 1]))
+    of_piece = np.column_stack([at_start, at_start + np.where(b.spans, len(PARTS) - 1, 1)])
+    return Stations(beam, node, way, piece, points, np.linalg.pinv(A)[:, 0], of_piece, places, b.spans[piece])
 
 
 def _goes_on(model: Model, problem: Problem) -> Flags:
     """Return which pieces of beams (b,) go on smoothly from the piece before: nothing meets the beam there."""
     b = problem.beams
-    found: Flags = b.smooth & (np.diff(b.number, prepend=-1) == 0) & ~_meeting(model, problem)[b.sides[:, 0]]
+    # across a joint the plates' parts of it may jump
+    on_one_plate = np.append(False, b.sides[1:, 0] == b.sides[:-1, 1])
+    same = on_one_plate & (np.diff(b.number, prepend=-1) == 0)
+    beside_span = b.spans | np.append(False, b.spans[:-1])
+    found: Flags = b.smooth & same & ~beside_span & ~_meeting(model, problem)[b.sides[:, 0]]
     return found
 
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers, Memo
 from groundslab.fem.assembly import scatter
+from groundslab.fem.bearings import SURFACE
 from groundslab.fem.foundation import EDGE_MASS, EDGE_SLOPE, Column
 from groundslab.fem.hanging import collect
 from groundslab.fem.parts.beams import without_motion
@@ -192,7 +193,7 @@ class Resistance:
 
     all: Array  # (n, F) [N, N m]
     ground: Array  # (n, 1 + S) [N]: on the plate's w, and on each surface
-    joints: Array  # (l,) [N]: of each link across a joint on its first node, upwards
+    joints: Array  # (l,) [N, N m]: of each link across a joint on its first node, upwards
 
 
 def pressing_forces(solution: Solution) -> Array:
@@ -236,19 +237,21 @@ def bearing_forces(solution: Solution) -> Array:
 
 
 def _joint_forces(solution: Solution, inner: Array) -> Array:
-    """Return the force (l,) [N] of each link of a joint on its first node, upwards, 0 of all other links.
+    """Return the force (l,) [N], or moment, of each link of joint or member on its first node, 0 of all other links.
 
-    inner (n, F) are the forces with which plate and ground resist. Elastic joints resist by their stiffness. Hinges
-    carry what then is left over at the nodes that they hold together: the plates' equations are taken for each alone.
+    inner (n, F) are the forces with which plate and ground resist. Elastic joints resist by their stiffness. Hinges,
+    and members that go on across a joint, carry what then is left over at the nodes that they hold together: the
+    plates' equations are taken for each alone.
     """
     s, problem = solution.system, solution.system.problem
     links = problem.links
-    stiffness = np.where(links.joint >= 0, link_stiffness(s, solution.column), 0.0)
+    stiffness = np.where(links.joint != SURFACE, link_stiffness(s, solution.column), 0.0)
     force = stiffness * links.difference(solution.U)
-    hinges = links.shared & (problem.unknown[links.nodes[:, 0], W] >= 0)
-    if hinges.any():
+    if links.shared.any():
         left = inner - problem.load - bearing_forces(solution) + links.spread(force, len(inner))
-        force[hinges] = _balancing(links.nodes[hinges], left[:, W])
+        for field in np.flatnonzero(links.fields[links.shared].any(axis=0)):
+            own = links.shared & links.fields[:, field] & (problem.unknown[links.nodes[:, 0], field] >= 0)
+            force[own] = _balancing(links.nodes[own], left[:, field])
     return force
 
 

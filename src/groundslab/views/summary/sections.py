@@ -245,7 +245,7 @@ def cut_loads(model: Model) -> list[SummarySection]:
     """Return the parts of loads that do not act, nothing where all of them act."""
     from groundslab.model.loads.clipping import find_clipped_loads
 
-    clipped = find_clipped_loads(model.plate, model.loads, model.plates, model.walls)
+    clipped = find_clipped_loads(model.plate, model.loads, model.plates, model.walls, model.spans)
     if not clipped:
         return []
     rows = []

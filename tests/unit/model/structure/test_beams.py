@@ -103,31 +103,46 @@ def test_what_cannot_be_is_told(beams: list[dict[str, Any]], said: str) -> None:
     assert any(each.startswith(said) for each in issues(*beams)), issues(*beams)
 
 
-def test_a_beam_keeps_clear_of_openings() -> None:
-    """One over an opening is told; one along its edge runs."""
+def test_a_beam_spans_openings_straight_from_edge_to_edge() -> None:
+    """One that ends over an opening is told, one with a corner there, a rib, two that meet; one along its edge runs."""
     holed = {"length_x": 6.0, "length_y": 4.0, "thickness": 0.2, "E": 30e9, "nu": 0.2,
              "openings": [{"kind": "rectangle", "x": (-1.0, 1.0), "y": (-1.0, 1.0)}]}  # fmt: skip
-    assert issues(ACROSS, plate=holed) == ["beams[1].points: 2 m of 6 m that do not lie on the plate"]
+    assert gs.solve(model(ACROSS, plate=holed)).only.beams[0].way[-1] == pytest.approx(6.0)
+    ends = ACROSS | {"points": [(-3.0, 0.0), (0.5, 0.0)]}
+    assert issues(ends, plate=holed) == ["beams[1].points: 1.5 m of 3.5 m that do not lie on the plate"]
+    bent = ACROSS | {"points": [(-3.0, 0.0), (0.0, 0.0), (3.0, 0.5)]}
+    assert issues(bent, plate=holed) == ["beams[1].points: 2.01 m over an opening with a corner or an arc"]
+    arc = ACROSS | {"bulges": [0.1]}
+    assert issues(arc, plate=holed) == ["beams[1].points: 2 m over an opening with a corner or an arc"]
+    rib = ACROSS | {"section": {"kind": "rib", "width": 0.3, "height": 0.5, "effective_width": 1.0}}
+    assert issues(rib, plate=holed) == ["beams[1].points: a rib of which 2 m over an opening have no flange"]
+    other = {"name": "other", "points": [(0.0, -2.0), (0.0, 2.0)], "section": SECTION}
+    assert issues(ACROSS, other, plate=holed) == [
+        "beams[1].points: 2 m over an opening where it meets another beam",
+        "beams[2].points: 2 m over an opening where it meets another beam",
+    ]
     beside = model(ACROSS | {"points": [(-3.0, 1.0), (3.0, 1.0)]}, plate=holed)
     assert gs.solve(beside).only.beams[0].way[-1] == pytest.approx(6.0)
 
 
-def test_a_beam_stays_on_one_plate() -> None:
-    """One across a joint is told, one along it too; beams of either side run."""
+def test_a_beam_lies_on_plates() -> None:
+    """One along a joint is told, and one over a strip between plates; one across runs, and beams of either side."""
     plates = [{"name": "other", "outline": {"kind": "rectangle", "x": (3.0, 9.0), "y": (-2.0, 2.0)},
                "thickness": 0.2, "E": 30e9, "nu": 0.2}]  # fmt: skip
     plate = {"name": "one", "length_x": 6.0, "length_y": 4.0, "thickness": 0.2, "E": 30e9, "nu": 0.2}
     joined: dict[str, Any] = {
         "plate": plate, "plates": plates, "joints": [{"kind": "hinge", "between": ["one", "other"]}],
     }  # fmt: skip
-    over = ACROSS | {"points": [(-3.0, 0.0), (6.0, 0.0)]}
     upon = ACROSS | {"points": [(3.0, -2.0), (3.0, 2.0)]}
-    assert issues(over, **joined) == ["beams[1].points: a beam that goes from one plate to another"]
     assert issues(upon, **joined) == ['beams[1]: a beam along the joint "one - other"']
     beside = ACROSS | {"name": "B", "points": [(3.0, 0.0), (9.0, 0.0)]}
     found = gs.solve(model(ACROSS, beside, **joined)).only
     assert found.certificate.holds
     assert [beam.way[-1] for beam in found.beams] == pytest.approx([6.0, 6.0])
+    over = ACROSS | {"points": [(-3.0, 0.0), (6.0, 0.0)]}
+    assert gs.solve(model(over, **joined)).only.beams[0].way[-1] == pytest.approx(9.0)
+    apart = [plates[0] | {"outline": {"kind": "rectangle", "x": (4.0, 9.0), "y": (-2.0, 2.0)}}]
+    assert issues(over, plate=plate, plates=apart) == ["beams[1].points: 1 m between two plates"]
 
 
 def test_a_beam_too_stiff_for_sixteen_digits_is_told() -> None:

@@ -128,8 +128,19 @@ def test_members_lie_beside_each_other() -> None:
     assert issues(WALL, beams=[beam]) == ['walls[1]: a beam along 2 m of "B"']
     assert issues(WALL, WALL | {"name": "V"}) == ['walls[2]: a beam along 4 m of "W"']
     assert len(model(WALL, {"name": "V", "thickness": 0.2, "points": WALL["points"]}).members) == 1
-    assert issues(WALL, plate={"length_x": 6.0, "length_y": 4.0, "thickness": 0.3, "E": 30e9, "nu": 0.2,
-                               "openings": [{"kind": "rectangle", "x": (-0.5, 0.5), "y": (-0.5, 0.5)}]})  # fmt: skip
+
+
+def test_stiff_walls_span_openings_of_the_slab() -> None:
+    """A wall with a height does, openings in it beside those; one without has nothing to carry its load."""
+    holed = {"length_x": 6.0, "length_y": 4.0, "thickness": 0.3, "E": 30e9, "nu": 0.2,
+             "openings": [{"kind": "rectangle", "x": (-0.5, 0.5), "y": (-0.5, 0.5)}]}  # fmt: skip
+    assert [span.length for span in model(WALL, plate=holed).spans] == pytest.approx([1.0])
+    soft = {"name": "V", "thickness": 0.2, "points": WALL["points"]}
+    assert issues(soft, plate=holed) == ["walls[1]: a part off the plate, at (-0.5, 0) m"]
+    beside = WALL | {"openings": [{"start": 0.2, "end": 1.0, "height": 1.0}]}
+    assert gs.solve(model(beside, plate=holed, mesh={"size": 0.5})).only.certificate.holds
+    above = WALL | {"openings": [{"start": 0.2, "end": 2.0, "height": 1.0}]}
+    assert issues(above, plate=holed)[0] == "walls[1]: 0.5 m of 1.8 m that do not lie on the plate"
 
 
 def test_the_strength_of_stiff_walls_is_not_checked() -> None:

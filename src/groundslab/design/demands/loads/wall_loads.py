@@ -13,11 +13,12 @@ from groundslab.design.demands.loads.building_loads import unit_loads
 from groundslab.design.demands.loads.column_loads import factors_of
 from groundslab.model.model import Model
 from groundslab.model.structure.walls import Wall
-from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult
 
 #: Places along a wall at which the settlement is looked up.
 PLACES = 101
+#: Places closer to a line than this share of its length lie on it.
+ROUNDING = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,16 +73,33 @@ class WallSettlement:
         return float(off[np.argmax(np.abs(off))])
 
 
-def settlement_along(wall: Wall) -> Callable[[PlateResult], WallSettlement]:
-    """Return the function that gives the settlement of a plate along a wall."""
+def settlement_along(model: Model, wall: Wall) -> Callable[[CombinationResult], WallSettlement]:
+    """Return the function that gives the settlement of the plate along a wall, over openings that of the wall."""
     edges = wall.edges
     starts = np.concatenate([[0.0], np.cumsum([edge.length for edge in edges])])
     way = np.linspace(0.0, starts[-1], PLACES)
     number = np.clip(np.searchsorted(starts, way, side="right") - 1, 0, len(edges) - 1)
     parts = np.clip((way - starts[number]) / np.array([edge.length for edge in edges])[number], 0.0, 1.0)
     places = np.concatenate([edge.at(parts[number == n]) for n, edge in enumerate(edges)])
+    over = np.zeros(len(places), dtype=bool)
+    for span in model.spans:
+        over |= span.distance(places) <= ROUNDING * wall.length
 
-    def along(plate: PlateResult) -> WallSettlement:
-        return WallSettlement(way, plate.value_at("settlement", *places.T))
+    def along(results: CombinationResult) -> WallSettlement:
+        w = np.empty(len(way))
+        w[~over] = results.plate.value_at("settlement", *places[~over].T)
+        if over.any():
+            w[over] = np.interp(way[over], *_of_members(model, wall, results))
+        return WallSettlement(way, w)
 
     return along
+
+
+def _of_members(model: Model, wall: Wall, results: CombinationResult) -> tuple[Array, Array]:
+    """Return ways along a wall with a height [m], and its settlement there [m]."""
+    stiff = [each.name for each in model.walls if each.height is not None]
+    parts = [beam for beam, number in zip(results.beams, model.wall_of_members, strict=True)
+             if number >= 0 and stiff[number] == wall.name]  # fmt: skip
+    starts = np.cumsum([0.0, *(beam.way[-1] for beam in parts)])
+    ways = [start + beam.way for start, beam in zip(starts, parts, strict=False)]
+    return np.concatenate(ways), np.concatenate([beam.settlement for beam in parts])

@@ -52,12 +52,12 @@ def wall_limit_table(combined: Results) -> Table:
 def wall_table(combined: Results) -> Table:
     """Return load, settlement and deflection of each wall in each combination."""
     model = combined.model
-    walls = [(wall, loads_on_wall(model, wall), settlement_along(wall)) for wall in model.placed_walls]
+    walls = [(wall, loads_on_wall(model, wall), settlement_along(model, wall)) for wall in model.placed_walls]
     rows: list[list[Cell]] = []
     for results in solved_results(combined):
         for wall, loads, along in walls:
             force, couple = loads.in_combination(results)
-            line = along(results.plate)
+            line = along(results)
             w = line.w * 1e3
             bent: list[Cell] = [None, None]
             if not wall.closed:

@@ -1,0 +1,99 @@
+"""Spans of beams and walls over openings of the plate, from edge to edge, where nothing but they themselves goes on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import lru_cache
+from itertools import accumulate, pairwise
+
+import numpy as np
+
+from groundslab.geometry.plan import Segment
+from groundslab.geometry.validity import TOO_CLOSE
+from groundslab.model.plate import Plate
+from groundslab.model.plates.further import FurtherPlate
+from groundslab.model.plates.region import NO_PART, PlateRegion, get_plate_region, parts_on_plates
+from groundslab.model.structure.beams import Beam, RibSection
+from groundslab.model.structure.lines import Path, part_of_line
+from groundslab.schema.issues import RelativeIssue
+
+Ways = tuple[tuple[float, float], ...]
+
+
+@lru_cache(maxsize=1024)
+def _ways_on_plates(beam: Beam, plate: Plate, plates: tuple[FurtherPlate, ...]) -> Ways:
+    """Return the parts of a beam on the plates, from way to way along it [m], one after the other."""
+    region = get_plate_region(plate, plates)
+    found = list[tuple[float, float]]()
+    for edge, low in zip(beam.edges, _starts(beam), strict=False):
+        for start, end in parts_on_plates(region, edge):
+            part = low + start * edge.length, low + end * edge.length
+            if found and part[0] - found[-1][1] <= NO_PART * beam.length:
+                found[-1] = found[-1][0], part[1]
+            else:
+                found.append(part)
+    return tuple(found)
+
+
+def _starts(beam: Beam) -> list[float]:
+    """Return the ways along a beam [m] at which its edges start, and the last one ends."""
+    return [*accumulate((edge.length for edge in beam.edges), initial=0.0)]
+
+
+def spans_of(beam: Beam, plate: Plate, plates: tuple[FurtherPlate, ...] = ()) -> Ways:
+    """Return where a beam spans openings of the plate, from way to way along it [m]."""
+    return tuple((before, after) for (_, before), (after, _) in pairwise(_ways_on_plates(beam, plate, plates)))
+
+
+def spans_as_segments(beam: Beam, plate: Plate, plates: tuple[FurtherPlate, ...] = ()) -> tuple[Segment, ...]:
+    """Return where a beam spans openings of the plate, as straight lines along it."""
+    lines = (part_of_line(beam.edges, *span)[0] for span in spans_of(beam, plate, plates))
+    return tuple(Segment(line[0], line[-1]) for line in lines)
+
+
+def paths_on_plates(beam: Beam, plate: Plate, plates: tuple[FurtherPlate, ...] = ()) -> tuple[Path, ...]:
+    """Return the parts of a beam that a mesh is to follow, as `Beam.path`."""
+    if beam.path is None:
+        return ()
+    on_plates = _ways_on_plates(beam, plate, plates)
+    return (beam.path,) if len(on_plates) < 2 else tuple(part_of_line(beam.edges, *part) for part in on_plates)
+
+
+def check_spans(region: PlateRegion, beams: tuple[Beam, ...]) -> Iterator[RelativeIssue]:
+    """Find beams that span an opening otherwise than straight from edge to edge of one plate, and by themselves."""
+    from shapely import LineString, Point
+
+    near = TOO_CLOSE * region.size
+    for number, beam in enumerate(beams):
+        place = ("beams", number, "points" if beam.points is not None else "shape")
+        starts = np.array(_starts(beam))
+        for start, end in spans_of(beam, region.plate, region.plates):
+            said = f"{end - start:.3g} m over an opening"
+            inside = (starts[1:-1] > start + NO_PART * beam.length) & (starts[1:-1] < end - NO_PART * beam.length)
+            edge = beam.edges[min(int(np.searchsorted(starts, (start + end) / 2)) - 1, len(beam.edges) - 1)]
+            if inside.any() or not edge.straight:
+                yield RelativeIssue(place, f"{said} with a corner or an arc", "a straight line over an opening")
+                continue
+            line = LineString(part_of_line(beam.edges, start, end)[0])
+            ends = [Point(each) for each in line.coords]
+            if isinstance(beam.section, RibSection):
+                hint = "divide the rib, with a rectangle over the opening that reaches onto the plate"
+                expected = "a rectangle, a section by its properties or a wall there"
+                yield RelativeIssue(place, f"a rib of which {said} have no flange", expected, hint)
+            elif not any(all(area.distance(each) <= region.near for each in ends) for area in region.areas):
+                expected = "plates that touch where a beam goes on from one to the next"
+                yield RelativeIssue(place, f"{end - start:.3g} m between two plates", expected)
+            elif end - start < near:
+                yield RelativeIssue(place, said, f"at least {near:.3g} m", "leave so narrow an opening out")
+            else:
+                yield from _check_alone(place, said, number, line, beams, near)
+
+
+def _check_alone(
+    place: tuple[str | int, ...], said: str, number: int, line: object, beams: tuple[Beam, ...], near: float
+) -> Iterator[RelativeIssue]:
+    """Find other beams that a span meets over the opening, where no node joins them."""
+    for other, beam in enumerate(beams):
+        if other != number and beam.to_shapely(near).distance(line) < near:
+            yield RelativeIssue(place, f"{said} where it meets another beam", "one beam over an opening by itself")
+            return
