@@ -217,3 +217,14 @@ def test_two_beams_cross_where_four_slabs_meet() -> None:
     one, other = results.beams
     assert one.moment == pytest.approx(other.moment, abs=5e-3 * one.moment.max())
     assert np.abs(one.moment[np.linalg.norm(one.nodes, axis=1) < 1e-9]).min() > 0.05 * one.moment.max()
+
+
+def test_a_beam_weighs_on_each_slab_what_it_is_beside_it() -> None:
+    """Slabs of 20 cm and 30 cm, of which a self-weight names the second: half of the beam, 0.4 * 0.5 m2 of it."""
+    outline = {"kind": "rectangle", "x": (0.0, 5.0), "y": (-1.5, 1.5)}
+    beam = {"name": "B", "section": {"kind": "rectangle", "width": 0.4, "height": 0.8}, "points": POINTS}
+    thicker = [{"name": "b", "outline": outline, "thickness": 0.3, "E": E, "nu": 0.0}]
+    for plate, volume in (("a", 0.2 * 15.0 + 0.4 * 0.6 * 4.0), ("b", 0.3 * 15.0 + 0.4 * 0.5 * 4.0)):
+        load = {"kind": "self weight", "unit_weight": 25e3, "beams": True, "plate": plate}
+        results = only(slabs("hinge", 3.0, plates=thicker, loads=[load], beams=[beam], mesh={"size": 0.5}))
+        assert results.certificate.load == pytest.approx(25e3 * volume, rel=1e-9)

@@ -154,3 +154,12 @@ def test_spans_turned_about_and_mirrored_answer_alike() -> None:
     axial = over_opening(one)["axial"]
     assert axial == pytest.approx(axial[0], rel=1e-9)
     assert abs(axial[0]) > 1e3
+
+
+def test_a_beam_weighs_all_of_its_section_over_an_opening() -> None:
+    """40 cm by 80 cm in a slab of 30 cm: 0.4 * 0.5 m2 beside the slab, 0.4 * 0.8 m2 over 4 m of opening."""
+    beam = BEAM | {"section": {"kind": "rectangle", "width": 0.4, "height": 0.8}}
+    weight = {"kind": "self weight", "unit_weight": 25e3, "beams": True}
+    results = only(slab(beam=beam, loads=[weight]))
+    concrete = 0.3 * (12.0 * 8.0 - 4.0 * 2.0) + 0.4 * 0.5 * 4.0 + 0.4 * 0.8 * 4.0
+    assert results.certificate.load == pytest.approx(25e3 * concrete, rel=1e-9)

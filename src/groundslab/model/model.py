@@ -33,8 +33,8 @@ from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.structure.beams import Beam
 from groundslab.model.structure.building import Building, check_building
 from groundslab.model.structure.columns import Column
-from groundslab.model.structure.members import check_members, members_of, wall_of_members
-from groundslab.model.structure.spans import spans_as_segments
+from groundslab.model.structure.members import as_beam, check_members, members_of, wall_of_members
+from groundslab.model.structure.spans import Ways, spans_as_segments, spans_of
 from groundslab.model.structure.walls import Wall, place_walls
 from groundslab.model.supports import Support, check_piles
 from groundslab.schema import reference
@@ -206,6 +206,13 @@ class Model(Section):
     def spans(self) -> tuple[Segment, ...]:
         """Return where members span openings of the plates."""
         return tuple(span for each in self.members for span in spans_as_segments(each, self.plate, self.plates))
+
+    @property
+    def spans_of_walls(self) -> dict[str, Ways]:
+        """Return where walls with a height span openings of the plates, from way to way along each by its name [m]."""
+        stiff = (wall for wall in self.placed_walls if wall.height is not None)
+        found = {wall.name: spans_of(as_beam(wall), self.plate, self.plates) for wall in stiff}
+        return {name: spans for name, spans in found.items() if spans}
 
     @property
     def _stiff_walls(self) -> tuple[Wall, ...]:

@@ -83,7 +83,11 @@ def loaded_ends(model: Model) -> tuple[WallEnd, ...]:
     loaded = {getattr(load, "wall", "") for load in model.loads} - {""}
     if not loaded:
         return ()
-    return tuple(end for end in wall_ends(model.placed_walls) if any(leg.wall in loaded for leg in end.legs))
+    return tuple(
+        end
+        for end in wall_ends(model.placed_walls, model.spans_of_walls)
+        if any(leg.wall in loaded for leg in end.legs)
+    )
 
 
 #: Those of a model, by its mesh.

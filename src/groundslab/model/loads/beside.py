@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from groundslab.model.ground import AnyGround, carry_shear
 from groundslab.model.loads.load_types import AnyLoad, OnGround, presses_ground
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import FurtherPlate, bounds_of
+from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of
 from groundslab.model.plates.region import NO_PART, PlateRegion, get_plate_region
 from groundslab.model.settings import Beyond, Side
 from groundslab.model.varying_ground import SoilZone
@@ -19,7 +19,7 @@ FARTHEST = 20.0
 
 
 def distances_beyond(
-    plate: Plate, loads: Sequence[AnyLoad], plates: tuple[FurtherPlate, ...] = ()
+    plate: AnyPlate, loads: Sequence[AnyLoad], plates: tuple[FurtherPlate, ...] = ()
 ) -> dict[Side, float]:
     """Return how far loads on the ground reach beyond each side of the rectangle around the plates [m]."""
     x0, x1, y0, y1 = bounds_of(plate, plates)

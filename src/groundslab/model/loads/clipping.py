@@ -18,7 +18,7 @@ from groundslab.model.loads.acting import AreaPressure, LineForce, Pressure
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_types import AnyLoad, Spread
 from groundslab.model.plate import Plate
-from groundslab.model.plates.further import FurtherPlate, list_plates
+from groundslab.model.plates.further import AnyPlate, FurtherPlate, list_plates
 from groundslab.model.plates.region import NO_PART, PlateRegion, get_plate_region, parts_on_plates
 from groundslab.model.structure.walls import Wall, place_walls
 from groundslab.schema.issues import RelativeIssue
@@ -112,7 +112,7 @@ def check_distributed_loads(
             yield RelativeIssue(("loads", clipped.number - 1), "a load off the plate", expected)
 
 
-def clip_line(plate: Plate, line: LineForce, plates: tuple[FurtherPlate, ...] = ()) -> list[LinePiece]:
+def clip_line(plate: AnyPlate, line: LineForce, plates: tuple[FurtherPlate, ...] = ()) -> list[LinePiece]:
     """Return the parts of a line force that lie on a plate."""
     return _clip_line(get_plate_region(plate, plates), line)
 

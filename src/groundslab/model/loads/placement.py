@@ -12,10 +12,12 @@ from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_types import AnyLoad, PointLoad, SelfWeight, Spread
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, list_plates
-from groundslab.model.plates.region import PlateRegion
+from groundslab.model.plates.region import NO_PART, PlateRegion, get_plate_region
 from groundslab.model.shapes import CHORD
 from groundslab.model.structure.beams import Beam
 from groundslab.model.structure.columns import Column
+from groundslab.model.structure.lines import line_segments, part_of_line
+from groundslab.model.structure.spans import spans_of, ways_on_plates
 from groundslab.model.structure.walls import Wall
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.repairs import use_nearest
@@ -124,11 +126,18 @@ def _check_names_of(loads: tuple[AnyLoad, ...], key: str, names: list[str]) -> I
 def weights_of(
     beams: tuple[Beam, ...], plate: Plate, plates: tuple[FurtherPlate, ...], load: SelfWeight
 ) -> Iterator[LineForce]:
-    """Yield the weight of each beam of concrete along its axis, on the plates that a load names."""
-    every, region = list_plates(plate, plates), PlateRegion(plate, plates)
+    """Yield the weight of each beam of concrete along its axis, on the plates that a load names.
+
+    Over an opening there is nothing of the plate in it.
+    """
+    every, region = list_plates(plate, plates), get_plate_region(plate, plates)
     for beam in beams:
-        own = every[region.plate_at(beam.edges[0].middle)]
-        area = beam.beside_plate(own.thickness)
-        if area > 0 and load.plate in ("", own.name):
-            q = load.unit_weight * area
-            yield LineForce(beam.edges, q=(q, q))
+        parts = [(own, beam.beside_plate(own.thickness), way) for own in every for way in ways_on_plates(beam, own)]
+        for start, end in spans_of(beam, plate, plates):
+            points, _ = part_of_line(beam.edges, start, end)
+            parts.append((every[region.plate_at(points[0])], beam.beside_plate(0.0), (start, end)))
+        for own, area, way in parts:
+            if area > 0 and load.plate in ("", own.name):
+                whole = way[1] - way[0] >= (1 - NO_PART) * beam.length
+                edges = beam.edges if whole else line_segments(*part_of_line(beam.edges, *way), None)
+                yield LineForce(edges, q=(load.unit_weight * area,) * 2)

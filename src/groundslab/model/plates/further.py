@@ -71,16 +71,16 @@ class FurtherPlate(Section):
 AnyPlate = Plate | FurtherPlate
 
 
-def list_plates(plate: Plate, plates: Sequence[FurtherPlate]) -> tuple[AnyPlate, ...]:
+def list_plates(plate: AnyPlate, plates: Sequence[FurtherPlate]) -> tuple[AnyPlate, ...]:
     """Return the first plate and the further ones."""
     return plate, *plates
 
 
-def bounds_of(plate: Plate, plates: Sequence[FurtherPlate]) -> tuple[float, float, float, float]:
+def bounds_of(plate: AnyPlate, plates: Sequence[FurtherPlate]) -> tuple[float, float, float, float]:
     """Return the rectangle x0, x1, y0, y1 around plates [m]."""
     return (
         plate.bounds
-        if not plates
+        if isinstance(plate, Plate) and not plates
         else get_bounds(edge for slab in list_plates(plate, plates) for edge in slab.ring().segments())
     )
 

@@ -15,7 +15,6 @@ from groundslab.geometry.intersections import find_crossings
 from groundslab.geometry.places import same_place
 from groundslab.geometry.plan import Place, Segment
 from groundslab.geometry.regions import Region
-from groundslab.model.plate import Plate
 from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, list_plates
 from groundslab.model.shapes import CHORD
 
@@ -34,7 +33,7 @@ TANGENT = 2 * math.pi / 256
 class PlateRegion:
     """What plates cover in plan, computed once for all checks."""
 
-    def __init__(self, plate: Plate, plates: tuple[FurtherPlate, ...] = ()) -> None:
+    def __init__(self, plate: AnyPlate, plates: tuple[FurtherPlate, ...] = ()) -> None:
         self.plate, self.plates, self.every = plate, plates, list_plates(plate, plates)
         self.bounds = bounds_of(plate, plates)
         x0, x1, y0, y1 = self.bounds

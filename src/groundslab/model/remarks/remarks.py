@@ -19,6 +19,7 @@ from groundslab.model.loads.patterns import absent_forces
 from groundslab.model.remarks.case_use import CaseUse, case_uses
 from groundslab.model.remarks.resultants import case_forces
 from groundslab.model.structure.columns import overlapping_columns
+from groundslab.model.structure.spans import spans_of
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.wording import listed, quote
 from groundslab.units import show
@@ -91,6 +92,7 @@ def find_remarks(model: Model, combinations: Sequence[Combination] | None = None
         *_on_limit_states(uses, combinations),
         *_on_cases_by_themselves(model, uses),
         *_on_columns(model),
+        *_on_spans(model),
         *_on_clipped_loads(model),
         *_on_patterns(model),
         *_on_repeated(model, uses, combinations),
@@ -161,6 +163,19 @@ def _on_columns(model: Model) -> Iterator[Remark]:
     """Yield the columns that stand in each other."""
     for words in overlapping_columns(model.columns):
         yield Remark(("columns",), words)
+
+
+def _on_spans(model: Model) -> Iterator[Remark]:
+    """Yield the beams and walls that span openings of the plate: what they do there."""
+    stiff = [number for number, wall in enumerate(model.walls) if wall.height is not None]
+    for number, (beam, wall) in enumerate(zip(model.members, model.wall_of_members, strict=True)):
+        lengths = [show(end - start, "length") for start, end in spans_of(beam, model.plate, model.plates)]
+        if lengths:
+            place = ("beams", number) if wall < 0 else ("walls", stiff[wall])
+            what = f"beam {quote(beam.name)}" if wall < 0 else f"wall {quote(model.walls[stiff[wall]].name)}"
+            openings = "an opening" if len(lengths) == 1 else "openings"
+            words = f"{what} spans {openings} of the plate, {', '.join(lengths)} wide"
+            yield Remark(place, f"{words}: what acts on it there goes to both edges")
 
 
 def _on_clipped_loads(model: Model) -> Iterator[Remark]:

@@ -195,7 +195,7 @@ def _check_on_plates(region: PlateRegion, beams: tuple[Beam, ...]) -> Iterator[R
                  for area in region.areas]  # fmt: skip
         if unary_union(areas).covers(axis):
             continue
-        spans = sum(end - start for start, end in spans_of(beam, region.plate, region.plates))
+        spans = sum((end - start for start, end in spans_of(beam, region.plate, region.plates)), 0.0)
         place = ("beams", number, "points" if beam.points is not None else "shape")
         over = axis.length - unary_union(areas).intersection(axis).length - spans
         if over <= max(region.near, 2 * chord):

@@ -10,8 +10,7 @@ import numpy as np
 
 from groundslab.geometry.plan import Segment
 from groundslab.geometry.validity import TOO_CLOSE
-from groundslab.model.plate import Plate
-from groundslab.model.plates.further import FurtherPlate
+from groundslab.model.plates.further import AnyPlate, FurtherPlate
 from groundslab.model.plates.region import NO_PART, PlateRegion, get_plate_region, parts_on_plates
 from groundslab.model.structure.beams import Beam, RibSection
 from groundslab.model.structure.lines import Path, part_of_line
@@ -21,7 +20,7 @@ Ways = tuple[tuple[float, float], ...]
 
 
 @lru_cache(maxsize=1024)
-def _ways_on_plates(beam: Beam, plate: Plate, plates: tuple[FurtherPlate, ...]) -> Ways:
+def ways_on_plates(beam: Beam, plate: AnyPlate, plates: tuple[FurtherPlate, ...] = ()) -> Ways:
     """Return the parts of a beam on the plates, from way to way along it [m], one after the other."""
     region = get_plate_region(plate, plates)
     found = list[tuple[float, float]]()
@@ -40,22 +39,22 @@ def _starts(beam: Beam) -> list[float]:
     return [*accumulate((edge.length for edge in beam.edges), initial=0.0)]
 
 
-def spans_of(beam: Beam, plate: Plate, plates: tuple[FurtherPlate, ...] = ()) -> Ways:
+def spans_of(beam: Beam, plate: AnyPlate, plates: tuple[FurtherPlate, ...] = ()) -> Ways:
     """Return where a beam spans openings of the plate, from way to way along it [m]."""
-    return tuple((before, after) for (_, before), (after, _) in pairwise(_ways_on_plates(beam, plate, plates)))
+    return tuple((before, after) for (_, before), (after, _) in pairwise(ways_on_plates(beam, plate, plates)))
 
 
-def spans_as_segments(beam: Beam, plate: Plate, plates: tuple[FurtherPlate, ...] = ()) -> tuple[Segment, ...]:
+def spans_as_segments(beam: Beam, plate: AnyPlate, plates: tuple[FurtherPlate, ...] = ()) -> tuple[Segment, ...]:
     """Return where a beam spans openings of the plate, as straight lines along it."""
     lines = (part_of_line(beam.edges, *span)[0] for span in spans_of(beam, plate, plates))
     return tuple(Segment(line[0], line[-1]) for line in lines)
 
 
-def paths_on_plates(beam: Beam, plate: Plate, plates: tuple[FurtherPlate, ...] = ()) -> tuple[Path, ...]:
+def paths_on_plates(beam: Beam, plate: AnyPlate, plates: tuple[FurtherPlate, ...] = ()) -> tuple[Path, ...]:
     """Return the parts of a beam that a mesh is to follow, as `Beam.path`."""
     if beam.path is None:
         return ()
-    on_plates = _ways_on_plates(beam, plate, plates)
+    on_plates = ways_on_plates(beam, plate, plates)
     return (beam.path,) if len(on_plates) < 2 else tuple(part_of_line(beam.edges, *part) for part in on_plates)
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Literal
@@ -17,6 +17,8 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.geometry.plan import FLAT, Place, Segment, get_bounds
+from groundslab.model.structure.lines import line_segments, part_of_line
+from groundslab.model.structure.spans import Ways
 from groundslab.model.structure.walls import Wall
 
 #: An axis that turns by more has a corner, and of walls that meet the outer angle is larger than 180 degrees by more.
@@ -33,6 +35,7 @@ class WallLeg:
     angle: float  # of its direction there [rad]
     length: float  # of its axis up to its next end or corner [m]
     share: float  # of the wall's length that lies before the place
+    over: float | None = None  # that length [m] where the wall goes on over an opening of the plate
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +59,8 @@ class WallEnd:
     def label(self) -> str:
         """Return which end or corner it is."""
         if self.kind == "end":
-            return "end" if self.legs[0].share else "start"
+            leg = self.legs[0]
+            return f"edge at {leg.over:.6g} m" if leg.over is not None else "end" if leg.share else "start"
         return f"corner {self.number}" if self.number else "corner"
 
     @property
@@ -85,9 +89,13 @@ class _Run:
     tips: tuple[WallLeg, WallLeg]
 
 
-def wall_ends(walls: Sequence[Wall]) -> tuple[WallEnd, ...]:
-    """Return the free ends and the corners of walls."""
-    runs = [run for wall in walls for run in _runs(wall)]
+def wall_ends(walls: Sequence[Wall], spans: Mapping[str, Ways] | None = None) -> tuple[WallEnd, ...]:
+    """Return the free ends and the corners of walls.
+
+    Where a wall spans an opening of the plate, from way to way along it [m] by its name, it ends at both edges.
+    """
+    known = spans or {}
+    runs = [part for wall in walls for run in _runs(wall) for part in _beside(run, wall, known.get(wall.name, ()))]
     tips = [(number, tip) for number, run in enumerate(runs) for tip in run.tips]
     boxes = np.array([get_bounds(run.edges) for run in runs]).reshape(-1, 2, 2)
     found = [end for group in _groups(tips) for end in _ends([tips[i] for i in group], runs, boxes)]
@@ -120,6 +128,31 @@ def _runs(wall: Wall) -> Iterator[_Run]:
             WallLeg(wall.name, wall.thickness, some[-1].end, some[-1].direction(1.0) + math.pi, length, end),
         )
         yield _Run(wall.thickness, some, tips)
+
+
+def _beside(run: _Run, wall: Wall, spans: Ways) -> Iterator[_Run]:
+    """Yield the parts of a run on the plate, beside spans over openings."""
+    whole, length = wall.length, run.tips[0].length
+    begin = run.tips[0].share * whole
+    inside = [(a - begin, b - begin) for a, b in spans if a > begin and b < begin + length]
+    if not inside:
+        yield run
+        return
+    low: tuple[float, WallLeg] = (0.0, run.tips[0])
+    for start, end in (*inside, (length, None)):
+        edges = line_segments(*part_of_line(run.edges, low[0], start), None)
+        last = run.tips[1]
+        if end is not None:
+            angle = edges[-1].direction(1.0) + math.pi
+            last = replace(last, place=edges[-1].end, angle=angle, share=(begin + start) / whole, over=begin + start)
+        parts = tuple(replace(tip, length=start - low[0]) for tip in (low[1], last))
+        yield replace(run, edges=edges, tips=(parts[0], parts[1]))
+        if end is not None:
+            ((place, *_), _) = part_of_line(run.edges, end, length)
+            low = (
+                end,
+                replace(run.tips[0], place=place, angle=angle + math.pi, share=(begin + end) / whole, over=begin + end),
+            )
 
 
 def _turn(before: Segment, after: Segment) -> float:

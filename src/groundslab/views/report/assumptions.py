@@ -40,6 +40,10 @@ _BEAMS = (
     "plane; a rib has a flange of its effective width. Eccentric ones stretch the plate in its plane instead, in which "
     "nothing else holds it. They weigh what loads say."
 )
+_SPANS = (
+    "Over openings of the plate beams and walls span from edge to edge by themselves; what acts on them there goes to "
+    "both edges."
+)
 _BUILDING = (
     "Loads on columns and walls are those of the building on a base that does not move. Its stiffness, which is linear "
     "and there from the first load on, changes them as the slab settles; it moves with the means of its footprints."
@@ -125,10 +129,14 @@ def _of_supports(model: Model) -> Iterator[str]:
         yield f"Supports and piles with a limit yield there and keep that force: {names}."
     if model.members:
         yield _BEAMS
+    if model.spans:
+        yield _SPANS
     if model.building is not None:
         yield _BUILDING
     if model.joints:
-        yield "Joints transfer shear by the difference in settlement across them, and no moments."
+        yield "Joints transfer shear by the difference in settlement across them, and no moments." + (
+            " Beams and walls that cross them go on." if model.members else ""
+        )
 
 
 def _of_pressure(combined: Results) -> Iterator[str]:

@@ -137,3 +137,16 @@ def test_corners_of_the_same_walls_are_numbered() -> None:
     """Two walls that meet at both ends."""
     roof = wall("B", (0, 0), (2.5, 3), (5, 0))
     assert named(A, roof) == ["corner 1 of A and B", "corner 2 of A and B", "corner of B"]
+
+
+def test_a_wall_ends_at_the_edges_of_openings_that_it_spans() -> None:
+    """At both edges, with the wall between them and its next end or corner as its leg; the corner stays."""
+    walls = [wall("A", (-4, 0), (4, 0), (4, 4))]
+    found = {end.name: end for end in wall_ends(walls, {"A": ((2.0, 6.0),)})}
+    assert list(found) == ["start of A", "edge at 2 m of A", "edge at 6 m of A", "corner of A", "end of A"]
+    assert found["edge at 2 m of A"].place == (-2.0, 0.0)
+    assert found["edge at 6 m of A"].place == (2.0, 0.0)
+    assert [leg.length for end in found.values() for leg in end.legs] == pytest.approx([2.0, 2.0, 2.0, 2.0, 4.0, 4.0])
+    assert [end.legs[0].angle % (2 * math.pi) for end in found.values() if "edge" in end.name] == pytest.approx(
+        [math.pi, 0.0], abs=1e-12
+    )
