@@ -122,8 +122,8 @@ def unusual() -> None:
     raise Local("local")
 
 
-def check_slowly(document: Document) -> CheckResult:
+def check_slowly(document: Document, folder: Path | None = None) -> CheckResult:
     """Return what a text means; one with "# slow" takes for ever."""
     while "# slow" in document.text:
         time.sleep(0.005)
-    return parsing.check(document)
+    return parsing.check(document, folder)

@@ -11,9 +11,11 @@ import traceback
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
+from pathlib import Path
 from typing import Any
 
 from groundslab.case import casefile
+from groundslab.case.building_file import with_matrix
 from groundslab.errors import InputError, Issue
 from groundslab.workbench.editing import diagnostics
 from groundslab.workbench.editing.document import Document, Edit
@@ -25,7 +27,7 @@ class CheckResult:
 
     The fingerprint is the same for texts that describe the same model, and empty for one that describes none;
     ``issues_json`` and ``remarks_json`` hold the issues, and the remarks on a case without any, as the page shows them,
-    with paths and lines.
+    with paths and lines. ``text`` describes the model by itself, with what another file holds, empty if none does.
     """
 
     fingerprint: str
@@ -33,6 +35,7 @@ class CheckResult:
     issues_json: list[dict[str, Any]]
     plan: dict[str, Any] | None
     remarks_json: list[dict[str, Any]] = field(default_factory=list)
+    text: str = ""
 
 
 def warm_up() -> None:
@@ -49,8 +52,11 @@ def parse(document: Document) -> dict[str, Any] | None:
         return None  # such deep nesting can only be edited as text
 
 
-def check(document: Document) -> CheckResult:
-    """Check a text; an error of the program becomes an issue, so that the text can still be edited and saved."""
+def check(document: Document, folder: Path | None = None) -> CheckResult:
+    """Check the text of a file in a folder.
+
+    An error of the program becomes an issue, so that the text can still be edited and saved.
+    """
     document = _cache(document)
     try:
         from groundslab.model.combinations import list_combinations
@@ -58,10 +64,10 @@ def check(document: Document) -> CheckResult:
         from groundslab.views.scene.plan import plan_of
 
         data = document.data
-        model = casefile.loads(document.text, diagnostics.NAME) if data is None else casefile.from_table(data)
+        model = casefile.loads(document.text, diagnostics.NAME) if data is None else casefile.from_table(data, folder)
         fingerprint = hashlib.sha256(casefile.to_toml(model).encode()).hexdigest()
         remarks = diagnostics.remarks_to_json(find_remarks(model, list_combinations(model)), document.layout)
-        return CheckResult(fingerprint, (), [], plan_of(model), remarks)
+        return CheckResult(fingerprint, (), [], plan_of(model), remarks, _by_itself(document, folder))
     except InputError as error:
         issues = error.issues
     except MemoryError:
@@ -72,6 +78,16 @@ def check(document: Document) -> CheckResult:
         issues = (Issue("the description", found, "a description that it can read", "undo the last step"),)
     issues_json = diagnostics.text_issues_to_json(issues, document.layout, document.data is not None)
     return CheckResult("", issues, issues_json, None)
+
+
+def _by_itself(document: Document, folder: Path | None) -> str:
+    """Return the text with the matrix of the building from the file that it names, empty if it names none."""
+    if folder is None or document.data is None or "file" not in document.data.get("building", {}):
+        return ""
+    building = with_matrix(document.data, folder)["building"]
+    edits: list[Edit] = [{"op": "remove", "path": ["building", "file"]}]
+    edits += [{"op": "set", "path": ["building", key], "value": building[key]} for key in ("nodes", "matrix")]
+    return document.apply(edits).text
 
 
 def apply_edits(document: Document, edits: Sequence[Edit]) -> Document:

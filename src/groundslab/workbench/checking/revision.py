@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab.workbench.checking.parsing import CheckResult
@@ -18,6 +19,7 @@ class Revision:
 
     version: int
     document: Document
+    folder: Path | None = None  # of its file, beside which others may be that it names
     data: dict[str, Any] | None = None
     result: CheckResult | None = None  # None while it is being checked
     earlier_plan: dict[str, Any] | None = None
@@ -26,6 +28,11 @@ class Revision:
     def plan(self) -> dict[str, Any] | None:
         """The plan, the previous one while the document is being checked."""
         return self.earlier_plan if self.result is None else self.result.plan
+
+    @property
+    def text(self) -> str:
+        """Return the text that describes its model by itself."""
+        return self.document.text if self.result is None else self.result.text or self.document.text
 
     @property
     def event(self) -> Event:

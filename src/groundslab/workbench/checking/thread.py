@@ -103,7 +103,7 @@ class Checker:
                 revision = replace(revision, data=self._caller.call(parsing.parse, revision.document, **limits))
                 self._on_found(revision)
                 self._mark_done(parsed=revision.version)
-                result = self._caller.call(parsing.check, revision.document, **limits)
+                result = self._caller.call(parsing.check, revision.document, revision.folder, **limits)
             except Interrupted:
                 with self._changed:
                     self._submitted = self._submitted or revision

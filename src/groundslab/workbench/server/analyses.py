@@ -79,7 +79,7 @@ class Analyses:
     def _is_outdated(self, run: int) -> bool:
         """Return whether the document describes another model by now than that of a run."""
         solved, present = self.solver.schedule.results.get(run), self._revision
-        if solved is None or solved.text == present.document.text:
+        if solved is None or solved.text == present.text:
             return False
         return present.result is None or present.result.fingerprint != solved.fingerprint
 
@@ -91,4 +91,4 @@ class Analyses:
 
     def _submit(self, result: CheckResult, delay: float, force: bool = False) -> int:
         revision = self._revision
-        return self.solver.submit(revision.document.text, revision.version, result.fingerprint, delay, force)
+        return self.solver.submit(revision.text, revision.version, result.fingerprint, delay, force)

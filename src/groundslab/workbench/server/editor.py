@@ -89,6 +89,14 @@ class Editor:
                 autosave.decline(offer)
             self.publish_state()
 
+    def follow_file(self) -> None:
+        """Check again if the document names a file beside its own, which has moved to another folder."""
+        with self._lock:
+            file, data = self.copy.file.path, self.revision.data or {}
+            named = isinstance(data.get("building"), dict) and "file" in data["building"]
+            if named and file is not None and file.parent != self.revision.folder:
+                self._set_document(self.copy.document)
+
     def publish_state(self) -> None:
         """Announce that the state has changed, though not the document."""
         self._hub.publish(*self.revision.event)
@@ -100,7 +108,9 @@ class Editor:
 
     def _set_document(self, document: Document) -> None:
         """Replace the document by a new revision."""
-        self.revision = Revision(self.revision.version + 1, document, earlier_plan=self.revision.plan)
+        file = self.copy.file.path
+        folder = None if file is None else file.parent
+        self.revision = Revision(self.revision.version + 1, document, folder, earlier_plan=self.revision.plan)
         self._follow(self.revision)
         self.checker.submit(self.revision)
         self.copy.set_document(document)

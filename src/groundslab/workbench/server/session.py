@@ -73,6 +73,7 @@ class Session:
             target = case_file.resolve_target(name, self.file)
             self.editor.copy.save(target, overwrite, self._lock_file)
             self.hub.publish("saved", {"file": str(target)})
+            self.editor.follow_file()
             self.editor.publish_state()
 
     def open(self, name: str) -> None:

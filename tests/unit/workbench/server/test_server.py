@@ -483,6 +483,26 @@ def test_a_new_document(bench: Bench, case: Path, tmp_path: Path) -> None:
     assert list((tmp_path / "state" / "unsaved").iterdir()) == []
 
 
+def test_the_matrix_of_a_building_is_read_beside_the_case(bench: Bench, case: Path, tmp_path: Path) -> None:
+    """From the folder of the case, also of one it is saved to; what is solved has it in its text, comments too."""
+    columns = "".join(f'[[columns]]\nname = "{name}"\nx = "{x} m"\ny = "0 m"\ndiameter = "0.3 m"\n'
+                      for name, x in (("A", -1), ("B", 0), ("C", 1)))  # fmt: skip
+    text = CASE + columns + '[building] # above\nunit = "kN"\nfile = "frame.csv"\n'
+    (case.parent / "frame.csv").write_text("A,B,C\n1,-2,1\n-2,4,-2\n1,-2,1\n", encoding="utf-8")
+    bench.post("/api/edits", {"edits": [{"op": "text", "value": text}], "text": "a building"})
+    revision = bench.session.editor.revision
+    assert revision.result is not None
+    assert revision.result.issues == ()
+    assert casefile.loads(revision.text).building is not None
+    assert "[building] # above\n" in revision.text
+    assert bench.get("/api/state")["text"] == text
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    bench.post("/api/save", {"file": str(elsewhere / "raft.toml")})
+    (issue,) = bench.get("/api/state")["issues"]
+    assert issue["location"] == "building.file"
+
+
 def test_opening_another_file_loses_nothing(bench: Bench, case: Path) -> None:
     """Unsaved work stays kept when another file is opened, and is offered when one comes back."""
     other = case.with_name("other.toml")
