@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any, ClassVar, Self
 
-from groundslab.geometry.plan import Ring, Segment
+from groundslab.geometry.plan import Place, Ring, Segment
 from groundslab.model import consistency, varying_ground
 from groundslab.model.design.floors import Floor, check_floor
 from groundslab.model.design.limits import Limits, SoilStrength
@@ -31,8 +31,9 @@ from groundslab.model.serviceability.cracking import Cracking, check_cracking
 from groundslab.model.serviceability.long_term import LongTerm, scale_stiffnesses
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
 from groundslab.model.structure.beams import Beam
-from groundslab.model.structure.building import Building, check_building
+from groundslab.model.structure.building import Building, bases, check_building
 from groundslab.model.structure.columns import Column
+from groundslab.model.structure.frame_plan import frame_lines
 from groundslab.model.structure.members import as_beam, check_members, members_of, wall_of_members
 from groundslab.model.structure.spans import Ways, spans_as_segments, spans_of
 from groundslab.model.structure.walls import Wall, place_walls
@@ -213,6 +214,13 @@ class Model(Section):
         stiff = (wall for wall in self.placed_walls if wall.height is not None)
         found = {wall.name: spans_of(as_beam(wall), self.plate, self.plates) for wall in stiff}
         return {name: spans for name, spans in found.items() if spans}
+
+    @property
+    def building_lines(self) -> tuple[tuple[Place, ...], ...]:
+        """Return the places that the beams of the building above run through in plan, from base to base [m]."""
+        above = self.building
+        standing = () if above is None else bases(above, self.columns, self.walls, self.every_plate, max(self.sides))
+        return frame_lines(above, standing)
 
     @property
     def _stiff_walls(self) -> tuple[Wall, ...]:

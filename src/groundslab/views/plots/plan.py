@@ -190,7 +190,8 @@ def _draw_case(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool], 
     legend = symbols.draw_plate(axes, model)
     legend |= symbols.draw_voids(axes, model)
     legend |= symbols.draw_columns(axes, model, takes_part) | symbols.draw_walls(axes, model, takes_part)
-    legend |= symbols.draw_beams(axes, model) | symbols.draw_supports(axes, model)
+    legend |= symbols.draw_beams(axes, model) | symbols.draw_building(axes, model)
+    legend |= symbols.draw_supports(axes, model)
     legend |= symbols.draw_loads(axes, model, lambda load: takes_part(load) and not presses_ground(load))
     axes.set(xlim=(x0, x1), ylim=(y0, y1), aspect="equal")
     for axis, name, low in ((axes.xaxis, "x", x0), (axes.yaxis, "y", y0)):

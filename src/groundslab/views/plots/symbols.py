@@ -212,6 +212,16 @@ def draw_beams(axes: Axes, model: Model) -> Entries:
     return entries
 
 
+def draw_building(axes: Axes, model: Model) -> Entries:
+    """Draw the beams of the building above by dotted lines from base to base."""
+    entries: Entries = {}
+    for line in model.building_lines:
+        (entries["beam of the building"],) = axes.plot(
+            *np.transpose(line), color=INK, linewidth=0.8, linestyle=(0, (1, 2)), zorder=4.5, clip_on=False
+        )
+    return entries
+
+
 def _draw_area(axes: Axes, area: BaseGeometry, **look: Any) -> Any:
     """Draw an area with its holes."""
     from matplotlib.patches import PathPatch

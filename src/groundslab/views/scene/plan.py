@@ -80,6 +80,7 @@ def plan_of(model: Model) -> Data:
         "columns": listed("columns", model.columns, lambda column: _place(column) | {"ring": ring(column.ring())}),
         "walls": listed("walls", model.placed_walls, lambda wall: _wall(wall, chord)),
         "beams": listed("beams", model.beams, lambda beam: _beam(beam, chord)),
+        "building": listed("building.beams", model.building_lines, lambda line: {"points": _rounded(line)}),
         "supports": listed("supports", model.supports, _support),
         "loads": listed("loads", model.loads, lambda load: _load(load, model, chord)),
         "boreholes": listed("boreholes", model.boreholes, _place),

@@ -12,6 +12,7 @@ import groundslab as gs
 from groundslab.case.casefile import load, loads, to_toml
 from groundslab.cli.main import main
 from groundslab.views.report.changes import changes_since
+from groundslab.views.scene.plan import plan_of
 
 SECTION = {"kind": "rectangle", "width": 0.3, "height": 0.5}
 FRAME: dict[str, Any] = {"storeys": [3.0], "E": 30e9, "beams": [{"through": ["A", "B"], "section": SECTION}]}
@@ -187,3 +188,16 @@ def test_digits_of_a_printed_matrix_do_not_matter() -> None:
     rows = np.array(SEESAW) * 1e6 - np.diag([1.0, 0.0, 1.0])
     for unit in ("N", "MN"):
         assert gs.Model(**case(building=matrix(rows.tolist(), "A", "M", "B", unit=unit))).building is not None
+
+
+def test_its_beams_are_drawn_from_base_to_base() -> None:
+    """In plan and in figures; a beam to a wall ends on its axis, where that is nearest."""
+    beams = [{"through": ["A", "M", "B"], "section": SECTION}, {"through": ["M", "W"], "section": SECTION}]
+    model = gs.Model(**case(building=FRAME | {"beams": beams}))
+    lines = (((-4.0, 0.0), (0.0, 0.0), (4.0, 0.0)), ((0.0, 0.0), (0.0, 2.0)))
+    for found, expected in zip(model.building_lines, lines, strict=True):
+        assert np.array(found) == pytest.approx(np.array(expected), abs=0.6)
+    drawn = plan_of(model)["building"]
+    assert [part["path"] for part in drawn] == ["building.beams[1]", "building.beams[2]"]
+    assert drawn[0]["points"] == [[-4.0, 0.0], [0.0, 0.0], [4.0, 0.0]]
+    assert gs.Model(**case()).building_lines == ()

@@ -77,6 +77,11 @@ export interface FurtherPlate extends Area {
   zones: Zone[];
 }
 
+export interface FrameLine {
+  path: string;
+  points: Point[];
+}
+
 export interface Plan {
   bounds: [number, number, number, number]; // x0, y0, x1, y1 of the plate [m]
   outline: Ring;
@@ -87,6 +92,7 @@ export interface Plan {
   columns: Column[];
   walls?: Wall[];
   beams?: Beam[];
+  building?: FrameLine[]; // beams of the building above
   supports: Support[];
   loads: Load[];
   boreholes: Place[];

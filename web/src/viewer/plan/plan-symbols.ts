@@ -1,6 +1,6 @@
 // The symbols of a solved plan.
 import { labelLoads } from "../data/load-labels";
-import type { Area, Beam, Line, Load, Place, Plan, Wall } from "../data/scene";
+import type { Area, Beam, FrameLine, Line, Load, Place, Plan, Wall } from "../data/scene";
 import { plainSymbols } from "../shared/symbols";
 import { type PlanSymbol, thicknessText } from "./symbols";
 
@@ -56,6 +56,7 @@ export function symbolsOf(plan: Plan, layers: Layers, factors: ReadonlyMap<strin
     ...(layers.output ? output : []),
     ...(layers.loads ? labelLoads(plan.loads, factors).flatMap(({ load, text }) => loadSymbol(load, text)) : []),
     ...(layers.supports ? supports : []),
+    ...(layers.columns ? (plan.building ?? []).map(frameSymbol) : []),
     ...(layers.columns ? (plan.beams ?? []).map(beamSymbol) : []),
     ...(layers.columns ? (plan.walls ?? []).map(wallSymbol) : []),
     ...(layers.columns ? plan.columns.map((each) => ({ ...point("column", each), foot: each.ring })) : []),
@@ -69,6 +70,10 @@ function wallSymbol({ name, points, thickness }: Wall): PlanSymbol {
 
 function beamSymbol({ name, points, width }: Beam): PlanSymbol {
   return { kind: "beam", shape: "line", points, texts: [name], width };
+}
+
+function frameSymbol({ points }: FrameLine): PlanSymbol {
+  return { kind: "beam of the building", shape: "line", points, texts: [] };
 }
 
 /** Return the symbol of a load, none if it acts on the entire slab. */

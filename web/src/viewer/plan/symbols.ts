@@ -18,6 +18,7 @@ export type Kind =
   | "column"
   | "wall"
   | "beam"
+  | "beam of the building"
   | "support"
   | "load"
   | "borehole"
@@ -58,6 +59,8 @@ export function drawSymbol(camera: Camera, symbol: PlanSymbol): SVGElement[] {
       return [drawArea(pixels)];
     case "plate":
       return [drawArea(pixels), drawText(leftTop(pixels), text, [6, 15])];
+    case "beam of the building":
+      return [drawPath(pixels, false)];
     case "joint":
       return [drawPath(pixels, false), drawText(middleOf(pixels), text, [6, -6])];
     case "refinement":
