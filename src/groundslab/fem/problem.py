@@ -159,7 +159,7 @@ class Problem:
     def turned(self, forces: Array) -> Array:
         """Return what couples of forces (n, F) on sections of walls are for the plate that these turn with, (n, 3)."""
         b, found = self.beams, np.zeros((len(forces), TOP))
-        for field in np.unique(b.theta[b.deep]):
+        for field in set(b.theta[b.deep].tolist()):
             own, along = b.theta == field, np.zeros((len(forces), 2))
             along[b.sides[own]] = b.along[own]
             found[:, BETA_X : BETA_Y + 1] += forces[:, field, None] * along
