@@ -77,6 +77,33 @@ def test_a_beam_between_thick_slabs_is_fixed() -> None:
     assert rest[4] == pytest.approx(middle, rel=2e-2)
 
 
+def test_a_load_on_half_of_a_span_between_thick_slabs() -> None:
+    """Fixed-end moments of q on the first half: 11 q L^2 / 192 and 5 q L^2 / 192, with hardly any shear deformation."""
+    stiff = BEAM | {"section": SECTION | {"shear_area": 5.0}}
+    load = {"kind": "line", "points": ((-4.0, 0.0), (0.0, 0.0)), "q": 100e3}
+    found = over_opening(only(slab(10.0, beam=stiff, loads=[load])).beams[0])
+    ends = [-11 / 192 * 100e3 * SPAN**2, -5 / 192 * 100e3 * SPAN**2]
+    assert found["moment"][[0, -1]] == pytest.approx(ends, rel=3e-2)
+    assert found["shear"][[0, -1]] == pytest.approx([13 / 32 * 100e3 * SPAN, -3 / 32 * 100e3 * SPAN], rel=1e-2)
+
+
+@pytest.mark.parametrize("parts", [
+    [((-4.0, 0.0), (0.7, 0.0)), ((0.7, 0.0), (4.0, 0.0))],
+    [((4.0, 0.0), (-0.3, 0.0), (-4.0, 0.0))],
+    [((-4.0, 1e-6), (4.0, 1e-6))],
+])  # fmt: skip
+def test_loads_on_a_span_may_come_in_parts(parts: list[tuple[tuple[float, float], ...]]) -> None:
+    """In two lines, in one of two pieces, from the other end, and off the axis by rounding: the same as one line."""
+    whole, divided = (
+        only(slab(loads=[{"kind": "line", "points": points, "q": 100e3} for points in lines]))
+        for lines in ([POINTS], parts)
+    )
+    assert divided.certificate.load == pytest.approx(800e3, rel=1e-6)
+    for name in ("settlement", "moment", "shear"):
+        expected = getattr(whole.beams[0], name)
+        assert getattr(divided.beams[0], name) == pytest.approx(expected, abs=1e-4 * np.abs(expected).max())
+
+
 def test_couples_along_a_span_twist_it() -> None:
     """Line moments of 50 kNm/m between thick slabs: T = m (s - L / 2), nothing else."""
     load = {"kind": "line moment", "points": POINTS, "m": 50e3}
@@ -163,3 +190,20 @@ def test_a_beam_weighs_all_of_its_section_over_an_opening() -> None:
     results = only(slab(beam=beam, loads=[weight]))
     concrete = 0.3 * (12.0 * 8.0 - 4.0 * 2.0) + 0.4 * 0.5 * 4.0 + 0.4 * 0.8 * 4.0
     assert results.certificate.load == pytest.approx(25e3 * concrete, rel=1e-9)
+
+
+def test_a_wall_without_a_height_may_touch_a_span() -> None:
+    """At the edge of the opening, where another member spans it: what it settles there is the slab's."""
+    soft = {"name": "soft", "thickness": 0.2, "points": ((2.0, -3.0), (2.0, 3.0))}
+    results = gs.solve(slab(walls=[WALL, soft]))
+    (table,) = [each for each in tables_of(results) if each.name == "walls"]
+    along = [float(results.only.plate.value_at("settlement", 2.0, y)) for y in np.linspace(-3.0, 3.0, 101)]
+    assert table["greatest settlement"][1] == pytest.approx(1e3 * max(along), rel=1e-9)
+
+
+def test_limits_of_a_wall_with_openings_over_an_opening() -> None:
+    """Both are certified, also where spans bend with hardly any of their stiffness."""
+    wall = WALL | {"openings": [{"start": 0.5, "end": 1.5, "height": 1.0}]}
+    ground = {"kind": "vlasov", "layers": [{"thickness": 5.0, "E": 20e6, "nu": 0.3}]}
+    results = only(slab(walls=[wall], ground=ground, contact={"tensionless": True}, output={"wall_limits": True}))
+    assert [share for share, _ in results.wall_limits] == [0.0, 1.0]

@@ -10,7 +10,7 @@ from groundslab.results.record import WallLimit
 from groundslab.results.results import Results
 
 #: This share of a wall's stiffness is none. The mesh follows the wall all the same.
-NONE = 1e-9
+NONE = 1e-6
 #: Fields of the plate that limits are told of.
 TOLD = ("settlement", "moment_x", "moment_y", "pressure")
 

@@ -210,11 +210,12 @@ def _along(
     [rad] where each begins and ends, (b, 2).
     """
     mesh = plan.mesh
-    found, starts, lengths, angles, before = [], [], [], [], 0.0
+    found, starts, lengths, angles, before, left_over = [], [], [], [], 0.0, list(spans)
     for edge in beam.edges:
         sides = select_along(mesh, every, [edge])
         part = _parts(edge, mesh.nodes[sides[:, 2]])
-        over = [span for span in spans if edge.straight and edge.holds(span.at(HALF)[0], MET * edge.length)]
+        over = [span for span in left_over if edge.straight and edge.holds(span.at(HALF)[0], MET * edge.length)]
+        left_over = [span for span in left_over if span not in over]
         if over:
             sides = np.vstack([sides, [_ends_of_span(plan, span) for span in over]])
             part = np.append(part, _parts(edge, np.concatenate([span.at(HALF) for span in over])))

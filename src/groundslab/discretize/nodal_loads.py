@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from groundslab.arrays import Array
@@ -10,7 +12,7 @@ from groundslab.fem import load_vectors, plate
 from groundslab.fem.assembly import scatter
 from groundslab.fem.hanging import collect
 from groundslab.fem.parts.beams import Beams
-from groundslab.fem.parts.spans import end_forces
+from groundslab.fem.parts.spans import COLUMNS, end_forces, from_to
 from groundslab.fem.problem import BETA_X, TOP, Loading, W
 from groundslab.geometry.plan import FLAT, SAME_PLACE
 from groundslab.model.ground import ContinuousGround
@@ -64,7 +66,7 @@ def _loading(
     pressing = [np.zeros((0, 3))]
     warp = np.zeros(len(elements))
     settlement = np.zeros(len(model.supports))
-    spans, on_spans = model.spans, np.zeros((np.count_nonzero(beams.spans), 4))
+    spans, on_spans = model.spans, [np.zeros((0, COLUMNS))]
     for shape in acting:
         if isinstance(shape, SupportSettlement):
             settlement[[support.name for support in model.supports].index(shape.support)] += shape.w
@@ -82,7 +84,8 @@ def _loading(
                 warp += _warp(shape, model, plan)
             if isinstance(shape, LineForce):
                 for number, piece in pieces_on_spans(shape, spans):
-                    on_spans[number] += (*piece.q, *piece.m)
+                    start, end = (math.dist(spans[number].start, at) for at in (piece.edge.start, piece.edge.end))
+                    on_spans.append(from_to(number, start, end, piece.q, piece.m))
     if not element.center_w:
         forces = np.einsum("ea,eab->eb", forces, element.w_functions(mesh.xy[elements]))
     table = np.zeros((n, fields))
@@ -98,8 +101,9 @@ def _loading(
         if couples[axis].any():
             table[:, BETA_X + axis] = scatter(mesh.elements[elements], couples[axis], n)
     table = collect(mesh.elements, table)
-    if on_spans.any():
-        force, turning, twisting = end_forces(beams, on_spans)
+    of_spans = np.vstack(on_spans)
+    if len(of_spans):
+        force, turning, twisting = end_forces(beams, of_spans)
         _add_from_spans(table, beams, mesh.nodes, (force, turning, twisting))
         plate_at = np.full(n, -1)
         plate_at[mesh.elements[elements]] = plan.plate[:, None]
@@ -107,7 +111,7 @@ def _loading(
         np.add.at(
             size, under, np.abs(force).sum(axis=1) + np.abs([turning, twisting]).sum(axis=(0, 2)) / lengths[under]
         )
-    return Loading(table, np.column_stack([warp, warp]), settlement, size, np.vstack(pressing), on_spans)
+    return Loading(table, np.column_stack([warp, warp]), settlement, size, np.vstack(pressing), of_spans)
 
 
 def _add_from_spans(table: Array, beams: Beams, nodes: Array, at_ends: tuple[Array, Array, Array]) -> None:

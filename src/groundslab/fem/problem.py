@@ -43,7 +43,7 @@ class Loading:
     settlement: Array  # (s,) [m]: of each support
     size: Array  # (plates,) [N]: sizes of all forces on each, and of moments over its length, whatever they cancel
     beside: Array  # (f, 3): places x, y [m] and forces [N] of what presses an elastic continuum beside the plate
-    on_spans: Array  # (k, 4): q [N/m] at start and end of each span of beams over openings, and m [N] there
+    on_spans: Array  # (l, 6): loads on spans of beams over openings, see `parts.spans`
 
     def __add__(self, other: Loading) -> Loading:
         """Return the sum of two loadings."""
@@ -53,14 +53,14 @@ class Loading:
             self.settlement + other.settlement,
             self.size + other.size,
             np.vstack([self.beside, other.beside]),
-            self.on_spans + other.on_spans,
+            np.vstack([self.on_spans, other.on_spans]),
         )
 
     def scale(self, factor: float) -> Loading:
         """Return the loading multiplied by a factor."""
         many = factor * self.load, factor * self.free_curvature, factor * self.settlement
         size, beside = abs(factor) * self.size, self.beside * [1.0, 1.0, factor]
-        return Loading(*many, size, beside, factor * self.on_spans)
+        return Loading(*many, size, beside, self.on_spans * [1.0, 1.0, *[factor] * 4])
 
 
 @dataclass(frozen=True, slots=True)

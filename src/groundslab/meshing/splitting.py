@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from groundslab.fem.hanging import find_hanging
@@ -29,7 +31,8 @@ def divide(plan: Plan, found: PlanMesh, size: float, local: Sources | None, slop
     meet.
     """
     borders = [edge for ring in plan.borders for edge in ring.segments()]
-    edges = [edge for ring in plan.rings().values() for edge in ring.segments() if edge not in borders]
+    # a border may lie along an edge of a plate, such as a joint
+    edges = [edge for ring in replace(plan, borders=()).rings().values() for edge in ring.segments()]
     edges += plan.line_segments()
     arcs = [edge for edge in edges + borders if not edge.straight]
     rings = [edge for edge in borders if not edge.straight]

@@ -108,7 +108,7 @@ def punching_walls(
     sites = _SITES.get(first.plate.nodes, model, lambda: [*_sites(first, steel, distances, openings)])
     if not sites:
         return
-    loads = {wall.name: loads_on_wall(model, wall) for wall in model.walls}
+    loads = {wall.name: loads_on_wall(model, wall) for wall in model.placed_walls}
     nodes = np.unique(np.concatenate([site.perimeters.nodes for site in sites]))
 
     def plates(mesh: CombinationResult) -> tuple[PlateResult, ...]:

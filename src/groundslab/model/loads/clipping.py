@@ -28,8 +28,8 @@ from groundslab.units import together
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
-#: Places closer to a line than this share of its length lie on it.
-ROUNDING = 1e-9
+#: A line no farther off a member over an opening than this share of its span acts on it.
+ON_SPAN = 1e-4
 #: A load that reaches further off the plate than so many times its longer side was not meant so.
 FAR = 1e3
 
@@ -139,20 +139,36 @@ def _piece(line: LineForce, number: int, low: float, high: float) -> LinePiece:
 
 
 def pieces_on_spans(line: LineForce, spans: Sequence[Segment]) -> list[tuple[int, LinePiece]]:
-    """Return what of a line force acts on spans of members over openings, with the number of each, and along it."""
+    """Return what of a line force acts on spans of members over openings: the number of each span, and a piece of it.
+
+    A piece runs along its span.
+    """
     found = []
     for number, edge in enumerate(line.edges if spans else ()):
-        near = ROUNDING * edge.length
         for position, span in enumerate(spans):
-            if not (edge.straight and edge.holds(span.start, near) and edge.holds(span.end, near)):
+            part = _shared_part(edge, span) if edge.straight else None
+            if part is None:
                 continue
-            start, end = edge.part(span.start), edge.part(span.end)
-            piece = _piece(line, number, min(start, end), max(start, end))
-            if start > end:
+            piece = _piece(line, number, *part)
+            if np.subtract(edge.end, edge.start) @ np.subtract(span.end, span.start) < 0:
                 (q_1, q_2), (m_1, m_2) = piece.q, piece.m
-                piece = LinePiece(span, (q_2, q_1), (-m_2, -m_1))
+                piece = LinePiece(Segment(piece.edge.end, piece.edge.start), (q_2, q_1), (-m_2, -m_1))
             found.append((position, piece))
     return found
+
+
+def _shared_part(edge: Segment, span: Segment) -> tuple[float, float] | None:
+    """Return the part of a straight edge, from 0 to 1, that lies on a span, None if there is none."""
+    ends = np.array([edge.start, edge.end])
+    way = np.subtract(span.end, span.start)
+    L = np.hypot(*way)
+    along, across = (ends - span.start) @ way / L, (ends - span.start) @ (-way[1], way[0]) / L
+    if abs(along[1] - along[0]) <= NO_PART * L:
+        return None
+    cuts = np.clip((np.array([0.0, L]) - along[0]) / (along[1] - along[0]), 0.0, 1.0)
+    low, high = float(cuts.min()), float(cuts.max())
+    off = np.abs(across[0] + np.array([low, high]) * (across[1] - across[0])).max()
+    return (low, high) if off <= ON_SPAN * L and (high - low) * edge.length > NO_PART * L else None
 
 
 @dataclass(frozen=True, slots=True)

@@ -109,6 +109,7 @@ def check_members(
             continue
         for placed in place_walls([wall], every):
             unfit = [*_check_stiff_wall(number, placed, near)]
+            unfit += [] if unfit else _check_openings_on_plate(number, placed, near, (plate, plates))
             yield from unfit
             parts = () if unfit else wall_beams(placed)
             beams, where = (*beams, *parts), [*where, *[("walls", number)] * len(parts)]
@@ -132,7 +133,7 @@ def check_members(
                 found = _with_names(issue.found, {count: where[number] for count, number in beams_by_line.items()})
                 yield _at_place(RelativeIssue(("beams", own[0], "points"), found, issue.expected, issue.hint), where)
                 break
-    yield from _check_curves(every, beams)
+    yield from (_at_place(issue, where) for issue in _check_curves(every, beams))
 
 
 def _check_stiff_wall(number: int, wall: Wall, near: float) -> Iterator[RelativeIssue]:
@@ -151,6 +152,18 @@ def _check_stiff_wall(number: int, wall: Wall, near: float) -> Iterator[Relative
         hint = "let openings begin or end together, or leave a short one out"
         found = f"openings that leave a part of {shortest:.3g} m"
         yield RelativeIssue((*place, "openings"), found, f"parts of at least {near:.3g} m", hint)
+
+
+def _check_openings_on_plate(
+    number: int, wall: Wall, near: float, plates: tuple[Plate, tuple[FurtherPlate, ...]]
+) -> Iterator[RelativeIssue]:
+    """Find openings of walls that begin or end, within near [m], over an opening of the plate."""
+    spans = spans_of(as_beam(wall), *plates)
+    for position, opening in enumerate(wall.openings):
+        if any(start - near < way < end + near for start, end in spans for way in (opening.start, opening.end)):
+            found = "an opening that begins or ends over an opening of the plate"
+            expected = "one that does where the wall stands on the plate, or a wall without it"
+            yield RelativeIssue(("walls", number, "openings", position), found, expected)
 
 
 def _with_names(found: str, names: dict[int, tuple[str, int]]) -> str:
@@ -174,7 +187,11 @@ def _check_curves(plates: tuple[AnyPlate, ...], beams: tuple[Beam, ...]) -> Iter
         near = TOO_CLOSE * max(max(each.sides) for each in edges)
         if any(own.distance(edge.polygon(chord).exterior) < near for edge in edges):
             expected = f"a curve at least {near:.3g} m from the plate's edges, or all along one"
-            yield RelativeIssue(("beams", number, "shape"), "a curve that touches an edge of the plate", expected)
+            found, hint = (
+                "a curve with arcs that touches an edge of the plate",
+                "give arcs by points and bulges instead",
+            )
+            yield RelativeIssue(("beams", number, "shape"), found, expected, hint)
 
 
 def _at_place(issue: RelativeIssue, where: list[tuple[str, int]]) -> RelativeIssue:

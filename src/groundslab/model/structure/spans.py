@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from functools import lru_cache
 from itertools import accumulate, pairwise
-
-import numpy as np
 
 from groundslab.geometry.plan import Segment
 from groundslab.geometry.validity import TOO_CLOSE
@@ -16,6 +15,8 @@ from groundslab.model.structure.beams import Beam, RibSection
 from groundslab.model.structure.lines import Path, part_of_line
 from groundslab.schema.issues import RelativeIssue
 
+#: A line that is longer than its chord by less than this share of it is straight.
+STRAIGHT = 1e-9
 Ways = tuple[tuple[float, float], ...]
 
 
@@ -24,7 +25,8 @@ def ways_on_plates(beam: Beam, plate: AnyPlate, plates: tuple[FurtherPlate, ...]
     """Return the parts of a beam on the plates, from way to way along it [m], one after the other."""
     region = get_plate_region(plate, plates)
     found = list[tuple[float, float]]()
-    for edge, low in zip(beam.edges, _starts(beam), strict=False):
+    starts = accumulate((edge.length for edge in beam.edges), initial=0.0)
+    for edge, low in zip(beam.edges, starts, strict=False):
         for start, end in parts_on_plates(region, edge):
             part = low + start * edge.length, low + end * edge.length
             if found and part[0] - found[-1][1] <= NO_PART * beam.length:
@@ -32,11 +34,6 @@ def ways_on_plates(beam: Beam, plate: AnyPlate, plates: tuple[FurtherPlate, ...]
             else:
                 found.append(part)
     return tuple(found)
-
-
-def _starts(beam: Beam) -> list[float]:
-    """Return the ways along a beam [m] at which its edges start, and the last one ends."""
-    return [*accumulate((edge.length for edge in beam.edges), initial=0.0)]
 
 
 def spans_of(beam: Beam, plate: AnyPlate, plates: tuple[FurtherPlate, ...] = ()) -> Ways:
@@ -61,31 +58,32 @@ def paths_on_plates(beam: Beam, plate: AnyPlate, plates: tuple[FurtherPlate, ...
 def check_spans(region: PlateRegion, beams: tuple[Beam, ...]) -> Iterator[RelativeIssue]:
     """Find beams that span an opening otherwise than straight from edge to edge of one plate, and by themselves."""
     from shapely import LineString, Point
+    from shapely.ops import substring
 
     near = TOO_CLOSE * region.size
     for number, beam in enumerate(beams):
         place = ("beams", number, "points" if beam.points is not None else "shape")
-        starts = np.array(_starts(beam))
         for start, end in spans_of(beam, region.plate, region.plates):
             said = f"{end - start:.3g} m over an opening"
-            inside = (starts[1:-1] > start + NO_PART * beam.length) & (starts[1:-1] < end - NO_PART * beam.length)
-            edge = beam.edges[min(int(np.searchsorted(starts, (start + end) / 2)) - 1, len(beam.edges) - 1)]
-            if inside.any() or not edge.straight:
+            points, bulges = part_of_line(beam.edges, start, end)
+            chord = math.dist(points[0], points[-1])
+            if bulges or end - start - chord > STRAIGHT * chord:
                 yield RelativeIssue(place, f"{said} with a corner or an arc", "a straight line over an opening")
                 continue
-            line = LineString(part_of_line(beam.edges, start, end)[0])
-            ends = [Point(each) for each in line.coords]
+            ends = [Point(points[0]), Point(points[-1])]
             if isinstance(beam.section, RibSection):
                 hint = "divide the rib, with a rectangle over the opening that reaches onto the plate"
                 expected = "a rectangle, a section by its properties or a wall there"
                 yield RelativeIssue(place, f"a rib of which {said} have no flange", expected, hint)
             elif not any(all(area.distance(each) <= region.near for each in ends) for area in region.areas):
-                expected = "plates that touch where a beam goes on from one to the next"
-                yield RelativeIssue(place, f"{end - start:.3g} m between two plates", expected)
+                found = f"{end - start:.3g} m off the plates, from one to another"
+                yield RelativeIssue(place, found, "plates that touch where a beam goes on from one to the next")
             elif end - start < near:
                 yield RelativeIssue(place, said, f"at least {near:.3g} m", "leave so narrow an opening out")
             else:
-                yield from _check_alone(place, said, number, line, beams, near)
+                line = LineString(ends)
+                inside = substring(line, near, line.length - near)
+                yield from _check_alone(place, said, number, inside, beams, near)
 
 
 def _check_alone(
@@ -93,6 +91,6 @@ def _check_alone(
 ) -> Iterator[RelativeIssue]:
     """Find other beams that a span meets over the opening, where no node joins them."""
     for other, beam in enumerate(beams):
-        if other != number and beam.to_shapely(near).distance(line) < near:
+        if other != number and beam.to_shapely(near).distance(line) < near / 2:
             yield RelativeIssue(place, f"{said} where it meets another beam", "one beam over an opening by itself")
             return

@@ -166,3 +166,15 @@ def test_zones_of_bars_count() -> None:
     least = 0.035 * (1 + math.sqrt(200 / (D * 1e3))) ** 1.5 * math.sqrt(30)
     assert v_Rd == pytest.approx([max(own, least), max(doubled, least)], rel=1e-6)
     assert np.ptp(v_Rd) > 0
+
+
+@pytest.mark.parametrize("code", ["EN 1992-1-1", "ACI 318-19"])
+def test_walls_along_edges_of_the_plate_stand_beside(code: str) -> None:
+    """A wall that is given by an edge is placed for its loads, too; the end of another one is told as without it."""
+    edge = {"name": "edge", "thickness": 0.3, "edge": "left"}
+    loads = [LOAD, {"kind": "line", "q": 10e3, "wall": "edge", "case": "G"}]
+    alone, beside = (table_of(results(code, walls=walls, loads=some))
+                     for walls, some in (([W], [LOAD]), ([W, edge], loads)))  # fmt: skip
+    assert [row for row in zip(*(column.values for column in beside.columns), strict=True) if "W" in row] == list(
+        zip(*(column.values for column in alone.columns), strict=True)
+    )

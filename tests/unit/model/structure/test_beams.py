@@ -93,7 +93,7 @@ def test_an_eccentric_rib_has_its_own_section_off_the_middle_plane() -> None:
          "beams[1].joined: hinged ends of a closed beam"),
         ([ACROSS | {"points": [(-3.0, 0.0), (1.0, 0.0), (-1.0, 0.0)]}], "beams[1]: a beam that runs back along 2 m"),
         ([{"name": "A", "section": SECTION, "shape": CIRCLE | {"centre": (2.0, 0.0)}}],
-         "beams[1].shape: a curve that touches an edge of the plate"),
+         "beams[1].shape: a curve with arcs that touches an edge of the plate"),
         ([ACROSS, ACROSS | {"name": "B", "points": [(-3.0, 1e-5), (0.0, 1.0)]}],
          "beams[2].points: 1e-05 m between it and beams[1]"),
     ],
@@ -114,6 +114,10 @@ def test_a_beam_spans_openings_straight_from_edge_to_edge() -> None:
     assert issues(bent, plate=holed) == ["beams[1].points: 2.01 m over an opening with a corner or an arc"]
     arc = ACROSS | {"bulges": [0.1]}
     assert issues(arc, plate=holed) == ["beams[1].points: 2 m over an opening with a corner or an arc"]
+    straight = ACROSS | {"points": [(-3.0, 0.0), (0.0, 0.0), (3.0, 0.0)]}
+    assert gs.solve(model(straight, plate=holed)).only.beams[0].way[-1] == pytest.approx(6.0)
+    landing = {"name": "other", "points": [(1.0, -2.0), (1.0, 2.0)], "section": SECTION}
+    assert gs.solve(model(ACROSS, landing, plate=holed)).only.certificate.holds
     rib = ACROSS | {"section": {"kind": "rib", "width": 0.3, "height": 0.5, "effective_width": 1.0}}
     assert issues(rib, plate=holed) == ["beams[1].points: a rib of which 2 m over an opening have no flange"]
     other = {"name": "other", "points": [(0.0, -2.0), (0.0, 2.0)], "section": SECTION}
@@ -142,7 +146,7 @@ def test_a_beam_lies_on_plates() -> None:
     over = ACROSS | {"points": [(-3.0, 0.0), (6.0, 0.0)]}
     assert gs.solve(model(over, **joined)).only.beams[0].way[-1] == pytest.approx(9.0)
     apart = [plates[0] | {"outline": {"kind": "rectangle", "x": (4.0, 9.0), "y": (-2.0, 2.0)}}]
-    assert issues(over, plate=plate, plates=apart) == ["beams[1].points: 1 m between two plates"]
+    assert issues(over, plate=plate, plates=apart) == ["beams[1].points: 1 m off the plates, from one to another"]
 
 
 def test_a_beam_too_stiff_for_sixteen_digits_is_told() -> None:

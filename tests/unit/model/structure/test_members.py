@@ -140,7 +140,9 @@ def test_stiff_walls_span_openings_of_the_slab() -> None:
     beside = WALL | {"openings": [{"start": 0.2, "end": 1.0, "height": 1.0}]}
     assert gs.solve(model(beside, plate=holed, mesh={"size": 0.5})).only.certificate.holds
     above = WALL | {"openings": [{"start": 0.2, "end": 2.0, "height": 1.0}]}
-    assert issues(above, plate=holed)[0] == "walls[1]: 0.5 m of 1.8 m that do not lie on the plate"
+    told = "walls[1].openings[1]: an opening that begins or ends over an opening of the plate"
+    assert issues(above, plate=holed) == [told]
+    assert issues(WALL | {"openings": [{"start": 1.5, "end": 2.5, "height": 1.0}]}, plate=holed) == [told]
 
 
 def test_the_strength_of_stiff_walls_is_not_checked() -> None:

@@ -82,8 +82,9 @@ def settlement_along(model: Model, wall: Wall) -> Callable[[CombinationResult], 
     parts = np.clip((way - starts[number]) / np.array([edge.length for edge in edges])[number], 0.0, 1.0)
     places = np.concatenate([edge.at(parts[number == n]) for n, edge in enumerate(edges)])
     over = np.zeros(len(places), dtype=bool)
-    for span in model.spans:
-        over |= span.distance(places) <= ROUNDING * wall.length
+    near = ROUNDING * wall.length
+    for start, end in model.spans_of_walls.get(wall.name, ()):
+        over |= (start - near <= way) & (way <= end + near)
 
     def along(results: CombinationResult) -> WallSettlement:
         w = np.empty(len(way))
