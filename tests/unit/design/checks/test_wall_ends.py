@@ -168,7 +168,7 @@ def test_zones_of_bars_count() -> None:
     assert np.ptp(v_Rd) > 0
 
 
-@pytest.mark.parametrize("code", ["EN 1992-1-1", "ACI 318-19"])
+@pytest.mark.parametrize("code", ["EN 1992-1-1", "ACI 318"])
 def test_walls_along_edges_of_the_plate_stand_beside(code: str) -> None:
     """A wall that is given by an edge is placed for its loads, too; the end of another one is told as without it."""
     edge = {"name": "edge", "thickness": 0.3, "edge": "left"}
