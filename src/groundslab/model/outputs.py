@@ -50,6 +50,14 @@ class Report(Section):
         tuple[Chapter, ...],
         ListOf(Choice(Chapter, ""), "", "its chapters, in the report's own order; all by default", unique=True),
     ] = get_args(Chapter)
+    sheets: Annotated[
+        Literal["governing", "all", "none"],
+        Choice(
+            Literal["governing", "all", "none"],
+            "calculations that can be followed by hand, in tables: of the column that governs, of all columns, or none",
+            "",
+        ),
+    ] = "governing"
 
 
 class OutputPoint(Section):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from groundslab.design.aci318 import beams, bending
 from groundslab.design.aci318.case_materials import materials
-from groundslab.design.aci318.checks import bars, one_way_shear, two_way, two_way_columns, wall_ends
+from groundslab.design.aci318.checks import bars, one_way_shear, two_way, two_way_columns, two_way_sheets, wall_ends
 from groundslab.design.aci318.checks.remarks import remarks
 from groundslab.design.basis import wide_beam
 from groundslab.design.basis.design_code import BeamRule, Clauses, DesignCode, PunchingRule, ShearRule
@@ -38,6 +38,7 @@ ACI318 = DesignCode(
         checks=two_way.checks,
         extremes=(("v_u", "MPa"),),
         with_errors=("V_u", "v_u", "v_u / phi v_c"),
+        sheets=two_way_sheets.at_columns,
     ),
     beams=BeamRule(minimum=beams.minimum, links=beams.links, clauses="22.3, 22.5, 9.6.1.2, 9.6.3.4"),
     bars=bars.checks,

@@ -14,6 +14,7 @@ term; moments about both count at once. b_1, along the eccentricity, and b_2 are
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -21,6 +22,16 @@ from groundslab.arrays import Array
 from groundslab.design.aci318.materials import PHI_SHEAR, Concrete, Steel
 from groundslab.design.demands.line_properties import centroid, directions, second_moments, total_length
 
+#: The formulas of the functions here, with forces in MN, stresses in MPa and lengths in m, as sheets print them.
+FORMULAS = {
+    "gamma_v1": "1 - 1 / (1 + 2 / 3 * sqrt(b_1 / b_2))",
+    "gamma_v2": "1 - 1 / (1 + 2 / 3 * sqrt(b_2 / b_1))",
+    "v_u": "V_u / (b_o * d) + gamma_v1 * M_1 * c_1 / J_1 + gamma_v2 * M_2 * c_2 / J_2",
+    "lambda_s": "min(1, sqrt(2 / (1 + 0.004 * 1000 * d)))",
+    "root": "min(8.3, sqrt(f_c))",
+    "v_c": "min(0.33, 0.17 * (1 + 2 / beta), 0.083 * (2 + alpha_s * d / b_o)) * lambda_s * r",
+    "A_v / s": "(v_u / phi - 0.17 * lambda_s * r) * b_o / f_yt * 10000",
+}
 #: alpha_s of columns inside, at an edge and at a corner (22.6.5.3), by how the critical section runs.
 ALPHA_S = {"closed": 40.0, "edge": 30.0, "corner": 20.0}
 #: A slab with stirrups as shear reinforcement is at least so deep [m] (22.6.7.1).
@@ -69,8 +80,31 @@ def principal_axes(J: Array) -> Array:
     return np.asarray(np.linalg.eigh(J)[1].T)
 
 
+@dataclass(frozen=True, slots=True)
+class Transfer:
+    """What makes the largest v_u on a critical section, about its principal axes."""
+
+    V_u: float  # [N]
+    area: float  # b_o d [m2]
+    extents: Array  # (2,): b along both axes, of the whole section [m]
+    shares: Array  # (2,): gamma_v of the moments of forces along both
+    moments: Array  # (2,) [N m]
+    J: Array  # (2,) [m4]
+    places: Array  # (2,): where v_u is largest, from the centroid [m]
+
+    @property
+    def v_u(self) -> float:
+        """Return v_u [Pa]."""
+        return float(self.V_u / self.area + (self.shares * self.moments * self.places / self.J).sum())
+
+
 def stress(V_u: float, moments: Array, legs: Array, d: float, whole: Array | None = None) -> float:
-    """Return the largest v_u [Pa] on the sides of a critical section.
+    """Return the largest v_u [Pa] on the sides of a critical section, see `transfer`."""
+    return transfer(V_u, moments, legs, d, whole).v_u
+
+
+def transfer(V_u: float, moments: Array, legs: Array, d: float, whole: Array | None = None) -> Transfer:
+    """Return the shear force and the moments that shear transfers where v_u is largest on a critical section.
 
     Parameters
     ----------
@@ -91,5 +125,6 @@ def stress(V_u: float, moments: Array, legs: Array, d: float, whole: Array | Non
     b_1, b_2 = np.ptp((legs if whole is None else whole).reshape(-1, 2) @ axes.T, axis=0)
     shares = np.array([gamma_v(b_1, b_2), gamma_v(b_2, b_1)])
     places = (legs.reshape(-1, 2) - center) @ axes.T
-    by_moment = places @ (shares * (axes @ moments) / np.diag(axes @ J @ axes.T))
-    return float(V_u / (total_length(legs) * d) + by_moment.max())
+    along, J_c = axes @ moments, np.diag(axes @ J @ axes.T)
+    worst = places[np.argmax(places @ (shares * along / J_c))]
+    return Transfer(V_u, total_length(legs) * d, np.array([b_1, b_2]), shares, along, J_c, worst)

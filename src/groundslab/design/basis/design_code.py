@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 from groundslab.arrays import Array
+from groundslab.design.basis.calculation import Step
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.punching_columns import Heads, PunchingColumns
 from groundslab.design.basis.shear_demand import ShearDemand
@@ -75,6 +76,8 @@ class PunchingRule:
         Those columns of a table whose extremes are wanted.
     with_errors : tuple of str
         Those whose values have discretization errors, besides what acts inside a perimeter.
+    sheets : callable or None
+        Of all combinations and materials: at which column and in which combination each calculation is, and its steps.
     """
 
     at_columns: Callable[[Results, Reinforcement], PunchingColumns]
@@ -83,6 +86,7 @@ class PunchingRule:
     checks: Callable[[Results], Iterator[DesignCheck]]
     extremes: Heads
     with_errors: tuple[str, ...]
+    sheets: Callable[[Results, Reinforcement], Iterator[tuple[str, str, tuple[Step, ...]]]] | None = None
 
 
 @dataclass(frozen=True, slots=True)

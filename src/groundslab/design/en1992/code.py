@@ -6,7 +6,7 @@ from groundslab.design.basis.design_code import BeamRule, Clauses, DesignCode, P
 from groundslab.design.bending import BendingRule
 from groundslab.design.en1992 import beams, bending, shear
 from groundslab.design.en1992.case_materials import materials
-from groundslab.design.en1992.checks import bars, one_way_shear, punching, punching_columns, wall_ends
+from groundslab.design.en1992.checks import bars, one_way_shear, punching, punching_columns, punching_sheets, wall_ends
 from groundslab.design.en1992.checks.remarks import remarks
 from groundslab.model.design.reinforcement import Reinforcement
 
@@ -34,6 +34,7 @@ EN1992 = DesignCode(
         checks=punching.checks,
         extremes=(("v_Ed", "MPa"), ("v_Ed / v_Rd", ""), ("v_Ed at the face", "MPa")),
         with_errors=("V_Ed", "v_Ed", "v_Ed / v_Rd", "v_Ed at the face"),
+        sheets=punching_sheets.at_columns,
     ),
     beams=BeamRule(minimum=beams.minimum, links=beams.links, clauses="6.1, 6.2.3, 9.2.1.1(1), 9.2.2(5)"),
     bars=bars.checks,

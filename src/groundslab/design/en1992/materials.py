@@ -52,13 +52,14 @@ class Concrete:
 
     @property
     def strut(self) -> float:
-        """Return nu f_cd [Pa], the strength of concrete with shear cracks: 6.2.2(6), 6.2.3(3).
-
-        alpha_cc is that of the annex for shear, unless another alpha_cc than the annex's is given.
-        """
+        """Return nu f_cd [Pa], the strength of concrete with shear cracks: 6.2.2(6), 6.2.3(3)."""
         a, b, c = self.annex.nu
-        alpha = self.annex.alpha_cc_shear if self.alpha_cc == self.annex.alpha_cc else self.alpha_cc
-        return a * min(1.0, b - self.f_ck / (c * _MPA)) * alpha * self.f_ck / self.gamma_c
+        return a * min(1.0, b - self.f_ck / (c * _MPA)) * self.alpha_cc_shear * self.f_ck / self.gamma_c
+
+    @property
+    def alpha_cc_shear(self) -> float:
+        """Return alpha_cc of struts: that of the annex, unless another alpha_cc than the annex's is given."""
+        return self.annex.alpha_cc_shear if self.alpha_cc == self.annex.alpha_cc else self.alpha_cc
 
     @property
     def v_min_factor(self) -> tuple[float, float]:

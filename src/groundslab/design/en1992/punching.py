@@ -22,6 +22,17 @@ from groundslab.design.en1992.materials import Concrete, Steel
 from groundslab.design.en1992.shear import THICK, THIN
 
 _MPA = 1e6
+#: The formulas of the functions here, with forces in MN, stresses in MPa and lengths in m, as sheets print them.
+FORMULAS = {
+    "k": "min(2, 1 + sqrt(200 / (1000 * d)))",
+    "v_Rd,c": "max(C / gamma_C * k * (100 * rho_l * f_ck)^(1/3), v_min * k^(3/2) * f_ck^(1/2))",
+    "beta": "1 + sqrt((k_1 * M_1 * u / (V_Ed * W_1))^2 + (k_2 * M_2 * u / (V_Ed * W_2))^2)",
+    "beta at an edge": "1 / s + k_1 * abs(M_1) * u / (V_Ed * W_1)",
+    "v_Ed": "beta * V_Ed / (u * d)",
+    "v_Rd": "v_Rd,c * 2 * d / a",
+    "A_sw": "(v_Ed - 0.75 * v_Rd) * u * s_r / (1.5 * f_ywd,ef) * 10000",
+    "f_ywd,ef": "min(250 + 0.25 * 1000 * d, f_ywd)",
+}
 #: The largest ratio of bars that counts for v_Rd,c (6.4.4(1)).
 MOST_BARS = 0.02
 
@@ -38,10 +49,19 @@ def most_bars(concrete: Concrete, steel: Steel) -> float:
 
 def resistance_without_links(concrete: Concrete, d: float, rho: float = MOST_BARS) -> float:
     """Return v_Rd,c [Pa] at 2 d for an effective depth d [m] and a ratio rho of bars."""
-    f_ck, k = concrete.f_ck / _MPA, min(2.0, 1 + math.sqrt(200 / (1e3 * d)))
+    f_ck, k = concrete.f_ck / _MPA, size_factor(d)
     of_bars = concrete.annex.c_rd_c_punching / concrete.gamma_c * k * math.cbrt(100 * min(rho, MOST_BARS) * f_ck)
-    least = float(np.interp(d, [THIN, THICK], concrete.v_min_factor))
-    return max(of_bars, least * k * math.sqrt(k * f_ck)) * _MPA
+    return max(of_bars, least_factor(concrete, d) * k * math.sqrt(k * f_ck)) * _MPA
+
+
+def size_factor(d: float) -> float:
+    """Return k of an effective depth d [m] (6.4.4(1))."""
+    return min(2.0, 1 + math.sqrt(200 / (1e3 * d)))
+
+
+def least_factor(concrete: Concrete, d: float) -> float:
+    """Return v_min over k^(3/2) f_ck^(1/2) [MPa] for an effective depth d [m] (6.3N)."""
+    return float(np.interp(d, [THIN, THICK], concrete.v_min_factor))
 
 
 def transfer_share(ratio: float) -> float:

@@ -161,8 +161,8 @@ def split_columns(grid: TableLayout, keys: int) -> list[TableLayout]:
 def _cell(value: RawCell, error: RawCell = None, column: str = "") -> Cell:
     """Return a cell with its discretization error, if it has one, under it."""
     if isinstance(value, str):
-        # names of quantities are ours, all other words may be the case's
-        return Cell(value, "words" if column == "quantity" else "")
+        # names of quantities and symbols are ours, all other words may be the case's
+        return Cell(value, "words" if column in ("quantity", "symbol") else "")
     if value is None:
         return Cell("")
     under = error_text(error, value) if isinstance(error, float) else ""
@@ -170,7 +170,8 @@ def _cell(value: RawCell, error: RawCell = None, column: str = "") -> Cell:
 
 
 GREEK = {
-    "alpha": "α", "beta": "β", "gamma": "γ", "kappa": "κ", "nu": "ν", "psi": "ψ", "phi": "φ", "dT": "ΔT",
+    "alpha": "α", "beta": "β", "gamma": "γ", "eta": "η", "kappa": "κ", "nu": "ν", "psi": "ψ", "phi": "φ", "rho": "ρ",
+    "dT": "ΔT",
 }  # fmt: skip
 _SYMBOL = re.compile(r"(?<![\w])([A-Za-z]+)(?:_([A-Za-z0-9]+))?(?![\w])")
 
@@ -189,7 +190,7 @@ def split_words(words: str) -> list[tuple[str, str]]:
     """Return words in which symbols have an underscore, such as "moment m_x", as pairs of text and subscript."""
     pieces: list[tuple[str, str]] = []
     for word in re.split(r"(\s+)", words):
-        plain = re.fullmatch(r"([|(]?)([A-Za-z]+)_([A-Za-z0-9]+)([|),;:.]?)", word)
+        plain = re.fullmatch(r"([|(]?)([A-Za-z]+)_([A-Za-z0-9]+(?:,[A-Za-z0-9]+)?)([|),;:.]?)", word)
         if plain is None:
             pieces.append((word, ""))
         else:

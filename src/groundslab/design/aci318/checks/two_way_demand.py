@@ -42,6 +42,7 @@ class TwoWay:
     supported: bool  # whether another support stands inside, whose force is not in V_u
     place: tuple[float, float]  # of the column [m]
     error: Callable[[], float | None] = field(repr=False, compare=False)  # of v_u [Pa]
+    transfer: aci318.Transfer | None = field(default=None, repr=False, compare=False)  # of a column or pile
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,6 +125,7 @@ def _demand(
 ) -> TwoWay:
     """Return the demand on a critical section in a combination."""
     shear = _shear(results, section, punching, steel)
+    transfer = _transfer(shear, section)
     return TwoWay(
         punching.name,
         results.combination,
@@ -133,13 +135,14 @@ def _demand(
         section.beta,
         section.alpha_s,
         shear.V,
-        _stress(shear, section),
+        transfer.v_u,
         shear.pressure,
         shear.edge,
         shear.others,
         section.loads.supported,
         punching.place,
-        lambda: error_of(results, lambda mesh: _stress(_shear(mesh, section, punching, steel), section)),
+        lambda: error_of(results, lambda mesh: _transfer(_shear(mesh, section, punching, steel), section).v_u),
+        transfer,
     )
 
 
@@ -152,9 +155,9 @@ def _shear(
     )
 
 
-def _stress(shear: PunchingShear, section: CriticalSection) -> float:
-    """Return v_u [Pa] on a critical section."""
-    return aci318.stress(shear.V, shear.moments, section.line.legs, section.d, section.line.whole)
+def _transfer(shear: PunchingShear, section: CriticalSection) -> aci318.Transfer:
+    """Return what makes v_u on a critical section."""
+    return aci318.transfer(shear.V, shear.moments, section.line.legs, section.d, section.line.whole)
 
 
 def strength(demand: TwoWay, steel: Reinforcement) -> float:

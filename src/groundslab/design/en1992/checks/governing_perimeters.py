@@ -293,7 +293,7 @@ def _demand(results: CombinationResult, site: _Site, face: ControlPerimeter | st
     force = float(site.punching.pushing(results)[0])
     at_face = None if isinstance(face, str) else _face_stress(results, site, face, controls[-1] if controls else face)
     name = site.punching.name
-    return Demand(name, results.combination, results.limit_state, force, site.d, v_Rd_c, at_face, stresses)
+    return Demand(name, results.combination, results.limit_state, force, site.d, v_Rd_c, at_face, stresses, ratio)
 
 
 def _with_perimeter(demand: Demand, results: CombinationResult, site: _Site, control: ControlPerimeter) -> Demand:
@@ -312,6 +312,7 @@ def _stress(results: CombinationResult, site: _Site, control: ControlPerimeter) 
     )
     applied = site.punching.pushing(results)[1:]
     beta = _beta(control, shear.moments, shear.V, applied) if shear.V > 0 else 1.0
+    turned = control.course.frame @ shear.moments
     v_Ed = beta * shear.V / (control.u * site.d)
     return Stress(
         control.distance,
@@ -325,6 +326,7 @@ def _stress(results: CombinationResult, site: _Site, control: ControlPerimeter) 
         shear.others,
         lambda: error_of(results, lambda mesh: _stress(mesh, site, control).v_Ed),
         control,
+        (float(turned[0]), float(turned[1])),
     )
 
 

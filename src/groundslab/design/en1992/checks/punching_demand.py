@@ -45,6 +45,7 @@ class Stress:
     others: float  # other loads inside [N]
     error: Callable[[], float | None] = field(repr=False, compare=False)  # of v_Ed [Pa]
     control: ControlPerimeter | None = None  # of a column or pile
+    moments: tuple[float, float] = (0.0, 0.0)  # of forces along the perimeter's frame about its center [N m]
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,6 +60,7 @@ class Demand:
     v_Rd_c: float  # at 2 d, with the bars provided or the most that count [Pa]
     face: Stress | None
     around: tuple[Stress, ...]  # from the face outwards; none where there is no such perimeter on the plate
+    ratio: float = 0.0  # of the bars that count
 
     @property
     def at_2d(self) -> Stress | None:

@@ -1,0 +1,73 @@
+"""Two-way shear by ACI 318-19 at columns, step by step, as it can be followed by hand.
+
+Every value is that of the check; formulas stand beside the functions that compute it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from groundslab.design.aci318 import punching as aci318
+from groundslab.design.aci318.case_materials import materials
+from groundslab.design.aci318.checks.two_way_demand import TwoWay, strength, two_way
+from groundslab.design.aci318.materials import PHI_SHEAR
+from groundslab.design.basis.calculation import MEGA, Step, punching_force
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.results import Results
+
+
+def at_columns(combined: Results, steel: Reinforcement) -> Iterator[tuple[str, str, tuple[Step, ...]]]:
+    """Yield the governing combination of each column with its steps: name, combination, steps.
+
+    Those that use most of their strength come first.
+    """
+    governing: dict[str, TwoWay] = {}
+    for demand in two_way(combined)[0].values():
+        known = governing.get(demand.name)
+        if not demand.supported and demand.v_u > (0.0 if known is None else known.v_u):
+            governing[demand.name] = demand
+    for demand in sorted(governing.values(), key=lambda each: -each.v_u / strength(each, steel)):
+        yield demand.name, demand.combination, tuple(_steps(demand, steel))
+
+
+def _steps(demand: TwoWay, steel: Reinforcement) -> Iterator[Step]:
+    """Yield the steps of a demand."""
+    concrete, bars = materials(steel)
+    inside = demand.force, demand.others, demand.pressure, demand.edge
+    yield from punching_force(("N_u", "V_u"), inside, demand.V_u, "22.6.4.1")
+    yield Step("effective depth", "d", demand.d, "m", clause="22.6.2.1")
+    yield Step("length of the critical section, less edges and openings", "b_o", demand.b_o, "m", clause="22.6.4")
+    if demand.transfer is not None:
+        yield from _transfer(demand.transfer)
+    yield Step("stress", "v_u", demand.v_u / MEGA, "MPa", aci318.FORMULAS["v_u"], "8.4.4.2.3")
+    root = concrete.root / MEGA
+    yield Step("specified strength of the concrete", "f_c", concrete.f_c / MEGA, "MPa", clause="19.2.1.1")
+    yield Step("its root that counts", "r", root, "MPa", aci318.FORMULAS["root"], "22.6.3.1")
+    formula = aci318.FORMULAS["lambda_s"] if concrete.size_effect else ""
+    clause = "22.5.5.1.3" if concrete.size_effect else "13.2.6.2"
+    yield Step("factor of size", "lambda_s", concrete.lambda_s(demand.d), "", formula, clause)
+    yield Step("long side of the column over the short one", "beta", demand.beta, clause="22.6.5.2")
+    yield Step("factor of the column's place", "alpha_s", demand.alpha_s, clause="22.6.5.3")
+    v_c = strength(demand, steel) / PHI_SHEAR / MEGA
+    yield Step("stress that needs no stirrups", "v_c", v_c, "MPa", aci318.FORMULAS["v_c"], "Table 22.6.5.2")
+    yield Step("strength reduction factor", "phi", PHI_SHEAR, clause="Table 21.2.1")
+    share = demand.v_u / strength(demand, steel)
+    yield Step("share used", "eta", share, "", "v_u / (phi * v_c)", "8.5.1.1")
+    if share > 1:
+        A_v = aci318.links(demand.v_u, demand.d, demand.b_o, concrete, bars)
+        yield Step("strength of stirrups that counts", "f_yt", bars.f_yt / MEGA, "MPa", clause="20.2.2.4")
+        yield Step("stirrups around it, A_v / s", "A_vs", A_v * 1e4, "cm2/m", aci318.FORMULAS["A_v / s"], "22.6.7.2")
+
+
+def _transfer(transfer: aci318.Transfer) -> Iterator[Step]:
+    """Yield the moments that shear transfers, at the place where v_u is largest."""
+    for n, extent in zip((1, 2), transfer.extents, strict=True):
+        yield Step(f"extent of the whole section along axis {n}", f"b_{n}", float(extent), "m", clause="8.4.2.2.2")
+    parts = zip((1, 2), transfer.moments, transfer.shares, transfer.places, transfer.J, strict=True)
+    for n, moment, share, place, J in parts:
+        words = f"moment of all forces by their places along axis {n}"
+        yield Step(words, f"M_{n}", float(moment) / MEGA, "MNm", clause="8.4.4.2.3")
+        formula = aci318.FORMULAS[f"gamma_v{n}"]
+        yield Step("share of it that shear transfers", f"gamma_v{n}", float(share), "", formula, "8.4.4.2.2")
+        yield Step(f"place of the largest stress along axis {n}", f"c_{n}", float(place), "m", clause="8.4.4.2.3")
+        yield Step(f"J_c along axis {n}", f"J_{n}", float(J), "m4", clause="R8.4.4.2.3")

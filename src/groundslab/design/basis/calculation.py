@@ -1,0 +1,62 @@
+"""Steps of a calculation that can be followed by hand: a formula, the numbers in it, what comes out, the clause."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+MEGA = 1e6
+#: Forces inside this close to each other, over the force that punches, are the same.
+SAME = 1e-9
+#: A symbol in a formula, such as v_Rd,c: a comma that belongs to it is followed by no space.
+_SYMBOL = re.compile(r"[A-Za-z]\w*(?:,\w+)*")
+#: What formulas call; the rest are symbols.
+FUNCTIONS = ("max", "min", "sqrt", "abs")
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One quantity: given, or what a formula makes of others before it.
+
+    Formulas are sums, products by *, quotients, powers by ^ and the FUNCTIONS of numbers and symbols.
+    """
+
+    words: str
+    symbol: str
+    value: float
+    unit: str = ""
+    formula: str = ""
+    clause: str = ""
+
+
+def with_numbers(step: Step, known: Mapping[str, float]) -> str:
+    """Return the formula of a step with the values of its symbols in their places, with six digits."""
+
+    def number(match: re.Match[str]) -> str:
+        name = match[0]
+        if name in FUNCTIONS:
+            return name
+        return f"{known[name]:.6g}" if known[name] >= 0 else f"({known[name]:.6g})"
+
+    return _SYMBOL.sub(number, step.formula)
+
+
+def punching_force(
+    symbols: tuple[str, str], parts: tuple[float, float, float, float], V: float, clause: str
+) -> Iterator[Step]:
+    """Yield what pushes on a perimeter, and what relieves it inside.
+
+    The symbols are those of the column's force and of the force that punches, V [N]; parts are the column's force,
+    other loads, pressure and line force along the plate's edge inside [N]. The line force counts where that makes V.
+    """
+    own, punching = symbols
+    force, others, pressure, edge = parts
+    yield Step("force of the column", own, force / MEGA, "MN")
+    yield Step("other loads inside the perimeter", "N_o", others / MEGA, "MN")
+    yield Step("pressure of the ground inside", "N_p", pressure / MEGA, "MN")
+    formula = f"{own} + N_o - N_p"
+    if edge and abs(V - (force + others - pressure - edge)) <= SAME * force:
+        yield Step("line force of the ground along the plate's edge inside", "N_e", edge / MEGA, "MN")
+        formula += " - N_e"
+    yield Step("force that punches", punching, V / MEGA, "MN", formula, clause)

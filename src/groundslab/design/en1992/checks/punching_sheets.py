@@ -1,0 +1,118 @@
+"""Punching by EN 1992-1-1 at columns and piles, step by step, as it can be followed by hand.
+
+Every value is that of the check; formulas stand beside the functions that compute it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from groundslab.design.basis.calculation import MEGA, SAME, Step, punching_force
+from groundslab.design.en1992 import punching as en1992
+from groundslab.design.en1992.case_materials import materials
+from groundslab.design.en1992.checks.governing_perimeters import demands
+from groundslab.design.en1992.checks.punching import LINK_SPACING
+from groundslab.design.en1992.checks.punching_demand import REACH, ControlPerimeter, Demand, Stress
+from groundslab.design.en1992.materials import Concrete, Steel
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.results import Results
+
+
+def at_columns(combined: Results, steel: Reinforcement) -> Iterator[tuple[str, str, tuple[Step, ...]]]:
+    """Yield the governing combination of each column with its steps: name, combination, steps.
+
+    Those that use most of their resistance come first.
+    """
+    governing: dict[str, tuple[float, Demand, Stress]] = {}
+    for demand in demands(combined).found.values():
+        stress = demand.governing
+        if stress is not None and demand.used(stress) > governing.get(demand.name, (0.0,))[0]:
+            governing[demand.name] = demand.used(stress), demand, stress
+    for _, demand, stress in sorted(governing.values(), key=lambda each: -each[0]):
+        yield demand.name, demand.combination, tuple(_steps(demand, stress, *materials(steel, demand.limit_state)))
+
+
+def _steps(demand: Demand, stress: Stress, concrete: Concrete, bars: Steel) -> Iterator[Step]:
+    """Yield the steps of a demand on one of its perimeters."""
+    inside = demand.force, stress.others, stress.pressure, stress.edge
+    yield from punching_force(("N_Ed", "V_Ed"), inside, stress.V_Ed, "6.4.4(2), 6.48")
+    yield Step("distance of the perimeter from the face", "a", stress.distance, "m", clause="6.4.4(2)")
+    yield Step("its length, less edges and openings", "u", stress.u, "m", clause="6.4.2")
+    yield Step("effective depth", "d", demand.d, "m", clause="6.4.2(1)")
+    if stress.control is not None:
+        yield from _beta(stress, stress.control)
+    yield Step("stress", "v_Ed", stress.v_Ed / MEGA, "MPa", en1992.FORMULAS["v_Ed"], "6.4.3(3), 6.38")
+    yield from _resistance(demand, stress, concrete)
+    yield Step("share used", "eta", demand.used(stress), "", "v_Ed / v_Rd", "6.4.4(2)")
+    if stress.v_Ed > demand.resistance(stress) and not concrete.annex.links_alone:
+        yield from _links(demand, stress, bars)
+    if demand.face is not None and concrete.annex.face:
+        yield from _face(demand, demand.face, concrete)
+
+
+def _beta(stress: Stress, control: ControlPerimeter) -> Iterator[Step]:
+    """Yield how beta follows from the moments of all forces inside about the perimeter's center."""
+    shares, moduli = [*map(float, control.shares)], [*map(float, control.moduli)]
+    general = en1992.beta(stress.moments, shares, stress.V_Ed, stress.u, moduli)
+    of_both = [
+        (Step(f"moment of all forces by their places along axis {n}", f"M_{n}", moment / MEGA, "MNm"),
+         Step("share of it that shear transfers", f"k_{n}", share, clause="Table 6.1"),
+         Step(f"modulus of the perimeter along axis {n}", f"W_{n}", W, "m2", clause="6.40"))
+        for n, moment, share, W in zip((1, 2), stress.moments, shares, moduli, strict=True)
+    ]  # fmt: skip
+    if math.isclose(stress.beta, general, rel_tol=SAME):
+        yield from (step for axis in of_both for step in axis)
+        yield Step("factor for moments", "beta", stress.beta, "", en1992.FORMULAS["beta"], "6.4.3(3), 6.39, 6.51")
+    elif control.course.shape == "edge":
+        yield from of_both[0]
+        yield Step("share of the perimeter that counts, u_1* / u_1", "s", control.reduced, clause="6.4.3(4)")
+        formula = en1992.FORMULAS["beta at an edge"]
+        yield Step("factor for moments along the edge", "beta", stress.beta, "", formula, "6.4.3(4), 6.44")
+    else:
+        yield Step("factor for a column at a corner", "beta", stress.beta, clause="6.4.3(6), Figure 6.21N")
+
+
+def _resistance(demand: Demand, stress: Stress, concrete: Concrete) -> Iterator[Step]:
+    """Yield what resists without links."""
+    yield Step("strength of the concrete", "f_ck", concrete.f_ck / MEGA, "MPa", clause="Table 3.1")
+    yield Step("partial factor", "gamma_C", concrete.gamma_c, clause="2.4.2.4")
+    yield Step("ratio of bars in tension that counts", "rho_l", demand.ratio, clause="6.4.4(1)")
+    yield Step("factor of size", "k", en1992.size_factor(demand.d), "", en1992.FORMULAS["k"], "6.4.4(1)")
+    yield Step("C_Rd,c gamma_C of the annex", "C", concrete.annex.c_rd_c_punching, clause="6.4.4(1)")
+    yield Step("least factor of the annex", "v_min", en1992.least_factor(concrete, demand.d), clause="6.2.2(1), 6.3N")
+    formula = en1992.FORMULAS["v_Rd,c"]
+    yield Step("resistance at 2 d", "v_Rd,c", demand.v_Rd_c / MEGA, "MPa", formula, "6.4.4(1), 6.47")
+    resistance = demand.resistance(stress) / MEGA
+    assert REACH == 2.0
+    yield Step("resistance at a", "v_Rd", resistance, "MPa", en1992.FORMULAS["v_Rd"], "6.4.4(2), 6.50")
+
+
+def _links(demand: Demand, stress: Stress, bars: Steel) -> Iterator[Step]:
+    """Yield the links that are needed on each perimeter."""
+    s_r = LINK_SPACING * demand.d
+    f = en1992.effective_strength(demand.d, bars.f_yd)
+    resistance = demand.resistance(stress)
+    A_sw = en1992.links_per_perimeter(stress.v_Ed, resistance, stress.u, demand.d, s_r, bars.f_yd)
+    yield Step("strength of links", "f_ywd", bars.f_yd / MEGA, "MPa", clause="3.2.7(2)")
+    formula = en1992.FORMULAS["f_ywd,ef"]
+    yield Step("strength of links that counts", "f_ywd,ef", f / MEGA, "MPa", formula, "6.4.5(1)")
+    yield Step("radial distance of their perimeters", "s_r", s_r, "m", f"{LINK_SPACING:g} * d", "9.4.3(1)")
+    formula = en1992.FORMULAS["A_sw"]
+    yield Step("vertical links on each perimeter", "A_sw", A_sw * 1e4, "cm2", formula, "6.4.5(1), 6.52")
+
+
+def _face(demand: Demand, face: Stress, concrete: Concrete) -> Iterator[Step]:
+    """Yield the stress at the face and what the concrete bears there."""
+    yield Step("force that punches at the face", "V_Ed,0", face.V_Ed / MEGA, "MN", clause="6.4.5(3)")
+    yield Step("perimeter of the face that counts", "u_0", face.u, "m", clause="6.4.5(3)")
+    words = "factor for the column's own force and moments about the outermost perimeter's center"
+    yield Step(words, "beta_0", face.beta, clause="6.4.5(3)")
+    formula = "beta_0 * V_Ed,0 / (u_0 * d)"
+    yield Step("stress at the face", "v_Ed,0", face.v_Ed / MEGA, "MPa", formula, "6.4.5(3)")
+    a, b, c = concrete.annex.nu
+    yield Step("factor of the concrete in struts", "alpha_cc", concrete.alpha_cc_shear, clause="3.1.6(1)")
+    formula = f"{concrete.annex.face:g} * {a:g} * min(1, {b:g} - f_ck / {c:g}) * alpha_cc * f_ck / gamma_C"
+    v_Rd_max = (en1992.max_resistance(concrete) or 0.0) / MEGA
+    yield Step("largest resistance", "v_Rd,max", v_Rd_max, "MPa", formula, "6.4.5(3), 6.2.2(6)")
+    yield Step("share used at the face", "eta_0", face.v_Ed / MEGA / v_Rd_max, "", "v_Ed,0 / v_Rd,max", "6.4.5(3)")

@@ -1,0 +1,120 @@
+"""Calculations of punching that can be followed by hand: every formula with its numbers gives its value."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+
+import groundslab as gs
+from groundslab.design.basis.calculation import FUNCTIONS, Step, with_numbers
+from groundslab.design.result_tables import tables_of
+from groundslab.design.tables.table import Table
+
+STEEL = {"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.04, 0.05)}
+ACI = {"code": "ACI 318"}
+MIDDLE = {"name": "M", "x": 0.0, "y": 0.0, "width_x": 0.4, "width_y": 0.3}
+EDGE = {"name": "E", "x": 2.8, "y": 0.0, "width_x": 0.4, "width_y": 0.4}
+CORNER = {"name": "C", "x": 2.8, "y": 1.8, "width_x": 0.4, "width_y": 0.4}
+ROUND = {"name": "R", "x": 0.0, "y": 0.0, "diameter": 0.4}
+HOLE = {"kind": "rectangle", "x": (0.5, 0.9), "y": (-0.2, 0.2)}
+
+
+def sheets(*columns: dict[str, Any], steel: dict[str, Any] | None = None, thickness: float = 0.4, wanted: str = "all",
+           openings: tuple[dict[str, Any], ...] = (), M_y: float = 0.0, P: float = 900e3) -> Table:  # fmt: skip
+    """Return the calculations for columns of a slab of 6 m by 4 m, each with a force and perhaps a moment."""
+    model = gs.Model(
+        plate={"length_x": 6.0, "length_y": 4.0, "thickness": thickness, "E": 30e9, "nu": 0.2, "openings": openings},
+        ground={"kind": "pasternak", "k0": 20e6, "k1": 5e6},
+        columns=columns,
+        cases=[{"name": "G"}],
+        loads=[{"kind": "point", "column": each["name"], "P": P, "M_y": M_y, "case": "G"} for each in columns]
+        + [{"kind": "uniform", "q": 12e3, "case": "G"}],
+        combinations=[{"name": name, "limit_state": "ultimate", "factors": {"G": factor}}
+                      for name, factor in (("low", 1.0), ("high", 1.35))],
+        reinforcement=STEEL | (steel or {}),
+        report={"sheets": wanted},
+        mesh={"size": 0.25},
+    )  # fmt: skip
+    (found,) = [table for table in tables_of(gs.solve(model)) if table.name == "punching_sheets"]
+    return found
+
+
+CASES: dict[str, tuple[tuple[dict[str, Any], ...], dict[str, Any]]] = {
+    "middle": ((MIDDLE,), {}),
+    "with a moment": ((MIDDLE,), {"M_y": 80e3}),
+    "edge and corner": ((EDGE, CORNER, MIDDLE), {"P": 300e3}),
+    "beside an opening": ((MIDDLE,), {"openings": (HOLE,)}),
+    "thin, with links": ((ROUND,), {"thickness": 0.25, "P": 700e3}),
+    "by the German annex": ((EDGE, ROUND), {"steel": {"annex": "Germany"}, "P": 300e3}),
+    "ACI": ((MIDDLE,), {"steel": ACI, "M_y": 80e3}),
+    "ACI, edge and corner": ((EDGE, CORNER), {"steel": ACI, "P": 300e3}),
+    "ACI, beside an opening": ((ROUND,), {"steel": ACI, "openings": (HOLE,)}),
+    "ACI, with stirrups": ((ROUND,), {"steel": ACI, "thickness": 0.25, "P": 450e3}),
+    "ACI, without the effect of size": ((MIDDLE,), {"steel": ACI | {"size_effect": False}}),
+}
+
+
+@pytest.mark.parametrize("case", list(CASES))
+def test_every_value_follows_from_its_numbers(case: str) -> None:
+    """By hand, as far as six digits go; all symbols of a formula stand above it."""
+    columns, changes = CASES[case]
+    table = sheets(*columns, **changes)
+    followed = 0
+    for numbers, value in zip(table["with numbers"], table["value"], strict=True):
+        if numbers:
+            found = eval(str(numbers).replace("^", "**"), {"max": max, "min": min, "sqrt": math.sqrt, "abs": abs})
+            assert found == pytest.approx(value, rel=2e-5, abs=1e-6), numbers
+            followed += 1
+    assert followed >= 6 * len(columns)
+    assert set(table["column"]) == {column["name"] for column in columns}
+    assert set(table["combination"]) == {"high"}
+
+
+def test_the_sheet_is_the_check() -> None:
+    """Of both combinations the one that governs; its shares are those of the table of columns."""
+    table = sheets(MIDDLE, M_y=80e3)
+    found = dict(zip(table["symbol"], table["value"], strict=True))
+    assert {"M_1", "M_2", "W_1", "beta", "rho_l", "v_Rd,c", "eta", "eta_0"} <= found.keys()
+    assert found["beta"] > 1.02
+    assert found["v_Rd"] == pytest.approx(found["v_Rd,c"] * 2 * found["d"] / found["a"])
+
+
+def test_the_sheet_of_two_way_shear_is_the_check() -> None:
+    """By ACI 318 the share is that of the table of columns, v_u over 0.75 v_c."""
+    model_table = sheets(MIDDLE, M_y=80e3, steel=ACI)
+    found = dict(zip(model_table["symbol"], model_table["value"], strict=True))
+    assert found["eta"] == pytest.approx(found["v_u"] / (0.75 * found["v_c"]))
+    assert abs(found["gamma_v1"] - 0.4) < 0.05
+    assert found["v_u"] > found["V_u"] / (found["b_o"] * found["d"])
+
+
+def test_links_are_told_where_they_are_needed() -> None:
+    """What is missing of the resistance, by 6.52."""
+    columns, changes = CASES["thin, with links"]
+    table = sheets(*columns, **changes)
+    found = dict(zip(table["symbol"], table["value"], strict=True))
+    assert found["eta"] > 1
+    by_hand = (found["v_Ed"] - 0.75 * found["v_Rd"]) * found["u"] * 0.75 * found["d"] / (1.5 * found["f_ywd,ef"])
+    assert found["A_sw"] == pytest.approx(1e4 * by_hand)
+
+
+def test_which_sheets_are_wanted() -> None:
+    """One of the column that uses most, of all, or none."""
+    columns, changes = CASES["edge and corner"]
+    every, one = (sheets(*columns, **changes, wanted=wanted) for wanted in ("all", "governing"))
+    first = dict.fromkeys(every["column"])
+    assert set(one["column"]) == {next(iter(first))}
+    shares = [value for symbol, value in zip(every["symbol"], every["value"], strict=True) if symbol == "eta"]
+    assert shares == sorted(shares, reverse=True)
+    with pytest.raises(ValueError, match="unpack"):
+        sheets(MIDDLE, wanted="none")
+
+
+def test_a_formula_with_its_numbers() -> None:
+    """Symbols that begin alike, negative numbers and functions."""
+    step = Step("", "x", 0.0, formula="max(v_Rd,c * 2, v_Rd - abs(v)^(1/2), d_1)")
+    known = {"v_Rd,c": 0.5, "v_Rd": -1.25, "v": 4.0, "d_1": 1e-3}
+    assert with_numbers(step, known) == "max(0.5 * 2, (-1.25) - abs(4)^(1/2), 0.001)"
+    assert set(FUNCTIONS) == {"max", "min", "sqrt", "abs"}
