@@ -9,12 +9,12 @@ from groundslab.design.bar_quantities import bars
 from groundslab.design.basis.wall_ends import loaded_ends
 from groundslab.design.checks import check_design
 from groundslab.design.checks_table import checks_table
-from groundslab.design.codes import code_of
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.tables import errors
+from groundslab.design.tables.calculations import calculations
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
 from groundslab.design.tables.locations import lines, points, soil, strips
-from groundslab.design.tables.punching import pile_punching, punching_sheets, wall_punching
+from groundslab.design.tables.punching import pile_punching, wall_punching
 from groundslab.design.tables.reinforcement import reinforcement
 from groundslab.design.tables.structure.beams import beam_reinforcement, beam_table
 from groundslab.design.tables.structure.building import building_table, storey_table
@@ -24,7 +24,6 @@ from groundslab.design.tables.summary import acting_cases, combinations, extreme
 from groundslab.design.tables.supports import joint_table, support_table
 from groundslab.design.tables.table import Column, Table
 from groundslab.model.ground import ContinuousGround
-from groundslab.model.model import Model
 from groundslab.model.structure.beams import GivenSection
 from groundslab.results.results import Results
 
@@ -76,20 +75,14 @@ def _knows_storeys(combined: Results) -> bool:
     return any(base.by_storeys.size for results in combined.values() for base in results.bases)
 
 
-def _has_sheets(model: Model) -> bool:
-    """Return whether a case wants calculations of punching at columns, and its code has such."""
-    if model.reinforcement is None or not model.columns or model.report.sheets == "none":
-        return False
-    rule = code_of(model.reinforcement).punching
-    return rule is not None and rule.sheets is not None
-
-
 def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
     """Return the function for each table of `tables_of` by the table's name; tables that others use are made once."""
     model = combined.model
     checks: dict[str, Callable[[], Table]] = {}
     if check_design(combined).checks:
         checks["checks"] = lambda: checks_table(combined)
+    if model.reinforcement is not None and model.report.sheets != "none":
+        checks["calculations"] = lambda: calculations(combined)
     acting: dict[str, Callable[[], Table]] = {"acting": lambda: acting_cases(combined)} if model.cases else {}
     extremes_with_errors = cache(lambda: errors.with_errors_of_extremes(extremes(combined), combined))
     columns = cache(lambda: errors.with_errors(column_table, combined))
@@ -121,8 +114,6 @@ def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
         makers["storeys"] = lambda: storey_table(combined)
     if model.columns:
         makers |= {"columns": columns, "column_envelope": lambda: column_envelope(combined, columns())}
-    if _has_sheets(model):
-        makers["punching_sheets"] = lambda: punching_sheets(combined)
     if model.reinforcement is not None and punching_piles(model):
         makers["pile_punching"] = lambda: errors.with_errors(pile_punching, combined)
     if model.reinforcement is not None and loaded_ends(model):

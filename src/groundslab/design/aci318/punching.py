@@ -27,8 +27,6 @@ FORMULAS = {
     "gamma_v1": "1 - 1 / (1 + 2 / 3 * sqrt(b_1 / b_2))",
     "gamma_v2": "1 - 1 / (1 + 2 / 3 * sqrt(b_2 / b_1))",
     "v_u": "V_u / (b_o * d) + gamma_v1 * M_1 * c_1 / J_1 + gamma_v2 * M_2 * c_2 / J_2",
-    "lambda_s": "min(1, sqrt(2 / (1 + 0.004 * 1000 * d)))",
-    "root": "min(8.3, sqrt(f_c))",
     "v_c": "min(0.33, 0.17 * (1 + 2 / beta), 0.083 * (2 + alpha_s * d / b_o)) * lambda_s * r",
     "A_v / s": "(v_u / phi - 0.17 * lambda_s * r) * b_o / f_yt * 10000",
 }

@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from groundslab.design.basis.calculation import Step
+
 Status = Literal["fails", "attention", "no failure found", "not checked"]
 #: Statuses in the order in which they are listed.
 ORDER: tuple[Status, ...] = ("fails", "attention", "no failure found", "not checked")
@@ -44,6 +46,8 @@ class DesignCheck:
     error : float or None
         The estimated discretization error of the demand, in `unit`, with that of a resistance which depends on the
         results. None where none is known, and where the demand does not depend on the mesh.
+    steps : tuple of Step
+        The calculation at the governing place, to be followed by hand; empty where there is none.
     """
 
     name: str
@@ -59,6 +63,7 @@ class DesignCheck:
     place: tuple[float, float] | None = None
     foundation: bool = False
     error: float | None = None
+    steps: tuple[Step, ...] = ()
 
     @property
     def utilisation(self) -> float | None:

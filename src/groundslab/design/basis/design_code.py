@@ -76,8 +76,9 @@ class PunchingRule:
         Those columns of a table whose extremes are wanted.
     with_errors : tuple of str
         Those whose values have discretization errors, besides what acts inside a perimeter.
-    sheets : callable or None
-        Of all combinations and materials: at which column and in which combination each calculation is, and its steps.
+    sheets : callable
+        Of all combinations and materials: at which column and in which combination each calculation is, and its steps,
+        the column that uses most first.
     """
 
     at_columns: Callable[[Results, Reinforcement], PunchingColumns]
@@ -86,7 +87,7 @@ class PunchingRule:
     checks: Callable[[Results], Iterator[DesignCheck]]
     extremes: Heads
     with_errors: tuple[str, ...]
-    sheets: Callable[[Results, Reinforcement], Iterator[tuple[str, str, tuple[Step, ...]]]] | None = None
+    sheets: Callable[[Results, Reinforcement], Iterator[tuple[str, str, tuple[Step, ...]]]]
 
 
 @dataclass(frozen=True, slots=True)

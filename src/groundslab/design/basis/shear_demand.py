@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
+from groundslab.design.basis.calculation import Step
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.demand_errors import scaled
 from groundslab.results.results import CombinationResult
@@ -22,6 +23,7 @@ class ShearDemand:
     thickness: float  # [m]
     spread: bool = False  # whether the line force along the edge is spread over a strip
     at_support: bool = False  # whether it is nearer than d to what presses there
+    rho: float | None = None  # ratio of bars in tension; None of a mean over a cut
     error: Callable[[], float | None] = field(default=lambda: None, repr=False, compare=False)  # of v [N/m]
 
     @property
@@ -35,9 +37,10 @@ class ShearDemand:
         edge = ", with the line force along the edge as pressure on a strip," if self.spread else ""
         return f'({self.place[0]:.3f}, {self.place[1]:.3f}) m in "{self.results.combination}"{edge}'
 
-    def check(self, status: Status, words: str, clause: str) -> DesignCheck:
-        """Return the check of this place."""
+    def check(self, status: Status, words: str, clause: str, steps: Iterable[Step]) -> DesignCheck:
+        """Return the check of this place, with steps that can be followed if the ratio of bars is known."""
         return DesignCheck(
             "one-way shear", status, words, demand=self.v / 1e3, resistance=self.without_links / 1e3, unit="kN/m",
             clause=clause, combination=self.results.combination, place=self.place, error=scaled(self.error(), 1e-3),
+            steps=() if self.rho is None else tuple(steps),
         )  # fmt: skip

@@ -18,6 +18,13 @@ from groundslab.arrays import Array, Flags
 from groundslab.design.en1992.materials import Concrete, Steel
 
 _MPA = 1e6
+#: The formulas of the functions here, with forces per width in MN/m, stresses in MPa and lengths in m, as sheets print
+#: them.
+FORMULAS = {
+    "k": "min(2, 1 + sqrt(0.2 / d))",
+    "v_Rd,c": "max(C / gamma_C * k * (100 * rho_l * f_ck)^(1/3), v_min * k^(3/2) * f_ck^(1/2)) * d",
+    "a_sw": "v_Ed / (z * f_ywd * cot) * 10000",
+}
 #: The largest ratio of bars that counts (6.2.2(1)).
 MOST_BARS = 0.02
 #: Depths [m] up to which and from which v_min is that of thin and of thick members.
@@ -42,10 +49,20 @@ class Links:
 def resistance_without_links(concrete: Concrete, d: Array, rho: Array) -> Array:
     """Return v_Rd,c (n,) [N/m] for effective depths d (n,) [m] and ratios of bars in tension rho (n,)."""
     f_ck, d = concrete.f_ck / _MPA, np.asarray(d, dtype=float)
-    k = np.minimum(2.0, 1 + np.sqrt(0.2 / d))
+    k = size_factor(d)
     of_bars = concrete.annex.c_rd_c / concrete.gamma_c * k * np.cbrt(100 * np.minimum(rho, MOST_BARS) * f_ck)
-    least = np.interp(d, [THIN, THICK], concrete.v_min_factor) * k**1.5 * np.sqrt(f_ck)
+    least = least_factor(concrete, d) * k**1.5 * np.sqrt(f_ck)
     return np.asarray(np.maximum(of_bars, least) * _MPA * d)
+
+
+def size_factor(d: Array) -> Array:
+    """Return k of effective depths d (n,) [m] (6.2.2(1))."""
+    return np.asarray(np.minimum(2.0, 1 + np.sqrt(0.2 / d)))
+
+
+def least_factor(concrete: Concrete, d: Array) -> Array:
+    """Return v_min over k^(3/2) f_ck^(1/2) [MPa] for effective depths d (n,) [m] (6.3N)."""
+    return np.asarray(np.interp(d, [THIN, THICK], concrete.v_min_factor))
 
 
 def required_links(v: Array, d: Array, concrete: Concrete, steel: Steel) -> Links:

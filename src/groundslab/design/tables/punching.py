@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from groundslab.design.basis.calculation import with_numbers
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.punching_columns import NO_COLUMNS, Heads, PunchingColumns
 from groundslab.design.basis.wall_ends import loaded_ends
@@ -61,33 +60,3 @@ def wall_punching(combined: Results) -> Table:
                 rows.append([result.combination, end.walls, end.label, *end.place, *cells])
     heads = [("combination", ""), ("wall", ""), ("place", ""), ("x", "m"), ("y", "m"), *punched.heads]
     return table_of("wall_punching", "Punching at walls' ends", heads, rows, punched.notes)
-
-
-def punching_sheets(combined: Results) -> Table:
-    """Return the calculations of punching at columns, step by step, each in the combination that governs it.
-
-    They are those of the column that uses most of its resistance, or of all of them, as the case's report wants.
-    """
-    steel = combined.model.reinforcement
-    assert steel is not None
-    rule = code_of(steel).punching
-    sheets = [] if rule is None or rule.sheets is None else [*rule.sheets(combined, steel)]
-    rows: list[list[Cell]] = []
-    for name, combination, steps in sheets if combined.model.report.sheets == "all" else sheets[:1]:
-        known: dict[str, float] = {}
-        for step in steps:
-            numbers = with_numbers(step, known) if step.formula else ""
-            about: list[Cell] = [name, combination, step.words, step.symbol, step.formula, numbers]
-            rows.append([*about, step.value, step.unit, step.clause])
-            known[step.symbol] = step.value
-    return table_of("punching_sheets", "Calculations of punching", _SHEETS, rows, _SHEET_NOTES)
-
-
-_SHEETS: Heads = (
-    ("column", ""), ("combination", ""), ("quantity", ""), ("symbol", ""), ("formula", ""), ("with numbers", ""),
-    ("value", ""), ("unit", ""), ("clause", ""),
-)  # fmt: skip
-_SHEET_NOTES = (
-    "What each value is made of stands above it. Axis 1 runs along the edge at a column beside one; places are from "
-    "the center of what counts of the perimeter.",
-)

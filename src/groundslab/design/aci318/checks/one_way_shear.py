@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.aci318 import shear
 from groundslab.design.aci318.case_materials import materials
+from groundslab.design.aci318.checks.concrete_steps import concrete_in_shear
 from groundslab.design.aci318.materials import PHI_SHEAR
+from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.shear_demand import ShearDemand
 from groundslab.model.design.reinforcement import Reinforcement
@@ -33,4 +37,22 @@ def check(steel: Reinforcement, demand: ShearDemand) -> DesignCheck:
             "; links do not suffice (22.5.1.2)" if np.isinf(area)
             else f"; links of {area * 1e4:.3g} cm2/m2 are needed there (22.5.8.5.3)"
         )  # fmt: skip
-    return demand.check(status, words, "ACI 318-19 22.5.5.1")
+    return demand.check(status, words, "ACI 318-19 22.5.5.1", _steps(steel, demand))
+
+
+def _steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
+    """Yield the calculation at a place."""
+    concrete, bars = materials(steel)
+    yield Step("shear force", "v_u", demand.v / MEGA, "MN/m")
+    yield Step("effective depth", "d", demand.d, "m")
+    yield from concrete_in_shear(concrete, demand.d)
+    yield Step("ratio of bars in tension", "rho_w", demand.rho or 0.0, clause="22.5.5.1")
+    v_c = demand.without_links / PHI_SHEAR / MEGA
+    yield Step("force that needs no links", "v_c", v_c, "MN/m", shear.FORMULAS["v_c"], "Table 22.5.5.1 (c), 22.5.5.1.1")
+    yield Step("strength reduction factor", "phi", PHI_SHEAR, clause="Table 21.2.1")
+    yield Step("share used", "eta", demand.used, "", "v_u / (phi * v_c)", "7.6.3.1")
+    area = shear.links(demand.v, demand.d, concrete, bars)
+    if demand.used > 1 and np.isfinite(area):
+        yield Step("strength of links that counts", "f_yt", bars.f_yt / MEGA, "MPa", clause="20.2.2.4")
+        formula = shear.FORMULAS["a_v"]
+        yield Step("links per area of the plan", "a_v", area * 1e4, "cm2/m2", formula, "22.5.8.5.3, 9.6.3.4")

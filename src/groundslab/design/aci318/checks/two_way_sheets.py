@@ -9,6 +9,7 @@ from collections.abc import Iterator
 
 from groundslab.design.aci318 import punching as aci318
 from groundslab.design.aci318.case_materials import materials
+from groundslab.design.aci318.checks.concrete_steps import concrete_in_shear
 from groundslab.design.aci318.checks.two_way_demand import TwoWay, strength, two_way
 from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.basis.calculation import MEGA, Step, punching_force
@@ -40,12 +41,7 @@ def _steps(demand: TwoWay, steel: Reinforcement) -> Iterator[Step]:
     if demand.transfer is not None:
         yield from _transfer(demand.transfer)
     yield Step("stress", "v_u", demand.v_u / MEGA, "MPa", aci318.FORMULAS["v_u"], "8.4.4.2.3")
-    root = concrete.root / MEGA
-    yield Step("specified strength of the concrete", "f_c", concrete.f_c / MEGA, "MPa", clause="19.2.1.1")
-    yield Step("its root that counts", "r", root, "MPa", aci318.FORMULAS["root"], "22.6.3.1")
-    formula = aci318.FORMULAS["lambda_s"] if concrete.size_effect else ""
-    clause = "22.5.5.1.3" if concrete.size_effect else "13.2.6.2"
-    yield Step("factor of size", "lambda_s", concrete.lambda_s(demand.d), "", formula, clause)
+    yield from concrete_in_shear(concrete, demand.d)
     yield Step("long side of the column over the short one", "beta", demand.beta, clause="22.6.5.2")
     yield Step("factor of the column's place", "alpha_s", demand.alpha_s, clause="22.6.5.3")
     v_c = strength(demand, steel) / PHI_SHEAR / MEGA

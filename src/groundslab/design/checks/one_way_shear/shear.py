@@ -86,7 +86,7 @@ def _worst(
         sizes = float(v[k]), float(without_links[k]), float(places.d[k]), float(places.thickness[k])
         spread = plate is not results.plate
         error = partial(_error, results, places.of(counts), without_links, k, spread=spread)
-        yield ShearDemand(results, place_of(places.xy, k), *sizes, spread=spread, error=error)
+        yield ShearDemand(results, place_of(places.xy, k), *sizes, spread=spread, rho=float(rho[k]), error=error)
 
 
 def _error(results: CombinationResult, places: Places, without_links: Array, k: int, *, spread: bool) -> float | None:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.check import DesignCheck, Status
 from groundslab.design.basis.shear_demand import ShearDemand
 from groundslab.design.en1992 import shear
@@ -55,4 +56,31 @@ def check(steel: Reinforcement, demand: ShearDemand) -> DesignCheck:
             else "; too thin for links (9.3.2(1))" if thin
             else f"; links of {area * 1e4:.3g} cm2/m2 are needed there (6.2.3)"
         )  # fmt: skip
-    return demand.check(status, words, "EN 1992-1-1 6.2.2, 6.2.3")
+    return demand.check(status, words, "EN 1992-1-1 6.2.2, 6.2.3", _steps(steel, demand))
+
+
+def _steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
+    """Yield the calculation at a place."""
+    concrete, bars = materials(steel, demand.results.limit_state)
+    d, rho = np.array([demand.d]), min(demand.rho or 0.0, shear.MOST_BARS)
+    yield Step("shear force", "v_Ed", demand.v / MEGA, "MN/m")
+    yield Step("effective depth", "d", demand.d, "m")
+    yield Step("strength of the concrete", "f_ck", concrete.f_ck / MEGA, "MPa", clause="Table 3.1")
+    yield Step("partial factor", "gamma_C", concrete.gamma_c, clause="2.4.2.4")
+    yield Step("ratio of bars in tension that counts", "rho_l", rho, clause="6.2.2(1)")
+    yield Step("factor of size", "k", float(shear.size_factor(d)[0]), "", shear.FORMULAS["k"], "6.2.2(1)")
+    yield Step("C_Rd,c gamma_C of the annex", "C", concrete.annex.c_rd_c, clause="6.2.2(1)")
+    least = float(shear.least_factor(concrete, d)[0])
+    yield Step("least factor of the annex", "v_min", least, clause="6.2.2(1), 6.3N")
+    v_Rd_c = demand.without_links / MEGA
+    yield Step("resistance without links", "v_Rd,c", v_Rd_c, "MN/m", shear.FORMULAS["v_Rd,c"], "6.2.2(1), 6.2")
+    yield Step("share used", "eta", demand.used, "", "v_Ed / v_Rd,c", "6.2.1(3)")
+    links = shear.required_links(np.array([demand.v]), d, concrete, bars)
+    if demand.used > 1 and not links.fails[0]:
+        yield Step("lever arm", "z", shear.LEVER * demand.d, "m", f"{shear.LEVER:g} * d", "6.2.3(1)")
+        yield Step("strength of links", "f_ywd", bars.f_yd / MEGA, "MPa", clause="3.2.7(2)")
+        yield Step("cot theta, the flattest struts that are borne", "cot", float(links.cot_theta[0]), clause="6.2.3(2)")
+        area = float(links.area[0]) * 1e4
+        yield Step("links per area of the plan", "a_sw", area, "cm2/m2", shear.FORMULAS["a_sw"], "6.2.3(3), 6.8")
+        least = shear.minimum_links(concrete, bars) * 1e4
+        yield Step("least links per area of the plan", "a_sw,min", least, "cm2/m2", clause="9.2.2(5), 9.3.2(2)")

@@ -48,7 +48,7 @@ def _steps(demand: Demand, stress: Stress, concrete: Concrete, bars: Steel) -> I
     if stress.v_Ed > demand.resistance(stress) and not concrete.annex.links_alone:
         yield from _links(demand, stress, bars)
     if demand.face is not None and concrete.annex.face:
-        yield from _face(demand, demand.face, concrete)
+        yield from _face(demand.face, concrete)
 
 
 def _beta(stress: Stress, control: ControlPerimeter) -> Iterator[Step]:
@@ -102,7 +102,7 @@ def _links(demand: Demand, stress: Stress, bars: Steel) -> Iterator[Step]:
     yield Step("vertical links on each perimeter", "A_sw", A_sw * 1e4, "cm2", formula, "6.4.5(1), 6.52")
 
 
-def _face(demand: Demand, face: Stress, concrete: Concrete) -> Iterator[Step]:
+def _face(face: Stress, concrete: Concrete) -> Iterator[Step]:
     """Yield the stress at the face and what the concrete bears there."""
     yield Step("force that punches at the face", "V_Ed,0", face.V_Ed / MEGA, "MN", clause="6.4.5(3)")
     yield Step("perimeter of the face that counts", "u_0", face.u, "m", clause="6.4.5(3)")

@@ -1,4 +1,4 @@
-"""Calculations of punching that can be followed by hand: every formula with its numbers gives its value."""
+"""Calculations of checks that can be followed by hand: every formula with its numbers gives its value."""
 
 from __future__ import annotations
 
@@ -37,7 +37,18 @@ def sheets(*columns: dict[str, Any], steel: dict[str, Any] | None = None, thickn
         report={"sheets": wanted},
         mesh={"size": 0.25},
     )  # fmt: skip
-    (found,) = [table for table in tables_of(gs.solve(model)) if table.name == "punching_sheets"]
+    (found,) = [table for table in tables_of(gs.solve(model)) if table.name == "calculations"]
+    return found
+
+
+def of(table: Table, check: str) -> dict[str, float]:
+    """Return the values of the first calculation of a check by their symbols."""
+    rows = zip(table["check"], table["symbol"], table["value"], strict=True)
+    found: dict[str, float] = {}
+    for name, symbol, value in rows:
+        if name == check:
+            assert isinstance(value, float)
+            found.setdefault(str(symbol), value)
     return found
 
 
@@ -68,14 +79,15 @@ def test_every_value_follows_from_its_numbers(case: str) -> None:
             assert found == pytest.approx(value, rel=2e-5, abs=1e-6), numbers
             followed += 1
     assert followed >= 6 * len(columns)
-    assert set(table["column"]) == {column["name"] for column in columns}
+    assert set(table["of"]) - {""} == {column["name"] for column in columns}
+    # of means over a cut, which may govern by ACI 318, there is none
+    assert set(table["check"]) == {"punching", "one-way shear"} or case == "ACI, edge and corner"
     assert set(table["combination"]) == {"high"}
 
 
 def test_the_sheet_is_the_check() -> None:
     """Of both combinations the one that governs; its shares are those of the table of columns."""
-    table = sheets(MIDDLE, M_y=80e3)
-    found = dict(zip(table["symbol"], table["value"], strict=True))
+    found = of(sheets(MIDDLE, M_y=80e3), "punching")
     assert {"M_1", "M_2", "W_1", "beta", "rho_l", "v_Rd,c", "eta", "eta_0"} <= found.keys()
     assert found["beta"] > 1.02
     assert found["v_Rd"] == pytest.approx(found["v_Rd,c"] * 2 * found["d"] / found["a"])
@@ -83,8 +95,7 @@ def test_the_sheet_is_the_check() -> None:
 
 def test_the_sheet_of_two_way_shear_is_the_check() -> None:
     """By ACI 318 the share is that of the table of columns, v_u over 0.75 v_c."""
-    model_table = sheets(MIDDLE, M_y=80e3, steel=ACI)
-    found = dict(zip(model_table["symbol"], model_table["value"], strict=True))
+    found = of(sheets(MIDDLE, M_y=80e3, steel=ACI), "punching")
     assert found["eta"] == pytest.approx(found["v_u"] / (0.75 * found["v_c"]))
     assert abs(found["gamma_v1"] - 0.4) < 0.05
     assert found["v_u"] > found["V_u"] / (found["b_o"] * found["d"])
@@ -93,8 +104,7 @@ def test_the_sheet_of_two_way_shear_is_the_check() -> None:
 def test_links_are_told_where_they_are_needed() -> None:
     """What is missing of the resistance, by 6.52."""
     columns, changes = CASES["thin, with links"]
-    table = sheets(*columns, **changes)
-    found = dict(zip(table["symbol"], table["value"], strict=True))
+    found = of(sheets(*columns, **changes), "punching")
     assert found["eta"] > 1
     by_hand = (found["v_Ed"] - 0.75 * found["v_Rd"]) * found["u"] * 0.75 * found["d"] / (1.5 * found["f_ywd,ef"])
     assert found["A_sw"] == pytest.approx(1e4 * by_hand)
@@ -104,12 +114,23 @@ def test_which_sheets_are_wanted() -> None:
     """One of the column that uses most, of all, or none."""
     columns, changes = CASES["edge and corner"]
     every, one = (sheets(*columns, **changes, wanted=wanted) for wanted in ("all", "governing"))
-    first = dict.fromkeys(every["column"])
-    assert set(one["column"]) == {next(iter(first))}
-    shares = [value for symbol, value in zip(every["symbol"], every["value"], strict=True) if symbol == "eta"]
+    first = [name for name in dict.fromkeys(every["of"]) if name]
+    assert set(one["of"]) == {"", first[0]}
+    rows = zip(every["check"], every["symbol"], every["value"], strict=True)
+    shares = [value for check, symbol, value in rows if (check, symbol) == ("punching", "eta")]
+    assert len(shares) == len(columns)
     assert shares == sorted(shares, reverse=True)
     with pytest.raises(ValueError, match="unpack"):
         sheets(MIDDLE, wanted="none")
+
+
+@pytest.mark.parametrize("steel", [{}, ACI, ACI | {"size_effect": False}])
+def test_one_way_shear_is_followed(steel: dict[str, Any]) -> None:
+    """In a thin slab, with links; the share is that of the check."""
+    table = sheets(ROUND, steel=steel, thickness=0.25, P=450e3)
+    found = of(table, "one-way shear")
+    assert found["eta"] == pytest.approx(found["v_Ed"] / found["v_Rd,c"] if "v_Ed" in found else
+                                         found["v_u"] / (0.75 * found["v_c"]))  # fmt: skip
 
 
 def test_a_formula_with_its_numbers() -> None:
