@@ -54,7 +54,7 @@ class Report(Section):
         Literal["governing", "all", "none"],
         Choice(
             Literal["governing", "all", "none"],
-            "calculations that can be followed by hand, in tables: of the column that governs, of all columns, or none",
+            "calculations that can be followed by hand: with the column that governs, with all columns, or none",
             "",
         ),
     ] = "governing"

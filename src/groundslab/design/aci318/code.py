@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from groundslab.design.aci318 import beams, bending
 from groundslab.design.aci318.case_materials import materials
-from groundslab.design.aci318.checks import bars, one_way_shear, two_way, two_way_columns, two_way_sheets, wall_ends
+from groundslab.design.aci318.checks import (
+    bars,
+    bending_steps,
+    one_way_shear,
+    two_way,
+    two_way_columns,
+    two_way_sheets,
+    wall_ends,
+)
 from groundslab.design.aci318.checks.remarks import remarks
 from groundslab.design.basis import wide_beam
 from groundslab.design.basis.design_code import BeamRule, Clauses, DesignCode, PunchingRule, ShearRule
@@ -24,6 +32,7 @@ ACI318 = DesignCode(
     name="ACI 318-19",
     clauses=Clauses(bars="22.3, 8.6.1.1", least_bars="8.6.1.1", held_bars="9.7.6.4"),
     bending=_bending,
+    bars_by_steps=bending_steps.steps,
     shear=ShearRule(
         resistance=one_way_shear.resistance,
         check=one_way_shear.check,

@@ -10,7 +10,7 @@ MEGA = 1e6
 #: Forces inside this close to each other, over the force that punches, are the same.
 SAME = 1e-9
 #: A symbol in a formula, such as v_Rd,c: a comma that belongs to it is followed by no space.
-_SYMBOL = re.compile(r"[A-Za-z]\w*(?:,\w+)*")
+_SYMBOL = re.compile(r"[A-Za-z]\w*(?:,\w+)*'?")
 #: What formulas call; the rest are symbols.
 FUNCTIONS = ("max", "min", "sqrt", "abs")
 

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 from groundslab.arrays import Array
+from groundslab.design.basis.bending_steps import BarsNeeded
 from groundslab.design.basis.calculation import Step
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.punching_columns import Heads, PunchingColumns
@@ -126,6 +127,8 @@ class DesignCode:
         One-way shear.
     punching : PunchingRule or None
         Columns, piles and ends of walls that punch the plate.
+    bars_by_steps : callable or None
+        Of materials, what a layer of bars needs, and a limit state: the calculation of it.
     beams : BeamRule or None
         Beams and ribs.
     bars : callable or None
@@ -137,6 +140,7 @@ class DesignCode:
     name: str
     clauses: Clauses
     bending: Callable[[Reinforcement, str], BendingRule]
+    bars_by_steps: Callable[[Reinforcement, BarsNeeded, str], Iterator[Step]] | None = None
     shear: ShearRule | None = None
     punching: PunchingRule | None = None
     beams: BeamRule | None = None

@@ -26,6 +26,11 @@ from groundslab.errors import InputError, Issue
 __all__ = ["Axes", "Reinforcement", "SlabReinforcement", "deepest_axis", "minimum", "required", "rule", "slab"]
 
 _MPA = 1e6
+#: The formulas of `minimum` by kinds of annexes, with stresses in MPa and lengths in m, as sheets print them.
+MINIMUM = {
+    "by strength": "max({of_strength:g} * f_ctm / f_yk, {least:g}) * d * 10000",
+    "by cracking": "f_ctm * h^2 / 6 / (0.9 * d * f_yk) * 10000",
+}
 #: Lever arm over effective depth of bars that carry the moment at which a section cracks.
 _LEVER = 0.9
 

@@ -6,7 +6,15 @@ from groundslab.design.basis.design_code import BeamRule, Clauses, DesignCode, P
 from groundslab.design.bending import BendingRule
 from groundslab.design.en1992 import beams, bending, shear
 from groundslab.design.en1992.case_materials import materials
-from groundslab.design.en1992.checks import bars, one_way_shear, punching, punching_columns, punching_sheets, wall_ends
+from groundslab.design.en1992.checks import (
+    bars,
+    bending_steps,
+    one_way_shear,
+    punching,
+    punching_columns,
+    punching_sheets,
+    wall_ends,
+)
 from groundslab.design.en1992.checks.remarks import remarks
 from groundslab.model.design.reinforcement import Reinforcement
 
@@ -20,6 +28,7 @@ EN1992 = DesignCode(
     name="EN 1992-1-1",
     clauses=Clauses(bars="6.1, 9.2.1.1(1)", least_bars="9.2.1.1(1)", held_bars="9.2.1.2(3)"),
     bending=_bending,
+    bars_by_steps=bending_steps.steps,
     shear=ShearRule(
         resistance=one_way_shear.resistance,
         check=one_way_shear.check,

@@ -4,13 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from groundslab.design.basis.bending_steps import BarsNeeded
 from groundslab.design.basis.calculation import Step, with_numbers
+from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.punching_columns import Heads
 from groundslab.design.checks import check_design
 from groundslab.design.codes import code_of
+from groundslab.design.required_bars import MINIMUM, MOMENT, governing_needs, section_name
 from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.results.fields import LAYERS
 from groundslab.results.results import Results
 
+#: Areas that are followed by hand; where bars in compression count there is no calculation.
+FOLLOWED = (MOMENT, MINIMUM)
 _HEADS: Heads = (
     ("check", ""), ("of", ""), ("combination", ""), ("quantity", ""), ("symbol", ""), ("formula", ""),
     ("with numbers", ""), ("value", ""), ("unit", ""), ("clause", ""),
@@ -42,7 +48,16 @@ def _calculations(combined: Results) -> Iterator[tuple[str, str, str, tuple[Step
     for check in check_design(combined).checks:
         if check.steps:
             yield check.name, check.of, check.combination, check.steps
-    rule = code_of(steel).punching
+    code = code_of(steel)
+    states = {result.combination: result.limit_state for result in ultimate_results(combined)}
+    if code.bars_by_steps is not None:
+        axes = dict(zip(LAYERS, (*steel.bottom_axes, *steel.top_axes), strict=True))
+        for need in governing_needs(combined, steel):
+            if need.governed_by in FOLLOWED and need.combination is not None and need.moment is not None:
+                of = f"{need.layer.replace('_', ' ')}, {section_name(need.section)}"
+                bars = BarsNeeded(need.moment, need.thickness, axes[need.layer], need.area, need.minimum)
+                yield "bending", of, need.combination, tuple(code.bars_by_steps(steel, bars, states[need.combination]))
+    rule = code.punching
     if rule is not None and combined.model.columns:
         for number, (name, combination, steps) in enumerate(rule.sheets(combined, steel)):
             if number == 0 or combined.model.report.sheets == "all":

@@ -79,9 +79,11 @@ def test_every_value_follows_from_its_numbers(case: str) -> None:
             assert found == pytest.approx(value, rel=2e-5, abs=1e-6), numbers
             followed += 1
     assert followed >= 6 * len(columns)
-    assert set(table["of"]) - {""} == {column["name"] for column in columns}
+    names = [of for of, check in zip(table["of"], table["check"], strict=True) if check == "punching"]
+    assert set(names) == {column["name"] for column in columns}
     # of means over a cut, which may govern by ACI 318, there is none
-    assert set(table["check"]) == {"punching", "one-way shear"} or case == "ACI, edge and corner"
+    assert set(table["check"]) | {"one-way shear"} == {"bending", "punching", "one-way shear"}
+    assert "one-way shear" in table["check"] or case == "ACI, edge and corner"
     assert set(table["combination"]) == {"high"}
 
 
@@ -114,8 +116,9 @@ def test_which_sheets_are_wanted() -> None:
     """One of the column that uses most, of all, or none."""
     columns, changes = CASES["edge and corner"]
     every, one = (sheets(*columns, **changes, wanted=wanted) for wanted in ("all", "governing"))
-    first = [name for name in dict.fromkeys(every["of"]) if name]
-    assert set(one["of"]) == {"", first[0]}
+    first, only = ([of for of, check in zip(table["of"], table["check"], strict=True) if check == "punching"]
+                   for table in (every, one))  # fmt: skip
+    assert set(only) == {first[0]}
     rows = zip(every["check"], every["symbol"], every["value"], strict=True)
     shares = [value for check, symbol, value in rows if (check, symbol) == ("punching", "eta")]
     assert len(shares) == len(columns)
@@ -131,6 +134,19 @@ def test_one_way_shear_is_followed(steel: dict[str, Any]) -> None:
     found = of(table, "one-way shear")
     assert found["eta"] == pytest.approx(found["v_Ed"] / found["v_Rd,c"] if "v_Ed" in found else
                                          found["v_u"] / (0.75 * found["v_c"]))  # fmt: skip
+
+
+@pytest.mark.parametrize("steel", [{}, {"annex": "Germany"}, ACI])
+def test_bars_of_every_layer_are_followed(steel: dict[str, Any]) -> None:
+    """Of each layer that a moment or the minimum governs; areas are those of the table of reinforcement."""
+    table = sheets(MIDDLE, steel=steel)
+    found = {
+        str(of).partition(",")[0]: value
+        for of, symbol, value in zip(table["of"], table["symbol"], table["value"], strict=True)
+        if symbol == "A_req"
+    }
+    assert set(found) == {"bottom x", "bottom y", "top x", "top y"}
+    assert found["bottom x"] > 1.2 * found["top x"]
 
 
 def test_a_formula_with_its_numbers() -> None:

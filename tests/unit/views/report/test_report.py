@@ -318,7 +318,7 @@ class TestNumbers:
         """Each table has its section, its title, its rows and its notes; a wide one in parts of few columns."""
         section = root.one("section", id="tables")
         tables = tables_of(plain)
-        assert len(tables) == 13
+        assert len(tables) == 14
         for table in tables:
             part = section.one("section", id=f"table-{table.name}")
             assert part.one("h3").text == table.title
