@@ -21,6 +21,18 @@ from groundslab.design.en1992.annex import RECOMMENDED, Annex
 from groundslab.design.en1992.materials import Concrete, Steel
 
 _MPA = 1e6
+#: The formulas of the functions here, with moments per width in MN, stresses in MPa and lengths in m, as sheets print
+#: them.
+FORMULAS = {
+    "x": "sqrt((alpha_e * A_s)^2 + 2 * alpha_e * A_s * d) - alpha_e * A_s",
+    "sigma_s": "m / (A_s * (d - x / 3))",
+    "rho": "A_s / min(2.5 * (h - d), (h - x) / 3, h / 2)",
+    "eps": "max(sigma_s - k_t * f_ctm / rho * (1 + E_s / E_cm * rho), 0.6 * sigma_s) / E_s",
+    "s_r near": "k_3 * c + k_1 * k_2 * k_4 * phi / rho",
+    "s_r far": "1.3 * (h - x)",
+    "s_r by stress": "min(s_r, sigma_s * phi / (3.6 * f_ctm))",
+    "w_k": "s_r * eps * 1000",
+}
 #: Bond of ribbed bars, and bending.
 K_1, K_2 = 0.8, 0.5
 #: Share of f_yk that bars may be stressed by in characteristic combinations, k_3 of 7.2(5).
@@ -107,8 +119,13 @@ def crack_width(
     sigma_s = bar_stress(m, h, bars, concrete, steel, E_c)
     s_r = largest_spacing(bars, h, x, rho, concrete.annex)
     if concrete.annex.crack_spacing_by_stress:
-        s_r = np.minimum(s_r, sigma_s * bars.diameter / (3.6 * concrete.f_ctm))
+        s_r = np.minimum(s_r, spacing_by_stress(sigma_s, bars, concrete))
     return s_r * mean_strain(sigma_s, rho, concrete, steel, k_t)
+
+
+def spacing_by_stress(sigma_s: Array, bars: Bars, concrete: Concrete) -> Array:
+    """Return the largest s_r,max (n,) [m] by the stress of bars, where the annex has it."""
+    return np.asarray(sigma_s * bars.diameter / (3.6 * concrete.f_ctm))
 
 
 def minimum_area(h: Array, concrete: Concrete, sigma_s: float) -> Array:

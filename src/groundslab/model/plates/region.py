@@ -86,7 +86,7 @@ class PlateRegion:
 
 
 #: The region of plates, computed once.
-get_plate_region = lru_cache(maxsize=4)(PlateRegion)
+get_plate_region = lru_cache(maxsize=32)(PlateRegion)
 
 
 def _area(plate: AnyPlate) -> BaseGeometry:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from groundslab.design.basis.bar_checks import check_cover, check_spacing
+from groundslab.design.basis.calculation import Step
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results, why_none
 from groundslab.design.basis.demand_errors import greatest_moments, scaled
@@ -15,10 +16,11 @@ from groundslab.design.demands.design_moments import design_moments
 from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.annex import annex_of
 from groundslab.design.en1992.case_materials import materials, strengths
+from groundslab.design.en1992.checks import crack_steps
 from groundslab.design.en1992.checks.first_cracks import check_first_cracks
 from groundslab.model.design.laid_bars import LaidBars, axis_of, bars_of
 from groundslab.model.design.reinforcement import Reinforcement
-from groundslab.results.fields import LAYERS, extreme
+from groundslab.results.fields import LAYERS, extreme_node, place_of
 from groundslab.results.results import Results
 
 MM = 1e3
@@ -63,13 +65,18 @@ def _cover(steel: Reinforcement) -> DesignCheck:
 
 @dataclass(frozen=True, slots=True)
 class _Bent:
-    """The bars of a layer where a field is largest: its value, the place [m], the combination, the value's error."""
+    """The bars of a layer where a field is largest: its value, the place [m], the combination, the value's error.
+
+    With the moment there [N m/m] and the node.
+    """
 
     layer: str
     value: float
     place: tuple[float, float]
     combination: str
     error: float | None
+    moment: float
+    node: int
 
 
 def _bars_in_tension(
@@ -89,12 +96,15 @@ def _bars_in_tension(
         largest = []
         for result in results:
             m = np.abs(getattr(design_moments(result.plate), layer))
-            largest.append((*extreme(result.plate.nodes, field(m, thickness, bars, *of_case), 1), result.combination))
-        value, place, combination = max(largest)
+            values = field(m, thickness, bars, *of_case)
+            node = extreme_node(result.plate.nodes, values, 1)
+            place = place_of(result.plate.nodes, node)
+            largest.append((float(values[node]), place, result.combination, float(m[node]), node))
+        value, place, combination, moment, node = max(largest)
         greatest, error = greatest_moments(combined.results[combination]), None
         if greatest is not None:
             error = float(field(np.abs(getattr(greatest, layer)), thickness, bars, *of_case).max()) - value
-        bent.append(_Bent(layer, value, place, combination, error))
+        bent.append(_Bent(layer, value, place, combination, error, moment, node))
     return bent
 
 
@@ -164,10 +174,23 @@ def _cracks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars], 
     f_yk = strengths(steel)[1]
     for stress, crack in zip(stresses, _bars_in_tension(combined, steel, laid, state, widths=True), strict=True):
         name = f"crack width at the {crack.layer.replace('_', ' ')}"
-        yield _yields(stress, f_yk, name) if stress.value > f_yk else _crack(crack, w_max, name)
+        if stress.value > f_yk:
+            yield _yields(stress, f_yk, name)
+        else:
+            yield _crack(crack, w_max, name, _steps(combined, steel, laid[crack.layer], crack))
 
 
-def _crack(crack: _Bent, w_max: float, name: str) -> DesignCheck:
+def _steps(combined: Results, steel: Reinforcement, laid: LaidBars, crack: _Bent) -> Iterator[Step]:
+    """Yield the calculation of the width of a crack."""
+    result = combined.results[crack.combination]
+    h = float(result.elements.at_nodes(result.plate)[0][crack.node])
+    diameter, spacing, area = (float(np.broadcast_to(each, len(result.plate.nodes))[crack.node])
+                               for each in (laid.diameter, laid.spacing, laid.area))  # fmt: skip
+    bars = cracking.Bars(diameter, spacing, axis_of(steel, crack.layer) - diameter / 2, np.array(area))
+    return crack_steps.steps(crack.moment, h, bars, *materials(steel))
+
+
+def _crack(crack: _Bent, w_max: float, name: str, steps: Iterator[Step]) -> DesignCheck:
     """Return the check of the widest crack at a layer."""
     value, most = crack.value * MM, w_max * MM
     holds = value <= most
@@ -183,4 +206,5 @@ def _crack(crack: _Bent, w_max: float, name: str) -> DesignCheck:
         combination=crack.combination,
         place=crack.place,
         error=scaled(crack.error, MM),
+        steps=tuple(steps),
     )
