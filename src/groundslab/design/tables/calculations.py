@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from groundslab.design.basis.bending_steps import BarsNeeded
 from groundslab.design.basis.calculation import Step, with_numbers
 from groundslab.design.basis.combinations import ultimate_results
@@ -53,10 +55,14 @@ def _calculations(combined: Results) -> Iterator[tuple[str, str, str, tuple[Step
     if code.bars_by_steps is not None:
         axes = dict(zip(LAYERS, (*steel.bottom_axes, *steel.top_axes), strict=True))
         for need in governing_needs(combined, steel):
-            if need.governed_by in FOLLOWED and need.combination is not None and need.moment is not None:
+            if need.governed_by not in FOLLOWED or need.combination is None or need.moment is None:
+                continue
+            bars = BarsNeeded(need.moment, need.thickness, axes[need.layer], need.area, need.minimum)
+            state = states[need.combination]
+            alone = code.bending(steel, state).required(np.array([abs(bars.moment)]), bars.d, thickness=bars.thickness)
+            if not alone.fails[0]:  # without bars in compression, which the steps know nothing of
                 of = f"{need.layer.replace('_', ' ')}, {section_name(need.section)}"
-                bars = BarsNeeded(need.moment, need.thickness, axes[need.layer], need.area, need.minimum)
-                yield "bending", of, need.combination, tuple(code.bars_by_steps(steel, bars, states[need.combination]))
+                yield "bending", of, need.combination, tuple(code.bars_by_steps(steel, bars, state))
     rule = code.punching
     if rule is not None and combined.model.columns:
         for number, (name, combination, steps) in enumerate(rule.sheets(combined, steel)):

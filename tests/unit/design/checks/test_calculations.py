@@ -154,6 +154,15 @@ def test_bars_of_every_layer_are_followed(steel: dict[str, Any]) -> None:
     assert found["bottom x"] > 1.2 * found["top x"]
 
 
+@pytest.mark.parametrize("steel", [{}, ACI])
+@pytest.mark.parametrize("P", [1.2e6, 2e6, 5e6])
+def test_bars_in_compression_are_not_followed(steel: dict[str, Any], P: float) -> None:
+    """In a slab so thin that they count, or that is too weak, the other calculations are left."""
+    table = sheets(MIDDLE, steel=steel, thickness=0.25, P=P)
+    assert "bending" not in table["check"]
+    assert follow(table) > 10
+
+
 @pytest.mark.parametrize("steel", [{}, {"annex": "Germany"}, {"far": True}])
 def test_widths_of_cracks_are_followed(steel: dict[str, Any]) -> None:
     """Of all layers, bars near each other and far apart, by 7.11 and 7.14; the width is that of the check."""
