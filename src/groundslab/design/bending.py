@@ -19,7 +19,7 @@ from groundslab.arrays import Array, Flags
 from groundslab.design.demands.design_moments import DesignMoments
 from groundslab.errors import InputError, Issue
 
-#: The formulas of `required`, with moments per width in MN, stresses in MPa and lengths in m, as sheets print them.
+#: The formulas of `required`, with moments per width in MN, stresses in MPa and lengths in m.
 FORMULAS = {
     "mu": "m / (f_c * d^2)",
     "omega": "2 * mu / (1 + sqrt(1 - 2 * mu))",

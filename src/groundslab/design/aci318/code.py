@@ -10,7 +10,7 @@ from groundslab.design.aci318.checks import (
     one_way_shear,
     two_way,
     two_way_columns,
-    two_way_sheets,
+    two_way_steps,
     wall_ends,
 )
 from groundslab.design.aci318.checks.remarks import remarks
@@ -47,7 +47,7 @@ ACI318 = DesignCode(
         checks=two_way.checks,
         extremes=(("v_u", "MPa"),),
         with_errors=("V_u", "v_u", "v_u / phi v_c"),
-        sheets=two_way_sheets.at_columns,
+        steps=two_way_steps.at_columns,
     ),
     beams=BeamRule(minimum=beams.minimum, links=beams.links, clauses="22.3, 22.5, 9.6.1.2, 9.6.3.4"),
     bars=bars.checks,

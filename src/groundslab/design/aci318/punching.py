@@ -22,7 +22,7 @@ from groundslab.arrays import Array
 from groundslab.design.aci318.materials import PHI_SHEAR, Concrete, Steel
 from groundslab.design.demands.line_properties import centroid, directions, second_moments, total_length
 
-#: The formulas of the functions here, with forces in MN, stresses in MPa and lengths in m, as sheets print them.
+#: The formulas of the functions here, with forces in MN, stresses in MPa and lengths in m.
 FORMULAS = {
     "gamma_v1": "1 - 1 / (1 + 2 / 3 * sqrt(b_1 / b_2))",
     "gamma_v2": "1 - 1 / (1 + 2 / 3 * sqrt(b_2 / b_1))",

@@ -17,8 +17,7 @@ from groundslab.arrays import Array
 from groundslab.design.aci318.materials import PHI_SHEAR, Concrete, Steel
 
 _MPA = 1e6
-#: The formulas of the functions here, with forces per width in MN/m, stresses in MPa and lengths in m, as sheets print
-#: them.
+#: The formulas of the functions here, with forces per width in MN/m, stresses in MPa and lengths in m.
 FORMULAS = {
     "v_c": "min(0.66 * lambda_s * rho_w^(1/3), 0.42) * r * d",
     "a_v": "max((v_u / phi - 0.17 * r * d) / (f_yt * d), max(0.062 * r, 0.35) / f_yt) * 10000",

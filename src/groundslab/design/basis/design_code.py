@@ -77,7 +77,7 @@ class PunchingRule:
         Those columns of a table whose extremes are wanted.
     with_errors : tuple of str
         Those whose values have discretization errors, besides what acts inside a perimeter.
-    sheets : callable
+    steps : callable
         Of all combinations and materials: at which column and in which combination each calculation is, and its steps,
         the column that uses most first.
     """
@@ -88,7 +88,7 @@ class PunchingRule:
     checks: Callable[[Results], Iterator[DesignCheck]]
     extremes: Heads
     with_errors: tuple[str, ...]
-    sheets: Callable[[Results, Reinforcement], Iterator[tuple[str, str, tuple[Step, ...]]]]
+    steps: Callable[[Results, Reinforcement], Iterator[tuple[str, str, tuple[Step, ...]]]]
 
 
 @dataclass(frozen=True, slots=True)

@@ -26,7 +26,7 @@ from groundslab.errors import InputError, Issue
 __all__ = ["Axes", "Reinforcement", "SlabReinforcement", "deepest_axis", "minimum", "required", "rule", "slab"]
 
 _MPA = 1e6
-#: The formulas of `minimum` by kinds of annexes, with stresses in MPa and lengths in m, as sheets print them.
+#: The formulas of `minimum` by kinds of annexes, with stresses in MPa and lengths in m.
 MINIMUM = {
     "by strength": "max({of_strength:g} * f_ctm / f_yk, {least:g}) * d * 10000",
     "by cracking": "f_ctm * h^2 / 6 / (0.9 * d * f_yk) * 10000",

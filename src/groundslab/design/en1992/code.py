@@ -12,7 +12,7 @@ from groundslab.design.en1992.checks import (
     one_way_shear,
     punching,
     punching_columns,
-    punching_sheets,
+    punching_steps,
     wall_ends,
 )
 from groundslab.design.en1992.checks.remarks import remarks
@@ -43,7 +43,7 @@ EN1992 = DesignCode(
         checks=punching.checks,
         extremes=(("v_Ed", "MPa"), ("v_Ed / v_Rd", ""), ("v_Ed at the face", "MPa")),
         with_errors=("V_Ed", "v_Ed", "v_Ed / v_Rd", "v_Ed at the face"),
-        sheets=punching_sheets.at_columns,
+        steps=punching_steps.at_columns,
     ),
     beams=BeamRule(minimum=beams.minimum, links=beams.links, clauses="6.1, 6.2.3, 9.2.1.1(1), 9.2.2(5)"),
     bars=bars.checks,

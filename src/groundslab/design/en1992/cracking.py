@@ -21,8 +21,7 @@ from groundslab.design.en1992.annex import RECOMMENDED, Annex
 from groundslab.design.en1992.materials import Concrete, Steel
 
 _MPA = 1e6
-#: The formulas of the functions here, with moments per width in MN, stresses in MPa and lengths in m, as sheets print
-#: them.
+#: The formulas of the functions here, with moments per width in MN, stresses in MPa and lengths in m.
 FORMULAS = {
     "x": "sqrt((alpha_e * A_s)^2 + 2 * alpha_e * A_s * d) - alpha_e * A_s",
     "sigma_s": "m / (A_s * (d - x / 3))",

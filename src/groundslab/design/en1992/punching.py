@@ -22,7 +22,7 @@ from groundslab.design.en1992.materials import Concrete, Steel
 from groundslab.design.en1992.shear import THICK, THIN
 
 _MPA = 1e6
-#: The formulas of the functions here, with forces in MN, stresses in MPa and lengths in m, as sheets print them.
+#: The formulas of the functions here, with forces in MN, stresses in MPa and lengths in m.
 FORMULAS = {
     "k": "min(2, 1 + sqrt(200 / (1000 * d)))",
     "v_Rd,c": "max(C / gamma_C * k * (100 * rho_l * f_ck)^(1/3), v_min * k^(3/2) * f_ck^(1/2))",

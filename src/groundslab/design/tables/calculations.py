@@ -65,6 +65,6 @@ def _calculations(combined: Results) -> Iterator[tuple[str, str, str, tuple[Step
                 yield "bending", of, need.combination, tuple(code.bars_by_steps(steel, bars, state))
     rule = code.punching
     if rule is not None and combined.model.columns:
-        for number, (name, combination, steps) in enumerate(rule.sheets(combined, steel)):
+        for number, (name, combination, steps) in enumerate(rule.steps(combined, steel)):
             if number == 0 or combined.model.report.sheets == "all":
                 yield "punching", name, combination, steps

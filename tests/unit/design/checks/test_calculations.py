@@ -22,8 +22,9 @@ HOLE = {"kind": "rectangle", "x": (0.5, 0.9), "y": (-0.2, 0.2)}
 
 
 def sheets(*columns: dict[str, Any], steel: dict[str, Any] | None = None, thickness: float = 0.4, wanted: str = "all",
-           openings: tuple[dict[str, Any], ...] = (), M_y: float = 0.0, P: float = 900e3) -> Table:  # fmt: skip
-    """Return the calculations for columns of a slab of 6 m by 4 m, each with a force and perhaps a moment."""
+           openings: tuple[dict[str, Any], ...] = (), M_y: float = 0.0, P: float = 900e3,
+           name: str = "calculations") -> Table:  # fmt: skip
+    """Return the calculations, or another table, of a slab of 6 m by 4 m with columns that press and turn it."""
     model = gs.Model(
         plate={"length_x": 6.0, "length_y": 4.0, "thickness": thickness, "E": 30e9, "nu": 0.2, "openings": openings},
         ground={"kind": "pasternak", "k0": 20e6, "k1": 5e6},
@@ -37,7 +38,7 @@ def sheets(*columns: dict[str, Any], steel: dict[str, Any] | None = None, thickn
         report={"sheets": wanted},
         mesh={"size": 0.25},
     )  # fmt: skip
-    (found,) = [table for table in tables_of(gs.solve(model)) if table.name == "calculations"]
+    (found,) = [table for table in tables_of(gs.solve(model)) if table.name == name]
     return found
 
 
@@ -97,12 +98,20 @@ def test_the_sheet_is_the_check() -> None:
     found = of(sheets(MIDDLE, M_y=80e3), "punching")
     assert {"M_1", "M_2", "W_1", "beta", "rho_l", "v_Rd,c", "eta", "eta_0"} <= found.keys()
     assert found["beta"] > 1.02
-    assert found["v_Rd"] == pytest.approx(found["v_Rd,c"] * 2 * found["d"] / found["a"])
+    columns = sheets(MIDDLE, M_y=80e3, name="columns")
+    row = columns["combination"].index("high")
+    assert found["eta"] == pytest.approx(columns["v_Ed / v_Rd"][row], rel=1e-9)
+    assert found["v_Ed,0"] == pytest.approx(columns["v_Ed at the face"][row], rel=1e-9)
+    assert found["v_Rd,max"] == pytest.approx(columns["v_Rd,max"][row], rel=1e-9)
 
 
 def test_the_sheet_of_two_way_shear_is_the_check() -> None:
     """By ACI 318 the share is that of the table of columns, v_u over 0.75 v_c."""
     found = of(sheets(MIDDLE, M_y=80e3, steel=ACI), "punching")
+    columns = sheets(MIDDLE, M_y=80e3, steel=ACI, name="columns")
+    row = columns["combination"].index("high")
+    assert found["v_u"] == pytest.approx(columns["v_u"][row], rel=1e-9)
+    assert 0.75 * found["v_c"] == pytest.approx(columns["phi v_c"][row], rel=1e-9)
     assert found["eta"] == pytest.approx(found["v_u"] / (0.75 * found["v_c"]))
     assert abs(found["gamma_v1"] - 0.4) < 0.05
     assert found["v_u"] > found["V_u"] / (found["b_o"] * found["d"])
@@ -137,8 +146,9 @@ def test_one_way_shear_is_followed(steel: dict[str, Any]) -> None:
     """In a thin slab, with links; the share is that of the check."""
     table = sheets(ROUND, steel=steel, thickness=0.25, P=450e3)
     found = of(table, "one-way shear")
-    assert found["eta"] == pytest.approx(found["v_Ed"] / found["v_Rd,c"] if "v_Ed" in found else
-                                         found["v_u"] / (0.75 * found["v_c"]))  # fmt: skip
+    checks = sheets(ROUND, steel=steel, thickness=0.25, P=450e3, name="checks")
+    used = checks["utilisation"][checks["check"].index("one-way shear")]
+    assert found["eta"] == pytest.approx(used, rel=1e-9)
 
 
 @pytest.mark.parametrize("steel", [{}, {"annex": "Germany"}, ACI])
@@ -151,7 +161,8 @@ def test_bars_of_every_layer_are_followed(steel: dict[str, Any]) -> None:
         if symbol == "A_req"
     }
     assert set(found) == {"bottom x", "bottom y", "top x", "top y"}
-    assert found["bottom x"] > 1.2 * found["top x"]
+    needed = sheets(MIDDLE, steel=steel, name="reinforcement")
+    assert found == pytest.approx(dict(zip(needed["layer"], needed["required area"], strict=True)), rel=1e-9)
 
 
 @pytest.mark.parametrize("steel", [{}, ACI])
@@ -172,7 +183,9 @@ def test_widths_of_cracks_are_followed(steel: dict[str, Any]) -> None:
     assert follow(table) > 40
     widths = [value for symbol, value in zip(table["symbol"], table["value"], strict=True) if symbol == "w_k"]
     assert len(widths) == 4
-    assert max(float(width or 0.0) for width in widths) > 0.02
+    checks = sheets(MIDDLE, steel=steel | laid | {"w_max": 3e-4}, P=300e3, name="checks")
+    rows = zip(checks["check"], checks["demand"], strict=True)
+    assert widths == pytest.approx([demand for check, demand in rows if str(check).startswith("crack width")], rel=1e-9)
 
 
 def test_a_formula_with_its_numbers() -> None:
