@@ -210,10 +210,13 @@ def _report(options: argparse.Namespace) -> int:
         found, hint = f"{target}, which is in the folder of the results", "groundslab solve would not replace it then"
         raise InputError([Issue("--out", found, "another folder", hint)])
     report.check(target)
-    combined = results_folder.load_results(folder)
-    text, comparison = report.text_of(folder, combined.model), load_comparison(folder)
-    remark = report.changes_since(folder, combined.model)
-    report.write_report(combined, target, text=text, chapters=options.chapters, comparison=comparison, remark=remark)
+    with report.start_printer(target) as printer:
+        combined = results_folder.load_results(folder)
+        text, comparison = report.text_of(folder, combined.model), load_comparison(folder)
+        remark, chapters = report.changes_since(folder, combined.model), options.chapters
+        report.write_report(
+            combined, target, text=text, chapters=chapters, comparison=comparison, remark=remark, printer=printer
+        )
     console.print_stderr(f"wrote {target}")
     if remark:
         console.print_stderr(f"note: {remark}")

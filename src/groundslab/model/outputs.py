@@ -38,9 +38,11 @@ class Project(Section):
 
 #: Chapters of the report, in their order.
 Chapter = Literal[
-    "extremes", "pictures", "case", "drawings", "grounds", "loads", "assumptions", "tables", "viewer", "certificate",
-    "convergence",
+    "extremes", "pictures", "drawings", "loads", "grounds", "assumptions", "tables", "calculations", "viewer",
+    "case", "certificate", "convergence", "long_tables",
 ]  # fmt: skip
+#: Those that it has by default.
+CHAPTERS: tuple[Chapter, ...] = tuple(chapter for chapter in get_args(Chapter) if chapter != "long_tables")
 
 
 class Report(Section):
@@ -48,8 +50,13 @@ class Report(Section):
 
     chapters: Annotated[
         tuple[Chapter, ...],
-        ListOf(Choice(Chapter, ""), "", "its chapters, in the report's own order; all by default", unique=True),
-    ] = get_args(Chapter)
+        ListOf(
+            Choice(Chapter, ""),
+            "",
+            "its chapters, in the report's own order; all but long_tables by default",
+            unique=True,
+        ),
+    ] = CHAPTERS
     sheets: Annotated[
         Literal["governing", "all", "none"],
         Choice(

@@ -12,7 +12,8 @@ import groundslab
 from groundslab.cli import main
 from groundslab.errors import InputError
 from groundslab.views.files import results_folder
-from groundslab.views.report import pdf
+from groundslab.views.report import html, pdf
+from helpers import synthetic
 from helpers.studies import write
 
 
@@ -56,14 +57,15 @@ def test_a_missing_package_is_named_before_results_are_read(
     assert f"pip install groundslab[{extra}]" in capsys.readouterr().err
 
 
-@pytest.mark.usefixtures("no_work")
-def test_a_missing_browser_is_reported_before_results_are_read(
+def test_a_missing_browser_is_reported_before_the_page_is_made(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """So it is where Playwright finds no browser to start."""
+    """So it is where Playwright finds no browser to start, which it does while results are read."""
     pytest.importorskip("playwright")
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(pdf, "_ways", lambda: iter([{"executable_path": str(tmp_path / "none")}]))
+    monkeypatch.setattr(html, "render_report", lambda *_, **__: pytest.fail("the page was made"))
+    results_folder.save_results(synthetic.results(), tmp_path / "slab-results")
     assert main.main(["report", "slab-results", "--pdf"]) == 2
     assert "Edge, Chrome or Chromium" in capsys.readouterr().err
 

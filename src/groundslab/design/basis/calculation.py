@@ -10,7 +10,7 @@ MEGA = 1e6
 #: Forces inside this close to each other, over the force that punches, are the same.
 SAME = 1e-9
 #: A symbol in a formula, such as v_Rd,c: a comma that belongs to it is followed by no space.
-_SYMBOL = re.compile(r"[A-Za-z]\w*(?:,\w+)*'?")
+SYMBOL = re.compile(r"[A-Za-z]\w*(?:,\w+)*'?")
 #: What formulas call; the rest are symbols.
 FUNCTIONS = ("max", "min", "sqrt", "abs")
 
@@ -39,7 +39,7 @@ def with_numbers(step: Step, known: Mapping[str, float]) -> str:
             return name
         return f"{known[name]:.6g}" if known[name] >= 0 else f"({known[name]:.6g})"
 
-    return _SYMBOL.sub(number, step.formula)
+    return SYMBOL.sub(number, step.formula)
 
 
 def punching_force(

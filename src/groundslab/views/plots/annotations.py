@@ -2,16 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from groundslab.results.contact_zone import goes_below_zero
 from groundslab.views.plots.panels import Panel, find_extremes
-from groundslab.views.plots.style import BASE, FOOT, GREY, INK, PT, SMALL, number, place_words, plain_text, text_width
-from groundslab.views.plots.symbols import white_outline
+from groundslab.views.plots.style import (
+    BASE,
+    FOOT,
+    GREY,
+    INK,
+    PT,
+    SMALL,
+    number,
+    place_words,
+    plain_text,
+    text_width,
+    white_outline,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -25,6 +37,8 @@ Point = tuple[float, float]
 AROUND: tuple[Point, ...] = ((0, 1), (0, -1), (1, 0), (-1, 0), (1, 1), (-1, 1), (1, -1), (-1, -1))
 #: What it costs to leave the drawing by a millimeter, in square millimeters that are covered.
 OUTSIDE = 8.0
+#: Of a line or another word so much may be covered [mm2].
+COVERED = 0.3
 #: So much better is each side than the next one, where all else is equal.
 ORDER = 1e-3
 
@@ -44,6 +58,23 @@ class LabelPlacement:
         """Return the middle of a box of some half size beside a place, and take it."""
         (x, y), (across, along) = place, (half[0] + distance, half[1] + distance)
         return self.place_best(((x + right * across, y + up * along) for right, up in sides), half)
+
+    def place_free(self, place: Point, half: Point, distance: float, sides: Sequence[Point] = AROUND) -> Point | None:
+        """Return the middle of a box beside a place and take it; None if on no side of it there is space."""
+        (x, y), (across, along) = place, (half[0] + distance, half[1] + distance)
+        for right, up in sides:
+            middle = x + right * across, y + up * along
+            if self._cost(middle, half) <= COVERED:
+                self.reserve(middle, half)
+                return middle
+        return None
+
+    def reserve_line(self, line: Array, half: float) -> None:
+        """Let nothing stand on a line through places (k, 2), as wide as twice half, if that can be helped."""
+        for start, end in pairwise(line):
+            pieces = max(1, int(np.ceil(np.hypot(*(end - start)) / (4 * half))))
+            for x, y in start + (np.arange(pieces)[:, None] + 0.5) / pieces * (end - start):
+                self.reserve((float(x), float(y)), (half, half))
 
     def place_best(self, middles: Iterable[Point], half: Point) -> Point:
         """Return the middle of those given whose box covers least, and take it; of equal ones the first."""
@@ -137,13 +168,33 @@ BESIDE: tuple[Point, ...] = ((1, 1), (-1, 1), (1, -1), (-1, -1))
 INSIDE: tuple[Point, ...] = ((-1, -1), (1, -1), (-1, 1), (1, 1), (0, -1), (0, 1), (-1, 0), (1, 0), (0, 0))
 
 
-def draw_labels(axes: Axes, model: Model, panel: Panel, per_meter: float) -> None:
-    """Name the columns, write the thickness of zones, mark the extremes by rings with their values.
+class Label(NamedTuple):
+    """Words about a place on a plan [mm]."""
 
-    The words cover neither each other nor the columns, as far as there is space.
+    text: str
+    middle: Point
+    size: float  # of the letters [pt]
+    boxed: bool = False
+
+
+def draw_labels(axes: Axes, model: Model, panel: Panel, per_meter: float) -> None:
+    """Name the columns, write the thickness of zones, mark the extremes by rings with their values."""
+    for extreme in find_extremes(panel):
+        (ring,) = axes.plot(*extreme.place, "o", markersize=3.6, markeredgecolor=INK, zorder=7, clip_on=False)
+        ring.set(markerfacecolor="white", markeredgewidth=0.9)
+    for label in place_labels(model, panel, per_meter):
+        _write_label(axes, label, per_meter)
+
+
+def place_labels(model: Model, panel: Panel, per_meter: float, *, numbered: bool = False) -> list[Label]:
+    """Return the values of the extremes, the names of columns and the thickness of zones, each where it is written.
+
+    The words cover neither each other nor the columns, as far as there is space. Where space is left, numbers say how
+    large the values are if they are wanted.
     """
     x0, x1, y0, y1 = (per_meter * bound for bound in model.bounds)
     placement = LabelPlacement((x0, x1, y0, y1))
+    labels = []
     extremes = find_extremes(panel)
     for extreme in extremes:
         placement.reserve((extreme.place[0] * per_meter, extreme.place[1] * per_meter), (1.0, 1.0))
@@ -152,17 +203,15 @@ def draw_labels(axes: Axes, model: Model, panel: Panel, per_meter: float) -> Non
     for middle, half in boxes:
         placement.reserve(middle, half)
     for word, value, (x, y), _ in extremes:
-        (ring,) = axes.plot(x, y, "o", markersize=3.6, markeredgecolor=INK, zorder=7, clip_on=False)
-        ring.set(markerfacecolor="white", markeredgewidth=0.9)
         words = f"{'max' if word == 'largest' else 'min'} {number(value)}"
         half = text_width(words, SMALL - 0.5) / 2 + 0.5, 0.6 * SMALL * PT
         middle = placement.place_beside((x * per_meter, y * per_meter), half, 1.6)
-        _write_label(axes, words, middle, per_meter, SMALL - 0.5, boxed=True)
+        labels.append(Label(words, middle, SMALL - 0.5, boxed=True))
     for column, ((x, y), half) in zip(model.columns if named else (), boxes, strict=False):
         words = plain_text(column.name, 12)
         size = text_width(words, FOOT) / 2 + 0.2, 0.55 * FOOT * PT
         corners = [(x + i * (half[0] + size[0]), y + j * (half[1] + size[1])) for i, j in BESIDE]
-        _write_label(axes, words, placement.place_best(corners, size), per_meter, FOOT, boxed=False)
+        labels.append(Label(words, placement.place_best(corners, size), FOOT))
     for zone in (zone for plate in model.every_plate for zone in plate.zones):
         if zone.thickness is not None:
             words = f"t = {zone.thickness:g} m"
@@ -170,7 +219,33 @@ def draw_labels(axes: Axes, model: Model, panel: Panel, per_meter: float) -> Non
             (x, y), half = _bounding_box(np.array(zone.shape.ring().flat(np.inf)) * per_meter)
             inner = half[0] - size[0] - 0.6, half[1] - size[1] - 0.6
             corners = [(x + i * inner[0], y + j * inner[1]) for i, j in INSIDE]
-            _write_label(axes, words, placement.place_best(corners, size), per_meter, FOOT + 0.5, boxed=False)
+            labels.append(Label(words, placement.place_best(corners, size), FOOT + 0.5))
+    return [*labels, *(_place_numbers(panel, per_meter, placement.taken) if numbered else ())]
+
+
+#: Numbers stand so far apart at least [mm], and have so many digits.
+APART, DIGITS = (9.0, 6.0), 3
+
+
+def _place_numbers(
+    panel: Panel, per_meter: float, taken: Sequence[tuple[float, float, float, float]]
+) -> Iterator[Label]:
+    """Yield values of a panel at their nodes where nothing stands, the largest in size first."""
+    places, sizes = panel.nodes * per_meter, np.abs(panel.values)
+    half = np.array(APART) / 2
+    low, high = places.min(axis=0) + half / 2, places.max(axis=0) - half / 2
+    free = (sizes > 1e-6 * sizes.max(initial=0)) & ((places >= low) & (places <= high)).all(axis=1)
+    for *middle, wide, tall in taken:
+        free &= (np.abs(places - middle) > half + np.array([wide, tall])).any(axis=1)
+    left = np.flatnonzero(free)
+    left = left[np.argsort(-sizes[left], kind="stable")]
+    while len(left):
+        node, others = left[0], left[1:]
+        value = float(panel.values[node])
+        words = f"{value:.{DIGITS}g}" if abs(value) < 10**DIGITS else f"{value:.0f}"
+        x, y = places[node]
+        yield Label(words.replace("-", "\N{MINUS SIGN}"), (float(x), float(y)), FOOT)
+        left = others[(np.abs(places[others] - places[node]) > 2 * half).any(axis=1)]
 
 
 def _bounding_box(places: Array) -> tuple[Point, Point]:
@@ -180,12 +255,12 @@ def _bounding_box(places: Array) -> tuple[Point, Point]:
     return (float(x), float(y)), (float(wide), float(high_))
 
 
-def _write_label(axes: Axes, words: str, middle: Point, per_meter: float, size: float, *, boxed: bool) -> None:
+def _write_label(axes: Axes, label: Label, per_meter: float) -> None:
     """Write words about a place [mm]."""
     look: dict[str, Any] = {"path_effects": white_outline(1.5)}
-    if boxed:
+    if label.boxed:
         look = {"bbox": {"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.6}}
     axes.text(
-        middle[0] / per_meter, middle[1] / per_meter, words, fontsize=size, ha="center", va="center", color=INK,
-        parse_math=False, zorder=8, **look,
+        label.middle[0] / per_meter, label.middle[1] / per_meter, label.text, fontsize=label.size, ha="center",
+        va="center", color=INK, parse_math=False, zorder=8, **look,
     )  # fmt: skip

@@ -14,6 +14,7 @@ from groundslab.views.plots.style import INK, SMALL
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.colors import Colormap, Normalize
+    from matplotlib.path import Path
     from matplotlib.tri import Triangulation
 
     from groundslab.arrays import Array, Integers
@@ -29,7 +30,7 @@ class ColorScale:
     """The borders of the bands, ascending, in units of display; how they are colored."""
 
     levels: Array
-    parts_at_zero: bool
+    parts_at: float | None  # where the two colors of the map meet, None of a map of one color
     reversed: bool = False  # the map runs from light to dark, for what is largest below zero
 
     def color_map(self) -> tuple[Colormap, Normalize]:
@@ -37,8 +38,8 @@ class ColorScale:
         from matplotlib import colormaps
         from matplotlib.colors import CenteredNorm, Normalize
 
-        if self.parts_at_zero:
-            norm: Normalize = CenteredNorm(0.0, float(np.abs(self.levels).max()))
+        if self.parts_at is not None:
+            norm: Normalize = CenteredNorm(self.parts_at, float(np.abs(self.levels - self.parts_at).max()))
             colors = colormaps[TWO_SIGNS]
         else:
             norm = Normalize(float(self.levels[0]), float(self.levels[-1]))
@@ -53,8 +54,8 @@ class ColorScale:
         return rgba
 
 
-def make_scale(values: Sequence[Array], *, signed: bool) -> ColorScale:
-    """Return the scale that several fields share, in units of display."""
+def make_scale(values: Sequence[Array], *, signed: bool, limit: float | None = None) -> ColorScale:
+    """Return the scale that several fields share, in units of display; it parts at zero, or at a limit if given."""
     from matplotlib.ticker import MaxNLocator
 
     low = min(float(value.min()) for value in values)
@@ -69,7 +70,9 @@ def make_scale(values: Sequence[Array], *, signed: bool) -> ColorScale:
         low, high = low - 0.5 * abs(low), high + 0.5 * abs(high)
     levels = np.asarray(MaxNLocator(nbins=BANDS, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high))
     only_below = below and not signed and high <= 1e-9 * size
-    return ColorScale(levels, (signed or below) and not only_below, only_below)
+    if limit is None and (signed or below) and not only_below:
+        limit = 0.0
+    return ColorScale(levels, limit, only_below)
 
 
 #: The eight triangles of a nine-node quadrilateral: all meet in its center, two along each side.
@@ -95,7 +98,7 @@ def triangulation(nodes: Array, elements: Integers) -> Triangulation:
 
 
 def draw_contours(axes: Axes, triangles: Triangulation, values: Array, scale: ColorScale) -> None:
-    """Fill the bands of nodal values (n,), with thin lines between them and a stronger one at zero."""
+    """Fill the bands of nodal values (n,), with thin lines between them and a stronger one where the colors meet."""
     colors, norm = scale.color_map()
     levels = scale.levels
     # what lies on the last level, or by rounding below the first one, would leave a hole
@@ -106,11 +109,24 @@ def draw_contours(axes: Axes, triangles: Triangulation, values: Array, scale: Co
     drawn.set_rasterized(many)
     between = levels[(levels > values.min()) & (levels < values.max())]
     if len(between):
-        at_zero = np.abs(between) <= 1e-9 * np.abs(levels).max()
-        widths = np.where(at_zero & scale.parts_at_zero, 0.7, 0.2)
+        parted = np.abs(between - (scale.parts_at or 0.0)) <= 1e-9 * np.abs(levels).max()
+        widths = np.where(parted & (scale.parts_at is not None), 0.7, 0.2)
         axes.tricontour(
             triangles, shown, levels=between, colors=INK, linewidths=widths, linestyles="solid", alpha=0.55, zorder=0.6
         ).set_rasterized(many)
+
+
+def bands(triangles: Triangulation, values: Array, levels: Sequence[float] | Array) -> list[Path]:
+    """Return the polygons between each level and the next one; those of one band are one path.
+
+    What lies beyond the levels counts as on the first or the last one.
+    """
+    from matplotlib.figure import Figure
+
+    # what lies on the last level would leave a hole
+    shown = np.clip(values, levels[0], levels[-1] - 1e-9 * (levels[-1] - levels[0]))
+    axes = Figure().add_axes((0.0, 0.0, 1.0, 1.0))
+    return list(axes.tricontourf(triangles, shown, levels=levels).get_paths())
 
 
 def draw_color_bar(

@@ -128,7 +128,9 @@ def shared_scales(panels: Sequence[Panel]) -> dict[str, ColorScale]:
     scales = {}
     for name in dict.fromkeys(panel.quantity.name for panel in panels):
         alike = [panel for panel in panels if panel.quantity.name == name]
-        scales[name] = make_scale([panel.values for panel in alike], signed=alike[0].quantity.field.sign == "any")
+        limit = 100.0 if name.startswith("utilisation") else None
+        signed = alike[0].quantity.field.sign == "any"
+        scales[name] = make_scale([panel.values for panel in alike], signed=signed, limit=limit)
     return scales
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from groundslab.accuracy.mesh_statistics import mesh_statistics
 from groundslab.model.loads.load_types import presses_ground
@@ -51,6 +51,8 @@ UPRIGHT, NARROW = 125.0, 110.0
 GAP, BAR = 2.5, 3.0
 #: A plan is not drawn smaller on a page than with this longer side, if fewer on it can be larger [mm].
 LEAST = 90.0
+#: Space around the box of a map on the left, right, above and below [mm].
+MAP_LEFT, MAP_RIGHT, MAP_TOP, MAP_BELOW = 7.0, 14.0, 1.5, 1.5
 #: Around the plate, relative to its longer side.
 PADDING = 0.02
 
@@ -78,6 +80,29 @@ def draw_panels(
             draw_title(axes, head)
         top += box_height + BELOW
     return page.finish(top, legend)
+
+
+class MapFrame(NamedTuple):
+    """What lies on the plate and the axes around it, without a field, and where [mm]."""
+
+    figure: Figure
+    left: float  # of the box, from the left of the figure
+    top: float
+    width: float
+    height: float
+    limits: tuple[float, float, float, float]  # x0, x1, y0, y1 [m]
+
+
+def draw_frame(model: Model, width: float, height: float) -> MapFrame:
+    """Return the frame of a map without loads, so small that width and height [mm] hold it."""
+    page, ratio = Page(width), _ratio(model)
+    box_width = min(width - MAP_LEFT - MAP_RIGHT, (height - MAP_TOP - MAP_BELOW) / ratio)
+    axes = page.add_axes(MAP_LEFT, MAP_TOP, box_width, box_width * ratio)
+    _draw_case(axes, model, lambda _: False, box_width)
+    axes.set(xlabel="", ylabel="", facecolor="none")
+    figure = page.finish(MAP_TOP + box_width * ratio + MAP_BELOW, signed=False)
+    figure.patch.set_visible(False)
+    return MapFrame(figure, MAP_LEFT, MAP_TOP, box_width, box_width * ratio, _limits(model))
 
 
 def draw_sheet(request: PlotRequest) -> Figure:
@@ -173,7 +198,7 @@ def draw_panel(axes: Axes, model: Model, panel: Panel, scale: ColorScale, width:
     if panel.quantity.name in BAR_FIELDS:
         legend |= symbols.draw_bar_zones(axes, model, panel.quantity.name.split("_", 1)[1])
     if panel.mesh:
-        color = INK if scale.parts_at_zero else "white"
+        color = INK if scale.parts_at is not None else "white"
         symbols.draw_elements(axes, panel.nodes, panel.elements, width / (x1 - x0), color)
     legend |= _draw_case(axes, model, panel.takes_part, width)
     height = width * _ratio(model)

@@ -134,6 +134,13 @@ def math_symbol(name: str) -> str:
     return f"${greek}_{{{index}}}$" if index else f"${greek}$"
 
 
+def white_outline(width: float) -> list[Any]:
+    """Return the effect that sets lines and letters off from the colors around them."""
+    from matplotlib.patheffects import withStroke
+
+    return [withStroke(linewidth=width, foreground="white")]
+
+
 #: Letters are measured so many times as large, at which hinting does not count.
 FINER = 10
 

@@ -16,7 +16,7 @@ from groundslab.fem.mesh import SIDES
 from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.model.loads.acting import AreaPressure, LineForce, PlateAction, PointForce
 from groundslab.views.plots.contours import MOST_ELEMENTS
-from groundslab.views.plots.style import GREY, GROUND, INK, LOAD, SUPPORT
+from groundslab.views.plots.style import GREY, GROUND, INK, LOAD, SUPPORT, white_outline
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -33,13 +33,6 @@ if TYPE_CHECKING:
 
 #: Width of the sides of elements [pt]: a share of their length on paper [mm], within limits.
 LINE_SHARE, LINE_WIDTHS = 0.12, (0.05, 0.4)
-
-
-def white_outline(width: float) -> list[Any]:
-    """Return the effect that sets lines and letters off from the colors around them."""
-    from matplotlib.patheffects import withStroke
-
-    return [withStroke(linewidth=width, foreground="white")]
 
 
 def draw_plate(axes: Axes, model: Model, fill: str = "none") -> Entries:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from dataclasses import replace
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
@@ -17,8 +18,10 @@ from groundslab.results.record import Certificate
 from groundslab.results.results import refusal_words
 from groundslab.results.soil_profile import list_columns
 from groundslab.schema.wording import listed
-from groundslab.views.report import drawings, table_layout
+from groundslab.views.report import table_layout
 from groundslab.views.report.assumptions import list_assumptions
+from groundslab.views.report.calculations import build_sheets
+from groundslab.views.report.drawings import drawings
 from groundslab.views.report.ground_models import build_chapter
 from groundslab.views.report.input_tables import input_tables
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout, drop_empty_columns, headers
@@ -28,7 +31,7 @@ from groundslab.views.summary.rows import SummarySection
 from groundslab.views.summary.terminal import between_text, error_text, limit_text, shown_row, step_texts, verdict_word
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
+    from collections.abc import Callable, Iterator, Mapping, Sequence
 
     from groundslab.analysis.ground_comparison.comparison import GroundComparison
     from groundslab.design.tables.table import Table
@@ -51,11 +54,14 @@ CERTIFICATE_NOTES = (
 
 #: Titles of the chapters, in their order.
 TITLES: dict[Chapter, str] = {
-    "extremes": "Extreme values", "pictures": "Pictures", "case": "Case", "drawings": "Drawings",
-    "grounds": "Ground models compared", "loads": "Loads",
-    "assumptions": "Assumptions and signs", "tables": "Tables", "viewer": "Viewer", "certificate": "Certificate",
-    "convergence": "Convergence",
+    "extremes": "Extreme values", "pictures": "Pictures", "drawings": "Drawings", "loads": "Loads",
+    "grounds": "Ground models compared", "assumptions": "Assumptions and signs", "tables": "Tables",
+    "calculations": "Calculations", "viewer": "Viewer",
+    "case": "Case, key by key", "certificate": "Certificate", "convergence": "Convergence",
+    "long_tables": "Long tables",
 }  # fmt: skip
+#: Those of the appendix.
+APPENDIX: tuple[Chapter, ...] = ("case", "certificate", "convergence", "long_tables")
 #: Limit states whose extremes stand side by side.
 GROUPS: dict[str, Sequence[str]] = {
     "ultimate": STRENGTH, "serviceability": SERVICEABILITY, "stability": ("equilibrium", "uplift"),
@@ -75,11 +81,7 @@ def build_page(
     """
     combinations.require_finite(combined)
     entries = combinations.entries(combined)
-    there = [entry.results for entry in entries if entry.results is not None]
     text = casefile.to_toml(combined.model) if text is None else text
-    governing = drawings.find_governing(combined).get("settlement", "")
-    leading = combined.results.get(governing) or (there[0] if there else None)
-    tables = tables_of(combined)
     wanted = combined.model.report.chapters if chapters is None else chapters
     if unknown := [name for name in wanted if name not in TITLES]:
         expected = f"chapters among {listed(TITLES)}"
@@ -87,8 +89,11 @@ def build_page(
     if comparison is not None and comparison.model != combined.model:
         raise InputError([Issue("comparison", "one of another model", "one of the model of the results")])
     missing = {"grounds"} if comparison is None else set()
+    shown = [name for name in TITLES if name in wanted and name not in missing]
+    contents = _chapters(combined, entries, comparison, in_appendix="long_tables" in shown)
     return {
-        "chapters": {name: title for name, title in TITLES.items() if name in wanted and name not in missing},
+        "chapters": {name: TITLES[name] for name in shown},
+        "appendix": [name for name in shown if name in APPENDIX],
         "title": combined.model.title,
         "project": _title_block(combined.model.project),
         "version": __version__,
@@ -102,20 +107,52 @@ def build_page(
             (error_text(check.error or 0.0, check.demand or 0.0), between_text(check))
             for check in check_design(combined).checks
         ],
-        "case": input_tables(combined.model, combined.combinations),
-        "assumptions": list_assumptions(combined),
-        "drawings": list(_drawings(combined, leading)),
-        "grounds": None if comparison is None else build_chapter(comparison),
-        "loads": list(drawings.draw_loads(combined.model, combined.solved_model)),
-        "constants": list_constants(entries) if any(results.constants.k0 for results in there) else None,
-        "analysed": list(map(layout_section, list_sections(combined))) if there else [],
-        "certificates": _certificates(combined, entries),
-        "extremes": list(_extremes(combined, entries)),
-        "tables": list(map(_table, tables)),
-        "history": list_steps(entries),
-        "pictures": list(drawings.draw_pictures(combined)),
-        "beams": list(drawings.draw_beams(combined)),
         "refused": [(name, refusal_words(error)) for name, error in combined.refused.items()],
+        **{key: make() for name in shown for key, make in contents.get(name, {}).items()},
+    }
+
+
+def _chapters(
+    combined: Results, entries: Sequence[Entry], comparison: GroundComparison | None, *, in_appendix: bool
+) -> dict[Chapter, dict[str, Callable[[], Any]]]:
+    """Return what makes the parts of each chapter, so that only those wanted are made."""
+    model = combined.model
+    there = [entry.results for entry in entries if entry.results is not None]
+    governing = drawings.find_governing(combined).get("settlement", "")
+    leading = combined.results.get(governing) or (there[0] if there else None)
+    constants = any(results.constants.k0 for results in there)
+    tables = cache(lambda: tables_of(combined))
+    return {
+        "extremes": {"extremes": lambda: list(_extremes(combined, entries))},
+        "pictures": {
+            "pictures": lambda: list(drawings.draw_pictures(combined)),
+            "beams": lambda: list(drawings.draw_beams(combined)),
+        },
+        "drawings": {"drawings": lambda: list(_drawings(combined, leading))},
+        "loads": {"loads": lambda: list(drawings.draw_loads(model, combined.solved_model))},
+        "grounds": {"grounds": lambda: None if comparison is None else build_chapter(comparison)},
+        "assumptions": {"assumptions": lambda: list_assumptions(combined)},
+        "tables": {
+            "tables": lambda: [layout_in_text(table, in_appendix) for table in tables() if table.name != "calculations"]
+        },
+        "calculations": {
+            "calculations": lambda: [table for table in tables() if table.name == "calculations"],
+            "sheets": lambda: [
+                sheet for table in tables() if table.name == "calculations" for sheet in build_sheets(table)
+            ],
+        },
+        "case": {
+            "case": lambda: input_tables(model, combined.combinations),
+            "analysed": lambda: list(map(layout_section, list_sections(combined))) if there else [],
+        },
+        "certificate": {"certificates": lambda: _certificates(combined, entries)},
+        "convergence": {
+            "constants": lambda: list_constants(entries) if constants else None,
+            "history": lambda: list_steps(entries),
+        },
+        "long_tables": {
+            "long_tables": lambda: [layout_whole(table) for table in tables() if table_layout.is_long(table)]
+        },
     }
 
 
@@ -264,15 +301,24 @@ def _holds(ok: bool) -> Cell:
     return Cell("holds", "good") if ok else Cell("FAILED", "bad")
 
 
-def _table(table: Table) -> dict[str, Any]:
-    """Return a table of the results, cut so that it fits on paper; of too long a one its heads and notes alone."""
-    complete = len(table) <= table_layout.MOST_IN_FILE
-    fitting = table
-    if not complete:
-        fitting = replace(table, columns=tuple(replace(column, values=()) for column in table.columns))
-    grids = table_layout.split_columns(table_layout.layout_table(fitting), table_layout.KEYS.get(table.name, 1))
-    about = {"name": table.name, "title": table.title, "length": len(table), "complete": complete}
-    return about | {"grids": grids, "digest": table_layout.summarize_table(table)}
+def layout_in_text(table: Table, in_appendix: bool) -> dict[str, Any]:
+    """Return a table as the text has it: whole, or of a long one its extremes and where it is whole."""
+    if not table_layout.is_long(table):
+        return layout_whole(table) | {"whole": ""}
+    rows, digest = len(table), table_layout.summarize_table(table)
+    where = f"tables/{table.name}.csv of the results and the workbook that groundslab tables writes"
+    if in_appendix and rows <= table_layout.MOST_IN_FILE:
+        where = "the appendix"
+    grids = [] if digest is None else [replace(digest, notes=(*digest.notes, *table.notes))]
+    return {"name": table.name, "title": table.title, "grids": grids, "whole": f"All {rows} rows: {where}."}
+
+
+def layout_whole(table: Table) -> dict[str, Any]:
+    """Return a table cut so that it fits on paper; without rows if it has too many for one file."""
+    fits = len(table) <= table_layout.MOST_IN_FILE
+    grids = table_layout.split_columns(table_layout.layout_table(table), table_layout.KEYS.get(table.name, 1))
+    about = {"name": table.name, "title": table.title, "length": len(table)}
+    return about | {"grids": grids if fits and len(table) else [], "notes": table.notes}
 
 
 def list_constants(entries: Sequence[Entry]) -> TableLayout:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from groundslab.views.ground_comparison.figure import draw_comparison
 from groundslab.views.ground_comparison.rows import constant_rows, figure_rows, headings, notes
 from groundslab.views.plots.export import to_inline_svg
-from groundslab.views.report.drawings import Drawing
+from groundslab.views.report.drawings.drawings import Drawing
 from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout
 
 if TYPE_CHECKING:

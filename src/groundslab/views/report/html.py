@@ -11,6 +11,7 @@ import gzip
 import hashlib
 import os
 import re
+from contextlib import AbstractContextManager, nullcontext
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -21,16 +22,18 @@ from groundslab.results.results import CombinationResult, Results, results_of
 from groundslab.storage import atomic, checksums
 from groundslab.storage.ownership import check_replaceable, is_page
 from groundslab.views.plots.export import write_file
+from groundslab.views.report.calculations import split_formula
 from groundslab.views.report.content import build_page
 from groundslab.views.report.table_layout import split_symbol, split_words
 from groundslab.views.scene.binary import pack
 from groundslab.views.scene.fields import scene_of
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
     from groundslab.analysis.ground_comparison.comparison import GroundComparison
     from groundslab.model.outputs import Chapter
+    from groundslab.views.report.pdf import Printer
 
 HERE = Path(__file__).parent
 #: What the head of every report says of itself, so that an older one can be recognized.
@@ -88,6 +91,7 @@ def write_report(
     chapters: Sequence[Chapter] | None = None,
     comparison: GroundComparison | None = None,
     remark: str = "",
+    printer: Printer | None = None,
 ) -> Path:
     """Write the report of results: one HTML file that needs no network, or a PDF with page numbers and bookmarks.
 
@@ -97,16 +101,16 @@ def write_report(
         Results of one or of several combinations.
     path : str or Path
         File to write, a PDF if its name ends with .pdf; an existing file is replaced only if it is such a report.
-    text : str, optional
-        Text of the case file, which the report quotes; without it, the model is written out.
-    file : str, default "case.toml"
-        Name of the case file.
+    text, file : str, optional
+        Text of the case file, which the report quotes, and its name; without a text, the model is written out.
     chapters : sequence of str, optional
         The chapters beside the first page; by default those of ``report.chapters`` of the case.
     comparison : GroundComparison, optional
         A comparison of grounds of the same model, which is a chapter then.
     remark : str, optional
         What the first page says besides, such as that the case has changed since.
+    printer : Printer, optional
+        What prints a PDF, if it was started before.
 
     Returns
     -------
@@ -122,7 +126,7 @@ def write_report(
 
     Notes
     -----
-    The same results give the same bytes of HTML. A PDF holds the time at which the browser made it, and no viewer.
+    The same results give the same bytes of HTML. A PDF holds the time at which it was made, and no viewer.
 
     Examples
     --------
@@ -132,19 +136,29 @@ def write_report(
     """
     target = check(path)
     render = partial(render_report, results, text=text, file=file, comparison=comparison, remark=remark)
-    if not _is_pdf(target):
+    if _is_pdf(target):
+        wanted = results.model.report.chapters if chapters is None else chapters
+        _print_page(target, printer, partial(render, chapters=[name for name in wanted if name != "viewer"]))
+    else:
         _write_page(target, render(chapters=chapters))
-        return Path(path)
-    wanted = results.model.report.chapters if chapters is None else chapters
-    atomic.write(target, _printed(render(chapters=[chapter for chapter in wanted if chapter != "viewer"])))
     return Path(path)
 
 
-def _printed(page: str) -> bytes:
-    """Return a page as PDF that says at its end whose it is."""
-    from groundslab.views.report.pdf import print_page
+def _print_page(target: Path, printer: Printer | None, render: Callable[[], str]) -> None:
+    """Write a page as PDF that says at its end whose it is; nobody waits for one that cannot be printed."""
+    with start_printer(target) if printer is None else nullcontext(printer) as started:
+        assert started is not None
+        started.wait()
+        atomic.write(target, started.print_page(render()) + f"{TAIL}{__version__}\n".encode())
 
-    return print_page(page) + f"{TAIL}{__version__}\n".encode()
+
+def start_printer(path: Path) -> AbstractContextManager[Printer | None]:
+    """Return what prints a report if its name says that it is a PDF; it starts while results are read."""
+    if not _is_pdf(path):
+        return nullcontext()
+    from groundslab.views.report.pdf import Printer
+
+    return Printer()
 
 
 def _write_page(target: Path, page: str) -> None:
@@ -160,13 +174,8 @@ def _is_pdf(path: Path) -> bool:
 
 def check(path: str | Path) -> Path:
     """Return the full path if a report can be written there; else raise InputError saying why not."""
-    if not _is_pdf(Path(path)):
-        return check_replaceable(path, partial(is_page, what="report"), "a report of groundslab")
-    from groundslab.views.report.pdf import require_printer
-
-    target = check_replaceable(path, _is_printed_report, "a report of groundslab")
-    require_printer()
-    return target
+    is_ours = _is_printed_report if _is_pdf(Path(path)) else partial(is_page, what="report")
+    return check_replaceable(path, is_ours, "a report of groundslab")
 
 
 def _is_printed_report(path: Path) -> bool:
@@ -254,5 +263,5 @@ def render_page(template: Path, **values: Any) -> str:
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
-    environment.filters |= {"pieces": split_symbol, "word_pieces": split_words}
+    environment.filters |= {"pieces": split_symbol, "word_pieces": split_words, "formula_pieces": split_formula}
     return _CONTROL.sub("\ufffd", environment.get_template(template.name).render(values))

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import AbstractContextManager, ExitStack
 from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import InputError, Issue
@@ -20,11 +21,39 @@ FOLDED = '<details class="folded"'
 INSTEAD = "a report without the ending .pdf opens in any browser, which can print it"
 
 
-def print_page(html: str) -> bytes:
-    """Return a page as PDF, its headings as bookmarks; raises InputError without Playwright or a browser."""
-    # in a thread of its own, as Playwright refuses to wait where an event loop runs, such as in a notebook
-    with ThreadPoolExecutor(1) as pool:
-        return pool.submit(_print, html).result()
+class Printer:
+    """A browser that starts while the page is made; it prints in a thread of its own.
+
+    Playwright refuses to wait where an event loop runs, such as in a notebook, and is used by the thread that started
+    it.
+    """
+
+    def __init__(self) -> None:
+        started_by = _import_playwright().sync_playwright
+        self._thread = ThreadPoolExecutor(1)
+        self._open = ExitStack()
+        self._browser = self._thread.submit(self._start, started_by)
+
+    def __enter__(self) -> Printer:
+        """Return the printer."""
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Close the browser."""
+        self._thread.submit(self._open.close).result()
+        self._thread.shutdown()
+
+    def wait(self) -> None:
+        """Return when the browser is there; raise InputError if there is none, or Playwright is missing."""
+        self._browser.result()
+
+    def print_page(self, html: str) -> bytes:
+        """Return a page as PDF, its headings as bookmarks."""
+        return self._thread.submit(_print, self._browser.result(), html).result()
+
+    def _start(self, started_by: Callable[[], AbstractContextManager[Playwright]]) -> Browser:
+        playwright = self._open.enter_context(started_by())
+        return self._open.enter_context(_launch(playwright))
 
 
 def unfold(html: str) -> str:
@@ -32,23 +61,11 @@ def unfold(html: str) -> str:
     return html.replace(FOLDED, f"{FOLDED} open")
 
 
-def _print(html: str) -> bytes:
+def _print(browser: Browser, html: str) -> bytes:
     """Return a page as PDF."""
-    with _import_playwright().sync_playwright() as playwright, _launch(playwright) as browser:
-        page = browser.new_page(java_script_enabled=False, offline=True)
-        page.set_content(unfold(html))
-        return page.pdf(prefer_css_page_size=True, print_background=True, outline=True, tagged=True)
-
-
-def require_printer() -> None:
-    """Raise InputError without Playwright or a browser, so that nobody waits for a page that cannot be printed."""
-
-    def start() -> None:
-        with _import_playwright().sync_playwright() as playwright, _launch(playwright):
-            pass
-
-    with ThreadPoolExecutor(1) as pool:
-        pool.submit(start).result()
+    page = browser.new_page(java_script_enabled=False, offline=True)
+    page.set_content(unfold(html))
+    return page.pdf(prefer_css_page_size=True, print_background=True, outline=True, tagged=True)
 
 
 def _import_playwright() -> Any:

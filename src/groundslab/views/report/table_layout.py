@@ -17,14 +17,14 @@ Kind = Literal["", "number", "good", "bad", "muted", "symbol", "words"]
 
 #: More columns than these do not fit on paper.
 MOST_COLUMNS = 11
-#: Of the tables in FOLDED those with more rows are folded on the screen; on paper they are complete.
+#: Of the tables in LONG those with more rows are whole in the appendix alone, and folded there on the screen.
 MOST_ROWS = 24
-FOLDED = {
-    "extremes", "envelope", "points", "soil", "lines", "strips", "supports", "columns", "pile_punching",
+LONG = {
+    "acting", "extremes", "envelope", "points", "soil", "lines", "strips", "supports", "columns", "pile_punching",
     "wall_punching",
 }  # fmt: skip
-#: Tables whose extremes are in other parts of the report.
-ELSEWHERE = {"extremes", "envelope", "columns"}
+#: Tables that have no extremes, or whose extremes are in other parts of the report.
+ELSEWHERE = {"acting", "extremes", "envelope", "columns"}
 #: Rows of a grid that are printed into a file at all; a table of more is read from its CSV file.
 MOST_IN_FILE = 3000
 
@@ -103,7 +103,12 @@ def layout_table(table: Table) -> TableLayout:
     ]
     rows = tuple(zip(*columns, strict=True))
     notes = (*table.notes, ERRORS) if len(shown) < len(table.columns) else table.notes
-    return TableLayout(table.title, heads, rows, notes, folded=table.name in FOLDED and len(rows) > MOST_ROWS)
+    return TableLayout(table.title, heads, rows, notes, folded=is_long(table))
+
+
+def is_long(table: Table) -> bool:
+    """Return whether a table is too long for the text."""
+    return table.name in LONG and len(table) > MOST_ROWS
 
 
 def errors_of(table: Table) -> dict[str, tuple[RawCell, ...]]:
@@ -120,7 +125,7 @@ def summarize_table(table: Table) -> TableLayout | None:
     and a direction has no extremes.
     """
     keys = KEYS.get(table.name, 0)
-    if table.name in ELSEWHERE or table.name not in FOLDED or len(table) <= MOST_ROWS:
+    if table.name in ELSEWHERE or not is_long(table):
         return None
     combination = table.columns[0].values
     name = table.columns[1].values
@@ -171,6 +176,7 @@ def _cell(value: RawCell, error: RawCell = None, column: str = "") -> Cell:
 
 GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "eta": "η", "kappa": "κ", "nu": "ν", "psi": "ψ", "phi": "φ", "rho": "ρ",
+    "mu": "μ", "omega": "ω", "sigma": "σ", "lambda": "λ", "delta": "δ", "eps": "ε", "epsilon": "ε", "theta": "θ",
     "dT": "ΔT",
 }  # fmt: skip
 _SYMBOL = re.compile(r"(?<![\w])([A-Za-z]+)(?:_([A-Za-z0-9]+))?(?![\w])")

@@ -20,8 +20,8 @@ from groundslab.model.loads.load_types import AnyLoad, Spread, is_zero
 from groundslab.model.model import Model
 from groundslab.model.remarks.singular_places import singular_places
 from groundslab.views.plots import symbols
-from groundslab.views.report.case_plan import draw_case_plan
-from groundslab.views.report.load_plan import load_text
+from groundslab.views.report.drawings.case_plan import draw_case_plan
+from groundslab.views.report.drawings.load_plan import load_text
 from groundslab.views.scene.plan import plan_of
 
 LINE = {"points": [(-1.0, 0.5), (1.5, 0.5)]}

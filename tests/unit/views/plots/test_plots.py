@@ -187,7 +187,7 @@ class TestScale:
         """White stands for zero if the quantity is signed or goes below zero, and only then."""
         found = contours.make_scale([np.linspace(low, 10, 20)], signed=signed)
         colors, norm = found.color_map()
-        assert found.parts_at_zero is parts
+        assert found.parts_at == (0.0 if parts else None)
         if parts:
             assert norm(0.0) == pytest.approx(0.5)
             assert min(colors(0.5)[:3]) > 0.9
@@ -200,7 +200,7 @@ class TestScale:
     def test_what_is_never_above_zero_runs_one_way_too(self) -> None:
         """Design moments at the top have one sign: one map, light where they are largest in size."""
         found = contours.make_scale([np.linspace(-80, 0, 9)], signed=False)
-        assert not found.parts_at_zero
+        assert found.parts_at is None
         colors, norm = found.color_map()
         assert sum(colors(norm(-80.0))[:3]) > sum(colors(norm(0.0))[:3])
 
@@ -213,7 +213,7 @@ class TestScale:
 
     def test_bands_have_the_colors_of_the_map(self) -> None:
         """Values within one band have one color, values in two bands have two."""
-        found = contours.ColorScale(np.array([0.0, 1.0, 2.0, 3.0]), parts_at_zero=False)
+        found = contours.ColorScale(np.array([0.0, 1.0, 2.0, 3.0]), parts_at=None)
         colors = found.colors_at(np.array([0.0, 0.9, 1.0, 3.0]))
         assert np.array_equal(colors[0], colors[1])
         assert not np.array_equal(colors[1], colors[2])
@@ -369,7 +369,7 @@ class TestPlan:
                 axes,
                 contours.triangulation(nodes, elements),
                 values,
-                contours.ColorScale(np.arange(11.0), parts_at_zero=False),
+                contours.ColorScale(np.arange(11.0), parts_at=None),
             )
         drawn = [path.vertices for path in axes.collections[0].get_paths() if len(path.vertices)]
         assert len(drawn) == 2

@@ -129,7 +129,7 @@ def test_several_plates_are_described_as_several() -> None:
 def test_nothing_that_is_folded_is_missing_on_paper(monkeypatch: pytest.MonkeyPatch) -> None:
     """Long tables and the convergence history are in the page, and open in what is printed; only the viewer is not."""
     monkeypatch.setattr("groundslab.views.report.table_layout.MOST_ROWS", 1)
-    html = render_report(synthetic.combined(), chapters=["tables", "certificate", "convergence", "viewer"])
+    html = render_report(synthetic.combined(), chapters=["long_tables", "certificate", "convergence", "viewer"])
     assert html.count(FOLDED) > 3
     printed = page(unfold(html))
     assert all("open" in each.attributes for each in printed.all("details") if each.attributes["class"] == "folded")

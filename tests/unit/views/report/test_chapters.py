@@ -18,9 +18,10 @@ from groundslab.model.model import Model
 from groundslab.results.results import Results, results_of
 from groundslab.units import UNITS
 from groundslab.views.files import results_folder
-from groundslab.views.report import content, drawings, pdf
+from groundslab.views.report import content, pdf
+from groundslab.views.report.drawings import drawings
+from groundslab.views.report.drawings.load_plan import draw_load_plan, load_text
 from groundslab.views.report.html import render_report
-from groundslab.views.report.load_plan import draw_load_plan, load_text
 from groundslab.views.summary.combinations import Extreme
 from groundslab.views.summary.rows import Row, SummarySection
 from helpers import grounds, synthetic
@@ -166,13 +167,31 @@ class TestLoads:
         written = [each.text for each in page(drawn.svg).all("text")]
         assert (written.count("60 kN"), written.count("7 kN")) == (0, 1)
 
-    def test_many_places_have_no_values(self) -> None:
-        """Of very many loads the values are left to the list."""
+    def test_values_thin_out(self) -> None:
+        """Of very many loads those values are written that there is space for, and the others are counted."""
         loads = [{"kind": "point", "P": 1e3 + n, "x": -2.9 + 0.02 * n, "y": 0} for n in range(250)]
         (drawn,) = plans_of_loads(model(cases=[], loads=loads))
-        assert drawn.caption == "All loads. Values are listed under loads."
         many = model(cases=[], loads=loads)
-        assert draw_load_plan(many, as_solved(many), None).axes
+        (axes,) = draw_load_plan(many, as_solved(many), None).axes
+        written = [text.get_text() for text in axes.texts]
+        assert len(written) > 20
+        missing = len(loads) - len(written)
+        assert drawn.caption == f"All loads. For {missing} values there is no space; all are listed under loads."
+
+    def test_values_stand_on_no_line(self) -> None:
+        """The value of a line load stands beside it, and that of a column on the plate's edge off the edge."""
+        column = {"name": "A", "x": 0, "y": 1.8, "width_x": 0.4, "width_y": 0.4}
+        loads = [
+            {"kind": "point", "P": 321e3, "column": "A"},
+            {"kind": "line", "q": 20e3, "points": [(-2, -1), (2, -1)]},
+        ]
+        slab = model(cases=[], loads=loads, columns=[column])
+        figure = draw_load_plan(slab, as_solved(slab), None)
+        (axes,) = figure.axes
+        boxes = {text.get_text(): text.get_window_extent() for text in axes.texts}
+        for words, y in (("321 kN", 2.0), ("20 kN/m", -1.0)):
+            _, at = axes.transData.transform((0.0, y))
+            assert not boxes[words].y0 <= at <= boxes[words].y1
 
     def test_a_force_with_both_ends(self) -> None:
         """A line load that varies shows both of its values."""

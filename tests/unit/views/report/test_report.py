@@ -35,15 +35,15 @@ from groundslab.views.plots.export import to_inline_svg
 from groundslab.views.plots.ground import soil
 from groundslab.views.plots.request import PlottedCombination
 from groundslab.views.plots.style import PAGE_COLORS, plain_text
-from groundslab.views.report import drawings
 from groundslab.views.report import html as document
-from groundslab.views.report.case_plan import SIDES, draw_case_plan
-from groundslab.views.report.drawings import draw_case, draw_soil, find_governing
+from groundslab.views.report.drawings.case_plan import SIDES, draw_case_plan
+from groundslab.views.report.drawings.drawings import draw_case, draw_soil, find_governing
 from groundslab.views.report.html import render_report
 from groundslab.views.report.input_tables import SECTIONS as CASE
 from groundslab.views.report.input_tables import InputTable, input_tables
 from groundslab.views.report.table_layout import (
     MOST_COLUMNS,
+    is_long,
     layout_table,
     split_columns,
     split_symbol,
@@ -59,8 +59,8 @@ from helpers.scenes import unpack, values_of
 
 #: Chapters in their order; the viewer stands in a section that is not on paper.
 CHAPTERS = [
-    "extremes", "pictures", "case", "drawings", "loads", "assumptions", "tables", "viewer", "certificate",
-    "convergence", "refused",
+    "extremes", "pictures", "drawings", "loads", "assumptions", "tables", "calculations", "viewer", "refused",
+    "case", "certificate", "convergence",
 ]  # fmt: skip
 #: Texts that do harm where they are not escaped.
 EVIL = [
@@ -164,12 +164,6 @@ def root(plain: Results) -> Element:
     return page(render_report(plain))
 
 
-@pytest.fixture(autouse=True)
-def _quick_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Spare tests the drawing of governing fields; the plain report above has true ones."""
-    monkeypatch.setattr(drawings, "plot", lambda results, _: draw_case_plan(results.model, results.solved_model))
-
-
 def sections_of(model: Model) -> list[InputTable]:
     """Return the sections of a case as the report lists them."""
     return input_tables(model, list_combinations(model))
@@ -227,7 +221,7 @@ class TestStructure:
         assert hashlib.sha256(text.encode()).hexdigest() in reported
         assert "raft <1>.toml" in reported
 
-    def test_drawings_and_pictures(self, plain: Results, root: Element) -> None:
+    def test_drawings_and_pictures(self, root: Element) -> None:
         """Plan, soil and signs are drawings; pictures are within the page, with words and their size."""
         assert [each.attributes["aria-label"] for each in root.one("section", id="drawings").all("svg")] == [
             "Plan of the plate",
@@ -236,14 +230,35 @@ class TestStructure:
         ]
         case = root.one("section", id="case").text
         assert [case.count(each) for each in ("mean scaled Jacobian", "unknowns1234")] == [1, 1]
-        pictures = list(root.one("section", id="pictures").all("svg"))
-        assert len(pictures) == 4
-        for picture in pictures:
+        pictures = list(root.one("section", id="pictures").all("svg", class_="drawing"))
+        shown = [picture.attributes["aria-label"].partition(" [")[0] for picture in pictures]
+        assert shown[:2] == ["Settlement of the plate, downwards positive", "Contact pressure under the plate"]
+        assert [words.partition(",")[0] for words in shown[-4:]] == [
+            f"Required area {face} {axis}" for face in ("bottom", "top") for axis in "xy"
+        ]
+        assert {words.partition(",")[0] for words in shown[2:-4]} == {
+            f"Bending moment of strips along {axis}" for axis in "xy"
+        }
+        for number, picture in enumerate(pictures):
             assert picture.attributes["aria-label"] == picture.one("title").text
             assert picture.attributes["aria-label"].endswith(".")
-            assert 300 < int(picture.attributes["width"]) < 1500
-            assert len(list(picture.all("path"))) > 30
-            assert plain.model.title in picture.text
+            assert 300 < int(picture.attributes["width"]) < 400
+            assert len(list(picture.all("path"))) > 5
+            # what lies on the plate is drawn once, and the others refer to it
+            assert [each.attributes["href"] for each in picture.all("use")].count("#frame-of-maps") == (number > 0)
+            assert len(list(picture.all("g", id="frame-of-maps"))) == (number == 0)
+
+    def test_pictures_have_numbers(self, plain: Results, root: Element) -> None:
+        """The numbers on a picture are values at nodes: each is one of the field that is drawn, to three digits."""
+        picture = next(root.one("section", id="pictures").all("svg", class_="drawing"))
+        largest = find_governing(plain)["settlement"]
+        values = plain.results[largest].plate.settlement * PLATE_FIELDS["settlement"].scale
+        known = {f"{value:.3g}".replace("-", "\N{MINUS SIGN}") for value in values}
+        numbers = [each.text for each in picture.all("text") if each.attributes.get("paint-order")]
+        on_plan = [text for text in numbers if not text.startswith(("max", "min", "t ="))]
+        named = {column.name for column in plain.model.columns}
+        assert len(set(on_plan) - named) > 5
+        assert set(on_plan) - named <= known
 
     def test_drawings_follow_the_page(self, root: Element) -> None:
         """Inline drawings have the page's colors and letters: no style, no font, none of the palette's own colors."""
@@ -320,8 +335,13 @@ class TestNumbers:
         tables = tables_of(plain)
         assert len(tables) == 14
         for table in tables:
+            if table.name == "calculations":  # a chapter of its own
+                continue
             part = section.one("section", id=f"table-{table.name}")
             assert part.one("h3").text == table.title
+            if is_long(table):
+                assert f"All {len(table)} rows: tables/{table.name}.csv" in part.text
+                continue
             assert all(note in part.text for note in table.notes)
             cells = [
                 "" if value is None else format_number(value) if isinstance(value, float) else str(value)
@@ -369,10 +389,9 @@ class TestNumbers:
 
     def test_constants_and_history(self, plain: Results, root: Element) -> None:
         """The combinations share their constants; each has its steps."""
-        heads, rows = next(grids(root.one("section", id="drawings")))
+        (heads, rows), (_, steps) = grids(root.one("section", id="convergence"))
         assert heads == ["compression k0 [MPa/m]", "shear k1 [MPa m]", "decay of the mode γ", "iterations for gamma"]
         assert rows == [["20.000", "30.000", "1.2000", "3"]]
-        _, steps = next(grids(root.one("section", id="convergence")))
         assert len(steps) == sum(len(each.steps) for each in plain.results.values())
         assert steps[2][1:] == ["1234", "1", "-", "2", "16", "0", "*"]
 
@@ -467,7 +486,7 @@ class TestSize:
     """Reports go by mail."""
 
     @pytest.mark.slow
-    def test_a_long_table_is_folded_with_a_digest(self, monkeypatch: pytest.MonkeyPatch) -> None:
+    def test_a_long_table_has_a_digest_and_is_whole_in_the_appendix(self, monkeypatch: pytest.MonkeyPatch) -> None:
         """On paper a long table of lines leaves its extremes; one that is longer still names its CSV file."""
         combined = solved(described(["part"]), n=24)
         found = page(render_report(combined)).one("section", id="table-lines")
@@ -489,11 +508,17 @@ class TestSize:
         assert rows[0][3] == format_number(min(settlements))
         assert rows[0][6] == format_number(max(settlements))
         assert rows[0][8] == combined.combinations[1].name
-        assert len(list(found.all("details"))) > 0
+        assert f"All {len(table)} rows: tables/lines.csv" in found.text
+        assert not list(found.all("details"))
+        root = page(render_report(combined, chapters=["tables", "long_tables"]))
+        assert f"All {len(table)} rows: the appendix." in root.one("section", id="table-lines").text
+        _, whole = next(grids(root.one("section", id="whole-lines")))
+        assert len(whole) == len(table)
         monkeypatch.setattr("groundslab.views.report.table_layout.MOST_IN_FILE", 50)
-        cut = page(render_report(combined)).one("section", id="table-lines")
-        assert "tables/lines.csv" in cut.text
-        assert not list(cut.all("details"))
+        cut = page(render_report(combined, chapters=["tables", "long_tables"]))
+        for part in (cut.one("section", id="table-lines"), cut.one("section", id="whole-lines")):
+            assert "tables/lines.csv" in part.text
+            assert not list(part.all("details"))
 
     @pytest.mark.slow
     def test_what_is_left_out_is_named(self, monkeypatch: pytest.MonkeyPatch, plain: Results) -> None:

@@ -11,7 +11,6 @@ from groundslab.views.plots import style
 from groundslab.views.plots.annotations import TitleLine, draw_title
 from groundslab.views.plots.contours import draw_color_bar, draw_contours, make_scale
 from groundslab.views.plots.panels import NOT_CERTIFIED
-from groundslab.views.plots.symbols import white_outline
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -110,4 +109,4 @@ def _draw_borders(axes: Axes, request: PlotRequest, section: SectionLine, deepes
     for depth in np.cumsum([layer.thickness for layer in getattr(request.combined.model.ground, "layers", ())]):
         if depth < deepest:
             line = axes.axhline(depth, color=style.INK, linewidth=0.8, linestyle=(0, (6, 3)), zorder=3)
-            line.set_path_effects(white_outline(1.8))
+            line.set_path_effects(style.white_outline(1.8))

@@ -9,14 +9,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.results.fields import PLATE_FIELDS
+from groundslab.design.basis.combinations import ultimate_results
+from groundslab.design.required_bars import bar_fields
 from groundslab.views.plots import beams, plot
 from groundslab.views.plots.export import to_inline_svg
 from groundslab.views.plots.ground.soil import draw_columns, soil_columns
+from groundslab.views.plots.panels import Panel, build_panels, find_extremes, shared_scales
 from groundslab.views.plots.plan import draw_mesh
 from groundslab.views.plots.request import PlottedCombination, parse_request
-from groundslab.views.report import load_plan
-from groundslab.views.report.case_plan import describe_omissions, draw_case_plan
+from groundslab.views.plots.style import place_words
+from groundslab.views.report.drawings import load_plan
+from groundslab.views.report.drawings.case_plan import describe_omissions, draw_case_plan
+from groundslab.views.report.drawings.maps import draw_maps
 
 if TYPE_CHECKING:
     from markupsafe import Markup
@@ -27,6 +31,8 @@ if TYPE_CHECKING:
 
 #: More columns of soil than these are not drawn.
 MOST_COLUMNS = 6
+#: Fields of which pictures show the envelopes.
+ENVELOPES = ("moment_x", "moment_y")
 #: What governs: the field that shows it, what it is called, and its size at each node.
 GOVERNS: dict[str, tuple[str, str, Callable[[Array], Array]]] = {
     "settlement": ("settlement", "largest settlement", np.positive),
@@ -114,14 +120,55 @@ def find_governing(combined: Results) -> dict[str, str]:
 
 
 def draw_pictures(combined: Results) -> Iterator[Drawing]:
-    """Yield the governing settlement, contact pressure and moments; where the plate lifts, its settlement then too."""
+    """Yield the governing settlement and contact pressure, moments, and the fields of bars, as small plans.
+
+    Where the plate lifts, its settlement then too. Of several ultimate combinations the moments are their envelopes,
+    else those that govern.
+    """
+    shown = [*_governing_panels(combined), *_bar_panels(combined)]
+    panels, captions = [panel for panel, _ in shown], [caption for _, caption in shown]
+    maps = draw_maps(combined.solved_model, panels, shared_scales(panels), captions)
+    yield from map(Drawing, maps, captions)
+
+
+def _governing_panels(combined: Results) -> Iterator[tuple[Panel, str]]:
+    """Yield the panels of single combinations and of envelopes, each with its caption."""
     drawn: dict[tuple[str, str], list[str]] = {}
     for what, name in find_governing(combined).items():
         drawn.setdefault((GOVERNS[what][0], name), []).append(GOVERNS[what][1])
+    ultimate = [results for results in ultimate_results(combined) if results.combination in combined.results]
     several = len(combined.combinations) > 1
-    for number, ((field, name), reasons) in enumerate(drawn.items(), 1):
-        about = PLATE_FIELDS[field]
+    for (field, name), reasons in drawn.items():
+        if field in ENVELOPES and len(ultimate) > 1:
+            continue
+        (panel,) = build_panels(parse_request(combined, (field,), "plan", name, None, None))
         governs = f", {name}; this combination governs the {' and '.join(reasons)}" if several else ""
-        caption = f"{about.meaning[0].upper()}{about.meaning[1:]}, {about.symbol} [{about.unit}]{governs}."
-        svg = to_inline_svg(partial(plot, combined.results[name], field), f"picture{number}", caption)
-        yield Drawing(svg, caption)
+        yield panel, _caption(panel, governs)
+    if len(ultimate) > 1:
+        for panel in build_panels(parse_request(combined, ENVELOPES, "plan", None, "ultimate", None)):
+            yield panel, _caption(panel, f": {panel.source[0].lower()}{panel.source[1:]}")
+
+
+def _bar_panels(combined: Results) -> Iterator[tuple[Panel, str]]:
+    """Yield the panels of bars: required, laid if not alike everywhere, used, missing if any are."""
+    fields = {name: values for name, values in bar_fields(combined).items() if np.isfinite(values).all()}
+    wanted = [
+        name
+        for name, values in fields.items()
+        if not (
+            (name.startswith("provided") and np.ptp(values) == 0) or (name.startswith("missing") and not values.any())
+        )
+    ]
+    if wanted:
+        for panel in build_panels(parse_request(combined, wanted, "plan", None, None, None)):
+            yield panel, _caption(panel, "")
+
+
+def _caption(panel: Panel, governs: str) -> str:
+    """Return what a panel shows, and its extremes with their places."""
+    extremes = [
+        f"{one.word} {one.value:.5g} at {place_words(one.place)}" + (f" ({one.whose})" if one.whose else "")
+        for one in find_extremes(panel)
+    ]
+    facts = "; ".join(extremes) or "zero"
+    return f"{panel.quantity.title} [{panel.quantity.field.unit}]{governs}. {facts[0].upper()}{facts[1:]}."

@@ -6,11 +6,14 @@ A case as written is `model`, the case as solved `placed`: there patterns are lo
 from __future__ import annotations
 
 from collections import Counter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
 
 from groundslab.model.loads.patterns import position_names
 from groundslab.views.plots import style, symbols
-from groundslab.views.report.case_plan import MOST_LABELS, Labels, middle, nearby, stands_in_plan, upper_left
+from groundslab.views.plots.annotations import LabelPlacement, Point
+from groundslab.views.report.drawings.case_plan import SIDES, middle, nearby, stands_in_plan, upper_left
 from groundslab.views.scene.plan import load_parts, plan_of
 
 if TYPE_CHECKING:
@@ -25,6 +28,8 @@ if TYPE_CHECKING:
 
 #: Width of a plan of loads, the largest height of what is drawn, and what stays free around it [mm].
 WIDTH, HEIGHT, FREE = 88.0, 88.0, 6.0
+#: A value keeps so far off lines, and stands so far beside its load, the nearest place that is free [mm].
+NEAR, DISTANCES = 0.4, (1.2, 2.5, 4.0)
 #: A value that stands at more places than this is written once, below the plan.
 MOST_EQUAL = 12
 
@@ -38,12 +43,24 @@ def takes_part(model: Model, case: LoadCase | None) -> Callable[[AnyLoad], bool]
     return symbols.load_filter((name, 1.0) for name in names)
 
 
-def draw_load_plan(model: Model, placed: Model, case: LoadCase | None) -> Figure:
-    """Return the plan of the loads of a case as a figure; of more than MOST_LABELS places none has its value."""
-    belongs = takes_part(model, case)
+class _Sheet(NamedTuple):
+    """Where a plan lies on its sheet."""
+
+    limits: tuple[float, float, float, float]  # x0, x1, y0, y1 [m]
+    per_meter: float  # [mm/m]
+
+
+def _sheet(model: Model) -> _Sheet:
+    """Return how large a plan is drawn."""
     near = nearby(plan_of(model))
     (x0, y0), (x1, y1) = near.min(axis=0), near.max(axis=0)
-    per_meter = min((WIDTH - 2 * FREE) / (x1 - x0), HEIGHT / (y1 - y0))
+    return _Sheet((x0, x1, y0, y1), min((WIDTH - 2 * FREE) / (x1 - x0), HEIGHT / (y1 - y0)))
+
+
+def draw_load_plan(model: Model, placed: Model, case: LoadCase | None) -> Figure:
+    """Return the plan of the loads of a case as a figure, with the values that there is space for."""
+    belongs = takes_part(model, case)
+    (x0, x1, y0, y1), per_meter = _sheet(model)
     width, height = (x1 - x0) * per_meter, (y1 - y0) * per_meter
     page = style.Page(WIDTH)
     axes = page.add_axes((WIDTH - width) / 2, FREE, width, height)
@@ -56,13 +73,12 @@ def draw_load_plan(model: Model, placed: Model, case: LoadCase | None) -> Figure
     for path in _paths(model, case):
         axes.plot(*zip(*path.points, strict=True), color=style.LOAD, linewidth=0.6, linestyle=(0, (6, 3)))
     symbols.draw_loads(axes, placed, belongs, everywhere=False)
-    texts, _ = _split_repeated(_values(model, placed, case))
-    if len(texts) <= MOST_LABELS:
-        labels = Labels(axes, per_meter, (x0, x1, y0, y1))
-        for place in texts:
-            labels.reserve(place, 1.3)
-        for place, values in texts.items():
-            labels.add(place, ", ".join(values), style.LOAD)
+    for text, (x, y) in _place_values(model, placed, case)[0]:
+        axes.text(
+            x / per_meter, y / per_meter, text, fontsize=style.SMALL, ha="center", va="center", color=style.LOAD,
+            parse_math=False, zorder=8,
+            bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.2},
+        )  # fmt: skip
     return page.finish(FREE + height + FREE / 2, signed=False)
 
 
@@ -71,12 +87,41 @@ def describe_loads(model: Model, placed: Model, case: LoadCase | None) -> str:
     everywhere = [_on_plate(load) for load, about in _loads_of(model, placed, case) if not stands_in_plan(about)]
     forces = [] if case is None else [("H_x", case.H_x), ("H_y", case.H_y)]
     everywhere += [f"{symbol.replace('_', '')} {value / 1e3:.5g} kN" for symbol, value in forces if value]
-    texts, repeated = _split_repeated(_values(model, placed, case))
+    _, repeated = _split_repeated(_values(model, placed, case))
     everywhere += [f"{count} \N{MULTIPLICATION SIGN} {text}" for text, count in repeated.items()]
     name = "All loads" if case is None else f"{case.name}, {case.action}"
-    hidden = " Values are listed under loads." if len(texts) > MOST_LABELS else ""
+    _, missing = _place_values(model, placed, case)
+    hidden = f" For {missing} values there is no space; all are listed under loads." if missing else ""
     moves = " It moves along the dashed path; drawn at the first position." if _paths(model, case) else ""
     return f"{name}{': ' if everywhere else ''}{'; '.join(everywhere)}.{hidden}{moves}"
+
+
+def _place_values(model: Model, placed: Model, case: LoadCase | None) -> tuple[list[tuple[str, Point]], int]:
+    """Return the values of loads with the middle of each [mm], and how many there is no space for.
+
+    They stand on no line of the plan, nor on each other.
+    """
+    (x0, x1, y0, y1), per_meter = _sheet(model)
+    limits = (x0 * per_meter - FREE, x1 * per_meter + FREE, y0 * per_meter - FREE, y1 * per_meter + FREE)
+    placement = LabelPlacement(limits)
+    plan = plan_of(placed)
+    parts = (*plan["plates"], *plan["openings"], *plan["zones"], *plan["columns"])
+    lines = [plan["outline"], *(part["ring"] for part in parts)]
+    of_loads = [about for _, about in _loads_of(model, placed, case) if stands_in_plan(about)]
+    lines += [about.get("ring") or about["points"] for about in of_loads]
+    for line in lines:
+        closed = np.array([*line, line[0]] if len(line) > 2 else line, dtype=float)
+        placement.reserve_line(per_meter * closed, NEAR)
+    texts, _ = _split_repeated(_values(model, placed, case))
+    shown, missing = [], 0
+    for place, values in texts.items():
+        text = style.plain_text(", ".join(values))
+        half = style.text_width(text, style.SMALL) / 2, 0.5 * style.SMALL * style.PT
+        at = (place[0] * per_meter, place[1] * per_meter)
+        middle = next(filter(None, (placement.place_free(at, half, far, SIDES) for far in DISTANCES)), None)
+        missing += middle is None
+        shown += [] if middle is None else [(text, middle)]
+    return shown, missing
 
 
 def _loads_of(model: Model, placed: Model, case: LoadCase | None) -> list[tuple[AnyLoad, dict[str, Any]]]:
