@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 import groundslab
@@ -21,6 +22,7 @@ from groundslab.views.files import results_folder
 from groundslab.views.report import content, pdf
 from groundslab.views.report.drawings import drawings
 from groundslab.views.report.drawings.load_plan import draw_load_plan, load_text
+from groundslab.views.report.drawings.maps import _path_data
 from groundslab.views.report.html import render_report
 from groundslab.views.summary.combinations import Extreme
 from groundslab.views.summary.rows import Row, SummarySection
@@ -259,3 +261,10 @@ class TestPdf:
         with pytest.raises(InputError, match="Edge, Chrome or Chromium"):
             groundslab.write_report(results_of(synthetic.results()), tmp_path / "slab.pdf")
         assert not (tmp_path / "slab.pdf").exists()
+
+
+def test_a_band_in_which_nothing_lies_has_no_path() -> None:
+    """A field with two values alone, such as areas of bars, leaves the bands between without a path."""
+    assert _path_data(np.empty((0, 2)), np.empty(0, dtype=int)) == ""
+    square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 0.0]])
+    assert _path_data(square, np.array([1, 2, 2, 79])) == "M0 0l25 0 0 25z"
