@@ -145,7 +145,7 @@ def test_the_tour_at_the_first_start(server: Server, newcomer: Bench, case: Path
         "Describe the ground": '[data-section="ground"] > summary',
         "Add loads": '.tool[data-tool="point load"]',
         "Solve and review the results": ".solve",
-        "Save and report": 'a:text-is("Report")',
+        "Save and report": "button.report",
     }
     for number, (title, control) in enumerate(titles.items(), start=1):
         dialog.get_by_role("heading", name=title).wait_for()

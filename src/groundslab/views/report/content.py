@@ -74,10 +74,12 @@ def build_page(
     file: str = "case.toml",
     chapters: Sequence[str] | None = None,
     comparison: GroundComparison | None = None,
+    told: Callable[[str, float], None] = lambda _, __: None,
 ) -> dict[str, Any]:
     """Return the content of the report of a solved model, for the template; text and file are those of its input.
 
     The chapters are those that the case asks for, unless given; that of ground models is there with a comparison only.
+    Before each it is told which one is made, and what share of all is.
     """
     combinations.require_finite(combined)
     entries = combinations.entries(combined)
@@ -90,7 +92,11 @@ def build_page(
         raise InputError([Issue("comparison", "one of another model", "one of the model of the results")])
     missing = {"grounds"} if comparison is None else set()
     shown = [name for name in TITLES if name in wanted and name not in missing]
-    contents = _chapters(combined, entries, comparison, in_appendix="long_tables" in shown)
+    makers = _chapters(combined, entries, comparison, in_appendix="long_tables" in shown)
+    contents: dict[str, Any] = {}
+    for number, name in enumerate(shown):
+        told(TITLES[name], number / len(shown))
+        contents |= {key: make() for key, make in makers.get(name, {}).items()}
     return {
         "chapters": {name: TITLES[name] for name in shown},
         "appendix": [name for name in shown if name in APPENDIX],
@@ -108,7 +114,7 @@ def build_page(
             for check in check_design(combined).checks
         ],
         "refused": [(name, refusal_words(error)) for name, error in combined.refused.items()],
-        **{key: make() for name in shown for key, make in contents.get(name, {}).items()},
+        **contents,
     }
 
 

@@ -55,16 +55,18 @@ def render_report(
     chapters: Sequence[Chapter] | None = None,
     comparison: GroundComparison | None = None,
     remark: str = "",
+    told: Callable[[str, float], None] = lambda _, __: None,
 ) -> str:
     """Return the report as the text of an HTML file; the same results always give the same text.
 
     Text and file are those of the input; without them the text is that which the results' folder has as case.toml. The
-    first page has the remark, such as that the case has changed since.
+    first page has the remark, such as that the case has changed since. `told` is called before each chapter with its
+    title and the share that is made.
     """
     combined = results if isinstance(results, Results) else results_of(results)
     from markupsafe import Markup
 
-    page = build_page(combined, text, file, chapters, comparison)
+    page = build_page(combined, text, file, chapters, comparison, told)
     scene, left_out = _scene(combined) if "viewer" in page["chapters"] else ("", [])
     style = read_asset("report.css") + (HERE / "templates" / "page.css").read_text(encoding="utf-8")
     style += _page_heads(page)

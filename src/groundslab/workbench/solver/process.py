@@ -3,9 +3,9 @@
 It receives ("solve", run, text, shown, before), ("report", run, file), ("archive", run, file) and ("table", run, name)
 from ``Worker`` through a pipe. It sends ("ready",) when it can receive, ("warm",) when it has warmed up, ("progress",
 run, text, share), ("preview", run, words, figures) followed by the bytes of a scene, ("provisional", run, answer) and
-("solved", run, answer) followed by the bytes of the scene, ("refused", run, message, issues), ("stopped", run), and
-("view", message, error) in answer to the last three, followed by the bytes that were asked for if the error is empty.
-These are answered between two steps of a run, too.
+("solved", run, answer) followed by the bytes of the scene, ("refused", run, message, issues), ("stopped", run),
+("making", run, title, share) while a report is made, and ("view", message, error) in answer to the last three, followed
+by the bytes that were asked for if the error is empty. These are answered between two steps of a run, too.
 """
 
 from __future__ import annotations
@@ -80,6 +80,8 @@ class Progress:
         self.tell(text, share)
 
 
+#: Called before each chapter of a report with its title and the share that is made.
+Told = Callable[[str, float], None]
 #: What is made of the results of a run: "report", "archive" or "table", the run, the name of the case or of the table.
 View = tuple[str, int, str]
 #: Solves a text; returns the answer, the packed scene, and the data for a report.
@@ -308,8 +310,12 @@ def _send_view(pipe: Connection, view: View, known: Mapping[int, Any]) -> None:
     if run not in known:
         pipe.send(("view", view, "the results of that run are not kept any more; solve again"))
         return
+
+    def told(title: str, share: float) -> None:
+        pipe.send(("making", run, title, share))
+
     try:
-        content = WRITERS[kind](known[run], name)
+        content = WRITERS[kind](known[run], name, told)
     except Exception as error:
         traceback.print_exc()
         pipe.send(("view", view, f"it cannot be made: {error}"))
@@ -318,34 +324,35 @@ def _send_view(pipe: Connection, view: View, known: Mapping[int, Any]) -> None:
         pipe.send_bytes(content)
 
 
-def _render_report(solved: Solved, file: str, remark: str = "") -> str:
+def _render_report(solved: Solved, file: str, told: Told, remark: str = "") -> str:
     """Return the report; file is the name of the case."""
     from groundslab.views.report.html import render_report
 
     results = solved.results
-    return render_report(results, text=solved.text, file=file, comparison=_compare(results.model), remark=remark)
+    comparison = _compare(results.model)
+    return render_report(results, text=solved.text, file=file, comparison=comparison, remark=remark, told=told)
 
 
-def _write_report(solved: Solved, file: str) -> bytes:
+def _write_report(solved: Solved, file: str, told: Told) -> bytes:
     """Return the report as a file."""
-    return _render_report(solved, file).encode()
+    return _render_report(solved, file, told).encode()
 
 
-def _write_outdated_report(solved: Solved, file: str) -> bytes:
+def _write_outdated_report(solved: Solved, file: str, told: Told) -> bytes:
     """Return the report as a file, which says that the case has changed since."""
     from groundslab.views.report.changes import CHANGED
 
-    return _render_report(solved, file, CHANGED.format(file=file)).encode()
+    return _render_report(solved, file, told, CHANGED.format(file=file)).encode()
 
 
-def _write_archive(solved: Solved, file: str) -> bytes:
+def _write_archive(solved: Solved, file: str, told: Told) -> bytes:
     """Return case, results and report as one file."""
     from groundslab.views.files.archive import pack_results
 
-    return pack_results(solved.results, solved.text, _render_report(solved, file))
+    return pack_results(solved.results, solved.text, _render_report(solved, file, told))
 
 
-def _write_table(solved: Solved, name: str) -> bytes:
+def _write_table(solved: Solved, name: str, _: Told | None = None) -> bytes:
     """Return a table as JSON."""
     from groundslab.workbench.solver.tables import table_to_json
 

@@ -125,6 +125,10 @@ class Schedule:
         if again and self.results.latest is not None:
             self._notify(*self.results.latest.event)
 
+    def tell_of_report(self, run: int, title: str, share: float) -> None:
+        """Announce which chapter of a report is made, and the share that is made."""
+        self._notify("making", {"run": run, "text": title, "share": share})
+
     def handle(self, kind: str, run: int, rest: list[Any], content: bytes) -> None:
         """Handle the process's message about a run; of one that is being stopped only its end counts."""
         active = self.active

@@ -151,6 +151,8 @@ class Solver:
                 worker.has_started, self._failed_starts = True, 0
             elif kind == "view":
                 self._views.finish(rest[0], rest[1], content)
+            elif kind == "making":
+                self.schedule.tell_of_report(*rest)
             else:
                 self.schedule.handle(kind, rest[0], rest[1:], content)
 

@@ -351,7 +351,7 @@ def test_the_outdated_report_has_a_remark(monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.setattr("groundslab.views.report.html.render_report", render_report)
     solved = Solved("", results_of(synthetic.results()), {})
     for kind in ("report", OUTDATED):
-        WRITERS[kind](solved, "pad.toml")
+        WRITERS[kind](solved, "pad.toml", lambda *_: None)
     assert remarks[0] == ""
     assert remarks[1].startswith("pad.toml has changed since this analysis.")
 

@@ -463,7 +463,7 @@ def test_every_mesh_but_the_last_has_provisional_results() -> None:
     assert first.tables == ()
     assert tuple(solved.tables) == checked.tables
     assert "extremes" in checked.tables
-    assert b"Provisional: mesh 1 (" in process._write_report(solved, "slab.toml")
+    assert b"Provisional: mesh 1 (" in process._write_report(solved, "slab.toml", lambda *_: None)
     assert last.provisional == ""
     assert 0.0 < first.first == checked.first == last.first < last.seconds
     assert any(words.startswith("mesh 2, 1 of 2, down: ") for words in said)
@@ -541,5 +541,9 @@ def test_the_report_compares_grounds_where_the_case_lists_that_chapter(chapters:
     *_, solved = process.solve(SOFT % chapters, Progress(lambda *_: None))
     pipe = Kept()
     process._send_view(pipe, ("report", 1, "slab.toml"), (1, solved))
-    assert pipe.messages == [("view", ("report", 1, "slab.toml"), "")]
+    *making, last = pipe.messages
+    assert last == ("view", ("report", 1, "slab.toml"), "")
+    # before each chapter its title, and the share that is made
+    titles = ["Extreme values", *(["Ground models compared"] if compared else [])]
+    assert making == [("making", 1, title, number / len(titles)) for number, title in enumerate(titles)]
     assert (b"Ground models compared" in pipe.content) is compared

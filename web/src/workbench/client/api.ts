@@ -192,9 +192,17 @@ export class HttpApi {
   scene = async (run: number) => (await this.request(`results/${run}/scene`, undefined, 120_000)).arrayBuffer();
   preview = async (run: number) => (await this.request(`results/${run}/preview`, undefined, 120_000)).arrayBuffer();
   setShown = async (combination: string | null) => void (await this.json("shown", { combination }));
-  reportAddress = (run: number) => `api/results/${run}/report?token=${encodeURIComponent(this.token)}`;
+  report = (run: number) => this.file(`results/${run}/report`);
   archiveAddress = (run: number) => `api/results/${run}/archive?token=${encodeURIComponent(this.token)}`;
   eventsAddress = () => `api/events?token=${encodeURIComponent(this.token)}`;
+
+  /** A file with the name that the server gives it; making it may take minutes. */
+  private async file(name: string): Promise<{ name: string; content: Blob }> {
+    const response = await this.request(name, undefined, 600_000);
+    const about = response.headers.get("Content-Disposition") ?? "";
+    const given = /filename\*=UTF-8''([^;]+)/.exec(about)?.[1];
+    return { name: given ? decodeURIComponent(given) : "report.html", content: await response.blob() };
+  }
 
   private async json<T>(name: string, body?: object, patience = PATIENCE): Promise<T> {
     return (await (await this.request(name, body, patience)).json()) as T;

@@ -4,7 +4,7 @@ import type { Change } from "../model/edits";
 import type { Issue } from "../model/issues";
 import { type Api, type DocState, Lost, Unauthorized } from "./api";
 import type { EditQueue } from "./edit-queue";
-import type { Comparison, Preview, Run, Solved, Store } from "./store";
+import type { Comparison, Making, Preview, Run, Solved, Store } from "./store";
 
 /** What to do about the document when the server is back. */
 export type Reconciliation = "same" | "adopt" | "offer" | "differs";
@@ -151,6 +151,9 @@ export class Connection {
     on<{ version: number; message: string; issues: Issue[] }>("refused", ({ version, message, issues }) =>
       setRun({ kind: "refused", version, message, issues }),
     );
+    on<Making>("making", (making) => {
+      if (this.store.report?.run === making.run) this.store.set("report", making);
+    });
     const setComparison = (comparison: Comparison) => this.store.set("comparison", comparison);
     on<{ run: number; text: string; share: number }>("comparing", (about) =>
       setComparison({ ...about, state: "running" }),

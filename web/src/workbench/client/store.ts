@@ -60,7 +60,27 @@ export type Topic =
   | "autosolve"
   | "notice"
   | "opened"
+  | "report"
   | "underlay";
+
+/** What of the store is one value that others set. */
+type Settable =
+  | "connection"
+  | "comparison"
+  | "preview"
+  | "report"
+  | "run"
+  | "solved"
+  | "autosolve"
+  | "notice"
+  | "underlay";
+
+/** A report that is being made. */
+export interface Making {
+  run: number;
+  text: string;
+  share: number;
+}
 
 /** A short message to the user, with an action. */
 export interface Notice {
@@ -77,6 +97,8 @@ export class Store {
   solved: Solved | null = null;
   preview: Preview | null = null;
   comparison: Comparison | null = null;
+  /** The report that is being made: which chapter, and the share that is made. */
+  report: Making | null = null;
   autosolve = false;
   /** The paths of the items that are selected, the latest last. */
   selected: readonly Path[] = [];
@@ -144,10 +166,7 @@ export class Store {
   }
 
   /** Take another value of a topic. */
-  set<K extends "connection" | "comparison" | "preview" | "run" | "solved" | "autosolve" | "notice" | "underlay">(
-    topic: K,
-    value: Store[K],
-  ): void {
+  set<K extends Settable>(topic: K, value: Store[K]): void {
     if (this[topic] === value) return;
     (this as Store)[topic] = value;
     this.emit(topic);

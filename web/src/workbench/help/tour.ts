@@ -44,7 +44,7 @@ export const STEPS: readonly Step[] = [
   {
     title: "Save and report",
     text: "Report saves the results as a single HTML file. Save (Ctrl+S) writes the case file; unsaved work is backed up automatically. Click “?” for this tour, keyboard shortcuts and the documentation.",
-    target: ".top a.button",
+    target: ".top .report",
   },
 ];
 

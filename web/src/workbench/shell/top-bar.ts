@@ -5,10 +5,11 @@ import type { Api } from "../client/api";
 import type { Store } from "../client/store";
 import { icon } from "../controls/icons";
 import type { Commands } from "./commands";
+import { reportButton } from "./report-button";
 
-type Addresses = Pick<Api, "reportAddress" | "archiveAddress">;
+type Files = Pick<Api, "report" | "archiveAddress">;
 
-export function topBar(store: Store, api: Addresses, commands: Commands, showKeys: () => void): HTMLElement {
+export function topBar(store: Store, api: Files, commands: Commands, showKeys: () => void): HTMLElement {
   const file = [
     button("New", "Start a new case, empty or from an example", () => void commands.createCase()),
     button("Open …", "Open a case file or a drawing (Ctrl+O)", () => void commands.open()),
@@ -23,7 +24,7 @@ export function topBar(store: Store, api: Addresses, commands: Commands, showKey
     ...historyButtons(store, commands),
     fileTitle(store),
     ...solveControls(store, commands),
-    reportLink(store, api),
+    reportButton(store, api, commands.solve),
     archiveLink(store, api),
     themeButton(),
     h(
@@ -35,9 +36,10 @@ export function topBar(store: Store, api: Addresses, commands: Commands, showKey
 }
 
 /** The bar above results that are only looked at. */
-export function viewBar(store: Store, api: Pick<Api, "reportAddress">): HTMLElement {
+export function viewBar(store: Store, api: Pick<Api, "report">): HTMLElement {
   const name = h("h1", { class: "brand" }, "groundslab");
-  return h("header", { class: "top" }, name, fileTitle(store), reportLink(store, api), themeButton());
+  const report = reportButton(store, api, async () => {}); // what is looked at does not change
+  return h("header", { class: "top" }, name, fileTitle(store), report, themeButton());
 }
 
 function themeButton(): HTMLButtonElement {
@@ -99,11 +101,6 @@ function solveControls(store: Store, commands: Commands): HTMLElement[] {
   });
   const attributes = { class: "switch", for: "autosolve", title: "Solve automatically after every edit" };
   return [h("label", attributes, auto, h("span", { class: "knob" }), "Autosolve"), solve];
-}
-
-function reportLink(store: Store, api: Pick<Api, "reportAddress">): HTMLElement {
-  const title = "Save the report for the last result as a single HTML file";
-  return resultLink(store, "Report", title, (run) => api.reportAddress(run));
 }
 
 function archiveLink(store: Store, api: Pick<Api, "archiveAddress">): HTMLElement {
