@@ -10,6 +10,8 @@ from .case.casefile import load as load
 from .design.checks import Design as Design
 from .design.checks import DesignCheck as DesignCheck
 from .design.checks import check_design as check_design
+from .design.proposal.propose import BarProposal as BarProposal
+from .design.proposal.propose import propose_bars as propose_bars
 from .design.result_tables import tables_of as tables_of
 from .errors import GroundslabError as GroundslabError
 from .errors import IllConditioned as IllConditioned
@@ -23,6 +25,8 @@ from .errors import SingularMatrix as SingularMatrix
 from .model.combinations import place_patterns as place_patterns
 from .model.design.bars import Bars as Bars
 from .model.design.bars import BarZone as BarZone
+from .model.design.detailing import AllowedBars as AllowedBars
+from .model.design.detailing import Detailing as Detailing
 from .model.design.floors import ACI360Floor as ACI360Floor
 from .model.design.floors import TR34Floor as TR34Floor
 from .model.design.limits import Limits as Limits

@@ -20,6 +20,7 @@ MOST_KEYS = 10  # joined by dots; those of a case are five at most, and tomllib'
 _KEY = r"""(?:[\w-]++|"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+')"""
 _DOTTED = re.compile(rf"{_KEY}(?:[ \t]*+\.[ \t]*+{_KEY})*+")
 _PLACE = re.compile(r"\s*\(at (?:line (\d+), column (\d+)|end of document)\)$")
+_HEADING = re.compile(r"\s*\[\[?\s*([\w-]+)")
 _BARE_UNIT = re.compile(r"=\s*[-+0-9.eE]+\s*[A-Za-zµμ]")
 
 
@@ -114,6 +115,29 @@ def from_table(data: dict[str, Any], folder: Path | None = None) -> Model:
 def to_toml(part: Section) -> str:
     """Return a Model as an input file that ``loads`` turns into an equal Model; defaults are left out."""
     return "\n".join(_lines(part, "")).strip() + "\n"
+
+
+def with_reinforcement(text: str, model: Model, folder: Path) -> str:
+    """Return a case's text with the reinforcement of a model in place of its own, all else with its comments.
+
+    Where that does not describe the model, as with tables in a line, it is the model as `to_toml` writes it.
+    """
+    kept, inside = list[str](), False
+    for line in text.splitlines():
+        heading = _HEADING.match(line)
+        if heading:
+            inside = heading[1] == "reinforcement"
+        if not inside:
+            kept.append(line)
+    assert model.reinforcement is not None
+    heading_and_keys = ["", "[reinforcement]", *_lines(model.reinforcement, "reinforcement"), ""]
+    new = "\n".join(["\n".join(kept).rstrip(), *heading_and_keys])
+    try:
+        if from_table(tables(new), folder) == model:
+            return new
+    except InputError:
+        pass
+    return to_toml(model)
 
 
 def _unreadable(path: str | Path, found: str, expected: str = "a TOML file") -> InputError:

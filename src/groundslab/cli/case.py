@@ -141,7 +141,7 @@ def write_starter(options: argparse.Namespace) -> int:
     """Write a case file to start from; an existing file is left alone."""
     from groundslab.case import casefile
 
-    _write_or_print(casefile.starter(), options.file)
+    write_or_print(casefile.starter(), options.file)
     if options.file is not None:
         print_stderr(f"wrote {options.file}; next: groundslab solve {options.file}")
     return EXIT_OK
@@ -153,7 +153,7 @@ def convert_drawing(options: argparse.Namespace) -> int:
 
     layers, gap = _layers(options.layers), drawings.parse_gap(options.close_gaps)
     drawing = drawings.read(options.drawing, layers, options.unit, gap)
-    _write_or_print(drawings.to_case(drawing, Path(options.drawing).stem), options.out)
+    write_or_print(drawings.to_case(drawing, Path(options.drawing).stem), options.out)
     print_stderr(drawings.report_text(drawing).rstrip("\n"))
     if options.out is not None:
         print_stderr(f"\nwrote {options.out}; next: fill in the missing values, then groundslab check {options.out}")
@@ -183,7 +183,7 @@ def _layers(pairs: Sequence[str]) -> Layers:
     return Layers(**names)
 
 
-def _write_or_print(text: str, file: str | None) -> None:
+def write_or_print(text: str, file: str | None) -> None:
     """Write a text to a new file, or print it if there is none; an existing file is left alone."""
     if file is None:
         print_stdout(text.rstrip("\n"))

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
-from groundslab.cli import case, compare_ground, console, plot, solve, study
+from groundslab.cli import case, compare_ground, console, plot, propose_bars, solve, study
 from groundslab.errors import EditedFilesKept, GroundslabError, InputError, Issue, NoEquilibrium, NotConverged
 
 if TYPE_CHECKING:
@@ -142,6 +142,9 @@ def _parser() -> argparse.ArgumentParser:
 
     bars = _command(commands, "bars", plot.run_bars, "draw the bars provided in a case, with quantities: SVG and DXF")
     plot.describe_bars(bars)
+
+    meaning = "propose bars for a case: a base and zones in each layer, with little steel"
+    propose_bars.describe(_command(commands, "propose-bars", propose_bars.run, meaning))
 
     verify = _command(commands, "verify", _verify, "solve cases with known answers and compare")
     verify.add_argument("names", nargs="*", metavar="NAME", help="cases to run (default: all)")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from groundslab.design.aci318 import beams, bending
+from groundslab.design.aci318 import beams, bending, detailing
 from groundslab.design.aci318.case_materials import materials
 from groundslab.design.aci318.checks import (
     bars,
@@ -51,5 +51,6 @@ ACI318 = DesignCode(
     ),
     beams=BeamRule(minimum=beams.minimum, links=beams.links, clauses="22.3, 22.5, 9.6.1.2, 9.6.3.4"),
     bars=bars.checks,
+    detailing=detailing.RULE,
     remarks=remarks,
 )

@@ -13,6 +13,7 @@ from groundslab.arrays import Array
 from groundslab.design.basis.bending_steps import BarsNeeded
 from groundslab.design.basis.calculation import Step
 from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.detailing_rule import DetailingRule
 from groundslab.design.basis.punching_columns import Heads, PunchingColumns
 from groundslab.design.basis.shear_demand import ShearDemand
 from groundslab.design.basis.wide_beam import Cut
@@ -133,6 +134,8 @@ class DesignCode:
         Beams and ribs.
     bars : callable or None
         Of all combinations, materials and laid bars by layer: the checks of these bars besides their area.
+    detailing : DetailingRule or None
+        How bars end and lap, and what else a proposal of bars keeps to.
     remarks : callable or None
         Of all combinations and materials: what puts a verdict by the code in doubt.
     """
@@ -145,6 +148,7 @@ class DesignCode:
     punching: PunchingRule | None = None
     beams: BeamRule | None = None
     bars: Callable[[Results, Reinforcement, dict[str, LaidBars]], Iterator[DesignCheck]] | None = None
+    detailing: DetailingRule | None = None
     remarks: Callable[[Results, Reinforcement], Iterator[DesignCheck]] | None = None
 
 

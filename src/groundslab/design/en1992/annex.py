@@ -46,6 +46,8 @@ class Annex:
     w_max: Mapping[str, float]
     c_min_dur: Mapping[str, float]
     delta_c_dev: float
+    lap: tuple[float, float]
+    cover_relieves: bool
 
 
 @cache

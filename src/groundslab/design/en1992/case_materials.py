@@ -30,3 +30,22 @@ def strengths(steel: Reinforcement) -> tuple[float, float]:
     assert f_ck is not None
     assert f_yk is not None
     return f_ck, f_yk
+
+
+def widest_crack(steel: Reinforcement) -> float | None:
+    """Return the largest crack width that is allowed [m]: the case's, else that of its exposure class, if any."""
+    if steel.w_max is not None or steel.exposure is None:
+        return steel.w_max
+    return annex_of(steel.annex).w_max[steel.exposure]
+
+
+def least_cover(steel: Reinforcement, diameter: float) -> float | None:
+    """Return c_min + Delta c_dev [m] of a bar [m] (4.4.1); None where the annex leaves the exposure to others.
+
+    Without exposure it is what bond asks for: the bar's diameter and at least 10 mm (4.4.1.2(2), (3)).
+    """
+    annex = annex_of(steel.annex)
+    if steel.exposure is not None and steel.exposure not in annex.c_min_dur:
+        return None
+    durable = 0.0 if steel.exposure is None else annex.c_min_dur[steel.exposure]
+    return max(durable, diameter, 0.010) + annex.delta_c_dev

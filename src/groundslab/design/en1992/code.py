@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from groundslab.design.basis.design_code import BeamRule, Clauses, DesignCode, PunchingRule, ShearRule
 from groundslab.design.bending import BendingRule
-from groundslab.design.en1992 import beams, bending, shear
+from groundslab.design.en1992 import beams, bending, detailing, shear
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks import (
     bars,
@@ -47,5 +47,6 @@ EN1992 = DesignCode(
     ),
     beams=BeamRule(minimum=beams.minimum, links=beams.links, clauses="6.1, 6.2.3, 9.2.1.1(1), 9.2.2(5)"),
     bars=bars.checks,
+    detailing=detailing.RULE,
     remarks=remarks,
 )

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal, get_args
 
 from groundslab.model.design.bars import OTHER_MESH, Bars, BarZone, Layer, MeshName, bars_of_mesh
+from groundslab.model.design.detailing import AllowedBars, Detailing
 from groundslab.model.ground import POSITIVE
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, list_plates
@@ -229,6 +230,10 @@ class Reinforcement(Section):
         MeshName | None, Choice(MeshName, "welded mesh at the top, instead of top_x and top_y", OTHER_MESH)
     ] = None
     zones: Annotated[tuple[BarZone, ...], Table("parts of the plan with additional bars between these")] = ()
+    detailing: Annotated[
+        Detailing | None, Table("how bars are cut and lapped, for quantities; without it bars have no laps")
+    ] = None
+    proposal: Annotated[AllowedBars, Table("what bars `groundslab propose-bars` may propose")] = AllowedBars()
     w_max: Annotated[
         float | None,
         Quantity(

@@ -29,13 +29,16 @@ def checks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -
     yield _cover(steel)
 
 
+def least_cover(layer: str, diameter: float) -> float:
+    """Return the cover [m] that a bar of a layer needs, formed or on blinding, the top not exposed."""
+    if layer.startswith("top"):
+        return _INSIDE
+    return _THIN if diameter < THICK else _GROUND
+
+
 def _cover(steel: Reinforcement) -> DesignCheck:
     """Return whether the cover is that of Table 20.5.1.3.1: at the bottom in contact with ground, at the top inside."""
-    least = {
-        layer: [(_THIN if bars.diameter < THICK else _GROUND) if layer.startswith("bottom") else _INSIDE
-                for bars in bars_of(steel, layer)]
-        for layer in LAYERS
-    }  # fmt: skip
+    least = {layer: [least_cover(layer, bars.diameter) for bars in bars_of(steel, layer)] for layer in LAYERS}
     where = "formed or on blinding, the top not exposed (Table 20.5.1.3.1)"
     check = check_cover(steel, least, where, "ACI 318-19 20.5.1.3.1")
     bottom = min(cover for layer, cover, _ in covers(steel) if layer.startswith("bottom"))

@@ -15,7 +15,7 @@ from groundslab.design.basis.demand_errors import greatest_moments, scaled
 from groundslab.design.demands.design_moments import design_moments
 from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.annex import annex_of
-from groundslab.design.en1992.case_materials import materials, strengths
+from groundslab.design.en1992.case_materials import least_cover, materials, strengths, widest_crack
 from groundslab.design.en1992.checks import crack_steps
 from groundslab.design.en1992.checks.first_cracks import check_first_cracks
 from groundslab.model.design.laid_bars import LaidBars, axis_of, bars_of
@@ -33,17 +33,10 @@ def checks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -
     yield check_spacing(solved_results(combined)[0], laid, spacing, "EN 1992-1-1", "9.3.1.1(3)")
     yield _cover(steel)
     yield from _stresses(combined, steel, laid)
-    w_max = _widest(steel)
+    w_max = widest_crack(steel)
     if w_max is not None:
         yield check_first_cracks(combined, steel, laid)
         yield from _cracks(combined, steel, laid, w_max)
-
-
-def _widest(steel: Reinforcement) -> float | None:
-    """Return the largest crack width that is allowed [m]: the case's, else that of its exposure class, if any."""
-    if steel.w_max is not None or steel.exposure is None:
-        return steel.w_max
-    return annex_of(steel.annex).w_max[steel.exposure]
 
 
 def _cover(steel: Reinforcement) -> DesignCheck:
@@ -52,10 +45,7 @@ def _cover(steel: Reinforcement) -> DesignCheck:
     clause = "EN 1992-1-1 4.4.1"
     if exposure is not None and exposure not in annex.c_min_dur:
         return DesignCheck("cover", "attention", "not checked: this annex leaves it to another standard", clause=clause)
-    durable = 0.0 if exposure is None else annex.c_min_dur[exposure]
-    # bond asks for the bar's diameter, and 10 mm are the least (4.4.1.2(2), (3))
-    least = {layer: [max(durable, bars.diameter, 0.010) + annex.delta_c_dev for bars in bars_of(steel, layer)]
-             for layer in LAYERS}  # fmt: skip
+    least = {layer: [least_cover(steel, bars.diameter) or 0.0 for bars in bars_of(steel, layer)] for layer in LAYERS}
     where = (
         "in any exposure (bond, 4.4.1.2(3)); durability is not checked without exposure" if exposure is None
         else f"in {exposure}, structural class S4, not cast against the ground (4.4.1)"

@@ -1,0 +1,100 @@
+"""The command propose-bars: a case with bars that are proposed for it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from groundslab.cli.case import write_or_print
+from groundslab.cli.console import EXIT_DESIGN_FAILS, EXIT_NO_RESULT, EXIT_OK, print_stderr
+
+if TYPE_CHECKING:
+    import argparse
+    from collections.abc import Iterator
+
+    from groundslab.design.proposal.propose import BarProposal
+    from groundslab.model.design.bars import Bars, BarZone
+    from groundslab.results.results import Results
+
+_MM, _KG = 1e3, 7850.0
+
+
+def describe(command: argparse.ArgumentParser) -> None:
+    """Add what the command propose-bars understands."""
+    command.epilog = (
+        "A case is solved first. Bars of the case, if it has any, are replaced; what may be proposed is set in "
+        "[reinforcement.proposal]. Comments of the case are kept but for those in [reinforcement]."
+    )
+    command.add_argument("case", metavar="CASE", help="case file (TOML), or results folder written by groundslab solve")
+    command.add_argument("-o", "--out", metavar="FILE", help="case file to write, a new one (default: print the text)")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Propose bars for a case and write the case with them; exit code 3 if a check of these bars fails."""
+    from dataclasses import replace
+
+    from groundslab.case import casefile
+    from groundslab.design.checks import check_design
+    from groundslab.design.proposal.propose import propose_bars
+
+    path = Path(options.case)
+    results, text = _results(path)
+    if not results.results:
+        raise next(iter(results.refused.values()))
+    proposal = propose_bars(results)
+    write_or_print(casefile.with_reinforcement(text, proposal.model, _folder(path)), options.out)
+    print_stderr("\n".join(_words(proposal)))
+    checks = check_design(replace(results, model=proposal.model)).checks
+    failing = [check for check in checks if check.status == "fails"]
+    for check in failing:
+        print_stderr(f"fails: {check.name}: {check.words}")
+    if options.out is not None:
+        print_stderr(f"wrote {options.out}; next: groundslab solve {options.out}")
+    if failing:
+        return EXIT_DESIGN_FAILS
+    return EXIT_NO_RESULT if results.unsolved else EXIT_OK
+
+
+def _folder(path: Path) -> Path:
+    """Return the folder of a case."""
+    return path if path.is_dir() else path.parent
+
+
+def _results(path: Path) -> tuple[Results, str]:
+    """Return the results of a case, solved or read from their folder, and the text of the case."""
+    from groundslab.case import casefile
+
+    if path.is_dir():
+        from groundslab.views.files import results_folder
+
+        return results_folder.load_results(path), casefile.read(path / "case.toml")
+    from groundslab.analysis.driver import solve
+
+    text = casefile.read(path)
+    return solve(casefile.from_table(casefile.tables(text, str(path)), path.parent)), text
+
+
+def _words(proposal: BarProposal) -> Iterator[str]:
+    """Yield what is proposed, a line for each layer and zone."""
+    steel = proposal.reinforcement
+    for layer, volume in proposal.laid.items():
+        base = steel.base_bars(layer)
+        assert base is not None
+        zones = [zone for zone in steel.zones if layer in zone.layers]
+        yield (
+            f"{layer.replace('_', ' ')}: {_bars(base)}, {len(zones)} zone{'s' * (len(zones) != 1)}; "
+            f"{volume * _KG:.0f} kg without laps, required {proposal.required[layer] * _KG:.0f} kg"
+        )
+        yield from map(_zone, zones)
+    yield from (f"note: {remark}" for remark in proposal.remarks)
+
+
+def _zone(zone: BarZone) -> str:
+    """Return a zone in words."""
+    x0, x1, y0, y1 = zone.shape.ring().bounds
+    return f"  {zone.name}: {_bars(zone.bars)}, x {x0:g} to {x1:g} m, y {y0:g} to {y1:g} m"
+
+
+def _bars(bars: Bars) -> str:
+    """Return diameter and spacing in millimeters."""
+    return f"{bars.diameter * _MM:g} / {bars.spacing * _MM:g} mm"

@@ -1,0 +1,40 @@
+"""How bars end and lap in a case by ACI 318-19."""
+
+from __future__ import annotations
+
+from groundslab.design.aci318 import development
+from groundslab.design.aci318.case_materials import materials
+from groundslab.design.aci318.checks.bars import SPACING, least_cover
+from groundslab.design.basis.detailing_rule import DetailingRule, EndingBar
+from groundslab.model.design.reinforcement import Reinforcement
+
+#: Clear distance of parallel bars at least (25.2.1): an inch, or the diameter, or 4/3 of the largest aggregate.
+LEAST_CLEAR = 0.025
+#: Bars reach so many diameters, or d, beyond where they are needed (7.7.3.3, by 8.7.4.1.1).
+BEYOND = 12
+
+
+def _length(steel: Reinforcement, bar: EndingBar, *, splice: bool) -> float:
+    """Return the development or splice length [m] of a bar."""
+    find = development.splice_length if splice else development.development_length
+    cover, clear = bar.axis - bar.diameter / 2, bar.spacing - bar.diameter
+    return find(*materials(steel), bar.diameter, cover=cover, clear=clear, below=bar.below)
+
+
+def _spacing(_: Reinforcement, thickness: float) -> float:
+    """Return the largest spacing [m] (8.7.2.2)."""
+    times, least, most = SPACING
+    return min(max(times * thickness, least), most)
+
+
+RULE = DetailingRule(
+    anchorage=lambda steel, bar: _length(steel, bar, splice=False),
+    lap=lambda steel, bar: _length(steel, bar, splice=True),
+    shift=lambda d, diameter: max(d, BEYOND * diameter),
+    least_cover=lambda _, layer, diameter: least_cover(layer, diameter),
+    least_clear=lambda diameter: max(diameter, LEAST_CLEAR),
+    spacing=_spacing,
+    edge_leg=2.0,  # as EN 1992-1-1 Figure 9.8: ACI 318 has no rule
+    crack_area=None,
+    clauses={"anchorage": "25.4.2", "laps": "25.5.2", "shift": "7.7.3.3", "edges": ""},
+)

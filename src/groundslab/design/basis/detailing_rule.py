@@ -1,0 +1,70 @@
+"""How a code lets bars end and lap: the lengths that develop them, and what else their layout must keep to."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from groundslab.arrays import Array
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.results import Results
+
+
+@dataclass(frozen=True, slots=True)
+class EndingBar:
+    """A straight bar in tension where it ends in a slab.
+
+    Attributes
+    ----------
+    diameter : float
+        [m].
+    axis : float
+        Distance of its axis from the nearest face [m].
+    spacing : float
+        From its axis to that of the next bar [m].
+    below, above : float
+        Concrete under its axis and over it [m]: bond is poorer of bars with much fresh concrete below.
+    """
+
+    diameter: float
+    axis: float
+    spacing: float
+    below: float
+    above: float
+
+
+@dataclass(frozen=True, slots=True)
+class DetailingRule:
+    """How bars end and lap.
+
+    Attributes
+    ----------
+    anchorage, lap : callable
+        Of materials and a bar: the length [m] that develops its design strength, and that of a lap of all bars in one
+        section.
+    shift : callable
+        Of an effective depth and a diameter [m]: how far along the bars a moment counts [m].
+    least_cover : callable
+        Of materials, a layer and a diameter [m]: the cover that it must have [m]; None where the code has none.
+    least_clear : callable
+        Of a diameter: the clear distance of parallel bars [m].
+    spacing : callable
+        Of materials and the thickness [m]: the largest spacing [m].
+    edge_leg : float
+        Legs of bars around free edges over the thickness, at least.
+    crack_area : callable or None
+        Of all combinations, materials, a layer, a diameter and a spacing [m]: the areas (n,) [m2/m] that such bars need
+        at the plate's nodes so that cracks keep their limit, 0 where there is none; inf where no area does.
+    clauses : dict
+        Where the code rules anchorage, laps, the shift of moments and edges, by these names.
+    """
+
+    anchorage: Callable[[Reinforcement, EndingBar], float]
+    lap: Callable[[Reinforcement, EndingBar], float]
+    shift: Callable[[float, float], float]
+    least_cover: Callable[[Reinforcement, str, float], float | None]
+    least_clear: Callable[[float], float]
+    spacing: Callable[[Reinforcement, float], float]
+    edge_leg: float
+    crack_area: Callable[[Results, Reinforcement, str, float, float], Array] | None
+    clauses: dict[str, str]

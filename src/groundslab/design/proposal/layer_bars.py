@@ -1,0 +1,209 @@
+"""The base and the zones of one layer with the least steel, from what its cells need."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.design.basis.detailing_rule import DetailingRule, EndingBar
+from groundslab.design.proposal.covering import Options, Window, cover
+from groundslab.design.proposal.plan_grid import PARTS, PlanGrid, spread_along
+from groundslab.model.design.bars import Bars
+from groundslab.model.design.detailing import AllowedBars
+from groundslab.model.design.laid_bars import bar_area
+from groundslab.model.design.reinforcement import Reinforcement
+
+#: Spacings of a zone's bars over those of the base, and how many of them lie in a gap of the base at most.
+MULTIPLES = {0.5: 2, 1.0: 1, 2.0: 1}
+#: Candidates are tried until so many in a row were no better than the best.
+PATIENCE = 3
+#: What counts as rounding, relative.
+ROUNDING = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class LayerTask:
+    """What the bars of a layer are chosen for.
+
+    Attributes
+    ----------
+    needs : callable
+        Of a diameter and the base's spacing: what cells need of bars that are no thicker [m2/m], (m, w) along and
+        across the bars, PARTS times finer along them.
+    axis : int
+        Along which they run, 0 of x.
+    distance : float
+        Of their axes from the face [m].
+    at_top : bool
+        Whether that is the top.
+    thickness : tuple of float
+        The least and the greatest of the slab [m].
+    diameters, spacings : tuple of float
+        That are allowed, of the base [m].
+    """
+
+    needs: Callable[[float, float], Array]
+    axis: int
+    distance: float
+    at_top: bool
+    thickness: tuple[float, float]
+    diameters: tuple[float, ...]
+    spacings: tuple[float, ...]
+
+    def bar(self, diameter: float, spacing: float) -> EndingBar:
+        """Return a bar of the layer as it is anchored, where the slab is thickest, with most fresh concrete below."""
+        below = self.thickness[1] - self.distance if self.at_top else self.distance
+        return EndingBar(diameter, self.distance, spacing, below, self.thickness[1] - below)
+
+    def depth(self) -> float:
+        """Return the largest effective depth [m]."""
+        return self.thickness[1] - self.distance
+
+
+@dataclass(frozen=True, slots=True)
+class LayerProposal:
+    """The base of a layer, its zones as bars and cells along x and y, and the steel of all [m3]."""
+
+    base: Bars
+    zones: tuple[tuple[Bars, Window], ...]
+    steel: float
+
+
+@dataclass(frozen=True, slots=True)
+class _Addition:
+    """Bars that a zone may have: how far their axes are from the next bars [m], and whether others may lie between."""
+
+    bars: Bars
+    apart: float
+    nestable: bool
+
+
+@dataclass(frozen=True, slots=True)
+class _Candidate:
+    """A base with zones whose bars are no thicker than a diameter, and what cells need beyond the base."""
+
+    lowest: float  # steel and price at least [m3]
+    base: Bars
+    thickest: float
+    excess: Array
+
+
+def propose_layer(task: LayerTask, grid: PlanGrid, steel: Reinforcement, rule: DetailingRule) -> LayerProposal | None:
+    """Return the bars of a layer with the least steel for what cells need; None if none are enough.
+
+    Bases with zones up to each diameter are tried from the one on whose steel the bound is lowest: that of its base and
+    of the excess alone, until the bound is above the steel of the best, or PATIENCE in a row were no better.
+    """
+    area = grid.area if task.axis == 0 else grid.area.T
+    fine = np.repeat(area / PARTS, PARTS, axis=0)
+    price = steel.proposal.least_saving * _finite_steel(task, fine)
+    best: LayerProposal | None = None
+    least = math.inf  # steel and the price of zones
+    in_vain = 0
+    for candidate in _candidates(task, fine, grid, rule, price):
+        if candidate.lowest >= least or in_vain == PATIENCE:
+            break
+        found = _with_zones(task, candidate, area, grid, steel, rule, price)
+        if found is not None and found.steel + price * len(found.zones) < least * (1 - ROUNDING):
+            best, least, in_vain = found, found.steel + price * len(found.zones), 0
+        elif found is not None:
+            in_vain += 1
+    if best is None or task.axis == 0:
+        return best
+    return replace(best, zones=tuple((bars, (j0, j1, i0, i1)) for bars, (i0, i1, j0, j1) in best.zones))
+
+
+def _finite_steel(task: LayerTask, fine: Array) -> float:
+    """Return the steel [m3] that cells need of the thinnest bars, closest to each other."""
+    needs = task.needs(task.diameters[0], task.spacings[0])
+    return float((np.where(np.isfinite(needs), needs, 0.0) * fine).sum())
+
+
+def _candidates(task: LayerTask, fine: Array, grid: PlanGrid, rule: DetailingRule, price: float) -> list[_Candidate]:
+    """Return what may be tried, that with the lowest bound first."""
+    candidates = []
+    shifted: dict[tuple[float, float], Array] = {}
+    for thickest in task.diameters:
+        reach = math.ceil(rule.shift(task.depth(), thickest) / grid.step * PARTS - ROUNDING)
+        for spacing in task.spacings:
+            needs = spread_along(task.needs(thickest, spacing), reach)
+            shifted[thickest, spacing] = np.where(fine > 0, needs, 0.0)
+    for base in _bases(task):
+        of_base = bar_area(base)
+        last: Array | None = None
+        for thickest in (diameter for diameter in reversed(task.diameters) if diameter >= base.diameter):
+            needs = shifted[thickest, base.spacing]
+            excess = np.maximum(needs - of_base * (1 + ROUNDING), 0.0)
+            # thinner bars are of use only where cracks then need less
+            if np.isinf(excess).any() or (last is not None and np.array_equal(needs, last)):
+                continue
+            last = needs
+            zones = price * bool(excess.any())
+            lowest = of_base * float(fine.sum()) + float((excess * fine).sum()) + zones
+            candidates.append(_Candidate(lowest, base, thickest, excess))
+    return sorted(candidates, key=lambda one: (one.lowest, one.base.diameter, one.thickest))
+
+
+def _bases(task: LayerTask) -> Iterator[Bars]:
+    """Yield what bars the base may have."""
+    for diameter in task.diameters:
+        for spacing in task.spacings:
+            yield Bars(diameter=diameter, spacing=spacing)
+
+
+def _additions(task: LayerTask, base: Bars, rule: DetailingRule, proposal: AllowedBars) -> list[_Addition]:
+    """Return what bars a zone may have beside a base."""
+    additions = []
+    for multiple, in_gap in MULTIPLES.items():
+        for diameter in task.diameters if proposal.most_zones else ():
+            thickest = max(diameter, base.diameter)
+            # bars of a gap divide it evenly; where another zone lies within, there is one more
+            apart = [base.spacing / (in_gap + further) for further in (1, 2)]
+            room, more_room = (each - thickest >= rule.least_clear(thickest) - ROUNDING for each in apart)
+            if room:
+                bars = Bars(diameter=diameter, spacing=round(multiple * base.spacing, 6))
+                additions.append(_Addition(bars, apart[more_room], more_room))
+    return additions
+
+
+def _with_zones(
+    task: LayerTask,
+    candidate: _Candidate,
+    area: Array,
+    grid: PlanGrid,
+    steel: Reinforcement,
+    rule: DetailingRule,
+    price: float,
+) -> LayerProposal | None:
+    """Return a base with the zones that it needs, None if none are enough; cells along and across the bars."""
+    base, excess = candidate.base, candidate.excess
+    additions = [one for one in _additions(task, base, rule, steel.proposal) if one.bars.diameter <= candidate.thickest]
+    if not excess.any():
+        return LayerProposal(base, (), bar_area(base) * float(area.sum()))
+    if not additions:
+        return None
+    anchorage = [rule.anchorage(steel, task.bar(one.bars.diameter, one.apart)) for one in additions]
+    least = max(1, math.ceil(steel.proposal.least_size / grid.step - ROUNDING))
+    options = Options(
+        area=np.array([bar_area(one.bars) for one in additions]),
+        anchorage=np.array(anchorage) / grid.step * PARTS,
+        nestable=np.array([one.nestable for one in additions]),
+        inner=np.array([one.bars.spacing > (1 - ROUNDING) * base.spacing for one in additions]),
+        least=(least * PARTS, least),
+        every=PARTS,
+    )
+    zones = cover(excess, options, steel.proposal.most_zones, price / grid.step**2 * PARTS)
+    if zones is None:
+        return None
+    total = bar_area(base) * float(area.sum())
+    whole = []
+    for zone in sorted(zones, key=lambda zone: (zone.cells[0], zone.cells[2])):
+        i0, i1, j0, j1 = zone.cells
+        cells = (i0 // PARTS, i1 // PARTS, j0, j1)
+        total += float(options.area[zone.option] * area[cells[0] : cells[1], j0:j1].sum())
+        whole.append((additions[zone.option].bars, cells))
+    return LayerProposal(base, tuple(whole), total)

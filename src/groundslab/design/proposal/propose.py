@@ -1,0 +1,283 @@
+"""Bars proposed for a slab by what its results require, in the form of the case's own bars."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cache
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.design.basis.combinations import ultimate_results
+from groundslab.design.basis.design_code import DesignCode
+from groundslab.design.basis.detailing_rule import DetailingRule
+from groundslab.design.codes import code_of
+from groundslab.design.proposal.layer_bars import LayerProposal, LayerTask, propose_layer
+from groundslab.design.proposal.plan_grid import CellValues, PlanGrid, locate_cells, make_grid
+from groundslab.design.required_bars import largest_areas, required_areas
+from groundslab.errors import GroundslabError, InputError, Issue
+from groundslab.model.design.bars import BarZone
+from groundslab.model.design.detailing import Detailing
+from groundslab.model.design.laid_bars import axis_of, bar_area, laid_bars, polygon_of
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.model.model import Model
+from groundslab.model.plates.region import get_plate_region
+from groundslab.results.fields import LAYERS, place_of
+from groundslab.results.results import Results
+
+#: Proposals one after the other, as bars lie deeper than was counted on.
+MOST_ROUNDS = 10
+#: What counts as rounding, relative.
+ROUNDING = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class BarProposal:
+    """Bars that are proposed for a slab.
+
+    Attributes
+    ----------
+    model : Model
+        The case with these bars in place of its own, and with detailing.
+    required : dict of str to float
+        By layer, what is required at the points of the mesh over the plan, without minimum where a face is never in
+        tension [m3].
+    laid : dict of str to float
+        By layer, the steel of base and zones over the plan, anchorage of zones included, laps not [m3].
+    remarks : tuple of str
+        What a proposal could not keep to, or what was not looked at.
+    """
+
+    model: Model
+    required: dict[str, float]
+    laid: dict[str, float]
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def reinforcement(self) -> Reinforcement:
+        """Return the reinforcement of the case with these bars."""
+        assert self.model.reinforcement is not None
+        return self.model.reinforcement
+
+
+def propose_bars(results: Results) -> BarProposal:
+    """Propose bars for a slab: a base in each layer and zones of additional bars, with little steel.
+
+    What bending and the minimum require at the points of the mesh in ultimate combinations is covered everywhere, with
+    the shift of moments and the anchorage of the zones' bars; where the case limits crack widths, these too. The bars
+    are those that ``reinforcement.proposal`` allows; those that the case has are not looked at.
+
+    Parameters
+    ----------
+    results : Results
+        The results of all combinations of a case with reinforcement.
+
+    Returns
+    -------
+    BarProposal
+        The case with the bars, to be written, checked and drawn as any other, and the steel.
+
+    Raises
+    ------
+    InputError
+        If the case has no reinforcement or no ultimate combination, or if no bars that are allowed are enough.
+
+    References
+    ----------
+    EN 1992-1-1 8.4, 8.7, 9.2.1.3; ACI 318-19 25.4.2, 25.5.2, 7.7.3.3.
+
+    Examples
+    --------
+    >>> import groundslab
+    >>> proposal = groundslab.propose_bars(groundslab.solve(groundslab.load("case.toml")))
+    >>> groundslab.write_bars(proposal.model, "bars.dxf")
+    """
+    steel, code = _steel_and_code(results)
+    rule = code.detailing
+    assert rule is not None
+    plate = ultimate_results(results)[0].plate
+    region = get_plate_region(results.model.plate, results.model.plates)
+    grid = make_grid(region.area, steel.proposal.rounding)
+    cells = locate_cells(grid, plate)
+    needs = _requirements(results, steel)
+    thickness = ultimate_results(results)[0].elements.at_nodes(plate)[0]
+    between = float(thickness.min()), float(thickness.max())
+    for _ in range(MOST_ROUNDS):
+        layers, remarks = dict[str, LayerProposal](), []
+        for layer in LAYERS:
+            task = _task(results, steel, layer, needs[layer], between, rule, cells)
+            proposed = propose_layer(task, grid, steel, rule)
+            if proposed is None and task.diameters != (every := _diameters(steel, layer, rule, crossing=True)):
+                proposed = propose_layer(replace(task, diameters=every), grid, steel, rule)
+                remarks.append(f"{layer.replace('_', ' ')}: the axes leave no room for bars so thick to cross others")
+            layers[layer] = proposed or _refuse(layer, needs[layer], plate.nodes, steel, rule)
+        found = _with_bars(steel, layers, grid)
+        more = _requirements(results, found)
+        laid = {layer: laid_bars(found, layer, plate.nodes) for layer in LAYERS}
+        if not any((more[layer] > laid[layer].area * (1 + ROUNDING)).any() for layer in LAYERS):
+            return _proposal(results, found, more, [*remarks, *_remarks(results, rule)])
+        # bars lie deeper than those whose depths were counted on
+        needs = {layer: np.maximum(needs[layer], more[layer]) for layer in LAYERS}
+    raise GroundslabError(f"no bars were found whose depths are those counted on, in {MOST_ROUNDS} proposals")
+
+
+def _steel_and_code(results: Results) -> tuple[Reinforcement, DesignCode]:
+    """Return the reinforcement of a case and its code, if bars can be proposed by them."""
+    steel = results.model.reinforcement
+    if steel is None:
+        raise InputError([Issue("reinforcement", "nothing", "[reinforcement] with concrete, steel and axes or cover")])
+    if not ultimate_results(results):
+        hint = 'such as combine.sets = ["ultimate"]'
+        raise InputError([Issue("combinations", "no ultimate one with results", "one at least", hint)])
+    code = code_of(steel)
+    if code.detailing is None:
+        raise InputError([Issue("reinforcement.code", code.name, "a code with rules for anchorage")])
+    return steel, code
+
+
+def _requirements(results: Results, steel: Reinforcement) -> dict[str, Array]:
+    """Return what bending and the minimum require (n,) [m2/m] by layer over the ultimate combinations."""
+    required = required_areas(steel, ultimate_results(results))
+    plate = ultimate_results(results)[0].plate
+    rule = code_of(steel).detailing
+    assert rule is not None
+    needs = {}
+    for layer in LAYERS:
+        needs[layer] = largest_areas(required, layer)[0]
+        if np.isinf(needs[layer]).any():
+            _refuse(layer, needs[layer], plate.nodes, steel, rule)
+    return needs
+
+
+def _refuse(layer: str, needs: Array, nodes: Array, steel: Reinforcement, rule: DetailingRule) -> LayerProposal:
+    """Raise InputError for a layer that no bars are enough for."""
+    node = int(np.argmax(needs))
+    x, y = place_of(nodes, node)
+    where = f"{layer.replace('_', ' ')} at ({x:.3f}, {y:.3f}) m"
+    if np.isinf(needs[node]):
+        raise InputError([Issue(where, "concrete too weak for any bars", "a thicker slab, or stronger concrete")])
+    most = max(_diameters(steel, layer, rule, crossing=True)) * 1e3
+    hint = f"cover and axes leave room for {most:g} mm; allow smaller spacings or more zones in reinforcement.proposal"
+    found = f"{needs[node] * 1e4:.4g} cm2/m required"
+    raise InputError([Issue(where, found, "bars of reinforcement.proposal that are as much", hint)])
+
+
+def _task(
+    results: Results,
+    steel: Reinforcement,
+    layer: str,
+    needs: Array,
+    thickness: tuple[float, float],
+    rule: DetailingRule,
+    cells: CellValues,
+) -> LayerTask:
+    """Return what the bars of a layer are chosen for, with what they need (n,) [m2/m] at the nodes without cracks."""
+    spacings = tuple(s for s in steel.proposal.spacings if s <= rule.spacing(steel, thickness[0]) + ROUNDING)
+    if not spacings:
+        hint = f"at most {rule.spacing(steel, thickness[0]) * 1e3:.4g} mm is allowed"
+        raise InputError([Issue("reinforcement.proposal.spacings", "none that the code allows", "smaller ones", hint)])
+    axis = "xy".index(layer[-1])
+
+    @cache
+    def of_cells(diameter: float, spacing: float) -> Array:
+        of_nodes = needs
+        if rule.crack_area is not None:
+            of_nodes = np.maximum(needs, rule.crack_area(results, steel, layer, diameter, spacing))
+        largest = cells.largest(of_nodes, axis)
+        return largest if axis == 0 else largest.T
+
+    return LayerTask(
+        needs=of_cells,
+        axis=axis,
+        distance=axis_of(steel, layer),
+        at_top=layer.startswith("top"),
+        thickness=thickness,
+        diameters=_diameters(steel, layer, rule),
+        spacings=spacings,
+    )
+
+
+def _diameters(steel: Reinforcement, layer: str, rule: DetailingRule, *, crossing: bool = False) -> tuple[float, ...]:
+    """Return the diameters of the proposal that fit a layer: with their cover, and between both layers of the face.
+
+    If the axes leave no room for any, the least one. `crossing` is whether bars may be too thick for both layers.
+    """
+    face = layer.split("_")[0]
+    given: tuple[float, float] | None = getattr(steel, face)
+    diameters = steel.proposal.diameters
+    allowed = []
+    for diameter in diameters:
+        least = rule.least_cover(steel, layer, diameter) or 0.0
+        if given is None:
+            assert steel.cover is not None
+            fits = steel.cover[face == "top"] >= least - ROUNDING
+        else:
+            own = given["xy".index(layer[-1])]
+            # the bars of both layers of a face cross: half of each lies between their axes
+            room = crossing or diameter <= abs(given[0] - given[1]) + ROUNDING
+            fits = own - diameter / 2 >= least - ROUNDING and room
+        if fits:
+            allowed.append(diameter)
+    return tuple(allowed) or diameters[:1]
+
+
+def _with_bars(steel: Reinforcement, layers: dict[str, LayerProposal], grid: PlanGrid) -> Reinforcement:
+    """Return the reinforcement with proposed bars in place of its own, at the depth that the thickest of them have."""
+    zones = []
+    for layer, proposed in layers.items():
+        for number, (bars, (i0, i1, j0, j1)) in enumerate(proposed.zones, start=1):
+            sides = {"x": (grid.line(0, i0), grid.line(0, i1)), "y": (grid.line(1, j0), grid.line(1, j1))}
+            zones.append(
+                BarZone(
+                    name=f"{layer.replace('_', ' ')} {number}",
+                    shape={"kind": "rectangle", **sides},
+                    layers=(layer,),
+                    diameter=bars.diameter,
+                    spacing=bars.spacing,
+                )
+            )
+    changes: dict[str, object] = {layer: proposed.base for layer, proposed in layers.items()}
+    for face in ("bottom", "top"):
+        if getattr(steel, face) is None:
+            thickest = [
+                max(bars.diameter for bars in (layers[layer].base, *(bars for bars, _ in layers[layer].zones)))
+                for layer in (f"{face}_x", f"{face}_y")
+            ]
+            changes[face] = _axes(steel, face, thickest)
+    detailing = steel.detailing or Detailing()
+    cleared = {"bottom_mesh": None, "top_mesh": None, "zones": tuple(zones), "detailing": detailing}
+    return steel.model_copy(update=changes | cleared)
+
+
+def _axes(steel: Reinforcement, face: str, thickest: list[float]) -> tuple[float, float]:
+    """Return the distances of the axes from a face [m] by its cover and the thickest bars along x and y."""
+    assert steel.cover is not None
+    cover, (a, b) = steel.cover[face == "top"], thickest
+    return (cover + a / 2, cover + a + b / 2) if steel.outer == "x" else (cover + b + a / 2, cover + b / 2)
+
+
+def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], remarks: list[str]) -> BarProposal:
+    """Return the proposal with its steel."""
+    plate = ultimate_results(results)[0].plate
+    model = results.model.model_copy(update={"reinforcement": found})
+    region = get_plate_region(model.plate, model.plates)
+    laid = {}
+    for layer in LAYERS:
+        base = found.base_bars(layer)
+        assert base is not None
+        laid[layer] = bar_area(base) * float(region.area.area)
+        for zone in found.zones:
+            if layer in zone.layers:
+                laid[layer] += bar_area(zone.bars) * float(polygon_of(zone.shape.ring()).intersection(region.area).area)
+    required = {layer: float((needs[layer] * plate.area).sum()) for layer in LAYERS}
+    return BarProposal(model, required, laid, tuple(remarks))
+
+
+def _remarks(results: Results, rule: DetailingRule) -> Iterator[str]:
+    """Yield what was not looked at."""
+    if rule.crack_area is None:
+        yield "crack widths are not looked at: the code of the case has no rule of them here"
+    if results.model.cracking is not None:
+        yield "[cracking]: bars change the stiffness; solve the case again with them"
+    yield "punching and one-way shear ask for no more bars here; check the case with the bars"
