@@ -2,7 +2,7 @@
 
 Bars of a set lie as far apart as is given or a little closer at both borders: over a width b there are n = ceil(b / s)
 of them, the outer ones (b - (n - 1) s) / 2 from the borders. Each is cut by the outline, by openings and by the border
-of its zone. Neither laps nor hooks nor the cover at its ends are in its length.
+of its zone. `detailing/positions` cuts and laps them.
 """
 
 from __future__ import annotations
@@ -51,10 +51,6 @@ class BarSet:
     def lengths(self) -> Array:
         """Return the lengths (k,) [m]."""
         return np.asarray(np.linalg.norm(self.ends[:, 1] - self.ends[:, 0], axis=1))
-
-    def mass_of(self, length: float) -> float:
-        """Return the mass [kg] of a length [m] of the bars."""
-        return DENSITY * math.pi * self.bars.diameter**2 / 4 * length
 
 
 def bar_sets(model: Model) -> list[BarSet]:

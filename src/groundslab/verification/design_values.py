@@ -10,13 +10,14 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.aci318 import bending as aci_bending
+from groundslab.design.aci318 import development
 from groundslab.design.aci318 import punching as aci_punching
 from groundslab.design.aci318 import shear as aci_shear
 from groundslab.design.aci318.materials import PHI_BENDING, PHI_SHEAR
 from groundslab.design.aci318.materials import Concrete as AciConcrete
 from groundslab.design.aci318.materials import Steel as AciSteel
 from groundslab.design.demands.design_moments import wood_armer
-from groundslab.design.en1992 import bending, cracking, punching, shear
+from groundslab.design.en1992 import anchorage, bending, cracking, punching, shear
 from groundslab.design.en1992.annex import annex_of
 from groundslab.design.en1992.materials import Concrete, Steel
 from groundslab.design.floors import resistance, strips, yield_lines
@@ -74,6 +75,23 @@ def _crack(what: str) -> Callable[..., float]:
         return {"spacing": s_r, "strain": strain, "width": s_r * strain}[what]
 
     return find
+
+
+def _anchorage(diameter: float, f_ck: float, c_d: float, *, good: bool = True, lap: bool = False) -> float:
+    """Return l_bd or l_0 [mm] of bars of 500 MPa."""
+    find = anchorage.lap_length if lap else anchorage.anchorage_length
+    return find(Concrete(f_ck), Steel(500e6), diameter, c_d, good) * 1e3
+
+
+def _tens_up(**given: Any) -> float:
+    """Return l_bd or l_0 [mm] rounded up to 10 mm, see _anchorage."""
+    return math.ceil(_anchorage(**given) / 10 - 1e-9) * 10.0
+
+
+def _development(diameter: float, f_c: float, f_y: float, below: float, *, splice: bool = False) -> float:
+    """Return l_d or a class B splice [mm] by ACI 318 of bars far apart with enough cover."""
+    find = development.splice_length if splice else development.development_length
+    return find(AciConcrete(f_c), AciSteel(f_y), diameter, cover=0.1, clear=0.2, below=below) * 1e3
 
 
 def _aci_ratio(R: float, f_c: float, f_y: float) -> float:
@@ -221,6 +239,9 @@ VALUES: dict[str, tuple[str | None, Callable[..., float]]] = {
     "M_p + M_n by Meyerhof": (None, _meyerhof),
     "pressure beside an aisle": ("pressure", _beside_aisle),
     "repetitions": (None, resistance.allowed_repetitions),
+    "l_bd or l_0": (None, _anchorage),
+    "l_bd or l_0, rounded up": (None, _tens_up),
+    "l_d by ACI 318": (None, _development),
     "f_ywd,ef": ("pressure", lambda d: punching.effective_strength(d, math.inf)),
 }
 for _name in ("bottom_x", "bottom_y", "top_x", "top_y"):

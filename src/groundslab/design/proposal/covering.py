@@ -273,14 +273,16 @@ def _cut_off(part: Array, axis: int, needs: Window, shape: tuple[int, ...], opti
     if axis == 1:  # strips of whole bars: their profiles grow cut by cut
         turned = part[:, ::-1] if last else part
         profiles = np.maximum.accumulate(turned, axis=1)[:, :count].T
-        filled = needed.any(axis=0)
-        filled = filled[::-1] if last else filled
-        width = np.maximum.accumulate(np.where(filled, np.arange(w) + 1, 0))[:count]
+        filled = np.flatnonzero(needed.any(axis=0))
+        filled = w - 1 - filled if last else filled
+        ends = np.zeros(w, dtype=int)
+        ends[filled] = filled + 1
+        width = np.maximum.accumulate(ends)[:count]
     else:
         profile = part.max(axis=1)
         profile = profile[::-1] if last else profile
         profiles = np.where(np.arange(m) <= np.arange(count)[:, None], profile, 0.0)
-        grown = np.asarray(np.logical_or.accumulate(needed[::-1] if last else needed, axis=0))[:count]
+        grown: Flags = np.cumsum(needed[::-1] if last else needed, axis=0)[:count] > 0
         width = w - np.argmax(grown, axis=1) - np.argmax(grown[:, ::-1], axis=1)
         profiles = profiles[:, ::-1] if last else profiles
     if last:

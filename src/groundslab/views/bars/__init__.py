@@ -19,8 +19,9 @@ from groundslab.views.plots import export
 def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Path:
     """Draw the bars provided: a plan of each face, and how many there are, how long, and what they weigh.
 
-    One bar of each set stands for all of them, with a line across over which they are distributed. Bars are straight;
-    laps, hooks and edge bars are not in the drawing.
+    One bar of each set stands for all of them, with a line across over which they are distributed, its marks, number,
+    diameter, spacing and length. With `reinforcement.detailing` lengths have laps, and bars of U shape at edges are
+    drawn in the plan of the bottom.
 
     Parameters
     ----------
@@ -28,7 +29,7 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Pat
         The model, or results of it.
     path : str or pathlib.Path
         File to write: .dxf (in meters, on the layers OUTLINE, OPENINGS, COLUMNS, BAR_ZONES, BARS_BOTTOM_X, and so on,
-        LABELS and TABLE), .svg, .pdf or .png. An existing file is replaced only if groundslab drew it.
+        BARS_EDGES, LABELS and TABLE), .svg, .pdf or .png. An existing file is replaced only if groundslab drew it.
 
     Returns
     -------

@@ -5,7 +5,7 @@ The plan of the bottom face lies where the case has it, that of the top face bes
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -14,8 +14,10 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.design.bar_layout import BarSet, bar_sets
 from groundslab.design.bar_quantities import bars as bars_table
+from groundslab.design.detailing.positions import U_SHAPE, Position, positions
 from groundslab.geometry.plan import DRAWN_CHORD, Ring
 from groundslab.model.model import Model
+from groundslab.model.plates.region import get_plate_region
 from groundslab.units import format_number
 
 if TYPE_CHECKING:
@@ -24,7 +26,7 @@ if TYPE_CHECKING:
 #: Layers of a drawing, with the color of each: a number of AutoCAD's palette, whose 7 is black on white.
 LAYERS = {
     "OUTLINE": 7, "OPENINGS": 8, "COLUMNS": 8, "WALLS": 8, "BEAMS": 8, "BAR_ZONES": 6, "BARS_BOTTOM_X": 5,
-    "BARS_BOTTOM_Y": 3, "BARS_TOP_X": 1, "BARS_TOP_Y": 30, "LABELS": 7, "TABLE": 7,
+    "BARS_BOTTOM_Y": 3, "BARS_TOP_X": 1, "BARS_TOP_Y": 30, "BARS_EDGES": 4, "LABELS": 7, "TABLE": 7,
 }  # fmt: skip
 #: The layer with broken lines.
 BROKEN = "BAR_ZONES"
@@ -40,14 +42,14 @@ PLACES = ((0.36, 0.7), (0.5, 0.35), (0.62, 0.55), (0.42, 0.45))
 LONG = 0.6
 #: Columns of the table of quantities that the drawing has, and what stands above them.
 COLUMNS = {
-    "layer": "layer", "zone": "zone", "mesh": "mesh", "diameter": "diameter", "spacing": "spacing", "number": "number",
-    "least length": "length", "greatest length": "to", "total length": "total", "mass": "kg", "mass per area": "kg/m2",
+    "mark": "mark", "layer": "layer", "zone": "zone", "mesh": "mesh", "shape": "shape", "diameter": "diameter",
+    "spacing": "spacing", "number": "number", "least length": "length", "greatest length": "to", "lap": "lap",
+    "total length": "total", "mass": "kg", "mass per area": "kg/m2",
 }  # fmt: skip
-#: What is written below the table.
-NOTES = (
-    "Lengths in meters, diameters and spacings in millimeters. Further bars of zones lie between those of the layer.",
-    "Laps, hooks and edge bars are not in the quantities, and the cover at the ends of bars is not taken off.",
-)
+#: What is written below the table, and what of the quantities without detailing and with it.
+NOTE = "Lengths in meters, diameters and spacings in millimeters. Further bars of zones lie between those of the layer."
+PLAIN = "Laps, hooks and edge bars are not in the quantities, and the cover at the ends of bars is not taken off."
+DETAILED = "Bars end the cover before edges; pieces lap, and bars of U shape at edges have legs, as long as lap says."
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,13 +91,15 @@ def draw(model: Model) -> list[Shape]:
     flat = x1 - x0 > y1 - y0
     step = (0.0, -(y1 - y0) - 2 * GAP * h) if flat else (x1 - x0 + 2 * GAP * h, 0.0)
     shapes: list[Shape] = []
+    listed = positions(model)
     for face, shift in (("bottom", (0.0, 0.0)), ("top", step)):
-        shapes += [_moved(shape, shift) for shape in _face(model, face, h)]
+        shapes += [_moved(shape, shift) for shape in _face(model, face, h, listed)]
+    shapes += [shape for position in listed if position.shape == U_SHAPE for shape in _edge_bars(model, position, h)]
     low = y0 + min(step[1], 0.0) - GAP * h
     return shapes + list(_table(model, (x0, low), h))
 
 
-def _face(model: Model, face: str, h: float) -> Iterator[Shape]:
+def _face(model: Model, face: str, h: float, listed: Sequence[Position]) -> Iterator[Shape]:
     """Yield the plan of one face, where the case has it, with letters of a height [m]."""
     x0, _, _, y1 = model.bounds
     chord = DRAWN_CHORD * max(model.sides)
@@ -120,12 +124,12 @@ def _face(model: Model, face: str, h: float) -> Iterator[Shape]:
         yield Text("LABELS", (left + 0.4 * h, top - 1.4 * h), h, name)
     turn = {name: number for number, name in enumerate(dict.fromkeys(bar_set.zone for bar_set in sets))}
     for bar_set in sets:
-        yield from _bar_set(
-            bar_set, PLACES[min(turn[bar_set.zone], 1 + (turn[bar_set.zone] - 1) % (len(PLACES) - 1))], h
-        )
+        of_set = [one for one in listed if (one.layer, one.zone) == (bar_set.layer, bar_set.zone)]
+        place = PLACES[min(turn[bar_set.zone], 1 + (turn[bar_set.zone] - 1) % (len(PLACES) - 1))]
+        yield from _bar_set(bar_set, place, h, label_of(of_set))
 
 
-def _bar_set(bar_set: BarSet, place: tuple[float, float], h: float) -> Iterator[Shape]:
+def _bar_set(bar_set: BarSet, place: tuple[float, float], h: float, label: str) -> Iterator[Shape]:
     """Yield one bar of a set, what it says, and the line across over which all of them are distributed."""
     if not len(bar_set.ends):
         return
@@ -143,16 +147,58 @@ def _bar_set(bar_set: BarSet, place: tuple[float, float], h: float) -> Iterator[
     # above the bar, read from the right where it runs upwards
     off = np.array([0.6 * h, 0.5 * h]) if axis == 0 else np.array([-0.5 * h, 0.6 * h])
     start = bar[0] + off
-    yield Text(layer, (float(start[0]), float(start[1])), h, label_of(bar_set), 90.0 * axis)
+    yield Text(layer, (float(start[0]), float(start[1])), h, label, 90.0 * axis)
 
 
-def label_of(bar_set: BarSet) -> str:
-    """Return the label of a set of bars: number, diameter, spacing and length, or the welded mesh."""
-    shortest, longest = f"{bar_set.lengths.min():.2f}", f"{bar_set.lengths.max():.2f}"
+def label_of(of_set: Sequence[Position]) -> str:
+    """Return the label of a set of bars: marks, number, diameter, spacing, length and lap, or the welded mesh."""
+    if not of_set:
+        return ""
+    first, last = of_set[0], of_set[-1]
+    marks = f"{first.mark}" if first is last else f"{first.mark}-{last.mark}"
+    shortest, longest = (f"{find(find(one.lengths) for one in of_set):.2f}" for find in (min, max))
     long = longest if shortest == longest else f"{shortest} to {longest}"
-    phi, spacing = (format_number(1e3 * value, 4, trim=True) for value in (bar_set.bars.diameter, bar_set.bars.spacing))
-    mesh = f"{bar_set.mesh}: " if bar_set.mesh else ""
-    return f"{mesh}{len(bar_set.ends)} \N{LATIN SMALL LETTER O WITH STROKE}{phi} / {spacing}, l = {long} m"
+    phi, spacing = (format_number(1e3 * value, 4, trim=True) for value in (first.bars.diameter, first.bars.spacing))
+    mesh = f"{first.mesh}: " if first.mesh else ""
+    lap = "" if first.lap is None or first.shape == U_SHAPE else f", lap {first.lap:.2f} m"
+    count = sum(len(one.lengths) for one in of_set)
+    u = "U " if first.shape == U_SHAPE else ""
+    return f"({marks}) {mesh}{count} {u}\N{LATIN SMALL LETTER O WITH STROKE}{phi} / {spacing}, l = {long} m{lap}"
+
+
+def _edge_bars(model: Model, position: Position, h: float) -> Iterator[Shape]:
+    """Yield bars of U shape in the plan of the bottom: one leg at each edge where they are, and what they say once."""
+    assert position.places is not None
+    assert position.lap is not None
+    axis = "xy".index(position.layer[-1])
+    at = np.round(position.places, 3)
+    inside = _inside_of(model)
+    for number, where in enumerate(np.unique(at[:, axis])):
+        there = at[at[:, axis] == where]
+        place = there[np.argsort(there[:, 1 - axis], kind="stable")[len(there) // 2]]
+        inward = np.zeros(2)
+        inward[axis] = 1.0 if inside(place, axis, 1e-3) else -1.0
+        end = place + inward * position.lap
+        yield Line("BARS_EDGES", np.array([place, end]))
+        yield Circle("BARS_EDGES", (float(place[0]), float(place[1])), 0.3 * h)
+        if number == 0:
+            off = np.array([0.4 * h, -1.4 * h]) if axis == 0 else np.array([1.4 * h, 0.4 * h])
+            start = np.minimum(place, end) + off
+            yield Text("BARS_EDGES", (float(start[0]), float(start[1])), h, label_of([position]), 90.0 * axis)
+
+
+def _inside_of(model: Model) -> Callable[[Array, int, float], bool]:
+    """Return whether the plan is on the upper side of a place along an axis, so far from it [m]."""
+    from shapely import Point
+
+    area = get_plate_region(model.plate, model.plates).area
+
+    def inside(place: Array, axis: int, off: float) -> bool:
+        beside = place.copy()
+        beside[axis] += off
+        return bool(area.intersects(Point(beside)))
+
+    return inside
 
 
 def _shown_bar(bar_set: BarSet, part: float) -> Array:
@@ -185,7 +231,8 @@ def _table(model: Model, corner: tuple[float, float], h: float) -> Iterator[Shap
                 yield Text("TABLE", (x, y - (number + 1) * LINE * h), h, words)
         x += (max(map(len, column)) * WIDE + 2) * h
     below = y - (len(columns[0]) + 1.5) * LINE * h
-    for number, words in enumerate(NOTES):
+    detailed = model.reinforcement is not None and model.reinforcement.detailing is not None
+    for number, words in enumerate((NOTE, DETAILED if detailed else PLAIN)):
         yield Text("TABLE", (corner[0], below - number * LINE * h), h, words)
 
 
