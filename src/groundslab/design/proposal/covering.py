@@ -47,6 +47,8 @@ class Options:
         Cells of a zone along and across, at least.
     every : int
         Zones end at multiples of so many cells along the bars.
+    edge : float
+        What a bar is longer where its zone ends at the edge of the plan, as it is held there, in cells.
     """
 
     area: Array
@@ -55,6 +57,7 @@ class Options:
     inner: Flags
     least: tuple[int, int]
     every: int = 1
+    edge: float = 0.0
 
     def only(self, option: int) -> Options:
         """Return one of the options."""
@@ -128,6 +131,12 @@ def cover(excess: Array, options: Options, most: int, price: float) -> list[Zone
     nests: dict[Window, tuple[float, list[_Leaf]]] = {}
     tried = [_with_nests(excess, best[n], options, most, price, nests) for n in sorted(best)]
     return [leaf.zone for leaf in min(tried, key=lambda leaves: _steel(leaves) + price * len(leaves))]
+
+
+def one_zone(excess: Array, options: Options) -> float:
+    """Return the steel of the best zone over all cells that need bars [m2/m times cells], inf if there is none."""
+    whole = _trim(excess, (0, excess.shape[0], 0, excess.shape[1]))
+    return 0.0 if whole is None else _leaf(excess, whole, options).zone.steel
 
 
 def _steel(leaves: list[_Leaf]) -> float:
@@ -212,7 +221,8 @@ def _ends(
     low = np.maximum(np.floor((low + ROUNDING) / every) * every, 0)
     high = np.minimum(np.ceil((high - ROUNDING) / every) * every, length)
     size = np.minimum(np.maximum(high - low, options.least[0]), length)
-    steel = np.where(share.max(axis=1) > 1 + 1e-12, np.inf, options.area * size * width[:, None])
+    held = options.edge * ((low == 0).astype(float) + (high == length))
+    steel = np.where(share.max(axis=1) > 1 + 1e-12, np.inf, options.area * (size + held) * width[:, None])
     option = np.argmin(steel, axis=1)
     row = np.arange(len(profiles))
     return steel[row, option], option, low[row, option].astype(int), high[row, option].astype(int)

@@ -10,7 +10,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.basis.detailing_rule import DetailingRule, EndingBar
-from groundslab.design.proposal.covering import Options, Window, cover
+from groundslab.design.proposal.covering import Options, Window, cover, one_zone
 from groundslab.design.proposal.plan_grid import PARTS, PlanGrid, spread_along
 from groundslab.model.design.bars import Bars
 from groundslab.model.design.detailing import AllowedBars
@@ -20,7 +20,7 @@ from groundslab.model.design.reinforcement import Reinforcement
 #: Spacings of a zone's bars over those of the base, and how many of them lie in a gap of the base at most.
 MULTIPLES = {0.5: 2, 1.0: 1, 2.0: 1}
 #: Candidates are tried until so many in a row were no better than the best.
-PATIENCE = 3
+PATIENCE = 4
 #: What counts as rounding, relative.
 ROUNDING = 1e-9
 
@@ -66,11 +66,12 @@ class LayerTask:
 
 @dataclass(frozen=True, slots=True)
 class LayerProposal:
-    """The base of a layer, its zones as bars and cells along x and y, and the steel of all [m3]."""
+    """The base of a layer, its zones as bars and cells along x and y, the steel of all, and of zones' edges [m3]."""
 
     base: Bars
     zones: tuple[tuple[Bars, Window], ...]
     steel: float
+    held: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,32 +85,41 @@ class _Addition:
 
 @dataclass(frozen=True, slots=True)
 class _Candidate:
-    """A base with zones whose bars are no thicker than a diameter, and what cells need beyond the base."""
+    """A base with zones whose bars are no thicker than a diameter, and what cells need beyond the base.
 
-    lowest: float  # steel and price at least [m3]
+    The bound is the steel of the base and of the excess alone.
+    """
+
+    likely: float  # steel: the mean of the bound and of what one zone takes [m3]
+    lowest: float  # steel at least [m3]
     base: Bars
-    thickest: float
     excess: Array
+    additions: tuple[Bars, ...]  # that zones may have
+    options: Options
 
 
 def propose_layer(task: LayerTask, grid: PlanGrid, steel: Reinforcement, rule: DetailingRule) -> LayerProposal | None:
     """Return the bars of a layer with the least steel for what cells need; None if none are enough.
 
-    Bases with zones up to each diameter are tried from the one on whose steel the bound is lowest: that of its base and
-    of the excess alone, until the bound is above the steel of the best, or PATIENCE in a row were no better.
+    Bases with zones up to each diameter are tried in the order of their likely steel, those left out whose bound is
+    above the steel of the best, until PATIENCE in a row were no better.
     """
     area = grid.area if task.axis == 0 else grid.area.T
     fine = np.repeat(area / PARTS, PARTS, axis=0)
-    price = steel.proposal.least_saving * _finite_steel(task, fine)
+    candidates = _candidates(task, fine, grid, steel, rule)
+    price = steel.proposal.least_saving * min((candidate.lowest for candidate in candidates), default=0.0)
     best: LayerProposal | None = None
     least = math.inf  # steel and the price of zones
     in_vain = 0
-    for candidate in _candidates(task, fine, grid, rule, price):
-        if candidate.lowest >= least or in_vain == PATIENCE:
+    for candidate in candidates:
+        if in_vain == PATIENCE:
             break
-        found = _with_zones(task, candidate, area, grid, steel, rule, price)
-        if found is not None and found.steel + price * len(found.zones) < least * (1 - ROUNDING):
-            best, least, in_vain = found, found.steel + price * len(found.zones), 0
+        if candidate.lowest + price * bool(candidate.excess.any()) >= least:
+            continue
+        found = _with_zones(candidate, area, grid, steel, price)
+        cost = math.inf if found is None else found.steel + found.held + price * len(found.zones)
+        if cost < least * (1 - ROUNDING):
+            best, least, in_vain = found, cost, 0
         elif found is not None:
             in_vain += 1
     if best is None or task.axis == 0:
@@ -117,14 +127,10 @@ def propose_layer(task: LayerTask, grid: PlanGrid, steel: Reinforcement, rule: D
     return replace(best, zones=tuple((bars, (j0, j1, i0, i1)) for bars, (i0, i1, j0, j1) in best.zones))
 
 
-def _finite_steel(task: LayerTask, fine: Array) -> float:
-    """Return the steel [m3] that cells need of the thinnest bars, closest to each other."""
-    needs = task.needs(task.diameters[0], task.spacings[0])
-    return float((np.where(np.isfinite(needs), needs, 0.0) * fine).sum())
-
-
-def _candidates(task: LayerTask, fine: Array, grid: PlanGrid, rule: DetailingRule, price: float) -> list[_Candidate]:
-    """Return what may be tried, that with the lowest bound first."""
+def _candidates(
+    task: LayerTask, fine: Array, grid: PlanGrid, steel: Reinforcement, rule: DetailingRule
+) -> list[_Candidate]:
+    """Return what may be tried and may be enough, the likeliest to take least steel first."""
     candidates = []
     shifted: dict[tuple[float, float], Array] = {}
     for thickest in task.diameters:
@@ -142,10 +148,39 @@ def _candidates(task: LayerTask, fine: Array, grid: PlanGrid, rule: DetailingRul
             if np.isinf(excess).any() or (last is not None and np.array_equal(needs, last)):
                 continue
             last = needs
-            zones = price * bool(excess.any())
-            lowest = of_base * float(fine.sum()) + float((excess * fine).sum()) + zones
-            candidates.append(_Candidate(lowest, base, thickest, excess))
-    return sorted(candidates, key=lambda one: (one.lowest, one.base.diameter, one.thickest))
+            additions = [one for one in _additions(task, base, rule, steel.proposal) if one.bars.diameter <= thickest]
+            options = _options(task, base, additions, grid, steel, rule)
+            one = one_zone(excess, options) * grid.step**2 / PARTS if additions or not excess.any() else math.inf
+            if math.isinf(one):
+                continue
+            of_all = of_base * float(fine.sum())
+            bound = of_all + float((excess * fine).sum())
+            likely = (bound + of_all + one) / 2
+            candidates.append(_Candidate(likely, bound, base, excess, tuple(one.bars for one in additions), options))
+    return sorted(candidates, key=lambda one: (one.likely, one.base.diameter, len(one.additions)))
+
+
+def _options(
+    task: LayerTask,
+    base: Bars,
+    additions: list[_Addition],
+    grid: PlanGrid,
+    steel: Reinforcement,
+    rule: DetailingRule,
+) -> Options:
+    """Return the bars that zones may have beside a base, with their lengths in cells."""
+    anchorage = [rule.anchorage(steel, task.bar(one.bars.diameter, one.apart)) for one in additions]
+    least = max(1, math.ceil(steel.proposal.least_size / grid.step - ROUNDING))
+    return Options(
+        area=np.array([bar_area(one.bars) for one in additions]),
+        anchorage=np.array(anchorage) / grid.step * PARTS,
+        nestable=np.array([one.nestable for one in additions], dtype=bool),
+        inner=np.array([one.bars.spacing > (1 - ROUNDING) * base.spacing for one in additions], dtype=bool),
+        least=(least * PARTS, least),
+        every=PARTS,
+        # both legs and the back of a U bar, at their least length
+        edge=(2 * rule.edge_leg + 1) * task.thickness[1] / grid.step * PARTS,
+    )
 
 
 def _bases(task: LayerTask) -> Iterator[Bars]:
@@ -171,39 +206,23 @@ def _additions(task: LayerTask, base: Bars, rule: DetailingRule, proposal: Allow
 
 
 def _with_zones(
-    task: LayerTask,
-    candidate: _Candidate,
-    area: Array,
-    grid: PlanGrid,
-    steel: Reinforcement,
-    rule: DetailingRule,
-    price: float,
+    candidate: _Candidate, area: Array, grid: PlanGrid, steel: Reinforcement, price: float
 ) -> LayerProposal | None:
     """Return a base with the zones that it needs, None if none are enough; cells along and across the bars."""
     base, excess = candidate.base, candidate.excess
-    additions = [one for one in _additions(task, base, rule, steel.proposal) if one.bars.diameter <= candidate.thickest]
     if not excess.any():
         return LayerProposal(base, (), bar_area(base) * float(area.sum()))
-    if not additions:
-        return None
-    anchorage = [rule.anchorage(steel, task.bar(one.bars.diameter, one.apart)) for one in additions]
-    least = max(1, math.ceil(steel.proposal.least_size / grid.step - ROUNDING))
-    options = Options(
-        area=np.array([bar_area(one.bars) for one in additions]),
-        anchorage=np.array(anchorage) / grid.step * PARTS,
-        nestable=np.array([one.nestable for one in additions]),
-        inner=np.array([one.bars.spacing > (1 - ROUNDING) * base.spacing for one in additions]),
-        least=(least * PARTS, least),
-        every=PARTS,
-    )
-    zones = cover(excess, options, steel.proposal.most_zones, price / grid.step**2 * PARTS)
+    zones = cover(excess, candidate.options, steel.proposal.most_zones, price / grid.step**2 * PARTS)
     if zones is None:
         return None
     total = bar_area(base) * float(area.sum())
+    held = 0.0
     whole = []
     for zone in sorted(zones, key=lambda zone: (zone.cells[0], zone.cells[2])):
         i0, i1, j0, j1 = zone.cells
         cells = (i0 // PARTS, i1 // PARTS, j0, j1)
-        total += float(options.area[zone.option] * area[cells[0] : cells[1], j0:j1].sum())
-        whole.append((additions[zone.option].bars, cells))
-    return LayerProposal(base, tuple(whole), total)
+        total += float(candidate.options.area[zone.option] * area[cells[0] : cells[1], j0:j1].sum())
+        bars = float(candidate.options.area[zone.option]) * (i1 - i0) * (j1 - j0)
+        held += (zone.steel - bars) * grid.step**2 / PARTS
+        whole.append((candidate.additions[zone.option], cells))
+    return LayerProposal(base, tuple(whole), total, held)

@@ -179,13 +179,18 @@ def _task(
         raise InputError([Issue("reinforcement.proposal.spacings", "none that the code allows", "smaller ones", hint)])
     axis = "xy".index(layer[-1])
 
-    @cache
-    def of_cells(diameter: float, spacing: float) -> Array:
-        of_nodes = needs
-        if rule.crack_area is not None:
-            of_nodes = np.maximum(needs, rule.crack_area(results, steel, layer, diameter, spacing))
+    def along(of_nodes: Array) -> Array:
         largest = cells.largest(of_nodes, axis)
         return largest if axis == 0 else largest.T
+
+    without_cracks = along(needs)
+
+    @cache
+    def of_cells(diameter: float, spacing: float) -> Array:
+        if rule.crack_area is None:
+            return without_cracks
+        of_cracks = rule.crack_area(results, steel, layer, diameter, spacing)
+        return along(np.maximum(needs, of_cracks)) if (of_cracks > needs).any() else without_cracks
 
     return LayerTask(
         needs=of_cells,

@@ -45,8 +45,8 @@ class AllowedBars(Section):
     most_zones: Annotated[int, Integer("zones of additional bars in a layer", at_least=0, at_most=MOST_ZONES)] = 6
     least_saving: Annotated[
         float,
-        Number("", "steel of a layer that each zone must save, over what is required", Range(at_least=0, at_most=1)),
-    ] = 0.01
+        Number("", "share of a layer's steel that each zone must save", Range(at_least=0, at_most=1)),
+    ] = 0.02
     rounding: Annotated[
         float, Quantity("length", "", "zones' borders lie at multiples of it from the slab's lower left corner", STEP)
     ] = 0.25

@@ -40,7 +40,7 @@ def test_cut_by_hand() -> None:
 
 @pytest.mark.parametrize("length", np.linspace(0.5, 100, 37))
 def test_pieces_are_short_enough_and_make_up_the_bar(length: float) -> None:
-    """n pieces less n - 1 laps are the bar; none is longer than delivered; one fewer would be."""
+    """N pieces less n - 1 laps are the bar; none is longer than delivered; one fewer would be."""
     count, each = cut(length, 12.0, 0.8)
     assert each <= 12.0 + 1e-9
     assert count * each - (count - 1) * 0.8 == pytest.approx(length)
@@ -81,7 +81,7 @@ def test_bars_at_edges_by_hand() -> None:
 
 
 def test_a_zone_by_hand() -> None:
-    """A zone of 16/200 from x = 1 m to 3 m (the edge) and y = -1 m to 1 m, of a slab of 6 m x 4 m, at the bottom along x.
+    """A zone of 16/200, x = 1 m to 3 m (the edge), y = -1 m to 1 m, at the bottom along x of a slab of 6 m x 4 m.
 
     2 m / 0.2 m = 10 bars from 1 m to 3 m less the cover of 40 - 16 / 2 = 32 mm: 1.968 m. They weigh 10 x 1.968 m x
     1.578 kg/m = 31.06 kg. Each has a U bar at the edge.

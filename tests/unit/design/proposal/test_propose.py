@@ -27,7 +27,7 @@ from groundslab.results.results import Results
 EXAMPLES = Path(__file__).parents[4] / "examples"
 STEEL: dict[str, Any] = {"concrete": "C25/30", "steel": "B500B", "bottom": (0.045, 0.06), "top": (0.045, 0.06)}
 #: Any bars, which a proposal replaces: w_max is not given without some.
-BARS = dict.fromkeys(LAYERS, {"diameter": 0.008, "spacing": 0.3})
+BARS = {key: {"diameter": 0.008, "spacing": 0.3} for key in LAYERS}
 ACI: dict[str, Any] = {
     "code": "ACI 318", "f_ck": 28e6, "f_yk": 420e6, "bottom": (0.085, 0.105), "top": (0.06, 0.08)
 }  # fmt: skip
@@ -135,7 +135,7 @@ def test_zones_reach_beyond_their_need_by_anchorage() -> None:
 def test_house_raft_takes_little_steel() -> None:
     """The raft of a house: bars and anchorage against what its points require, at least the minimum, over the plan.
 
-    With bars from 8 mm and zones from 0.5 m within 15 %; with those that are allowed by default within 21 %.
+    With bars from 8 mm, zones from 0.5 m that save any steel within 15 %; with the defaults within 22 %.
     """
     model = groundslab.load(EXAMPLES / "house_raft.toml")
     bare = dict.fromkeys(("bottom_x", "bottom_y", "top_x", "top_y", "w_max"))
@@ -147,8 +147,8 @@ def test_house_raft_takes_little_steel() -> None:
         }
     )
     results = solve(model)
-    fine = groundslab.AllowedBars(diameters=(0.008, 0.010, 0.012), least_size=0.5)
-    for allowed, most in ((groundslab.AllowedBars(), 1.21), (fine, 1.15)):
+    fine = groundslab.AllowedBars(diameters=(0.008, 0.010, 0.012), least_size=0.5, least_saving=0)
+    for allowed, most in ((groundslab.AllowedBars(), 1.22), (fine, 1.15)):
         assert model.reinforcement is not None
         steel = model.reinforcement.model_copy(update={"proposal": allowed})
         of_case = replace(results, model=model.model_copy(update={"reinforcement": steel}))
