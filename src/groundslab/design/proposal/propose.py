@@ -283,6 +283,9 @@ def _remarks(results: Results, rule: DetailingRule) -> Iterator[str]:
     """Yield what was not looked at."""
     if rule.crack_area is None:
         yield "crack widths are not looked at: the code of the case has no rule of them here"
+    steel = results.model.reinforcement
+    if steel is not None and steel.detailing is not None and not steel.detailing.edge_bars:
+        yield "bars at edges of the slab count as held there, though detailing.edge_bars is false: hook them"
     if results.model.cracking is not None:
         yield "[cracking]: bars change the stiffness; solve the case again with them"
     yield "punching and one-way shear ask for no more bars here; check the case with the bars"

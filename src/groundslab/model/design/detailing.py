@@ -38,7 +38,7 @@ class AllowedBars(Section):
         ListOf(
             Quantity("length", "s", "", APART),
             "s",
-            "spacings of the base; zones have the same, or twice it",
+            "spacings of the base; zones have the same, half or twice of it",
             rising=True,
         ),
     ] = (0.100, 0.125, 0.150, 0.175, 0.200, 0.225, 0.250)
