@@ -96,7 +96,7 @@ def run(options: argparse.Namespace) -> int:
 def describe_bars(bars: argparse.ArgumentParser) -> None:
     """Add what the command bars understands."""
     bars.epilog = (
-        "A plan of each face with one bar of each set, and the bar list by marks with numbers, lengths and masses; laps "
+        "A plan of each face with one bar of each set, and the bar list by marks, with lengths and masses; laps "
         "and U-shaped bars at edges are in it if the case has [reinforcement.detailing]. An existing file is replaced "
         "only if groundslab drew it."
     )
