@@ -360,4 +360,6 @@ def _write_table(solved: Solved, name: str, _: Told | None = None) -> bytes:
 
 
 #: What writes each kind of view.
-WRITERS = {"report": _write_report, OUTDATED: _write_outdated_report, "archive": _write_archive, "table": _write_table}
+WRITERS: dict[str, Callable[[Solved, str, Told], bytes]] = {
+    "report": _write_report, OUTDATED: _write_outdated_report, "archive": _write_archive, "table": _write_table,
+}  # fmt: skip
