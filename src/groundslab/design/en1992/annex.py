@@ -5,12 +5,11 @@ A file has what differs from the recommended values. Each parameter is explained
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
-from typing import Any
+
+from groundslab.design.eurocode2.annex_files import Table, read_table, unconfirmed_clauses, values_of
 
 #: Names of the annexes, and their files.
 ANNEXES = {"recommended": "recommended", "Germany": "germany", "United Kingdom": "united_kingdom"}
@@ -53,31 +52,17 @@ class Annex:
 @cache
 def annex_of(name: str) -> Annex:
     """Return the parameters of an annex, the recommended ones where it has none of its own."""
-    parameters = {**table("recommended"), **table(name)}
-    values: dict[str, Any] = {key: _frozen(parameter["value"]) for key, parameter in parameters.items()}
-    return Annex(**values)
+    return Annex(**values_of({**table("recommended"), **table(name)}))
 
 
-def _frozen(value: Any) -> Any:
-    """Return a list of a file as a tuple, anything else as it is."""
-    return tuple(value) if isinstance(value, list) else value
-
-
-def table(name: str) -> dict[str, dict[str, Any]]:
+def table(name: str) -> Table:
     """Return the parameters in an annex's file, each with its value, clause and source."""
-    path = files("groundslab.design.en1992") / "annexes" / f"{ANNEXES[name]}.toml"
-    parameters: dict[str, dict[str, Any]] = tomllib.loads(path.read_text(encoding="utf-8"))["parameters"]
-    return parameters
+    return read_table("groundslab.design.en1992", ANNEXES[name])
 
 
 def unconfirmed(name: str) -> list[str]:
     """Return the clauses of a national annex whose values were found in no source that could be read."""
-    clauses = (
-        []
-        if name == "recommended"
-        else [parameter["clause"] for parameter in table(name).values() if not parameter["source"]]
-    )
-    return list(dict.fromkeys(clauses))
+    return [] if name == "recommended" else unconfirmed_clauses(table(name))
 
 
 #: What is taken where no annex is named.

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from groundslab.design.en1992.annex import annex_of
-from groundslab.design.en1992.materials import CONCRETE_CLASSES, STEEL_CLASSES, Concrete, Steel
+from groundslab.design.en1992.materials import Concrete, Steel
+from groundslab.design.eurocode2.materials import strengths
 from groundslab.model.design.reinforcement import Reinforcement
 
-_MPA = 1e6
+__all__ = ["least_cover", "materials", "strengths", "widest_crack"]
 
 
 def materials(steel: Reinforcement, limit_state: str = "ultimate") -> tuple[Concrete, Steel]:
@@ -21,15 +22,6 @@ def materials(steel: Reinforcement, limit_state: str = "ultimate") -> tuple[Conc
         gamma_c, gamma_s = steel.accidental or annex.accidental
     alpha_cc = annex.alpha_cc if steel.alpha_cc is None else steel.alpha_cc
     return Concrete(f_ck, gamma_c, alpha_cc, annex), Steel(f_yk, gamma_s)
-
-
-def strengths(steel: Reinforcement) -> tuple[float, float]:
-    """Return the characteristic strengths of concrete and steel [Pa], by class or as given."""
-    f_ck = steel.f_ck if steel.concrete is None else CONCRETE_CLASSES[steel.concrete] * _MPA
-    f_yk = steel.f_yk if steel.steel is None else STEEL_CLASSES[steel.steel] * _MPA
-    assert f_ck is not None
-    assert f_yk is not None
-    return f_ck, f_yk
 
 
 def widest_crack(steel: Reinforcement) -> float | None:

@@ -10,20 +10,13 @@ import math
 from dataclasses import dataclass
 
 from groundslab.design.en1992.annex import RECOMMENDED, Annex
-from groundslab.errors import InputError, Issue
-from groundslab.fem.concrete.materials import STEEL_MODULUS, mean_tensile_strength
+from groundslab.design.eurocode2.materials import CONCRETE_CLASSES, STEEL_CLASSES, Steel, not_positive, outside
+from groundslab.errors import InputError
+from groundslab.fem.concrete.materials import mean_tensile_strength
+
+__all__ = ["CONCRETE_CLASSES", "STEEL_CLASSES", "Concrete", "Steel"]
 
 _MPA = 1e6
-#: Strength classes of Table 3.1 and BS 8500-1: f_ck [MPa] by name.
-CONCRETE_CLASSES = {
-    f"C{f_ck}/{cube}": float(f_ck)
-    for f_ck, cube in (
-        (12, 15), (16, 20), (20, 25), (25, 30), (28, 35), (30, 37), (32, 40), (35, 45), (40, 50), (45, 55), (50, 60),
-        (55, 67), (60, 75), (70, 85), (80, 95), (90, 105),
-    )
-}  # fmt: skip
-#: f_yk [MPa] by name; the letter is the class of ductility of Annex C.
-STEEL_CLASSES = {name: float(name[1:4]) for name in ("B450C", "B500A", "B500B", "B500C", "B550A", "B550B")}
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,8 +33,8 @@ class Concrete:
 
     def __post_init__(self) -> None:
         """Refuse what the rules are not made for."""
-        issues = _outside("concrete.f_ck", self.f_ck, 12 * _MPA, 90 * _MPA)
-        issues += _not_positive(**{"concrete.gamma_c": self.gamma_c, "concrete.alpha_cc": self.alpha_cc})
+        issues = outside("concrete.f_ck", self.f_ck, 12 * _MPA, 90 * _MPA)
+        issues += not_positive(**{"concrete.gamma_c": self.gamma_c, "concrete.alpha_cc": self.alpha_cc})
         if issues:
             raise InputError(issues)
 
@@ -98,36 +91,3 @@ class Concrete:
     def f_ctm(self) -> float:
         """Return the mean tensile strength [Pa], Table 3.1."""
         return mean_tensile_strength(self.f_ck)
-
-
-@dataclass(frozen=True, slots=True)
-class Steel:
-    """Reinforcing steel: f_yk [Pa] from 400 to 600 MPa, gamma_s, E_s [Pa] (EN 1992-1-1 3.2.2(3), 2.4.2.4, 3.2.7(4))."""
-
-    f_yk: float
-    gamma_s: float = 1.15
-    E_s: float = STEEL_MODULUS
-
-    def __post_init__(self) -> None:
-        """Refuse what the rules are not made for."""
-        issues = _outside("steel.f_yk", self.f_yk, 400 * _MPA, 600 * _MPA)
-        issues += _not_positive(**{"steel.gamma_s": self.gamma_s, "steel.E_s": self.E_s})
-        if issues:
-            raise InputError(issues)
-
-    @property
-    def f_yd(self) -> float:
-        """Return the design yield strength [Pa], 3.2.7(2)."""
-        return self.f_yk / self.gamma_s
-
-
-def _outside(where: str, value: float, least: float, most: float) -> list[Issue]:
-    """Return the issue of a strength that does not lie within its limits."""
-    if least <= value <= most:
-        return []
-    return [Issue(where, f"{value:g} Pa", f"a strength from {least / _MPA:g} to {most / _MPA:g} MPa, in Pa")]
-
-
-def _not_positive(**values: float) -> list[Issue]:
-    """Return the issues of values that are not positive."""
-    return [Issue(where, f"{value:g}", "a positive number") for where, value in values.items() if not value > 0]

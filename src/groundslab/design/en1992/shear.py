@@ -10,39 +10,26 @@ are those of the concrete's annex, by default 0.18 / gamma_C, 0.035, 0.6 (1 - f_
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from groundslab.arrays import Array, Flags
+from groundslab.arrays import Array
 from groundslab.design.en1992.materials import Concrete, Steel
+from groundslab.design.eurocode2 import struts
+from groundslab.design.eurocode2.struts import LEVER, LINKS, Links, links_by_struts
+
+__all__ = ["LEVER", "Links", "minimum_links", "required_links", "resistance_without_links"]
 
 _MPA = 1e6
 #: The formulas of the functions here, with forces per width in MN/m, stresses in MPa and lengths in m.
 FORMULAS = {
     "k": "min(2, 1 + sqrt(0.2 / d))",
     "v_Rd,c": "max(C / gamma_C * k * (100 * rho_l * f_ck)^(1/3), v_min * k^(3/2) * f_ck^(1/2)) * d",
-    "a_sw": "v_Ed / (z * f_ywd * cot) * 10000",
+    "a_sw": LINKS,
 }
 #: The largest ratio of bars that counts (6.2.2(1)).
 MOST_BARS = 0.02
 #: Depths [m] up to which and from which v_min is that of thin and of thick members.
 THIN, THICK = 0.6, 0.8
-#: Lever arm over effective depth (6.2.3(1)).
-LEVER = 0.9
-
-
-@dataclass(frozen=True, slots=True)
-class Links:
-    """Links per area of the plan (n,) [m2/m2], with the struts cot theta; inf where the concrete is too weak."""
-
-    area: Array
-    cot_theta: Array
-
-    @property
-    def fails(self) -> Flags:
-        """Return where no links help (n,)."""
-        return np.isinf(self.area)
 
 
 def resistance_without_links(concrete: Concrete, d: Array, rho: Array) -> Array:
@@ -70,12 +57,7 @@ def required_links(v: Array, d: Array, concrete: Concrete, steel: Steel) -> Link
     Where no struts bear, cot theta is 1 and the area inf.
     """
     z = LEVER * np.asarray(d, dtype=float)
-    # v = z nu f_cd sin(2 theta) / 2
-    sine = np.asarray(2 * v / (z * concrete.strut))
-    steepest = np.minimum(sine, 1.0)
-    borne = (1 + np.sqrt(1 - steepest**2)) / np.maximum(steepest, 1e-12)
-    cot = np.clip(borne, 1.0, _flattest(np.asarray(v), z, concrete))
-    return Links(np.where(sine > 1, np.inf, v / (z * steel.f_yd * cot)), cot)
+    return links_by_struts(v, z, concrete.strut, steel.f_yd, _flattest(np.asarray(v), z, concrete))
 
 
 def _flattest(v: Array, z: Array, concrete: Concrete) -> Array:
@@ -89,4 +71,4 @@ def _flattest(v: Array, z: Array, concrete: Concrete) -> Array:
 
 def minimum_links(concrete: Concrete, steel: Steel) -> float:
     """Return the least links per area of the plan [m2/m2], 9.2.2(5) by 9.3.2(2)."""
-    return float(0.08 * np.sqrt(concrete.f_ck / _MPA) / (steel.f_yk / _MPA))
+    return struts.minimum_links(concrete.f_ck / _MPA, steel.f_yk / _MPA)
