@@ -12,19 +12,23 @@ k_4, and whether s_r,max is at most sigma_s phi / (3.6 f_ct,eff), are those of t
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.en1992.annex import RECOMMENDED, Annex
 from groundslab.design.en1992.materials import Concrete, Steel
+from groundslab.design.eurocode2.cracked_sections import FORMULAS as SECTION
+from groundslab.design.eurocode2.cracked_sections import Bars, neutral_axis, steel_stress
+
+__all__ = [
+    "Bars", "bar_stress", "crack_width", "largest_spacing", "mean_strain", "minimum_area", "neutral_axis",
+    "steel_stress",
+]  # fmt: skip
 
 _MPA = 1e6
 #: The formulas of the functions here, with moments per width in MN, stresses in MPa and lengths in m.
 FORMULAS = {
-    "x": "sqrt((alpha_e * A_s)^2 + 2 * alpha_e * A_s * d) - alpha_e * A_s",
-    "sigma_s": "m / (A_s * (d - x / 3))",
+    **SECTION,
     "rho": "A_s / min(2.5 * (h - d), (h - x) / 3, h / 2)",
     "eps": "max(sigma_s - k_t * f_ctm / rho * (1 + E_s / E_cm * rho), 0.6 * sigma_s) / E_s",
     "s_r near": "k_3 * c + k_1 * k_2 * k_4 * phi / rho",
@@ -34,36 +38,8 @@ FORMULAS = {
 }
 #: Bond of ribbed bars, and bending.
 K_1, K_2 = 0.8, 0.5
-#: Share of f_yk that bars may be stressed by in characteristic combinations, k_3 of 7.2(5).
-MOST_STRESS = 0.8
 #: k_t of loads that last, and of others (7.3.4(2)).
 LONG_TERM, SHORT_TERM = 0.4, 0.6
-
-
-@dataclass(frozen=True, slots=True)
-class Bars:
-    """Bars of one layer in one direction, the same everywhere or (n,)."""
-
-    diameter: Array | float  # of sets of several diameters that of 7.12 [m]
-    spacing: Array | float  # from axis to axis [m]
-    cover: Array | float  # of the bars [m]
-    total: Array | None = None  # area of sets that lie between each other [m2/m]
-
-    @property
-    def area(self) -> Array | float:
-        """Return the area [m2/m]."""
-        return np.pi * self.diameter**2 / 4 / self.spacing if self.total is None else self.total
-
-
-def neutral_axis(d: Array, area: Array, modular_ratio: float) -> Array:
-    """Return the depth x (n,) [m] that is compressed of a cracked, elastic section: x^2 / 2 = alpha_e A_s (d - x)."""
-    steel = modular_ratio * np.asarray(area, dtype=float)
-    return np.asarray(np.sqrt(steel**2 + 2 * steel * d) - steel)
-
-
-def steel_stress(m: Array, d: Array, area: Array, modular_ratio: float) -> Array:
-    """Return the stress sigma_s (n,) [Pa] of the bars of a cracked section under moments m (n,) [N m/m]."""
-    return np.asarray(m / (area * (d - neutral_axis(d, area, modular_ratio) / 3)))
 
 
 def bar_stress(m: Array, h: Array, bars: Bars, concrete: Concrete, steel: Steel, E_c: float | None = None) -> Array:

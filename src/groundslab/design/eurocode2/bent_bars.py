@@ -1,0 +1,201 @@
+"""Bars in tension of laid layers in serviceability: their largest stress and crack width, and the checks of both.
+
+Both generations of EN 1992-1-1 limit them; how wide cracks are, and by which clause, each says itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.design.basis.calculation import Step
+from groundslab.design.basis.check import DesignCheck
+from groundslab.design.basis.combinations import solved_results, why_none
+from groundslab.design.basis.demand_errors import greatest_moments, scaled
+from groundslab.design.demands.design_moments import design_moments
+from groundslab.design.eurocode2.cracked_sections import Bars
+from groundslab.model.design.laid_bars import LaidBars, axis_of
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.fields import extreme_node, place_of
+from groundslab.results.results import Results
+
+MM = 1e3
+#: Share of f_yk that bars may be stressed by in characteristic combinations (EN 1992-1-1:2004 k_3 of 7.2(5), EN
+#: 1992-1-1:2023 9.2.1).
+MOST_STRESS = 0.8
+#: A field of moments [N m/m], thicknesses [m] and bars (n,).
+BarField = Callable[[Array, Array, Bars], Array]
+
+
+@dataclass(frozen=True, slots=True)
+class Clauses:
+    """Where a code rules the stress of bars, their yielding, and the width of cracks, with its name and symbol."""
+
+    code: str
+    stress: str
+    yielding: str
+    crack: str
+    width: str = "w_k"
+
+
+@dataclass(frozen=True, slots=True)
+class BentBars:
+    """The bars of a layer where a field is largest: its value, the place [m], the combination, the value's error.
+
+    With the moment there [N m/m] and the node.
+    """
+
+    layer: str
+    value: float
+    place: tuple[float, float]
+    combination: str
+    error: float | None
+    moment: float
+    node: int
+
+    @property
+    def where(self) -> str:
+        """Return the place in words."""
+        return f"({self.place[0]:.3f}, {self.place[1]:.3f}) m"
+
+
+def bars_in_tension(
+    combined: Results, steel: Reinforcement, laid: dict[str, LaidBars], state: str, field: BarField
+) -> list[BentBars]:
+    """Return of each layer where a field of its bars is largest in the combinations of a state."""
+    results = [result for result in solved_results(combined) if result.limit_state == state]
+    if not results:
+        return []
+    thickness = results[0].elements.at_nodes(results[0].plate)[0]
+    bent = []
+    for layer, layer_bars in laid.items():
+        cover = axis_of(steel, layer) - layer_bars.diameter / 2
+        bars = Bars(layer_bars.diameter, layer_bars.spacing, cover, layer_bars.area)
+        largest = []
+        for result in results:
+            m = np.abs(getattr(design_moments(result.plate), layer))
+            values = field(m, thickness, bars)
+            node = extreme_node(result.plate.nodes, values, 1)
+            place = place_of(result.plate.nodes, node)
+            largest.append((float(values[node]), place, result.combination, float(m[node]), node))
+        value, place, combination, moment, node = max(largest)
+        greatest, error = greatest_moments(combined.results[combination]), None
+        if greatest is not None:
+            error = float(field(np.abs(getattr(greatest, layer)), thickness, bars).max()) - value
+        bent.append(BentBars(layer, value, place, combination, error, moment, node))
+    return bent
+
+
+def bars_at(combined: Results, steel: Reinforcement, laid: LaidBars, bent: BentBars) -> tuple[float, Bars]:
+    """Return the thickness [m] and the bars where a field is largest."""
+    result = combined.results[bent.combination]
+    h = float(result.elements.at_nodes(result.plate)[0][bent.node])
+    diameter, spacing, area = (float(np.broadcast_to(each, len(result.plate.nodes))[bent.node])
+                               for each in (laid.diameter, laid.spacing, laid.area))  # fmt: skip
+    return h, Bars(diameter, spacing, axis_of(steel, bent.layer) - diameter / 2, np.array(area))
+
+
+def check_stresses(bent: list[BentBars], f_yk: float, clauses: Clauses) -> Iterator[DesignCheck]:
+    """Yield the largest stress of bars in characteristic combinations, which may be 0.8 f_yk."""
+    if not bent:
+        return
+    worst = max(bent, key=lambda layer: layer.value)
+    most = MOST_STRESS * f_yk
+    if worst.value > f_yk:
+        yield _yields(worst, f_yk, "stress of the bars", clauses)
+        return
+    holds = worst.value <= most
+    yield DesignCheck(
+        "stress of the bars",
+        "no failure found" if holds else "attention",
+        f"{worst.layer.replace('_', ' ')}: sigma_s {worst.value / 1e6:.4g} {'<=' if holds else '>'} "
+        f'{most / 1e6:.4g} MPa = 0.8 f_yk at {worst.where} in "{worst.combination}" ({clauses.stress})',
+        of=worst.layer.replace("_", " "),
+        demand=worst.value / 1e6,
+        resistance=most / 1e6,
+        unit="MPa",
+        clause=f"{clauses.code} {clauses.stress}",
+        combination=worst.combination,
+        place=worst.place,
+        error=scaled(worst.error, 1e-6),
+    )
+
+
+def _yields(bent: BentBars, f_yk: float, name: str, clauses: Clauses) -> DesignCheck:
+    """Return the check of bars that yield in a combination of serviceability."""
+    layer = bent.layer.replace("_", " ")
+    return DesignCheck(
+        name,
+        "fails",
+        f"{layer}: the bars yield, sigma_s {bent.value / 1e6:.4g} > f_yk {f_yk / 1e6:.4g} MPa of an elastic section at "
+        f'{bent.where} in "{bent.combination}"; the section fails, and no crack width is valid ({clauses.yielding})',
+        of=layer,
+        demand=bent.value / 1e6,
+        resistance=f_yk / 1e6,
+        unit="MPa",
+        clause=f"{clauses.code} {clauses.yielding}",
+        combination=bent.combination,
+        place=bent.place,
+        error=scaled(bent.error, 1e-6),
+    )
+
+
+def check_cracks(
+    combined: Results,
+    fields: tuple[list[BentBars], list[BentBars]],
+    limits: tuple[float, float],
+    clauses: Clauses,
+    steps: Callable[[BentBars], Iterator[Step]],
+) -> Iterator[DesignCheck]:
+    """Yield the widest crack at each layer in the quasi-permanent combinations.
+
+    Where the bars of a layer yield its section fails: the formulas hold for elastic bars.
+
+    Parameters
+    ----------
+    combined : Results
+        All combinations.
+    fields : tuple of list of BentBars
+        Stresses [Pa] and crack widths [m] of each layer, none without such combinations.
+    limits : tuple of float
+        f_yk [Pa] and the largest crack width [m].
+    clauses : Clauses
+        What checks cite.
+    steps : callable
+        Of the widest crack at a layer: its calculation.
+    """
+    (f_yk, w_max), (stresses, widths) = limits, fields
+    if not stresses:
+        words = f"not checked: {why_none(combined, ('quasi-permanent',), 'quasi-permanent combination')}"
+        yield DesignCheck("crack width", "attention", words, resistance=w_max * MM, unit="mm")
+        return
+    for stress, crack in zip(stresses, widths, strict=True):
+        name = f"crack width at the {crack.layer.replace('_', ' ')}"
+        if stress.value > f_yk:
+            yield _yields(stress, f_yk, name, clauses)
+        else:
+            yield _crack(crack, w_max, name, clauses, steps(crack))
+
+
+def _crack(crack: BentBars, w_max: float, name: str, clauses: Clauses, steps: Iterator[Step]) -> DesignCheck:
+    """Return the check of the widest crack at a layer."""
+    value, most = crack.value * MM, w_max * MM
+    holds = value <= most
+    return DesignCheck(
+        name,
+        "no failure found" if holds else "fails",
+        f"{clauses.width} {value:.3g} {'<=' if holds else '>'} {most:.3g} mm at {crack.where} in "
+        f'"{crack.combination}" ({clauses.crack})',
+        of=crack.layer.replace("_", " "),
+        demand=value,
+        resistance=most,
+        unit="mm",
+        clause=f"{clauses.code} {clauses.crack}",
+        combination=crack.combination,
+        place=crack.place,
+        error=scaled(crack.error, MM),
+        steps=tuple(steps),
+    )
