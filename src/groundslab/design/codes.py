@@ -5,9 +5,10 @@ from __future__ import annotations
 from groundslab.design.aci318.code import ACI318
 from groundslab.design.basis.design_code import DesignCode
 from groundslab.design.en1992.code import EN1992
+from groundslab.design.en1992_2023.code import EN1992_2023
 from groundslab.model.design.reinforcement import Reinforcement
 
-CODES: dict[str, DesignCode] = {"EN 1992-1-1": EN1992, "ACI 318": ACI318}
+CODES: dict[str, DesignCode] = {"EN 1992-1-1": EN1992, "ACI 318": ACI318, "EN 1992-1-1:2023": EN1992_2023}
 
 
 def code_of(steel: Reinforcement) -> DesignCode:

@@ -95,9 +95,11 @@ _SITES: Memo[list[WallSite]] = Memo()
 
 
 def punching_walls(
-    combined: Results, steel: Reinforcement, distances: Array, openings: Reach
+    combined: Results, steel: Reinforcement, distances: Array, openings: Reach, most_along: float = np.inf
 ) -> Iterator[WallPunching]:
     """Yield what punches at ends and corners of walls at distances over d (k,), in all ultimate combinations.
+
+    Of walls no more than most_along d counts on each side.
 
     Of a line force along the plate's edge that does not relieve, the worse of both distributions counts (`edge_strip`).
     """
@@ -105,7 +107,7 @@ def punching_walls(
     if not (model.walls and results):
         return
     first = results[0]
-    sites = _SITES.get(first.plate.nodes, model, lambda: [*_sites(first, steel, distances, openings)])
+    sites = _SITES.get(first.plate.nodes, model, lambda: [*_sites(first, steel, distances, openings, most_along)])
     if not sites:
         return
     loads = {wall.name: loads_on_wall(model, wall) for wall in model.placed_walls}
@@ -158,7 +160,9 @@ def _presses(end: WallEnd, loads: Mapping[str, WallLoads], result: CombinationRe
     return force > 0
 
 
-def _sites(results: CombinationResult, steel: Reinforcement, distances: Array, openings: Reach) -> Iterator[WallSite]:
+def _sites(
+    results: CombinationResult, steel: Reinforcement, distances: Array, openings: Reach, most_along: float
+) -> Iterator[WallSite]:
     """Yield the ends and corners of walls with some plate beyond them."""
     for end in loaded_ends(results.model):
         x, y = end.place
@@ -166,7 +170,7 @@ def _sites(results: CombinationResult, steel: Reinforcement, distances: Array, o
         column = _column(loaded_area(end, np.inf), end.name)
         thickness = thickness_at(results, footprint_of(column))
         d = thickness - sum(steel.bottom_axes) / 2
-        area, footprint = loaded_area(end, d), footprint_of(column).footprint()
+        area, footprint = loaded_area(end, d, most_along), footprint_of(column).footprint()
         far = FAR * (float(distances[-1]) * d + max(column.width_x or 0.0, column.width_y or 0.0))
         shadow = shadow_of(plan, footprint, area.center, openings(thickness, d), far)
         perimeters = wall_perimeters(results.plate, plan, area, distances * d, shadow)

@@ -9,6 +9,8 @@ import numpy as np
 
 from groundslab.arrays import Array
 
+#: Places [m] and directions closer than this are the same.
+SAME = 1e-6
 #: How a perimeter runs, by the angle in degrees that it turns at least.
 Shape = Literal["closed", "edge", "corner", "cut"]
 TURNED: Mapping[Shape, float] = {"closed": 225.0, "edge": 135.0, "corner": 45.0, "cut": -1.0}
@@ -62,20 +64,46 @@ def directions(legs: Array) -> Array:
     return np.asarray(np.einsum("l,li,lj->ij", 1 / length, run, run))
 
 
+def limited_straights(legs: Array, most: float) -> Array:
+    """Return what counts of legs (l, 2, 2) [m] where straight parts count up to a length [m], half of it at each end.
+
+    Legs that follow each other in the same direction are one straight part; they start and end where any other does.
+    """
+    if len(legs) == 0:
+        return legs
+    run = (legs[:, 1] - legs[:, 0]) / lengths(legs)[:, None]
+    # where a leg goes on as the one before it does, of the first one the last
+    gap, turn = legs[:, 0] - np.roll(legs[:, 1], 1, axis=0), run - np.roll(run, 1, axis=0)
+    goes_on = (np.abs(gap) + np.abs(turn) <= SAME).all(axis=1)
+    first = int(np.argmin(goes_on))
+    order, starts = np.roll(np.arange(len(legs)), -first), np.roll(~goes_on, -first)
+    parts = np.split(order, np.flatnonzero(starts)[1:])
+    counted = []
+    for part in parts:
+        start, end = legs[part[0], 0], legs[part[-1], 1]
+        length = float(np.linalg.norm(end - start))
+        if length <= most:
+            counted.append(legs[part])
+            continue
+        half = most / 2 / length * (end - start)
+        counted.append(np.array([[start, start + half], [end - half, end]]))
+    return np.concatenate(counted)
+
+
 def shape_of(legs: Array) -> Shape:
     """Return how a perimeter of legs (l, 2, 2) runs.
 
     It is told by the angle that it turns: all around the column, half around at an edge, a quarter at a corner. One
     that hardly turns cuts the slab from edge to edge, which is one-way shear and no punching.
     """
-    return _shape(_chains(legs))
+    return _shape(chains(legs))
 
 
 def course(legs: Array) -> Course:
     """Return how a perimeter of legs (l, 2, 2) runs, with its directions."""
-    chains = _chains(legs)
-    shape = _shape(chains)
-    longest = max(chains, key=len)
+    parts = chains(legs)
+    shape = _shape(parts)
+    longest = max(parts, key=len)
     chord = longest[-1] - longest[0]
     if shape == "closed" or not chord.any():
         return Course(shape, np.eye(2), np.empty((0, 2)))
@@ -85,7 +113,7 @@ def course(legs: Array) -> Course:
     return Course(shape, np.array([along, [-along[1], along[0]]]), inward)
 
 
-def _chains(legs: Array) -> list[Array]:
+def chains(legs: Array) -> list[Array]:
     """Return the places (k, 2) along each connected part of legs (l, 2, 2)."""
     from shapely import get_coordinates, get_parts, line_merge, linestrings, multilinestrings
 

@@ -115,6 +115,7 @@ class Perimeter:
     inside: Polygon
     opened: bool  # whether an opening is near enough to take off a part of it
     setbacks: tuple[float, ...]  # of the edges that it runs straight out to [m]
+    loaded: Polygon  # the footprint, stretched over these edges
 
     @property
     def u(self) -> float:
@@ -205,7 +206,7 @@ def perimeter_at(around: Surroundings, distance: float, *, square: bool = False)
         expected = f"some plate at {distance:g} m from it"
         raise InputError([Issue("column", where, expected, "take a smaller distance")])
     setbacks = tuple(edge.setback for edge in stretched[shortest][0])
-    return Perimeter(legs, whole, ring, inside, opened, setbacks)
+    return Perimeter(legs, whole, ring, inside, opened, setbacks, stretched[shortest][1])
 
 
 def stretched_over(

@@ -62,8 +62,8 @@ class LoadedArea:
         return np.concatenate([self.outer, ends, ends - thickness * self.outward])
 
 
-def loaded_area(end: WallEnd, d: float) -> LoadedArea:
-    """Return what of an end or a corner punches a slab of effective depth d [m]."""
+def loaded_area(end: WallEnd, d: float, most_along: float = math.inf) -> LoadedArea:
+    """Return what of an end or a corner punches a slab of effective depth d [m], along each wall at most so many d."""
     legs = end.legs[0], end.legs[-1]
     run = np.array([[math.cos(leg.angle), math.sin(leg.angle)] for leg in legs])
     left = np.stack([-run[:, 1], run[:, 0]], axis=1)
@@ -73,7 +73,7 @@ def loaded_area(end: WallEnd, d: float) -> LoadedArea:
         # where both faces meet
         way = np.linalg.solve(np.stack([run[0], -run[1]], axis=1), faces[1] - faces[0])
         faces = np.tile(faces[0] + way[0] * run[0], (2, 1))
-    along = (_half_length(legs[0], d), _half_length(legs[1], d))
+    along = (min(_half_length(legs[0], d), most_along * d), min(_half_length(legs[1], d), most_along * d))
     whole = float(np.linalg.norm(faces[1] - faces[0]))
     across = whole if end.kind == "corner" else min(whole, MOST_ACROSS * d)
     return LoadedArea(end, along, across, faces, run, outward)

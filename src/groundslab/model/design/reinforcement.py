@@ -23,6 +23,8 @@ from groundslab.schema.section_fields import Table
 CONCRETE, STEEL = Range(at_least=12e6, at_most=90e6), Range(at_least=400e6, at_most=600e6)
 PARTIAL = Range(at_least=0.1, at_most=10)
 CRACK = Range(at_least=5e-5, at_most=1e-3)
+#: Concrete with finer aggregates is beyond EN 1992-1-1:2023 (1.1(3)).
+AGGREGATE = Range(at_least=0.008, at_most=0.063)
 #: Of one layer.
 MOST_BARS = 100_000
 
@@ -34,23 +36,27 @@ ConcreteClass = Literal[
 ]  # fmt: skip
 SteelClass = Literal["B450C", "B500A", "B500B", "B500C", "B550A", "B550B"]
 #: Codes that strength is checked by, annexes of EN 1992-1-1, exposure classes of its Table 4.1.
-Code = Literal["EN 1992-1-1", "ACI 318"]
+Code = Literal["EN 1992-1-1", "ACI 318", "EN 1992-1-1:2023"]
 AnnexName = Literal["recommended", "Germany", "United Kingdom"]
 Exposure = Literal["X0", "XC1", "XC2", "XC3", "XC4", "XD1", "XD2", "XD3", "XS1", "XS2", "XS3"]
 ConcreteChoice = Choice(ConcreteClass, "strength class of the concrete", "give the strength of any other class as f_ck")
 SteelChoice = Choice(SteelClass, "class of the steel", "give the yield strength of any other steel as f_yk")
-#: Keys that only one code has.
+#: Keys that not all codes have, by those that have them. EN 1992-1-1 is its first generation, of 2004.
 KEYS_OF_CODES: dict[str, tuple[str, ...]] = {
     "EN 1992-1-1": (
         "concrete", "steel", "annex", "gamma_c", "gamma_s", "accidental", "alpha_cc", "w_max", "exposure",
     ),
     "ACI 318": ("size_effect",),
+    "EN 1992-1-1:2023": (
+        "concrete", "steel", "gamma_c", "gamma_s", "accidental", "w_max", "gamma_v", "k_tc", "aggregate",
+    ),
 }  # fmt: skip
 
 
 def keys_of_other_codes(code: str) -> list[str]:
     """Return the keys that a code has no use for."""
-    return [key for other, keys in KEYS_OF_CODES.items() if other != code for key in keys]
+    keys = dict.fromkeys(key for others in KEYS_OF_CODES.values() for key in others)
+    return [key for key in keys if key not in KEYS_OF_CODES[code]]
 
 
 def _check_all_layers(
@@ -118,11 +124,21 @@ def _check_cover(
             yield RelativeIssue((name, "diameter"), f"{bars.diameter!r} m", expected)
 
 
+#: What else there is where a code has no key of that name.
+_HINTS = {
+    ("ACI 318", "concrete"): "f_ck is the specified strength f'c",
+    ("ACI 318", "steel"): "f_yk is f_y",
+    ("EN 1992-1-1:2023", "alpha_cc"): "k_tc is the factor of long-term effects",
+    ("EN 1992-1-1:2023", "annex"): "no annex to it is known; gamma_c, gamma_s, gamma_v and k_tc can be given",
+    ("EN 1992-1-1:2023", "exposure"): "its limits are not known here; w_max is the largest crack width",
+    ("EN 1992-1-1", "k_tc"): "alpha_cc is the factor of long-term effects",
+}
+
+
 def _check_code(code: str, given: set[str]) -> Iterator[RelativeIssue]:
     for key in keys_of_other_codes(code):
         if key in given:
-            hint = {"concrete": "f_ck is the specified strength f'c", "steel": "f_yk is f_y"}.get(key, "")
-            yield RelativeIssue((key,), f"{key} with {code}", f"no {key}", hint)
+            yield RelativeIssue((key,), f"{key} with {code}", f"no {key}", _HINTS.get((code, key), ""))
 
 
 def check_concrete(concrete: str | None, f_ck: float | None) -> Iterator[RelativeIssue]:
@@ -139,7 +155,7 @@ def _check_steel(steel: str | None, f_yk: float | None) -> Iterator[RelativeIssu
 
 
 class Reinforcement(Section):
-    """Concrete, steel and where the bars lie, for reinforcement by EN 1992-1-1 or ACI 318."""
+    """Concrete, steel and where the bars lie, for reinforcement by EN 1992-1-1, both generations, or ACI 318."""
 
     checks: ClassVar[tuple[Check, ...]] = (
         _check_code, check_concrete, _check_steel, _check_all_layers, _check_axes, _check_cover, _check_meshes,
@@ -175,6 +191,27 @@ class Reinforcement(Section):
             "alpha_cc",
             "long-term effects on concrete's strength, by default the annex's",
             Range(above=0, at_most=1),
+        ),
+    ] = None
+    gamma_v: Annotated[
+        float | None,
+        Number("gamma_V", "partial factor of shear without links by EN 1992-1-1:2023, 1.4 by default", PARTIAL),
+    ] = None
+    k_tc: Annotated[
+        float | None,
+        Number(
+            "k_tc",
+            "long-term effects on concrete's strength by EN 1992-1-1:2023, 0.85 by default; 1 if loaded late",
+            Range(above=0, at_most=1),
+        ),
+    ] = None
+    aggregate: Annotated[
+        float | None,
+        Quantity(
+            "length",
+            "D_lower",
+            "least size of the coarsest aggregates, for shear by EN 1992-1-1:2023; 16 mm by default",
+            AGGREGATE,
         ),
     ] = None
     size_effect: Annotated[

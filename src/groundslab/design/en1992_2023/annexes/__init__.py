@@ -1,0 +1,1 @@
+"""National parameters of EN 1992-1-1:2023."""

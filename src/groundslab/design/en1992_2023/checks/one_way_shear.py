@@ -1,0 +1,79 @@
+"""One-way shear by EN 1992-1-1:2023 8.2: what needs no links, where struts fail, the check of the governing place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.design.basis.calculation import MEGA, Step
+from groundslab.design.basis.check import DesignCheck, Status
+from groundslab.design.basis.shear_demand import ShearDemand
+from groundslab.design.en1992_2023 import shear
+from groundslab.design.en1992_2023.case_materials import flattest, materials
+from groundslab.design.en1992_2023.checks.concrete_steps import in_shear
+from groundslab.design.en1992_2023.checks.punching import LEAST_WITH_LINKS
+from groundslab.design.eurocode2.struts import LEVER
+from groundslab.model.design.reinforcement import Reinforcement
+
+
+def resistance(steel: Reinforcement, limit_state: str, d: Array, rho: Array) -> Array:
+    """Return v_Rd,c (n,) [N/m] for effective depths d (n,) [m] and ratios of bars in tension rho (n,)."""
+    return shear.resistance_without_links(*materials(steel, limit_state), d, rho)
+
+
+def struts_fail(steel: Reinforcement, limit_state: str, v: float, d: float) -> bool:
+    """Return whether no links help under a shear force v [N/m] at an effective depth d [m]."""
+    concrete, bars = materials(steel, limit_state)
+    links = shear.required_links(np.array([v]), np.array([d]), concrete, bars, flattest(steel, concrete))
+    return bool(links.fails[0])
+
+
+def check(steel: Reinforcement, demand: ShearDemand) -> DesignCheck:
+    """Return the check at the place that governs."""
+    which = "provided" if steel.laid else "needed for bending"
+    words = (
+        f"v_Ed {demand.v / 1e3:.4g} kN/m at {demand.where} is {demand.used:.3g} times v_Rd,c = tau_Rd,c z "
+        f"{demand.without_links / 1e3:.4g} kN/m with the bars {which} (8.2.2)"
+    )
+    status: Status = "no failure found"
+    if demand.used > 1:
+        concrete, bars = materials(steel, demand.results.limit_state)
+        args = np.array([demand.v]), np.array([demand.d]), concrete, bars
+        links = shear.required_links(*args, flattest(steel, concrete))
+        area = max(float(links.area[0]), shear.minimum_links(concrete, bars))
+        thin = demand.thickness < LEAST_WITH_LINKS
+        status = "fails" if np.isinf(area) or thin else "attention"
+        words += (
+            "; links do not suffice at the load there (8.2.3)" if demand.at_support
+            else "; links do not suffice (8.2.3, 8.44)" if np.isinf(area)
+            else "; too thin for links (12.4.2(2))" if thin
+            else f"; links of {area * 1e4:.3g} cm2/m2 are needed there (8.2.3)"
+        )  # fmt: skip
+    return demand.check(status, words, "EN 1992-1-1:2023 8.2.2, 8.2.3", _steps(steel, demand))
+
+
+def _steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
+    """Yield the calculation at a place."""
+    concrete, bars = materials(steel, demand.results.limit_state)
+    rho = min(demand.rho or 0.0, shear.MOST_BARS)
+    yield Step("shear force", "v_Ed", demand.v / MEGA, "MN/m", clause="8.2.1(5), 8.21")
+    yield Step("effective depth", "d", demand.d, "m", clause="8.2.1(5)")
+    yield from in_shear(concrete, bars, demand.d)
+    yield Step("ratio of bars in tension along the force", "rho_l", rho, clause="8.2.2(2), 8.28, 8.39")
+    stress = float(shear.stress_without_links(concrete, bars, demand.d, rho)) / MEGA
+    yield Step("resistance without links", "tau_Rd,c", stress, "MPa", shear.FORMULAS["tau_Rd,c"], "8.2.2(2), 8.27")
+    yield Step("lever arm", "z", LEVER * demand.d, "m", f"{LEVER:g} * d", "8.2.1(3)")
+    v_Rd_c = demand.without_links / MEGA
+    yield Step("the same as a force", "v_Rd,c", v_Rd_c, "MN/m", shear.FORMULAS["v_Rd,c"], "8.2.1(3), 8.19")
+    yield Step("share used", "eta", demand.used, "", "v_Ed / v_Rd,c", "8.2.1(4)")
+    args = np.array([demand.v]), np.array([demand.d]), concrete, bars
+    links = shear.required_links(*args, flattest(steel, concrete))
+    if demand.used > 1 and not links.fails[0]:
+        yield Step("strength of links", "f_ywd", bars.f_yd / MEGA, "MPa", clause="5.2.4")
+        yield Step("cot theta, the flattest struts that are borne", "cot", float(links.cot_theta[0]), clause="8.2.3(4)")
+        area = float(links.area[0]) * 1e4
+        yield Step("links per area of the plan", "a_sw", area, "cm2/m2", shear.FORMULAS["a_sw"], "8.2.3(5), 8.42")
+        least = shear.minimum_links(concrete, bars) * 1e4
+        yield Step("least links per area of the plan", "a_sw,min", least, "cm2/m2", clause="12.2(4), 12.4")

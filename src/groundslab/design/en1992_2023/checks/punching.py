@@ -1,0 +1,129 @@
+"""Punching by EN 1992-1-1:2023 8.4 of columns, piles and ends of walls: without links, and the links it takes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from groundslab.design.basis.check import DesignCheck, Status
+from groundslab.design.basis.demand_errors import error_of_ratio, scaled
+from groundslab.design.basis.wall_ends import loaded_ends
+from groundslab.design.demands.perimeter_loads import punching_piles
+from groundslab.design.en1992_2023 import punching as en1992
+from groundslab.design.en1992_2023.case_materials import materials
+from groundslab.design.en1992_2023.checks.punching_demand import Demands, Punching, column_demands, pile_demands
+from groundslab.design.en1992_2023.checks.wall_ends import wall_demands
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.results import Results
+
+#: A slab with links is at least so thick [m] (12.4.2(2)).
+LEAST_WITH_LINKS = 0.2
+
+
+class LinksNeeded(NamedTuple):
+    """What a slab needs where concrete alone does not resist."""
+
+    tau_Ed: float  # [Pa]
+    tau_max: float  # the most that links can carry [Pa]
+    phi_w: float  # the diameter that is assumed [m]
+    eta: tuple[float, float]  # eta_c, eta_s
+    rho_w: float  # links per area of the plan
+    b_out: float  # outer perimeter where they are needed no more [m]
+
+
+def links_needed(demand: Punching, steel: Reinforcement, out: float) -> LinksNeeded:
+    """Return the links of a demand whose outermost ones have the depth d_v,out [m].
+
+    Their diameter is taken as the largest allowed, which counts least (8.106).
+    """
+    concrete, bars = materials(steel, demand.limit_state)
+    tau_Ed, d = demand.tau_links, demand.d
+    tau_max = en1992.system_factor(concrete, demand.b_0, d) * demand.tau_Rd_c
+    eta_c = en1992.concrete_share(demand.tau_Rd_c, tau_Ed)
+    phi_w = en1992.thickest_link(d)
+    eta = eta_c, en1992.links_share(concrete, d, phi_w, eta_c, demand.k_pb)
+    rho_w = en1992.required_links(tau_Ed, demand.tau_Rd_c, eta, bars.f_yd)
+    b_out = en1992.outer_perimeter(demand.b_05, d, out, eta_c)
+    return LinksNeeded(tau_Ed, tau_max, phi_w, eta, rho_w, b_out)
+
+
+def outermost_depth(demand: Punching, steel: Reinforcement) -> float:
+    """Return d_v,out [m]: d_v less the cover of links at the compressed face, at most that of the bars' axes there."""
+    return demand.section.out if demand.section is not None else demand.d - sum(steel.top_axes) / 2
+
+
+def checks(combined: Results) -> Iterator[DesignCheck]:
+    """Yield the checks of punching over all ultimate combinations."""
+    steel = combined.model.reinforcement
+    assert steel is not None
+    if combined.model.columns:
+        yield from _checks(steel, column_demands(combined), "punching", ("column", "down"))
+    if punching_piles(combined.model):
+        yield from _checks(steel, pile_demands(combined), "punching over piles", ("pile", "up"))
+    if loaded_ends(combined.model):
+        yield from _checks(steel, (wall_demands(combined), {}), "punching at walls' ends", ("wall end", "down"))
+
+
+def _checks(steel: Reinforcement, demands: Demands, name: str, pushing: tuple[str, str]) -> Iterator[DesignCheck]:
+    """Yield the check of those that push, and which of them it leaves out."""
+    known, missing = demands
+    one, way = pushing
+    judged = [demand for demand in known.values() if not demand.supported]
+    unjudged = sorted({demand.name for demand in known.values() if demand.supported} | missing.keys())
+    if judged:
+        yield _worst(judged, steel, name)
+    elif not unjudged:
+        yield DesignCheck(name, "no failure found", f"no {one} pushes {way}")
+    if unjudged:
+        listed = ", ".join(unjudged[:5]) + (" ..." if len(unjudged) > 5 else "")
+        words = f"not judged, with a support inside or no control perimeter on the plate: {one}s {listed}"
+        yield DesignCheck(f"{name} of some {one}s", "attention", words)
+
+
+def _worst(judged: list[Punching], steel: Reinforcement, name: str) -> DesignCheck:
+    """Return the check of the one that links cannot help most, else of the one that uses most without links."""
+    failing = [demand for demand in judged if demand.used > 1 and _beyond_links(demand, steel) > 1]
+    demand = max(failing or judged, key=lambda each: each.used)
+    beside = [each for each in judged if each.combination == demand.combination]
+    error = error_of_ratio((each.tau_Ed, each.resistance, each.error) for each in beside)
+    which = "the bars provided" if steel.laid else f"bars of {100 * en1992.MOST_BARS:g} %, the most that count"
+    least = " = tau_Rdc,min (8.4.1(2))" if demand.tau_min > demand.tau_Rd_c else f" = tau_Rd,c with {which} (8.4.3)"
+    words = (
+        f'{demand.name} in "{demand.combination}": tau_Ed {demand.tau_Ed / 1e6:.3g} MPa on b_0.5 {demand.b_05:.2f} m, '
+        f"with beta_e {demand.beta_e:.2f}, is {demand.used:.3g} times {demand.resistance / 1e6:.3g} MPa{least}"
+    )
+    if demand.concentrated:
+        words += "; tau_Ed is not less than by the shear forces of the analysis, as a large force is near (8.4.2(8))"
+    status: Status = "no failure found"
+    if demand.used > 1:
+        status, more = _with_links(demand, steel)
+        words += more
+    return DesignCheck(
+        name, status, words, of=demand.name, demand=max(demand.tau_Ed, 0.0) / 1e6, resistance=demand.resistance / 1e6,
+        unit="MPa", clause="EN 1992-1-1:2023 8.4.1, 8.4.3, 8.4.4", combination=demand.combination, place=demand.place,
+        error=scaled(error, demand.resistance / 1e6),
+    )  # fmt: skip
+
+
+def _beyond_links(demand: Punching, steel: Reinforcement) -> float:
+    """Return the stress over the most that links can carry; inf where the slab is too thin for them."""
+    if demand.section is not None and demand.section.thickness < LEAST_WITH_LINKS:
+        return math.inf
+    links = links_needed(demand, steel, outermost_depth(demand, steel))
+    return links.tau_Ed / links.tau_max
+
+
+def _with_links(demand: Punching, steel: Reinforcement) -> tuple[Status, str]:
+    """Return the status of a demand that needs links, and which, in words."""
+    beyond = _beyond_links(demand, steel)
+    if math.isinf(beyond):
+        return "fails", "; the slab is too thin for links (12.4.2(2))"
+    links = links_needed(demand, steel, outermost_depth(demand, steel))
+    most = f"{links.tau_Ed / 1e6:.3g} MPa with links is {beyond:.3g} times tau_Rd,max {links.tau_max / 1e6:.3g} MPa"
+    if beyond > 1:
+        return "fails", f"; links do not suffice: {most} (8.4.4(5))"
+    return "attention", (
+        f"; links of {links.rho_w * 1e4:.3g} cm2/m2 around it are needed, of {1e3 * links.phi_w:.3g} mm or thinner "
+        f"(8.104), {most}, out to b_0.5,out {links.b_out:.2f} m (8.112); their spacing (12.5.1) is not checked"
+    )

@@ -1,0 +1,244 @@
+"""What punches at columns and piles in each ultimate combination by EN 1992-1-1:2023 8.4, at d_v / 2 from them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from groundslab.arrays import Memo
+from groundslab.design.basis.combinations import ultimate_results
+from groundslab.design.basis.demand_errors import error_of
+from groundslab.design.by_plate import plate_under
+from groundslab.design.demands import perimeter_loads
+from groundslab.design.demands.perimeter_loads import PerimeterLoads, PunchingForce, PunchingShear
+from groundslab.design.demands.perimeter_shear import contraflexure
+from groundslab.design.en1992_2023 import punching as en1992
+from groundslab.design.en1992_2023.case_materials import materials
+from groundslab.design.en1992_2023.checks.critical_sections import AVERAGED, CriticalSection, critical_section
+from groundslab.design.en1992_2023.shear import minimum_resistance
+from groundslab.model.design.reinforcement import Reinforcement
+from groundslab.results.results import CombinationResult, Results
+
+#: Another column nearer to the perimeter than so many d_v whose force is so large a share of V_Ed asks for the forces
+#: of the analysis themselves (8.4.2(8)).
+NEAR, LARGE = 3.0, 0.2
+
+
+@dataclass(frozen=True, slots=True)
+class Punching:
+    """The demand on the critical section of a column, pile or end of a wall that pushes in one combination."""
+
+    name: str
+    combination: str
+    limit_state: str
+    force: float  # that pushes [N]
+    d: float  # d_v [m]
+    b_05: float  # [m]
+    b_0: float  # [m]
+    k_pb: float
+    ratio: float  # of bars in tension that counts
+    a_pd: float  # d_v, or less where contraflexure is near [m]
+    a_p: float  # mean distance of contraflexure; inf if it is far [m]
+    V_Ed: float  # force that punches, less what relieves it without links [N]
+    V_links: float  # the same with links, of which the pressure up to the perimeter relieves [N]
+    beta_e: float
+    tau_Ed: float  # that counts without links [Pa]
+    of_analysis: float | None  # by shear forces along the perimeter [Pa]
+    tau_Rd_c: float  # [Pa]
+    tau_min: float  # [Pa]
+    pressure: float  # contact pressure up to 0.67 d_v [N]
+    edge: float  # line force along the plate's edge there [N]
+    others: float  # other loads there [N]
+    supported: bool  # whether another support stands inside, whose force is not in V_Ed
+    place: tuple[float, float]  # [m]
+    error: Callable[[], float | None] = field(repr=False, compare=False)  # of tau_Ed [Pa]
+    section: CriticalSection | None = None  # of a column or pile
+    eccentricities: tuple[float, float] = (0.0, 0.0)  # along the section's axes [m]
+    concentrated: bool = False  # whether a large force acts close by
+
+    @property
+    def resistance(self) -> float:
+        """Return the stress that needs no links [Pa]: tau_Rd,c, or tau_Rdc,min (8.4.1(2))."""
+        return max(self.tau_Rd_c, self.tau_min)
+
+    @property
+    def used(self) -> float:
+        """Return tau_Ed over what needs no links."""
+        return self.tau_Ed / self.resistance
+
+    @property
+    def tau_links(self) -> float:
+        """Return tau_Ed of a slab with links [Pa]."""
+        by_force = self.beta_e * self.V_links / (self.b_05 * self.d)
+        return max(by_force, self.of_analysis or 0.0) if self.concentrated else by_force
+
+
+#: Those of the columns and piles of a model, or why there is none, by its mesh.
+_SECTIONS: Memo[dict[tuple[bool, str], CriticalSection | str]] = Memo()
+
+#: Demands by combination and name, and why some have none, by name.
+Demands = tuple[dict[tuple[str, str], Punching], Mapping[str, str]]
+
+
+def column_demands(combined: Results) -> Demands:
+    """Return the demands at columns that push down."""
+    return _demands(combined, perimeter_loads.punching_columns(combined.model))
+
+
+def pile_demands(combined: Results) -> Demands:
+    """Return the demands over piles that push up."""
+    return _demands(combined, perimeter_loads.punching_piles(combined.model))
+
+
+def _demands(combined: Results, forces: tuple[PunchingForce, ...]) -> Demands:
+    """Return the demands of forces that punch the plate."""
+    model, steel = combined.model, combined.model.reinforcement
+    found: dict[tuple[str, str], Punching] = {}
+    missing: dict[str, str] = {}
+    if steel is None:
+        return found, missing
+    results = ultimate_results(combined)
+    for punching in forces:
+        pushing = [result for result in results if punching.pushing(result)[0] > 0]
+        if not pushing:
+            continue
+        known = _SECTIONS.get(pushing[0].plate.nodes, model, dict)
+        key = punching.from_below, punching.name
+        if key not in known:
+            known[key] = critical_section(pushing[0], punching, steel)
+        section = known[key]
+        if isinstance(section, str):
+            missing[punching.name] = section
+            continue
+        for result in pushing:
+            found[result.combination, punching.name] = _demand(result, section, (punching, forces), steel)
+    return found, missing
+
+
+def _demand(
+    results: CombinationResult,
+    section: CriticalSection,
+    forces: tuple[PunchingForce, tuple[PunchingForce, ...]],
+    steel: Reinforcement,
+) -> Punching:
+    """Return the demand on a critical section in a combination; forces are its own and all of its kind."""
+    punching, of_kind = forces
+    concrete, bars = materials(steel, results.limit_state)
+    shear = _shear(results, section.relieved, section, punching, steel)
+    with_links = _shear(results, section.inside, section, punching, steel)
+    first, second = _eccentricities(results, section, punching)
+    beta_e = en1992.beta(en1992.eccentricity(section.course.shape, first, second), *section.widths)
+    concentrated = _concentrated(results, section, punching, of_kind, shear.V)
+    a_p = _contraflexure(results, section, punching)
+    a_pd = en1992.depth_by_contraflexure(a_p, section.d)
+
+    def stress(mesh: CombinationResult) -> float:
+        return _stress(mesh, section, punching, steel, concentrated=concentrated)
+
+    return Punching(
+        name=punching.name,
+        combination=results.combination,
+        limit_state=results.limit_state,
+        force=float(punching.pushing(results)[0]),
+        d=section.d,
+        b_05=section.b_05,
+        b_0=section.b_0,
+        k_pb=section.k_pb,
+        ratio=min(section.ratio, en1992.MOST_BARS),
+        a_pd=a_pd,
+        a_p=a_p,
+        V_Ed=shear.V,
+        V_links=with_links.V,
+        beta_e=beta_e,
+        tau_Ed=stress(results),
+        of_analysis=_of_analysis(results, section, punching),
+        tau_Rd_c=en1992.resistance_without_links(concrete, section.k_pb, section.ratio, a_pd),
+        tau_min=float(minimum_resistance(concrete, bars, section.d)),
+        pressure=shear.pressure,
+        edge=shear.edge,
+        others=shear.others,
+        supported=section.relieved.supported,
+        place=punching.place,
+        error=lambda: error_of(results, stress),
+        section=section,
+        eccentricities=(first, second),
+        concentrated=concentrated,
+    )
+
+
+def _shear(
+    results: CombinationResult,
+    inside: PerimeterLoads,
+    section: CriticalSection,
+    punching: PunchingForce,
+    steel: Reinforcement,
+) -> PunchingShear:
+    """Return what punches in a combination, with what acts inside."""
+    return perimeter_loads.punching_shear(
+        results, inside, punching, section.center, edge_relieves=steel.line_force_relieves
+    )
+
+
+def _eccentricities(
+    results: CombinationResult, section: CriticalSection, punching: PunchingForce
+) -> tuple[float, float]:
+    """Return how far the support's force, by its own moments, acts from the perimeter's center along its axes [m]."""
+    force, *moments = punching.pushing(results)
+    place = np.array(punching.place) + np.array(moments) / force
+    first, second = section.axes @ (place - section.center)
+    return float(first), float(second)
+
+
+def _stress(
+    results: CombinationResult,
+    section: CriticalSection,
+    punching: PunchingForce,
+    steel: Reinforcement,
+    *,
+    concentrated: bool,
+) -> float:
+    """Return tau_Ed [Pa]: beta_e V_Ed / (b_0.5 d_v), and that of the analysis if a large force acts close by."""
+    e_b = en1992.eccentricity(section.course.shape, *_eccentricities(results, section, punching))
+    V = _shear(results, section.relieved, section, punching, steel).V
+    by_force = en1992.beta(e_b, *section.widths) * V / (section.b_05 * section.d)
+    return max(by_force, _of_analysis(results, section, punching) or 0.0) if concentrated else by_force
+
+
+def _of_analysis(results: CombinationResult, section: CriticalSection, punching: PunchingForce) -> float | None:
+    """Return tau_Ed by shear forces along the perimeter, averaged over 2 d_v [Pa] (8.93); None off the mesh."""
+    plate = plate_under(results, *punching.place)
+    shear = section.shear_on(plate)
+    sign = -1.0 if punching.from_below else 1.0
+    return None if shear is None else shear.largest_mean(plate, AVERAGED * section.d, sign) / section.d
+
+
+def _contraflexure(results: CombinationResult, section: CriticalSection, punching: PunchingForce) -> float:
+    """Return a_p [m], the mean distance of contraflexure from the support along both axes of bars (8.98).
+
+    inf at edges and corners: from where it is measured there, Figure 8.21 a), was not read.
+    """
+    if section.course.shape != "closed":
+        return float("inf")
+    sign = -1.0 if punching.from_below else 1.0
+    plate = plate_under(results, *punching.place)
+    along_x, along_y = contraflexure(section.lines, plate, sign)
+    return max(float(np.sqrt(along_x * along_y)), section.d)
+
+
+def _concentrated(
+    results: CombinationResult,
+    section: CriticalSection,
+    punching: PunchingForce,
+    of_kind: tuple[PunchingForce, ...],
+    V: float,
+) -> bool:
+    """Return whether another column or pile with a large force stands close to the perimeter."""
+    inside = section.line.inside
+    return any(
+        float(other.pushing(results)[0]) >= LARGE * V
+        and other.footprint.footprint().distance(inside) < NEAR * section.d
+        for other in of_kind
+        if other is not punching
+    )

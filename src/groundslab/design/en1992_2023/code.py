@@ -1,0 +1,50 @@
+"""EN 1992-1-1:2023 as a design code."""
+
+from __future__ import annotations
+
+from groundslab.design.basis.design_code import BeamRule, Clauses, DesignCode, PunchingRule, ShearRule
+from groundslab.design.bending import BendingRule
+from groundslab.design.en1992_2023 import beams, bending, shear
+from groundslab.design.en1992_2023.case_materials import materials
+from groundslab.design.en1992_2023.checks import (
+    bars,
+    bending_steps,
+    one_way_shear,
+    punching,
+    punching_columns,
+    punching_steps,
+    wall_ends,
+)
+from groundslab.design.en1992_2023.checks.remarks import remarks
+from groundslab.model.design.reinforcement import Reinforcement
+
+
+def _bending(steel: Reinforcement, limit_state: str) -> BendingRule:
+    """Return how sections of the case find their bars in a limit state."""
+    return bending.rule(*materials(steel, limit_state))
+
+
+EN1992_2023 = DesignCode(
+    name="EN 1992-1-1:2023",
+    clauses=Clauses(bars="8.1, 12.2(2)", least_bars="12.2(2)", held_bars="12.3"),
+    bending=_bending,
+    bars_by_steps=bending_steps.steps,
+    shear=ShearRule(
+        resistance=one_way_shear.resistance,
+        check=one_way_shear.check,
+        most_ratio=shear.MOST_BARS,
+        struts_fail=one_way_shear.struts_fail,
+    ),
+    punching=PunchingRule(
+        at_columns=punching_columns.at_columns,
+        over_piles=punching_columns.over_piles,
+        at_walls=wall_ends.at_walls,
+        checks=punching.checks,
+        extremes=(("tau_Ed", "MPa"), ("tau_Ed / tau_Rd,c", "")),
+        with_errors=("V_Ed", "tau_Ed", "tau_Ed / tau_Rd,c"),
+        steps=punching_steps.at_columns,
+    ),
+    beams=BeamRule(minimum=beams.minimum, links=beams.links, clauses="8.1, 8.2.3, 12.2(2), 12.2(4)"),
+    bars=bars.checks,
+    remarks=remarks,
+)
