@@ -20,6 +20,7 @@ from groundslab.design.aci318.checks.two_way_demand import CriticalSection, TwoW
 from groundslab.design.demands import perimeter_loads
 from groundslab.design.en1992.checks.governing_perimeters import demands
 from groundslab.design.en1992.checks.punching_demand import Demands
+from groundslab.design.en1992_2023.checks.punching_demand import column_demands
 
 LENGTH_X, LENGTH_Y, H, K, UNIT_WEIGHT = 18.0, 10.0, 0.4, 40e6, 25e3
 D = H - 0.045
@@ -312,6 +313,59 @@ def test_ten_columns_by_en1992(each: dict[str, Any], results: gs.Results, by_en1
     assert sorted(stress.control.moduli) == pytest.approx(sorted(W), rel=2e-3)
     assert stress.beta == pytest.approx(beta, rel=2e-3)
     assert stress.v_Ed == pytest.approx(beta * V / (line.u() * D), rel=2e-3)
+
+
+@pytest.fixture(scope="module")
+def second_results() -> gs.Results:
+    """Return the slab by EN 1992-1-1:2023, solved."""
+    return gs.solve(model({"code": "EN 1992-1-1:2023", "concrete": "C30/37", "steel": "B500B"}))
+
+
+def face_of(each: dict[str, Any], line: Sampled) -> float:
+    """Return b_0: the face, run straight out to the edges that the perimeter runs out to, without shadows."""
+    base = base_of(each)
+    region = base
+    for axis, at, way in EDGES:
+        if line.inside.distance(_edge(axis, at)) < 1e-6 and line.edges:
+            moved = shapely.affinity.translate(region, *(50.0 * way if axis == k else 0.0 for k in (0, 1)))
+            region = region.union(moved).convex_hull
+    border = PLATE.intersection(region).boundary.difference(PLATE.boundary.buffer(1e-7))
+    points, part = [], []
+    for chain in shapely.get_parts(border):
+        for p, q in itertools.pairwise(shapely.get_coordinates(chain)):
+            n = max(1, round(math.dist(p, q) / ALONG))
+            points.append(p + (np.arange(n)[:, None] + 0.5) / n * (q - p))
+            part.append(np.full(n, math.dist(p, q) / n))
+    dark = shaded(np.concatenate(points), each, base, 6 * D, widened=True)
+    return float(np.concatenate(part)[~dark].sum())
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("each", COLUMNS, ids=[each["name"] for each in COLUMNS])
+def test_ten_columns_by_the_second_generation(each: dict[str, Any], second_results: gs.Results) -> None:
+    """b_0.5, b_0, V_Ed up to 0.67 d_v, beta_e and tau_Rd,c by EN 1992-1-1:2023 8.4, with bars of 2 %."""
+    found = column_demands(second_results)[0]["ULS", each["name"]]
+    line = sampled(each, D / 2, 6 * D, square=False, widened=True)
+    farther = sampled(each, 0.67 * D, 6 * D, square=False, widened=True)
+    assert found.b_05 == pytest.approx(line.u(), rel=1e-3)
+    b_0 = face_of(each, line)
+    assert found.b_0 == pytest.approx(b_0, rel=1e-3)
+    inside = farther.inside if farther.edges == line.edges else line.inside
+    V, _ = acting(second_results.only.plate, each, inside, line.center())
+    assert found.V_Ed == pytest.approx(V, rel=2e-4)
+    P, *moments = FORCES[each["name"]]
+    e = np.array([each["x"], each["y"]]) + np.array(moments) / P - line.center()
+    axes = np.eye(2) if line.edges != 1 else axes_of(line)
+    along, across = np.abs(axes @ e)
+    e_b = (math.hypot(along, across), along + 0.5 * across, 0.27 * (along + across))[line.edges]
+    widths = np.ptp(line.whole @ axes.T, axis=0)
+    beta = max(1.05, 1 + 1.1 * e_b / math.sqrt(widths[0] * widths[1]))
+    assert found.beta_e == pytest.approx(beta, rel=2e-3)
+    assert found.tau_Ed == pytest.approx(beta * V / (line.u() * D), rel=2e-3)
+    k_pb = min(2.5, max(1.0, 3.6 * math.sqrt(1 - b_0 / line.u())))
+    tau = min(0.6 * k_pb * (100 * 0.02 * 30 * 32 / (1e3 * found.a_pd)) ** (1 / 3), 0.5 * math.sqrt(30)) / 1.4
+    assert found.tau_Rd_c / 1e6 == pytest.approx(tau, rel=2e-3)
+    assert (found.a_pd < D) <= (line.edges == 0)
 
 
 @pytest.mark.slow

@@ -25,6 +25,7 @@ from groundslab.design.floors.yield_lines import Location
 from groundslab.fem.concrete import cracked_section
 from groundslab.model.loads.en1990 import make_combinations
 from groundslab.model.loads.load_cases import Combine, LimitState, LoadCase
+from groundslab.verification.design_values_2023 import VALUES_2023
 
 _D = 0.4  # m: of ratios that do not depend on it
 
@@ -244,5 +245,6 @@ VALUES: dict[str, tuple[str | None, Callable[..., float]]] = {
     "l_d by ACI 318": (None, _development),
     "f_ywd,ef": ("pressure", lambda d: punching.effective_strength(d, math.inf)),
 }
+VALUES |= VALUES_2023
 for _name in ("bottom_x", "bottom_y", "top_x", "top_y"):
     VALUES[f"Wood and Armer, {_name.replace('_', ' ')}"] = "force", _design_moment(_name)

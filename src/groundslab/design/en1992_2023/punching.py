@@ -103,9 +103,9 @@ def thickest_link(d_v: float) -> float:
     return 0.010 * math.sqrt(d_v / 0.200)
 
 
-def links_share(concrete: Concrete, d_v: float, phi_w: float, eta_c: float, k_pb: float) -> float:
-    """Return eta_s of links of a diameter phi_w [m] (8.106)."""
-    return min(0.8, d_v / (150 * phi_w) + math.sqrt(15 * concrete.d_dg / d_v) / math.pow(eta_c * k_pb, 1.5))
+def links_share(d_dg: float, d_v: float, phi_w: float, eta_c: float, k_pb: float) -> float:
+    """Return eta_s of links of a diameter phi_w, all lengths in m (8.106)."""
+    return min(0.8, d_v / (150 * phi_w) + math.sqrt(15 * d_dg / d_v) / math.pow(eta_c * k_pb, 1.5))
 
 
 def resistance_with_links(tau_Rd_c: float, eta: tuple[float, float], rho_w: float, f_ywd: float) -> float:

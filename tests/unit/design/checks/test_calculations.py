@@ -188,7 +188,9 @@ def test_widths_of_cracks_are_followed(steel: dict[str, Any]) -> None:
     laid = dict.fromkeys(("bottom_x", "bottom_y", "top_x", "top_y"), bars)
     table = sheets(MIDDLE, steel=steel | laid | {"w_max": 3e-4}, P=300e3)
     assert follow(table) > 40
-    widths = [value for symbol, value in zip(table["symbol"], table["value"], strict=True) if symbol in ("w_k", "w_k,cal")]
+    widths = [
+        value for symbol, value in zip(table["symbol"], table["value"], strict=True) if symbol in ("w_k", "w_k,cal")
+    ]
     assert len(widths) == 4
     checks = sheets(MIDDLE, steel=steel | laid | {"w_max": 3e-4}, P=300e3, name="checks")
     rows = zip(checks["check"], checks["demand"], strict=True)

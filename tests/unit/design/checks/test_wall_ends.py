@@ -12,6 +12,7 @@ import pytest
 from groundslab.design.aci318.checks import two_way
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.en1992.checks import punching
+from groundslab.design.en1992_2023.checks import punching as second_generation
 from groundslab.design.result_tables import table_makers
 from groundslab.design.tables.table import Table
 from groundslab.model.model import Model
@@ -105,6 +106,23 @@ def test_two_way_shear_by_aci_318() -> None:
     assert row["v_u / phi v_c"] == pytest.approx(v_u / phi_v_c, rel=2e-3)
 
 
+def test_punching_by_the_second_generation() -> None:
+    """At d / 2: 1.4 V / (b_0.5 d) over tau_Rd,c of 2 % of bars; half of b counts along each side, as b < 1.5 d."""
+    combined = results("EN 1992-1-1:2023")
+    b_05, V = at(D / 2)
+    tau_Ed = 1.4 * V / (b_05 * D) / 1e6
+    k_pb = 3.6 * math.sqrt(1 - (T + 2 * ALONG) / b_05)
+    tau_Rd = min(0.6 * k_pb * (100 * 0.02 * 30 * 32 / (D * 1e3)) ** (1 / 3), 0.5 * math.sqrt(30)) / 1.4
+    check = of_walls(second_generation.checks(combined))
+    assert check.name == "punching at walls' ends"
+    assert check.of == "end of W"
+    assert (check.demand, check.resistance) == pytest.approx((tau_Ed, tau_Rd), rel=2e-3)
+    assert check.error == pytest.approx(0.1 * tau_Ed, rel=2e-3)
+    row = row_of(table_of(combined))
+    assert (row["b_0.5"], row["V_Ed"], row["k_pb"]) == pytest.approx((b_05, V / 1e3, k_pb), rel=2e-3)
+    assert row["tau_Ed / tau_Rd,c"] == pytest.approx(tau_Ed / tau_Rd, rel=2e-3)
+
+
 def test_links_are_needed_where_the_concrete_is_not_enough_and_none_help_beyond() -> None:
     """v_Ed between one and k_max = 1.5 times v_Rd needs attention, beyond it fails; resistance is 1.5 v_Rd there."""
     used = row_of(table_of(results()))["v_Ed / v_Rd"]
@@ -168,7 +186,7 @@ def test_zones_of_bars_count() -> None:
     assert np.ptp(v_Rd) > 0
 
 
-@pytest.mark.parametrize("code", ["EN 1992-1-1", "ACI 318"])
+@pytest.mark.parametrize("code", ["EN 1992-1-1", "ACI 318", "EN 1992-1-1:2023"])
 def test_walls_along_edges_of_the_plate_stand_beside(code: str) -> None:
     """A wall that is given by an edge is placed for its loads, too; the end of another one is told as without it."""
     edge = {"name": "edge", "thickness": 0.3, "edge": "left"}

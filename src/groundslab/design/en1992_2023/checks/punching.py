@@ -42,7 +42,7 @@ def links_needed(demand: Punching, steel: Reinforcement, out: float) -> LinksNee
     tau_max = en1992.system_factor(concrete, demand.b_0, d) * demand.tau_Rd_c
     eta_c = en1992.concrete_share(demand.tau_Rd_c, tau_Ed)
     phi_w = en1992.thickest_link(d)
-    eta = eta_c, en1992.links_share(concrete, d, phi_w, eta_c, demand.k_pb)
+    eta = eta_c, en1992.links_share(concrete.d_dg, d, phi_w, eta_c, demand.k_pb)
     rho_w = en1992.required_links(tau_Ed, demand.tau_Rd_c, eta, bars.f_yd)
     b_out = en1992.outer_perimeter(demand.b_05, d, out, eta_c)
     return LinksNeeded(tau_Ed, tau_max, phi_w, eta, rho_w, b_out)

@@ -23,4 +23,4 @@ def remarks(_: Results, __: Reinforcement) -> Iterator[DesignCheck]:
         "durability by exposure resistance classes (6.4), fatigue (10), anchorage and laps (11), detailing of links "
         "(12.4.2, 12.5.1) and limits of deflection (9.3) are not checked"
     )
-    yield DesignCheck("rest of EN 1992-1-1:2023", "not checked", words)
+    yield DesignCheck("rest of EN 1992-1-1:2023", "attention", words)
