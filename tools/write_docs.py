@@ -6,6 +6,7 @@ import argparse
 import json
 from pathlib import Path
 
+from compare_generations import table as generations
 from draw_imports import diagram
 
 from groundslab.cli import main
@@ -25,6 +26,12 @@ def contents() -> dict[Path, str]:
         DOCS / "study.md": _page("study.md", keys=schema.docs_table(), kept=schema.outputs_table()),
         DOCS / "study.schema.json": json.dumps(schema.json_schema(), indent=2) + "\n",
     }
+
+
+def solved() -> dict[Path, str]:
+    """Return what the files should hold whose parts take a solution."""
+    name = "howto/two_generations.md"
+    return {DOCS / name: _page(name, comparison=generations())}
 
 
 def commands_text() -> str:
@@ -60,6 +67,6 @@ def _page(name: str, **parts: str) -> str:
 
 
 if __name__ == "__main__":
-    for path, text in contents().items():
+    for path, text in {**contents(), **solved()}.items():
         path.write_text(text, encoding="utf-8")
         print(path)

@@ -9,14 +9,15 @@ import pytest
 from groundslab.analysis.driver import solve
 from groundslab.case.casefile import load
 from groundslab.design.checks import check_design
+from groundslab.design.en1992_2023.checks.punching_demand import column_demands
 from helpers.paths import EXAMPLES
 
 #: The raft with eight combinations has a test of its own below.
 CASES = sorted(path for path in EXAMPLES.glob("*.toml") if path.stem != "l_raft")
 SLOW = (
     "bearing_walls", "combined_footing", "cracked_footing", "house_raft", "industrial_floor", "joined_bays",
-    "neighbours", "pad", "raft_on_continuum", "raft_under_a_frame", "ribbed_raft", "tank", "void", "warehouse",
-    "wind_turbine",
+    "neighbours", "pad", "raft_on_continuum", "raft_under_a_frame", "ribbed_raft", "second_generation", "tank", "void",
+    "warehouse", "wind_turbine",
 )  # fmt: skip
 
 
@@ -50,6 +51,16 @@ def test_the_ribbed_raft_weighs_what_its_comment_says() -> None:
     coarse = solve(model.replace(ground={"kind": "winkler", "k": 15e6}, reinforcement=None, mesh={"size": 1.0}))
     assert coarse["characteristic 2"].certificate.load == pytest.approx(3526.75e3, rel=1e-12)
     assert "= 3526.75 kN" in (EXAMPLES / "ribbed_raft.toml").read_text(encoding="utf-8")
+
+
+def test_punching_by_the_second_generation_is_what_its_comment_says() -> None:
+    """b_0.5 and k_pb of a column, worked out by hand."""
+    model = load(EXAMPLES / "second_generation.toml")
+    comment = (EXAMPLES / "second_generation.toml").read_text(encoding="utf-8")
+    results = solve(model.replace(mesh={"size": 1.0}, combine=model.combine.replace(sets=("ultimate",))))
+    demand = next(iter(column_demands(results)[0].values()))
+    assert f"is\n# 1.6 + pi x {demand.d:.3f} = {demand.b_05:.3f} m" in comment
+    assert f"= {demand.k_pb:.3f}." in comment
 
 
 @pytest.mark.slow

@@ -75,13 +75,15 @@ def test_every_column_is_explained() -> None:
             assert columns[-len(QUANTITIES) :] == QUANTITIES
             columns = columns[: -len(QUANTITIES)]
         assert explained(table.name) == columns, table.name
-    steel = model.reinforcement.replace(code="ACI 318")
-    other = model.replace(reinforcement=steel)
-    found = {
-        each.name: each for each in tables_of(Results(other, list_combinations(other), {}, {"ULS": Exception("no")}))
-    }
-    own = explained("columns, by ACI 318")
-    assert [(column.name, column.unit) for column in found["columns"].columns][-len(own) :] == own
+    for code in ("ACI 318", "EN 1992-1-1:2023"):
+        steel = model.reinforcement.replace(code=code)
+        other = model.replace(reinforcement=steel)
+        found = {
+            each.name: each
+            for each in tables_of(Results(other, list_combinations(other), {}, {"ULS": Exception("no")}))
+        }
+        own = explained(f"columns, by {code}")
+        assert [(column.name, column.unit) for column in found["columns"].columns][-len(own) :] == own
 
 
 def test_columns_of_limits_of_walls_are_explained() -> None:
@@ -105,7 +107,10 @@ def test_columns_of_joints_are_explained() -> None:
     assert explained("joints") == [(column.name, column.unit) for column in table.columns]
 
 
-@pytest.mark.parametrize(("code", "heading"), [("EN 1992-1-1", ""), ("ACI 318", ", by ACI 318")])
+@pytest.mark.parametrize(
+    ("code", "heading"),
+    [("EN 1992-1-1", ""), ("ACI 318", ", by ACI 318"), ("EN 1992-1-1:2023", ", by EN 1992-1-1:2023")],
+)
 def test_columns_of_walls_that_punch_are_explained(code: str, heading: str) -> None:
     """The table of ends and corners of walls has a section for each code."""
     model = Model(

@@ -195,7 +195,7 @@ class Reinforcement(Section):
     ] = None
     gamma_v: Annotated[
         float | None,
-        Number("gamma_V", "partial factor of shear without links by EN 1992-1-1:2023, 1.4 by default", PARTIAL),
+        Number("gamma_V", "partial factor of shear by EN 1992-1-1:2023, 1.4 by default; 1.15 if accidental", PARTIAL),
     ] = None
     k_tc: Annotated[
         float | None,

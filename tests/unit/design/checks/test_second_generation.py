@@ -109,8 +109,8 @@ def test_bars_provided_count_and_thin_slabs_have_no_links() -> None:
     found = rows(LAID, 0.9e6)["punching"]
     assert found.resistance == pytest.approx(max(resistance(rho), least), rel=1e-4)
     assert "with the bars provided" in found.words
-    thin = rows({"bottom": (0.03, 0.03), "top": (0.03, 0.03)}, 0.5e6,
-                plate={"length_x": LENGTH_X, "length_y": LENGTH_Y, "thickness": 0.19, "E": 30e9, "nu": 0.2})  # fmt: skip
+    plate = {"length_x": LENGTH_X, "length_y": LENGTH_Y, "thickness": 0.19, "E": 30e9, "nu": 0.2}
+    thin = rows({"bottom": (0.03, 0.03), "top": (0.03, 0.03)}, 0.5e6, plate=plate)
     assert thin["punching"].status == "fails"
     assert "too thin for links (12.4.2(2))" in thin["punching"].words
 
