@@ -262,6 +262,8 @@ def raft(size: float, **changes: Any) -> Model:
 
 
 ACI = {"reinforcement": {**STEEL, **LAID, "code": "ACI 318"}}
+SECOND = {"reinforcement": {**{key: value for key, value in STEEL.items() if key != "exposure"}, **LAID,
+                            "code": "EN 1992-1-1:2023"}}  # fmt: skip
 FLOOR = {"reinforcement": None, "floor": {"kind": "ACI 360", "f_r": 4e6, "safety_factor": 2.0}}
 
 
@@ -271,7 +273,7 @@ def row(check: DesignCheck) -> tuple[str, str, str]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("changes", [{}, ACI, FLOOR], ids=["EN 1992", "ACI 318", "floor"])
+@pytest.mark.parametrize("changes", [{}, ACI, SECOND, FLOOR], ids=["EN 1992", "ACI 318", "2023", "floor"])
 def test_every_row_has_an_error_that_holds(changes: dict[str, Any]) -> None:
     """Each demand of the results has an error, and a mesh of an eighth of the size lies within it."""
     coarse, truth = (check_design(solve(raft(size, **changes))).checks for size in (0.5, 0.125))

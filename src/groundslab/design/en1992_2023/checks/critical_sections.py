@@ -44,6 +44,7 @@ CUT = "its control perimeter cuts the slab from edge to edge, which is one-way s
 class CriticalSection:
     """The critical section of a column or pile, the same in every combination."""
 
+    place: Array  # (2,) of the column or pile [m]
     d: float  # d_v [m]
     out: float  # d_v,out of the outermost links [m]
     thickness: float  # [m]
@@ -77,6 +78,12 @@ class CriticalSection:
         if len(plate.nodes) == self.nodes:
             return self.shear
         return perimeter_shear(plate, self.chain, self.line_center, AVERAGED * self.d)
+
+    def lines_on(self, plate: PlateResult) -> tuple[MomentLine, ...]:
+        """Return how moments along both axes of bars are read from a plate, on another mesh, too."""
+        if len(plate.nodes) == self.nodes:
+            return self.lines
+        return moment_lines(plate, self.place, en1992.FAR_CONTRAFLEXURE * self.d * REACH)
 
     @property
     def line_center(self) -> Array:
@@ -115,6 +122,7 @@ def critical_section(
     chain = max(line_properties.chains(line.whole), key=len)
     compressed = steel.bottom_axes if punching.from_below else steel.top_axes
     return CriticalSection(
+        place=around.center,
         d=d,
         out=d - sum(compressed) / 2,
         thickness=perimeter_loads.thickness_at(results, footprint),

@@ -9,7 +9,7 @@ import numpy as np
 
 from groundslab.arrays import Memo
 from groundslab.design.basis.combinations import ultimate_results
-from groundslab.design.basis.demand_errors import error_of
+from groundslab.design.basis.demand_errors import error_of, scaled
 from groundslab.design.by_plate import plate_under
 from groundslab.design.demands import perimeter_loads
 from groundslab.design.demands.perimeter_loads import PerimeterLoads, PunchingForce, PunchingShear
@@ -53,7 +53,7 @@ class Punching:
     others: float  # other loads there [N]
     supported: bool  # whether another support stands inside, whose force is not in V_Ed
     place: tuple[float, float]  # [m]
-    error: Callable[[], float | None] = field(repr=False, compare=False)  # of tau_Ed [Pa]
+    error: Callable[[], float | None] = field(repr=False, compare=False)  # of the share used, as one of tau_Ed [Pa]
     section: CriticalSection | None = None  # of a column or pile
     eccentricities: tuple[float, float] = (0.0, 0.0)  # along the section's axes [m]
     concentrated: bool = False  # whether a large force acts close by
@@ -132,10 +132,21 @@ def _demand(
     beta_e = en1992.beta(en1992.eccentricity(section.course.shape, first, second), *section.widths)
     concentrated = _concentrated(results, section, punching, of_kind, shear.V)
     a_p = _contraflexure(results, section, punching)
-    a_pd = en1992.depth_by_contraflexure(a_p, section.d)
+    tau_min = float(minimum_resistance(concrete, bars, section.d))
 
     def stress(mesh: CombinationResult) -> float:
         return _stress(mesh, section, punching, steel, concentrated=concentrated)
+
+    def resistance(mesh: CombinationResult) -> float:
+        a_pd = en1992.depth_by_contraflexure(_contraflexure(mesh, section, punching), section.d)
+        return en1992.resistance_without_links(concrete, section.k_pb, section.ratio, a_pd)
+
+    tau_Rd_c = resistance(results)
+
+    def error() -> float | None:
+        # contraflexure has an error, too
+        of_used = error_of(results, lambda mesh: stress(mesh) / max(resistance(mesh), tau_min))
+        return scaled(of_used, max(tau_Rd_c, tau_min))
 
     return Punching(
         name=punching.name,
@@ -147,21 +158,21 @@ def _demand(
         b_0=section.b_0,
         k_pb=section.k_pb,
         ratio=min(section.ratio, en1992.MOST_BARS),
-        a_pd=a_pd,
+        a_pd=en1992.depth_by_contraflexure(a_p, section.d),
         a_p=a_p,
         V_Ed=shear.V,
         V_links=with_links.V,
         beta_e=beta_e,
         tau_Ed=stress(results),
         of_analysis=_of_analysis(results, section, punching),
-        tau_Rd_c=en1992.resistance_without_links(concrete, section.k_pb, section.ratio, a_pd),
-        tau_min=float(minimum_resistance(concrete, bars, section.d)),
+        tau_Rd_c=tau_Rd_c,
+        tau_min=tau_min,
         pressure=shear.pressure,
         edge=shear.edge,
         others=shear.others,
         supported=section.relieved.supported,
         place=punching.place,
-        error=lambda: error_of(results, stress),
+        error=error,
         section=section,
         eccentricities=(first, second),
         concentrated=concentrated,
@@ -223,7 +234,7 @@ def _contraflexure(results: CombinationResult, section: CriticalSection, punchin
         return float("inf")
     sign = -1.0 if punching.from_below else 1.0
     plate = plate_under(results, *punching.place)
-    along_x, along_y = contraflexure(section.lines, plate, sign)
+    along_x, along_y = contraflexure(section.lines_on(plate), plate, sign)
     return max(float(np.sqrt(along_x * along_y)), section.d)
 
 
@@ -236,7 +247,7 @@ def _concentrated(
 ) -> bool:
     """Return whether another column or pile with a large force stands close to the perimeter."""
     inside = section.line.inside
-    return any(
+    return V > 0 and any(
         float(other.pushing(results)[0]) >= LARGE * V
         and other.footprint.footprint().distance(inside) < NEAR * section.d
         for other in of_kind

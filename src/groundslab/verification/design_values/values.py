@@ -25,7 +25,7 @@ from groundslab.design.floors.yield_lines import Location
 from groundslab.fem.concrete import cracked_section
 from groundslab.model.loads.en1990 import make_combinations
 from groundslab.model.loads.load_cases import Combine, LimitState, LoadCase
-from groundslab.verification.design_values_2023 import VALUES_2023
+from groundslab.verification.design_values.second_generation import VALUES_2023
 
 _D = 0.4  # m: of ratios that do not depend on it
 
