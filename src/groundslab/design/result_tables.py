@@ -79,9 +79,11 @@ def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
     """Return the function for each table of `tables_of` by the table's name; tables that others use are made once."""
     model = combined.model
     checks: dict[str, Callable[[], Table]] = {}
-    if check_design(combined).checks:
+    design = check_design(combined)
+    if design.checks:
         checks["checks"] = lambda: checks_table(combined)
-    if model.reinforcement is not None and model.report.sheets != "none":
+    followed = model.reinforcement is not None or any(check.steps for check in design.checks)
+    if followed and model.report.sheets != "none":
         checks["calculations"] = lambda: calculations(combined)
     acting: dict[str, Callable[[], Table]] = {"acting": lambda: acting_cases(combined)} if model.cases else {}
     extremes_with_errors = cache(lambda: errors.with_errors_of_extremes(extremes(combined), combined))

@@ -61,7 +61,7 @@ class Report(Section):
         Literal["governing", "all", "none"],
         Choice(
             Literal["governing", "all", "none"],
-            "calculations that can be followed by hand: with the column that governs, with all columns, or none",
+            "calculations to be followed by hand: with the column, pile and wall end that govern, with all, or none",
             "",
         ),
     ] = "governing"

@@ -47,7 +47,7 @@ ACI318 = DesignCode(
         checks=two_way.checks,
         extremes=(("v_u", "MPa"),),
         with_errors=("V_u", "v_u", "v_u / phi v_c"),
-        steps=two_way_steps.at_columns,
+        steps=two_way_steps.STEPS,
     ),
     beams=BeamRule(minimum=beams.minimum, links=beams.links, clauses="22.3, 22.5, 9.6.1.2, 9.6.3.4"),
     bars=bars.checks,

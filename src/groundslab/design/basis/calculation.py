@@ -5,21 +5,25 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Literal
 
 MEGA = 1e6
+#: What pushes at a plate.
+Pushing = Literal["column", "pile"]
 #: Forces inside this close to each other, over the force that punches, are the same.
 SAME = 1e-9
 #: A symbol in a formula, such as v_Rd,c: a comma that belongs to it is followed by no space.
 SYMBOL = re.compile(r"[A-Za-z]\w*(?:,\w+)*'?")
-#: What formulas call; the rest are symbols.
-FUNCTIONS = ("max", "min", "sqrt", "abs")
+#: What formulas call, angles being in radians, and numbers with a name; the rest are symbols.
+FUNCTIONS = ("max", "min", "sqrt", "abs", "exp", "sin", "tan", "atan")
+CONSTANTS = ("pi",)
 
 
 @dataclass(frozen=True, slots=True)
 class Step:
     """One quantity: given, or what a formula makes of others before it.
 
-    Formulas are sums, products by *, quotients, powers by ^ and the FUNCTIONS of numbers and symbols.
+    Formulas are sums, products by *, quotients, powers by ^ and the FUNCTIONS of numbers, CONSTANTS and symbols.
     """
 
     words: str
@@ -35,7 +39,7 @@ def with_numbers(step: Step, known: Mapping[str, float]) -> str:
 
     def number(match: re.Match[str]) -> str:
         name = match[0]
-        if name in FUNCTIONS:
+        if name in FUNCTIONS + CONSTANTS:
             return name
         return f"{known[name]:.6g}" if known[name] >= 0 else f"({known[name]:.6g})"
 
@@ -43,20 +47,21 @@ def with_numbers(step: Step, known: Mapping[str, float]) -> str:
 
 
 def punching_force(
-    symbols: tuple[str, str], parts: tuple[float, float, float, float], V: float, clause: str
+    one: Pushing, symbols: tuple[str, str], parts: tuple[float, float, float, float], V: float, clause: str
 ) -> Iterator[Step]:
-    """Yield what pushes on a perimeter, and what relieves it inside.
+    """Yield what pushes on a perimeter, a column from above or a pile from below, and what relieves it inside.
 
-    The symbols are those of the column's force and of the force that punches, V [N]; parts are the column's force,
+    The symbols are those of the force that pushes and of the one that punches, V [N]; parts are the force that pushes,
     other loads, pressure and line force along the plate's edge inside [N]. The line force counts where that makes V.
     """
     own, punching = symbols
     force, others, pressure, edge = parts
-    yield Step("force of the column", own, force / MEGA, "MN")
+    way, with_loads, with_ground = (1.0, "+", "-") if one == "column" else (-1.0, "-", "+")
+    yield Step(f"force of the {one}", own, force / MEGA, "MN")
     yield Step("other loads inside the perimeter", "N_o", others / MEGA, "MN")
     yield Step("pressure of the ground inside", "N_p", pressure / MEGA, "MN")
-    formula = f"{own} + N_o - N_p"
-    if edge and abs(V - (force + others - pressure - edge)) <= SAME * force:
+    formula = f"{own} {with_loads} N_o {with_ground} N_p"
+    if edge and abs(V - (force + way * (others - pressure - edge))) <= SAME * force:
         yield Step("line force of the ground along the plate's edge inside", "N_e", edge / MEGA, "MN")
-        formula += " - N_e"
+        formula += f" {with_ground} N_e"
     yield Step("force that punches", punching, V / MEGA, "MN", formula, clause)

@@ -22,6 +22,9 @@ from groundslab.model.design.laid_bars import LaidBars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import CombinationResult, Results
 
+#: What a calculation is of, its combination, its steps.
+Calculation = tuple[str, str, tuple[Step, ...]]
+
 
 @dataclass(frozen=True, slots=True)
 class Clauses:
@@ -78,9 +81,10 @@ class PunchingRule:
         Those columns of a table whose extremes are wanted.
     with_errors : tuple of str
         Those whose values have discretization errors, besides what acts inside a perimeter.
-    steps : callable
-        Of all combinations and materials: at which column and in which combination each calculation is, and its steps,
-        the column that uses most first.
+    steps : tuple
+        Of columns, piles and ends of walls the name of the calculations and a callable. Of all combinations and
+        materials: at which column and in which combination each calculation is, and its steps, the column that uses
+        most first.
     """
 
     at_columns: Callable[[Results, Reinforcement], PunchingColumns]
@@ -89,7 +93,7 @@ class PunchingRule:
     checks: Callable[[Results], Iterator[DesignCheck]]
     extremes: Heads
     with_errors: tuple[str, ...]
-    steps: Callable[[Results, Reinforcement], Iterator[tuple[str, str, tuple[Step, ...]]]]
+    steps: tuple[tuple[str, Callable[[Results, Reinforcement], Iterator[Calculation]]], ...]
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,7 +23,8 @@ class ShearDemand:
     thickness: float  # [m]
     spread: bool = False  # whether the line force along the edge is spread over a strip
     at_support: bool = False  # whether it is nearer than d to what presses there
-    rho: float | None = None  # ratio of bars in tension; None of a mean over a cut
+    rho: float | None = None  # ratio of bars in tension; None if it or d differs over a cut
+    across: bool = False  # whether forces are means over a cut
     error: Callable[[], float | None] = field(default=lambda: None, repr=False, compare=False)  # of v [N/m]
 
     @property
@@ -38,9 +39,9 @@ class ShearDemand:
         return f'({self.place[0]:.3f}, {self.place[1]:.3f}) m in "{self.results.combination}"{edge}'
 
     def check(self, status: Status, words: str, clause: str, steps: Iterable[Step]) -> DesignCheck:
-        """Return the check of this place, with steps that can be followed if the ratio of bars is known."""
+        """Return the check of this place, with its calculation."""
         return DesignCheck(
             "one-way shear", status, words, demand=self.v / 1e3, resistance=self.without_links / 1e3, unit="kN/m",
             clause=clause, combination=self.results.combination, place=self.place, error=scaled(self.error(), 1e-3),
-            steps=() if self.rho is None else tuple(steps),
+            steps=tuple(steps),
         )  # fmt: skip

@@ -6,7 +6,7 @@ it, or to the plate's edge. The shear force and what needs no links are means ov
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -28,6 +28,10 @@ if TYPE_CHECKING:
     from shapely import MultiPolygon, Polygon
 
 
+#: Values that differ by a smaller share are the same.
+SAME = 1e-9
+
+
 @dataclass(frozen=True, slots=True)
 class Cut:
     """A cut beside a column, and what takes means over it."""
@@ -41,11 +45,16 @@ class Cut:
         """Return the mean of nodal values (n,) over the cut."""
         return float((self.weights * values[self.nodes]).sum())
 
-    def forces(self, plate: PlateResult, without_links: Mapping[str, Array]) -> tuple[float, float]:
-        """Return the mean shear force, and of what needs no links (n,) by layer that of the bars in tension [N/m]."""
+    def layer(self, plate: PlateResult) -> str:
+        """Return the layer of bars in tension that cross the cut."""
         letter = "xy"[self.axis]
         face = "bottom" if self.mean(getattr(plate, f"moment_{letter}")) > 0 else "top"
-        return self.shear(plate), self.mean(without_links[f"{face}_{letter}"])
+        return f"{face}_{letter}"
+
+    def same(self, values: Array) -> float | None:
+        """Return the nodal value (n,) that all of the cut has, None if it differs."""
+        there = values[self.nodes]
+        return float(there.flat[0]) if np.ptp(there) <= SAME * np.abs(there).max() else None
 
     def shear(self, plate: PlateResult) -> float:
         """Return the mean shear force [N/m]."""

@@ -7,9 +7,10 @@ those downwards (expression 2.8). Combinations for which the program found no re
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
 
+from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.check import DesignCheck, some
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.demands.loads import column_loads
@@ -74,8 +75,42 @@ def _uplift(combined: Results, made: list[Combination]) -> dict[str, Any]:
     forces = column_loads.sum_of_others(solved[0], outline(solved[0].plate), None)
     ratios = []
     for combination in made:
-        parts = [factor * forces.get(case, 0.0) for case, factor in combination.factors]
-        up, down = -sum(part for part in parts if part < 0), sum(part for part in parts if part > 0)
-        ratios.append((up / down if down else float("inf"), up / 1e3, down / 1e3, combination.name))
-    _, up, down, worst = max(ratios)
-    return {"demand": up, "resistance": down, "unit": "kN", "combination": worst}
+        parts = [_Part(case, factor, forces.get(case, 0.0)) for case, factor in combination.factors]
+        up, down = -sum(part.design for part in parts if part.up), sum(part.design for part in parts if not part.up)
+        ratios.append((up / down if down else float("inf"), up / 1e3, down / 1e3, combination.name, parts))
+    _, up, down, worst, parts = max(ratios, key=lambda ratio: ratio[0])
+    steps = tuple(_steps(parts, up / 1e3, down / 1e3))
+    return {"demand": up, "resistance": down, "unit": "kN", "combination": worst, "steps": steps}
+
+
+class _Part(NamedTuple):
+    """The vertical force of a load case [N], downwards positive, and its factor in a combination."""
+
+    case: str
+    factor: float
+    force: float
+
+    @property
+    def design(self) -> float:
+        """Return the force with its factor [N]."""
+        return self.factor * self.force
+
+    @property
+    def up(self) -> bool:
+        """Return whether it acts upwards."""
+        return self.design < 0
+
+
+def _steps(parts: Sequence[_Part], up: float, down: float) -> Iterator[Step]:
+    """Yield how forces upwards and downwards [MN] come about, by expression 2.8 with no resistance but weights."""
+    made = dict[bool, list[str]]({True: [], False: []})
+    for number, part in enumerate((part for part in parts if part.design), start=1):
+        way, letter = ("upwards", "U") if part.up else ("downwards", "G")
+        force = abs(part.force) / MEGA
+        yield Step(f'vertical force of "{part.case}", {way}', f"{letter}_{number}", force, "MN")
+        yield Step("its factor", f"gamma_{number}", abs(part.factor), clause="2.4.7.4")
+        made[part.up].append(f"gamma_{number} * {letter}_{number}")
+    for is_up, symbol, words, value in ((True, "V_dst", "destabilizing", up), (False, "G_stb", "stabilizing", down)):
+        yield Step(f"{words} force", symbol, value, "MN", " + ".join(made[is_up]) or "0", "2.4.7.4(1), 2.8")
+    if down:
+        yield Step("share used", "eta", up / down, "", "V_dst / G_stb", "2.4.7.4(1), 2.8")

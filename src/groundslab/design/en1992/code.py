@@ -43,7 +43,7 @@ EN1992 = DesignCode(
         checks=punching.checks,
         extremes=(("v_Ed", "MPa"), ("v_Ed / v_Rd", ""), ("v_Ed at the face", "MPa")),
         with_errors=("V_Ed", "v_Ed", "v_Ed / v_Rd", "v_Ed at the face"),
-        steps=punching_steps.at_columns,
+        steps=punching_steps.STEPS,
     ),
     beams=BeamRule(minimum=beams.minimum, links=beams.links, clauses="6.1, 6.2.3, 9.2.1.1(1), 9.2.2(5)"),
     bars=bars.checks,

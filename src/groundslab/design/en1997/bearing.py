@@ -15,6 +15,29 @@ if TYPE_CHECKING:
     from shapely import MultiPolygon, Polygon
 
 
+#: The most that resists sliding of an undrained soil, over the vertical force (6.5 of 6.5.3(12)).
+MOST_UNDRAINED = 0.4
+#: The formulas of the functions here, with forces in MN, stresses in MPa, lengths in m and angles in radians.
+FORMULAS = {
+    "N_q": "exp(pi * tan(phi)) * tan(pi / 4 + phi / 2)^2",
+    "N_c": "(N_q - 1) / tan(phi)",
+    "N_gamma": "2 * (N_q - 1) * tan(phi)",
+    "s_q": "1 + B' / L' * sin(phi)",
+    "s_c": "(s_q * N_q - 1) / (N_q - 1)",
+    "s_gamma": "1 - 0.3 * B' / L'",
+    "m": "(2 + B' / L') / (1 + B' / L')",
+    "i_q": "(1 - H / (V + A' * c / tan(phi)))^m",
+    "i_c": "i_q - (1 - i_q) / (N_c * tan(phi))",
+    "i_gamma": "(1 - H / (V + A' * c / tan(phi)))^(m + 1)",
+    "R": "A' * (c * N_c * s_c * i_c + q * N_q * s_q * i_q + 0.5 * gamma * B' * N_gamma * s_gamma * i_gamma)",
+    "s_c undrained": "1 + 0.2 * B' / L'",
+    "i_c undrained": "(1 + sqrt(1 - H / (A' * c_u))) / 2",
+    "R undrained": "A' * ((pi + 2) * c_u * s_c * i_c + q)",
+    "sliding": "V * tan(delta) / gamma_Rh",
+    "sliding undrained": f"min(A' * c_u / gamma_Rh, {MOST_UNDRAINED:g} * V)",
+}
+
+
 @dataclass(frozen=True, slots=True)
 class EffectiveArea:
     """The effective area A' [m2] with its sides B' <= L' [m]."""
@@ -63,6 +86,51 @@ def effective_area(outline: Polygon | MultiPolygon, x: float, y: float) -> Effec
     return EffectiveArea(common.area, width, width * slenderness)
 
 
+@dataclass(frozen=True, slots=True)
+class DrainedFactors:
+    """Factors of bearing capacity N, of the base's shape s and of the load's inclination i (annex D.4).
+
+    The second letters are q for the overburden, c for cohesion and gamma for the soil's weight.
+    """
+
+    N_q: float
+    N_c: float
+    N_gamma: float
+    s_q: float
+    s_c: float
+    s_gamma: float
+    m: float  # exponent of the inclination, for a force along the shorter side
+    i_q: float
+    i_c: float
+    i_gamma: float
+
+
+def drained_factors(base: EffectiveArea, soil: Soil, V: float, H: float) -> DrainedFactors | None:
+    """Return the factors of a drained soil under V and H [N], None if the base slides before (annex D.4)."""
+    ratio = base.width / base.length
+    tan = math.tan(soil.phi)
+    N_q = math.exp(math.pi * tan) * math.tan(math.pi / 4 + soil.phi / 2) ** 2
+    N_c = (N_q - 1) / tan
+    s_q = 1 + ratio * math.sin(soil.phi)
+    held = V + base.area * soil.c / tan
+    if held <= H:
+        return None
+    m = (2 + ratio) / (1 + ratio)
+    i_q = (1 - H / held) ** m
+    return DrainedFactors(
+        N_q=N_q,
+        N_c=N_c,
+        N_gamma=2 * (N_q - 1) * tan,
+        s_q=s_q,
+        s_c=(s_q * N_q - 1) / (N_q - 1),
+        s_gamma=1 - 0.3 * ratio,
+        m=m,
+        i_q=i_q,
+        i_c=i_q - (1 - i_q) / (N_c * tan),
+        i_gamma=(1 - H / held) ** (m + 1),
+    )
+
+
 def bearing_resistance(base: EffectiveArea, soil: Soil, V: float, H: float) -> float:
     """Return the resistance R [N] of a horizontal base under V and H [N] (annex D.3 and D.4).
 
@@ -70,23 +138,13 @@ def bearing_resistance(base: EffectiveArea, soil: Soil, V: float, H: float) -> f
     """
     if soil.c_u is not None:
         return _undrained(base, soil.c_u, soil.overburden, H)
-    ratio = base.width / base.length
-    tan = math.tan(soil.phi)
-    N_q = math.exp(math.pi * tan) * math.tan(math.pi / 4 + soil.phi / 2) ** 2
-    N_gamma = 2 * (N_q - 1) * tan
-    s_q, s_gamma = 1 + ratio * math.sin(soil.phi), 1 - 0.3 * ratio
-    s_c = (s_q * N_q - 1) / (N_q - 1)
-    N_c = (N_q - 1) / tan
-    held = V + base.area * soil.c / tan
-    if held <= H:
+    f = drained_factors(base, soil, V, H)
+    if f is None:
         return 0.0
-    m = (2 + ratio) / (1 + ratio)
-    i_q, i_gamma = (1 - H / held) ** m, (1 - H / held) ** (m + 1)
-    i_c = i_q - (1 - i_q) / (N_c * tan)
     pressure = (
-        soil.c * N_c * s_c * i_c
-        + soil.overburden * N_q * s_q * i_q
-        + 0.5 * soil.unit_weight * base.width * N_gamma * s_gamma * i_gamma
+        soil.c * f.N_c * f.s_c * f.i_c
+        + soil.overburden * f.N_q * f.s_q * f.i_q
+        + 0.5 * soil.unit_weight * base.width * f.N_gamma * f.s_gamma * f.i_gamma
     )
     return float(base.area * pressure)
 
@@ -95,10 +153,21 @@ def _undrained(base: EffectiveArea, c_u: float, overburden: float, H: float) -> 
     """Return the resistance [N] of an undrained soil (annex D.3)."""
     if base.area * c_u < H:
         return 0.0
-    i_c = (1 + math.sqrt(1 - H / (base.area * c_u))) / 2
-    return base.area * ((math.pi + 2) * c_u * (1 + 0.2 * base.width / base.length) * i_c + overburden)
+    s_c, i_c = undrained_factors(base, c_u, H)
+    return base.area * ((math.pi + 2) * c_u * s_c * i_c + overburden)
 
 
-def sliding_resistance(base: EffectiveArea, c_u: float | None, delta: float, V: float) -> float:
-    """Return the resistance [N] against sliding: V tan delta drained, A' c_u undrained (6.3a, 6.4a of 6.5.3)."""
-    return V * math.tan(delta) if c_u is None else base.area * c_u
+def undrained_factors(base: EffectiveArea, c_u: float, H: float) -> tuple[float, float]:
+    """Return s_c and i_c of an undrained soil under H [N], at most A' c_u (annex D.3)."""
+    return 1 + 0.2 * base.width / base.length, (1 + math.sqrt(1 - H / (base.area * c_u))) / 2
+
+
+def sliding_resistance(base: EffectiveArea, c_u: float | None, delta: float, V: float, gamma_Rh: float = 1.0) -> float:
+    """Return the design resistance [N] against sliding, V tan delta drained, A' c_u undrained, over gamma_R;h.
+
+    In an undrained soil it is at most 0.4 V, as a gap between base and soil is not known to be prevented by suction
+    (EN 1997-1 6.3a, 6.4a, 6.5 of 6.5.3).
+    """
+    if c_u is None:
+        return V * math.tan(delta) / gamma_Rh
+    return min(base.area * c_u / gamma_Rh, MOST_UNDRAINED * V)

@@ -13,11 +13,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from groundslab.design.basis.calculation import Step
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.demand_errors import error_of, scaled
 from groundslab.design.demands.perimeters import outline
 from groundslab.design.en1997 import bearing
+from groundslab.design.en1997.bearing_steps import bearing_steps, sliding_steps
 from groundslab.model.design.limits import SoilStrength
 from groundslab.results.results import CombinationResult, Results
 
@@ -40,6 +42,17 @@ class _Forces:
         return self.results.combination
 
 
+@dataclass(frozen=True, slots=True)
+class _Rule:
+    """What is checked by which clause: its demand and resistance [N], and the calculation."""
+
+    name: str
+    clause: str
+    demand: Callable[[_Forces], float]
+    resistance: Callable[[_Forces, bearing.EffectiveArea], float]
+    steps: Callable[[_Forces, bearing.EffectiveArea], Iterator[Step]]
+
+
 def checks(combined: Results) -> Iterator[DesignCheck]:
     """Yield the checks of bearing resistance and of sliding over all ultimate combinations."""
     strength = combined.model.soil_strength
@@ -59,15 +72,26 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     def bearing_resistance(force: _Forces, area: bearing.EffectiveArea) -> float:
         return bearing.bearing_resistance(area, soil, force.V, force.H) / strength.gamma_Rv
 
-    yield _worst("bearing resistance", forces, base, lambda force: force.V, bearing_resistance, vertical)
+    def steps(force: _Forces, area: bearing.EffectiveArea) -> Iterator[Step]:
+        return bearing_steps(strength, area, soil, force.V, force.H)
+
+    of_bearing = _Rule("bearing resistance", vertical, lambda force: force.V, bearing_resistance, steps)
+    yield _worst(of_bearing, forces, base)
     if any(force.H for force in forces):
-        delta = math.radians(strength.delta if strength.delta is not None else strength.phi or 0.0)
-        delta = math.atan(math.tan(delta) / strength.gamma_phi)
+        yield _worst(_sliding(strength, soil.c_u), forces, base)
 
-        def sliding_resistance(force: _Forces, area: bearing.EffectiveArea) -> float:
-            return bearing.sliding_resistance(area, soil.c_u, delta, force.V) / strength.gamma_Rh
 
-        yield _worst("sliding", forces, base, lambda force: force.H, sliding_resistance, "EN 1997-1 6.5.3")
+def _sliding(strength: SoilStrength, c_u: float | None) -> _Rule:
+    """Return how sliding is checked, c_u [Pa] being the design value of an undrained soil."""
+    delta = math.atan(math.tan(math.radians(strength.sliding_angle)) / strength.gamma_phi)
+
+    def resistance(force: _Forces, area: bearing.EffectiveArea) -> float:
+        return bearing.sliding_resistance(area, c_u, delta, force.V, strength.gamma_Rh)
+
+    def steps(force: _Forces, area: bearing.EffectiveArea) -> Iterator[Step]:
+        return sliding_steps(strength, area, c_u, delta, force.V, force.H)
+
+    return _Rule("sliding", "EN 1997-1 6.5.3", lambda force: force.H, resistance, steps)
 
 
 def _design_soil(strength: SoilStrength) -> bearing.Soil:
@@ -88,36 +112,30 @@ def _forces(results: CombinationResult) -> _Forces:
     return _Forces(V, H, (float(place[0]), float(place[1])), results)
 
 
-def _worst(
-    name: str,
-    forces: list[_Forces],
-    base: Polygon | MultiPolygon,
-    demand: Callable[[_Forces], float],
-    resistance: Callable[[_Forces, bearing.EffectiveArea], float],
-    clause: str,
-) -> DesignCheck:
+def _worst(rule: _Rule, forces: list[_Forces], base: Polygon | MultiPolygon) -> DesignCheck:
     """Return the check of the combination that uses most."""
 
     def ratio(force: _Forces) -> tuple[float, float, _Forces, bearing.EffectiveArea | None]:
         area = bearing.effective_area(base, *force.place)
-        R = resistance(force, area) if area is not None else 0.0
-        return demand(force) / R if R > 0 else math.inf, R, force, area
+        R = rule.resistance(force, area) if area is not None else 0.0
+        return rule.demand(force) / R if R > 0 else math.inf, R, force, area
 
     used, R, force, area = max(map(ratio, forces), key=lambda ratio: ratio[0])
     # the resistance, too, follows from where the force acts
     error = error_of(force.results, lambda mesh: ratio(_forces(mesh))[0])
     size = "" if area is None else f" on A' = {area.area:.3g} m2 ({area.width:.3g} x {area.length:.3g} m)"
-    words = f'{demand(force) / 1e3:.0f} kN is {used:.3g} times {R / 1e3:.0f} kN{size} in "{force.combination}"'
+    words = f'{rule.demand(force) / 1e3:.0f} kN is {used:.3g} times {R / 1e3:.0f} kN{size} in "{force.combination}"'
     return DesignCheck(
-        name,
+        rule.name,
         "fails" if used > 1 else "no failure found",
         words,
-        demand=demand(force) / 1e3,
+        demand=rule.demand(force) / 1e3,
         resistance=R / 1e3,
         unit="kN",
-        clause=clause,
+        clause=rule.clause,
         combination=force.combination,
         place=force.place,
         foundation=True,
         error=scaled(error, R / 1e3),
+        steps=tuple(rule.steps(force, area)) if area is not None and R > 0 else (),
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from groundslab.design.checks import check_design
 from groundslab.design.codes import code_of
 from groundslab.design.required_bars import MINIMUM, MOMENT, governing_needs, section_name
 from groundslab.design.tables.table import Cell, Table, table_of
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.fields import LAYERS
 from groundslab.results.results import Results
 
@@ -25,13 +26,13 @@ _HEADS: Heads = (
 )  # fmt: skip
 _NOTES = (
     "Each at its governing place and in its governing combination, see the table checks. What a value is made of "
-    "stands above it. In punching axis 1 runs along the edge at a column beside one; places are from the center of "
-    "what counts of the perimeter.",
+    "stands above it; angles in formulas are in radians. In punching axis 1 runs along the edge at a column beside "
+    "one; places are from the center of what counts of the perimeter.",
 )
 
 
 def calculations(combined: Results) -> Table:
-    """Return the calculations of checks by the code of the case, as its report wants them."""
+    """Return the calculations of checks, as the report of the case wants them."""
     rows: list[list[Cell]] = []
     for check, of, combination, steps in _calculations(combined):
         known: dict[str, float] = {}
@@ -45,26 +46,34 @@ def calculations(combined: Results) -> Table:
 
 def _calculations(combined: Results) -> Iterator[tuple[str, str, str, tuple[Step, ...]]]:
     """Yield check, what it is of, combination and steps of each calculation."""
-    steel = combined.model.reinforcement
-    assert steel is not None
     for check in check_design(combined).checks:
         if check.steps:
             yield check.name, check.of, check.combination, check.steps
+    steel = combined.model.reinforcement
+    if steel is None:
+        return
     code = code_of(steel)
-    states = {result.combination: result.limit_state for result in ultimate_results(combined)}
     if code.bars_by_steps is not None:
-        axes = dict(zip(LAYERS, (*steel.bottom_axes, *steel.top_axes), strict=True))
-        for need in governing_needs(combined, steel):
-            if need.governed_by not in FOLLOWED or need.combination is None or need.moment is None:
-                continue
-            bars = BarsNeeded(need.moment, need.thickness, axes[need.layer], need.area, need.minimum)
-            state = states[need.combination]
-            alone = code.bending(steel, state).required(np.array([abs(bars.moment)]), bars.d, thickness=bars.thickness)
-            if not alone.fails[0]:  # without bars in compression, which the steps know nothing of
-                of = f"{need.layer.replace('_', ' ')}, {section_name(need.section)}"
-                yield "bending", of, need.combination, tuple(code.bars_by_steps(steel, bars, state))
-    rule = code.punching
-    if rule is not None and combined.model.columns:
-        for number, (name, combination, steps) in enumerate(rule.steps(combined, steel)):
+        yield from _bending(combined, steel, code.bars_by_steps)
+    for name, calculated in () if code.punching is None else code.punching.steps:
+        for number, (of, combination, steps) in enumerate(calculated(combined, steel)):
             if number == 0 or combined.model.report.sheets == "all":
-                yield "punching", name, combination, steps
+                yield name, of, combination, steps
+
+
+def _bending(
+    combined: Results, steel: Reinforcement, by_steps: Callable[[Reinforcement, BarsNeeded, str], Iterator[Step]]
+) -> Iterator[tuple[str, str, str, tuple[Step, ...]]]:
+    """Yield the calculations of each layer of bars that are in tension."""
+    states = {result.combination: result.limit_state for result in ultimate_results(combined)}
+    axes = dict(zip(LAYERS, (*steel.bottom_axes, *steel.top_axes), strict=True))
+    for need in governing_needs(combined, steel):
+        if need.governed_by not in FOLLOWED or need.combination is None or need.moment is None:
+            continue
+        bars = BarsNeeded(need.moment, need.thickness, axes[need.layer], need.area, need.minimum)
+        state = states[need.combination]
+        rule = code_of(steel).bending(steel, state)
+        alone = rule.required(np.array([abs(bars.moment)]), bars.d, thickness=bars.thickness)
+        if not alone.fails[0]:  # without bars in compression, which the steps know nothing of
+            of = f"{need.layer.replace('_', ' ')}, {section_name(need.section)}"
+            yield "bending", of, need.combination, tuple(by_steps(steel, bars, state))

@@ -83,3 +83,8 @@ class SoilStrength(Section):
     gamma_cu: Annotated[float, Number("gamma_cu", "partial factor of c_u", PARTIAL)] = 1.0
     gamma_Rv: Annotated[float, Number("gamma_R;v", "partial factor of the bearing resistance", PARTIAL)] = 1.4
     gamma_Rh: Annotated[float, Number("gamma_R;h", "partial factor of the resistance against sliding", PARTIAL)] = 1.1
+
+    @property
+    def sliding_angle(self) -> float:
+        """Return the characteristic angle of friction under the base [degrees]."""
+        return self.delta if self.delta is not None else self.phi or 0.0

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import pytest
 
 import groundslab as gs
-from groundslab.design.basis.calculation import FUNCTIONS, Step, with_numbers
+from groundslab.design.basis.calculation import CONSTANTS, FUNCTIONS, Step, with_numbers
 from groundslab.design.result_tables import tables_of
 from groundslab.design.tables.table import Table
+from helpers.calculations import NAMES, follow
 
 STEEL = {"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.04, 0.05)}
 ACI = {"code": "ACI 318"}
@@ -54,17 +54,6 @@ def of(table: Table, check: str) -> dict[str, float]:
     return found
 
 
-def follow(table: Table) -> int:
-    """Hold every value to its formula with its numbers, as far as six digits go; return how many there are."""
-    followed = 0
-    for numbers, value in zip(table["with numbers"], table["value"], strict=True):
-        if numbers:
-            found = eval(str(numbers).replace("^", "**"), {"max": max, "min": min, "sqrt": math.sqrt, "abs": abs})
-            assert found == pytest.approx(value, rel=5e-5, abs=1e-6), numbers
-            followed += 1
-    return followed
-
-
 CASES: dict[str, tuple[tuple[dict[str, Any], ...], dict[str, Any]]] = {
     "middle": ((MIDDLE,), {}),
     "with a moment": ((MIDDLE,), {"M_y": 80e3}),
@@ -93,9 +82,7 @@ def test_every_value_follows_from_its_numbers(case: str) -> None:
     assert follow(table) >= 6 * len(columns)
     names = [of for of, check in zip(table["of"], table["check"], strict=True) if check == "punching"]
     assert set(names) == {column["name"] for column in columns}
-    # of means over a cut, which may govern by ACI 318, there is none
-    assert set(table["check"]) | {"one-way shear"} == {"bending", "punching", "one-way shear"}
-    assert "one-way shear" in table["check"] or case == "ACI, edge and corner"
+    assert set(table["check"]) == {"bending", "punching", "one-way shear"}
     assert set(table["combination"]) == {"high"}  # no bars are laid, whose cracks the lasting one opens
 
 
@@ -157,6 +144,19 @@ def test_one_way_shear_is_followed(steel: dict[str, Any]) -> None:
     assert found["eta"] == pytest.approx(used, rel=1e-9)
 
 
+@pytest.mark.parametrize("laid", [True, False])
+def test_means_over_a_cut_are_followed(laid: bool) -> None:
+    """By ACI 318, beside a column: with the same bars all along the cut from their ratio, else the mean is given."""
+    bars = {key: {"diameter": 0.016, "spacing": 0.2} for key in ("bottom_x", "bottom_y", "top_x", "top_y")}
+    table = sheets(EDGE, CORNER, steel=ACI | (bars if laid else {}), P=600e3)
+    rows = [row for row in table.rows() if row[0] == "one-way shear"]
+    words = {str(row[4]): (str(row[3]), str(row[5])) for row in rows}
+    assert words["v_u"][0] == "shear force, mean over the cut"
+    assert words["d"][0] == "effective depth, mean over the cut"
+    assert ("rho_w" in words, bool(words["v_c"][1])) == (laid, laid)
+    assert follow(table) > 10
+
+
 @pytest.mark.parametrize("steel", [{}, {"annex": "Germany"}, ACI, SECOND])
 def test_bars_of_every_layer_are_followed(steel: dict[str, Any]) -> None:
     """Of each layer that a moment or the minimum governs; areas are those of the table of reinforcement."""
@@ -202,4 +202,4 @@ def test_a_formula_with_its_numbers() -> None:
     step = Step("", "x", 0.0, formula="max(v_Rd,c * 2, v_Rd - abs(v)^(1/2), d_1)")
     known = {"v_Rd,c": 0.5, "v_Rd": -1.25, "v": 4.0, "d_1": 1e-3}
     assert with_numbers(step, known) == "max(0.5 * 2, (-1.25) - abs(4)^(1/2), 0.001)"
-    assert set(FUNCTIONS) == {"max", "min", "sqrt", "abs"}
+    assert {*FUNCTIONS, *CONSTANTS} == NAMES.keys()

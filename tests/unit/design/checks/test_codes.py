@@ -128,10 +128,11 @@ def test_cuts_beside_columns_are_means_over_a_share() -> None:
     for cut, (at, _), (low, high) in zip(found, places, shares, strict=True):
         assert cut.place == pytest.approx((at, (low + high) / 2))
         assert cut.mean(3 + 2 * x - y) == pytest.approx(3 + 2 * at - (low + high) / 2)
-    force, v_c = found[1].forces(
-        replace(of.plate, shear_x=-1e5 * x, moment_x=np.ones_like(x)), {"bottom_x": x + 7, "top_x": x - 7}
-    )
-    assert (force, v_c) == (pytest.approx(1e5 * places[1][0]), pytest.approx(places[1][0] + 7))
+    bent = replace(of.plate, shear_x=-1e5 * x, moment_x=np.ones_like(x))
+    assert found[1].shear(bent) == pytest.approx(1e5 * places[1][0])
+    assert [found[1].layer(replace(bent, moment_x=m * np.ones_like(x))) for m in (1, -1)] == ["bottom_x", "top_x"]
+    assert found[1].same(np.full_like(x, 0.3)) == 0.3
+    assert found[1].same(0.3 + 1e-6 * y) is None
 
 
 def test_combinations_of_another_code_need_attention() -> None:

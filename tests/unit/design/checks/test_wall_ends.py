@@ -9,15 +9,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.design.aci318.checks import two_way
+from groundslab.design.aci318.checks import two_way, two_way_steps
 from groundslab.design.basis.check import DesignCheck
-from groundslab.design.en1992.checks import punching
+from groundslab.design.en1992.checks import punching, punching_steps
 from groundslab.design.en1992_2023.checks import punching as second_generation
 from groundslab.design.result_tables import table_makers
 from groundslab.design.tables.table import Table
 from groundslab.model.model import Model
 from groundslab.results.results import Results
 from helpers import synthetic
+from helpers.calculations import follow_steps
 from helpers.synthetic import LENGTH_X, LENGTH_Y
 
 H, D, T, C = 0.5, 0.455, 0.4, 90e3
@@ -196,3 +197,33 @@ def test_walls_along_edges_of_the_plate_stand_beside(code: str) -> None:
     assert [row for row in zip(*(column.values for column in beside.columns), strict=True) if "W" in row] == list(
         zip(*(column.values for column in alone.columns), strict=True)
     )
+
+
+def test_calculations_by_en_1992() -> None:
+    """Each value follows from those above it; stress and share are those of the check, which is by hand above."""
+    combined = results()
+    steel = combined.model.reinforcement
+    assert steel is not None
+    ((of, combination, steps),) = punching_steps.at_walls(combined, steel)
+    known = follow_steps(steps)
+    check = of_walls(punching.checks(combined))
+    assert (of, combination) == (check.of, check.combination)
+    assert known["beta"] == 1.35
+    assert known["rho_l"] == 0.02
+    assert (known["v_Ed"], known["v_Rd"]) == pytest.approx((check.demand, check.resistance))
+    assert known["eta"] == pytest.approx(check.utilisation)
+
+
+def test_calculations_by_aci_318() -> None:
+    """The same on the critical section at d / 2."""
+    combined = results("ACI 318")
+    steel = combined.model.reinforcement
+    assert steel is not None
+    ((of, combination, steps),) = two_way_steps.at_walls(combined, steel)
+    known = follow_steps(steps)
+    check = of_walls(two_way.checks(combined))
+    assert (of, combination) == (check.of, check.combination)
+    assert known["beta_e"] == 1.35
+    assert known["v_u"] == pytest.approx(check.demand)
+    assert known["phi"] * known["v_c"] == pytest.approx(check.resistance)
+    assert known["eta"] == pytest.approx(check.utilisation)

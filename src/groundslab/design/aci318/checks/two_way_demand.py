@@ -43,6 +43,7 @@ class TwoWay:
     place: tuple[float, float]  # of the column [m]
     error: Callable[[], float | None] = field(repr=False, compare=False)  # of v_u [Pa]
     transfer: aci318.Transfer | None = field(default=None, repr=False, compare=False)  # of a column or pile
+    beta_e: float | None = None  # by what v_u at an end of a wall is larger than its mean
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,46 +1,72 @@
-"""Two-way shear by ACI 318-19 at columns, step by step, as it can be followed by hand.
+"""Two-way shear by ACI 318-19 at columns, piles and ends of walls, step by step, as it can be followed by hand.
 
 Every value is that of the check; formulas stand beside the functions that compute it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from groundslab.design.aci318 import punching as aci318
 from groundslab.design.aci318.case_materials import materials
 from groundslab.design.aci318.checks.concrete_steps import concrete_in_shear
-from groundslab.design.aci318.checks.two_way_demand import TwoWay, strength, two_way
+from groundslab.design.aci318.checks.two_way_demand import TwoWay, pile_two_way, strength, two_way
+from groundslab.design.aci318.checks.wall_ends import WALL_STRESS, wall_two_way
 from groundslab.design.aci318.materials import PHI_SHEAR
-from groundslab.design.basis.calculation import MEGA, Step, punching_force
+from groundslab.design.basis.calculation import MEGA, Pushing, Step, punching_force
+from groundslab.design.basis.design_code import Calculation
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
 
-def at_columns(combined: Results, steel: Reinforcement) -> Iterator[tuple[str, str, tuple[Step, ...]]]:
-    """Yield the governing combination of each column with its steps: name, combination, steps.
+def at_columns(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
+    """Yield the governing combination of each column with its steps; those that use most come first."""
+    return _governing(two_way(combined)[0].values(), steel, "column")
 
-    Those that use most of their strength come first.
-    """
+
+def over_piles(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
+    """Yield the governing combination of each pile with its steps; those that use most come first."""
+    return _governing(pile_two_way(combined)[0].values(), steel, "pile")
+
+
+def at_walls(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
+    """Yield the governing combination of each end and corner of walls with its steps; those that use most first."""
+    return _governing(wall_two_way(combined).values(), steel, None)
+
+
+#: The calculations by their names.
+STEPS = (("punching", at_columns), ("punching over piles", over_piles), ("punching at walls' ends", at_walls))
+
+
+def _governing(demands: Iterable[TwoWay], steel: Reinforcement, one: Pushing | None) -> Iterator[Calculation]:
+    """Yield name, combination and steps where each uses most of its strength; nothing pushes alone at walls."""
     governing: dict[str, TwoWay] = {}
-    for demand in two_way(combined)[0].values():
+    for demand in demands:
         known = governing.get(demand.name)
         if not demand.supported and demand.v_u > (0.0 if known is None else known.v_u):
             governing[demand.name] = demand
     for demand in sorted(governing.values(), key=lambda each: -each.v_u / strength(each, steel)):
-        yield demand.name, demand.combination, tuple(_steps(demand, steel))
+        yield demand.name, demand.combination, tuple(_steps(demand, steel, one))
 
 
-def _steps(demand: TwoWay, steel: Reinforcement) -> Iterator[Step]:
+def _steps(demand: TwoWay, steel: Reinforcement, one: Pushing | None) -> Iterator[Step]:
     """Yield the steps of a demand."""
     concrete, bars = materials(steel)
-    inside = demand.force, demand.others, demand.pressure, demand.edge
-    yield from punching_force(("N_u", "V_u"), inside, demand.V_u, "22.6.4.1")
+    if one is None:
+        words = "shear force of the slab across the critical section"
+        yield Step(words, "V_u", demand.V_u / MEGA, "MN", clause="22.6.4.1")
+    else:
+        inside = demand.force, demand.others, demand.pressure, demand.edge
+        yield from punching_force(one, ("N_u", "V_u"), inside, demand.V_u, "22.6.4.1")
     yield Step("effective depth", "d", demand.d, "m", clause="22.6.2.1")
     yield Step("length of the critical section, less edges and openings", "b_o", demand.b_o, "m", clause="22.6.4")
     if demand.transfer is not None:
         yield from _transfer(demand.transfer)
-    yield Step("stress", "v_u", demand.v_u / MEGA, "MPa", aci318.FORMULAS["v_u"], "8.4.4.2.3")
+        yield Step("stress", "v_u", demand.v_u / MEGA, "MPa", aci318.FORMULAS["v_u"], "8.4.4.2.3")
+    else:
+        clause = "DIN EN 1992-1-1/NA Figure NA.6.21.1"
+        yield Step("factor for an end or a corner", "beta_e", demand.beta_e or 0.0, clause=clause)
+        yield Step("stress", "v_u", demand.v_u / MEGA, "MPa", WALL_STRESS, clause)
     yield from concrete_in_shear(concrete, demand.d)
     yield Step("long side of the column over the short one", "beta", demand.beta, clause="22.6.5.2")
     yield Step("factor of the column's place", "alpha_s", demand.alpha_s, clause="22.6.5.3")

@@ -23,6 +23,8 @@ from groundslab.results.results import Results
 
 #: Distance of the critical section over the effective depth (22.6.4.1).
 DISTANCE = np.array([0.5])
+#: v_u there, with forces in MN, stresses in MPa and lengths in m.
+WALL_STRESS = "beta_e * V_u / (b_o * d)"
 #: How critical sections run, for alpha_s.
 SHAPES = {"end": "edge", "corner": "corner"}
 
@@ -59,6 +61,7 @@ def _demand(punching: WallPunching) -> TwoWay:
         supported=False,
         place=site.end.place,
         error=partial(punching.error_of_stress, 0),
+        beta_e=site.beta,
     )
 
 

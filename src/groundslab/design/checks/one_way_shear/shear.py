@@ -122,10 +122,13 @@ def _across(
     for cut in cuts:
         d, thickness = cut.mean(nodes.d), cut.mean(nodes.thickness)
         for result, plate in plates:
-            forces = cut.forces(plate, of_state[result.limit_state])
-            spread = plate is not result.plate
+            layer, spread = cut.layer(plate), plate is not result.plate
+            forces = cut.shear(plate), cut.mean(of_state[result.limit_state][layer])
+            rho = None if cut.same(nodes.d) is None else cut.same(nodes.ratios[layer])
             error = partial(_error_across, result, cut, spread=spread)
-            yield ShearDemand(result, cut.place, *forces, d, thickness, spread=spread, error=error)
+            yield ShearDemand(
+                result, cut.place, *forces, d, thickness, spread=spread, rho=rho, across=True, error=error
+            )
 
 
 def _error_across(results: CombinationResult, cut: Cut, *, spread: bool) -> float | None:

@@ -1,4 +1,4 @@
-"""Punching by EN 1992-1-1 at columns and piles, step by step, as it can be followed by hand.
+"""Punching by EN 1992-1-1 at columns, piles and ends of walls, step by step, as it can be followed by hand.
 
 Every value is that of the check; formulas stand beside the functions that compute it.
 """
@@ -8,40 +8,64 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from groundslab.design.basis.calculation import MEGA, SAME, Step, punching_force
+from groundslab.design.basis.calculation import MEGA, SAME, Pushing, Step, punching_force
+from groundslab.design.basis.design_code import Calculation
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.case_materials import materials
-from groundslab.design.en1992.checks.governing_perimeters import demands
+from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
 from groundslab.design.en1992.checks.punching import LINK_SPACING
-from groundslab.design.en1992.checks.punching_demand import REACH, ControlPerimeter, Demand, Stress
+from groundslab.design.en1992.checks.punching_demand import REACH, ControlPerimeter, Demand, Demands, Stress
+from groundslab.design.en1992.checks.wall_ends import wall_demands
 from groundslab.design.en1992.materials import Concrete, Steel
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
 
-def at_columns(combined: Results, steel: Reinforcement) -> Iterator[tuple[str, str, tuple[Step, ...]]]:
-    """Yield the governing combination of each column with its steps: name, combination, steps.
+def at_columns(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
+    """Yield the governing combination of each column with its steps; those that use most come first."""
+    return _governing(demands(combined), steel, "column")
 
-    Those that use most of their resistance come first.
-    """
+
+def over_piles(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
+    """Yield the governing combination of each pile with its steps; those that use most come first."""
+    return _governing(pile_demands(combined), steel, "pile")
+
+
+def at_walls(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
+    """Yield the governing combination of each end and corner of walls with its steps; those that use most first."""
+    return _governing(wall_demands(combined), steel, None)
+
+
+#: The calculations by their names.
+STEPS = (("punching", at_columns), ("punching over piles", over_piles), ("punching at walls' ends", at_walls))
+
+
+def _governing(punched: Demands, steel: Reinforcement, one: Pushing | None) -> Iterator[Calculation]:
+    """Yield name, combination and steps where each uses most of its resistance; nothing pushes alone at walls."""
     governing: dict[str, tuple[float, Demand, Stress]] = {}
-    for demand in demands(combined).found.values():
+    for demand in punched.found.values():
         stress = demand.governing
         if stress is not None and demand.used(stress) > governing.get(demand.name, (0.0,))[0]:
             governing[demand.name] = demand.used(stress), demand, stress
     for _, demand, stress in sorted(governing.values(), key=lambda each: -each[0]):
-        yield demand.name, demand.combination, tuple(_steps(demand, stress, *materials(steel, demand.limit_state)))
+        yield demand.name, demand.combination, tuple(_steps(demand, stress, steel, one))
 
 
-def _steps(demand: Demand, stress: Stress, concrete: Concrete, bars: Steel) -> Iterator[Step]:
+def _steps(demand: Demand, stress: Stress, steel: Reinforcement, one: Pushing | None) -> Iterator[Step]:
     """Yield the steps of a demand on one of its perimeters."""
-    inside = demand.force, stress.others, stress.pressure, stress.edge
-    yield from punching_force(("N_Ed", "V_Ed"), inside, stress.V_Ed, "6.4.4(2), 6.48")
+    concrete, bars = materials(steel, demand.limit_state)
+    if one is None:
+        yield Step("shear force of the slab across the perimeter", "V_Ed", stress.V_Ed / MEGA, "MN", clause="6.4.4(2)")
+    else:
+        inside = demand.force, stress.others, stress.pressure, stress.edge
+        yield from punching_force(one, ("N_Ed", "V_Ed"), inside, stress.V_Ed, "6.4.4(2), 6.48")
     yield Step("distance of the perimeter from the face", "a", stress.distance, "m", clause="6.4.4(2)")
     yield Step("its length, less edges and openings", "u", stress.u, "m", clause="6.4.2")
     yield Step("effective depth", "d", demand.d, "m", clause="6.4.2(1)")
     if stress.control is not None:
         yield from _beta(stress, stress.control)
+    else:
+        yield Step("factor for an end or a corner", "beta", stress.beta, clause="DIN EN 1992-1-1/NA Figure NA.6.21.1")
     yield Step("stress", "v_Ed", stress.v_Ed / MEGA, "MPa", en1992.FORMULAS["v_Ed"], "6.4.3(3), 6.38")
     yield from _resistance(demand, stress, concrete)
     yield Step("share used", "eta", demand.used(stress), "", "v_Ed / v_Rd", "6.4.4(2)")

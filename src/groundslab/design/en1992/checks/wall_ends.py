@@ -51,7 +51,8 @@ def _demand(punching: WallPunching, steel: Reinforcement, ratio: float) -> Deman
     """Return the demand at an end or a corner in a combination, with a ratio of bars."""
     site, results = punching.site, punching.results
     concrete, bars = materials(steel, results.limit_state)
-    v_Rd_c = en1992.resistance_without_links(concrete, site.d, min(ratio, en1992.most_bars(concrete, bars)))
+    ratio = min(ratio, en1992.most_bars(concrete, bars))
+    v_Rd_c = en1992.resistance_without_links(concrete, site.d, ratio)
     lines, v = site.perimeters, punching.v
     around = tuple(
         Stress(
@@ -61,7 +62,7 @@ def _demand(punching: WallPunching, steel: Reinforcement, ratio: float) -> Deman
         for k in range(len(v))
     )  # fmt: skip
     force = float(punching.V[-1])
-    return Demand(site.end.name, results.combination, results.limit_state, force, site.d, v_Rd_c, None, around)
+    return Demand(site.end.name, results.combination, results.limit_state, force, site.d, v_Rd_c, None, around, ratio)
 
 
 def at_walls(combined: Results, _: Reinforcement) -> PunchingColumns:
