@@ -12,7 +12,7 @@ from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, first_sections, list_plates
 from groundslab.model.shapes import Place
 from groundslab.schema.base import Check, Section
-from groundslab.schema.fields import Choice, ListOf, Quantity, Text
+from groundslab.schema.fields import Choice, ListOf, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.places import coordinate
 from groundslab.schema.ranges import Range
@@ -25,7 +25,9 @@ LEAST_SLENDERNESS = 5.0
 
 Acts = Literal["both ways", "in compression", "in tension"]
 Turning = Literal["free", "fixed"]
-LimitIs = Literal["ultimate resistance", "design resistance"]
+LimitIs = Literal["ultimate resistance", "characteristic resistance", "design resistance"]
+#: Partial factors of a characteristic resistance.
+FACTOR = Range(at_least=1, at_most=10)
 
 SupportName = Annotated[str, Text("name of the support, used by loads and results")]
 ActsKey = Annotated[Acts, Choice(Acts, "in compression: it only pushes up; in tension: it only holds down")]
@@ -38,8 +40,13 @@ LimitIsKey = Annotated[
     Choice(
         LimitIs,
         "kind of limit (EN 1997-1 7.6.2, 7.6.3): at its ultimate resistance R a support yields, which needs "
-        "attention; one that reaches its design resistance R_d fails",
+        "attention; one that reaches its design resistance R_d fails, as does one beyond its characteristic resistance "
+        "R_k over the partial factor in ultimate combinations",
     ),
+]
+GivenFactorKey = Annotated[
+    float | None,
+    Number("gamma_R", "partial factor of a characteristic resistance; in uplift at least 1.4 in tension", FACTOR),
 ]
 
 
@@ -47,6 +54,25 @@ def _check_limit_is(limit: float | None, given: set[str]) -> Iterator[RelativeIs
     if "limit_is" in given and limit is None:
         repairs = (remove(("limit_is",)),)
         yield RelativeIssue(("limit_is",), "limit_is without a limit", "limit, the resistance", repairs=repairs)
+
+
+def _check_factor(limit_is: str, gamma_R: float | None) -> Iterator[RelativeIssue]:
+    characteristic = limit_is == "characteristic resistance"
+    if characteristic and gamma_R is None:
+        hint = "1.1 for piles in compression, 1.15 in tension, by EN 1997-1 Tables A.6 to A.8, R2"
+        yield RelativeIssue(("gamma_R",), "nothing", "the partial factor of the characteristic resistance", hint)
+    elif not characteristic and gamma_R is not None:
+        repairs = (remove(("gamma_R",)), set_value(("limit_is",), "characteristic resistance"))
+        expected = 'none, unless limit_is = "characteristic resistance"'
+        yield RelativeIssue(("gamma_R",), "a partial factor", expected, repairs=repairs)
+
+
+def _check_pile_factors(limit_is: str, given: set[str]) -> Iterator[RelativeIssue]:
+    for key in ("gamma_R", "gamma_R_tension"):
+        if key in given and limit_is != "characteristic resistance":
+            repairs = (remove((key,)), set_value(("limit_is",), "characteristic resistance"))
+            expected = 'none, unless limit_is = "characteristic resistance"'
+            yield RelativeIssue((key,), "a partial factor", expected, repairs=repairs)
 
 
 def _check_pile_limit_is(limit: float | None, limit_tension: float | None, given: set[str]) -> Iterator[RelativeIssue]:
@@ -92,7 +118,7 @@ class _AtPoint(Section):
 class PointSupport(_AtPoint):
     """A support at a point, such as a column below or a pile."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_one_sided, _check_rotation, _check_limit_is)
+    checks: ClassVar[tuple[Check, ...]] = (_check_one_sided, _check_rotation, _check_limit_is, _check_factor)
 
     kind: Annotated[Literal["point"], Table("support at a point, such as a column below or a pile")] = "point"
     diameter: Annotated[
@@ -108,6 +134,7 @@ class PointSupport(_AtPoint):
         float | None, Quantity("force", "R_max", "largest force, at which the support yields", POSITIVE)
     ] = None
     limit_is: LimitIsKey = "ultimate resistance"
+    gamma_R: GivenFactorKey = None
     rotation: Annotated[Turning, Choice(Turning, "whether the plate may turn there")] = "free"
     rotational_stiffness: Annotated[
         float | None,
@@ -129,7 +156,7 @@ def _check_line_rotation(rotation: str, stiffness: float | None, acts: str) -> I
 class LineSupport(Section):
     """A support along straight lines, such as a wall or a beam below; rigid lines hinge or clamp the plate."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_one_sided, _check_line_rotation, _check_limit_is)
+    checks: ClassVar[tuple[Check, ...]] = (_check_one_sided, _check_line_rotation, _check_limit_is, _check_factor)
 
     kind: Annotated[Literal["line"], Table("support along straight lines, such as a wall")] = "line"
     name: SupportName = ""
@@ -144,6 +171,7 @@ class LineSupport(Section):
         float | None, Quantity("force per length", "r_max", "largest force per length, at which it yields", POSITIVE)
     ] = None
     limit_is: LimitIsKey = "ultimate resistance"
+    gamma_R: GivenFactorKey = None
     rotation: Annotated[Turning, Choice(Turning, "whether the plate may turn across the line")] = "free"
 
     @property
@@ -166,7 +194,7 @@ def _check_slenderness(length: float, diameter: float) -> Iterator[RelativeIssue
 class Pile(_AtPoint):
     """A pile below the plate, whose stiffness follows from the ground; ground and other piles settle it, too."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_slenderness, _check_pile_limit_is)
+    checks: ClassVar[tuple[Check, ...]] = (_check_slenderness, _check_pile_limit_is, _check_pile_factors)
 
     kind: Annotated[Literal["pile"], Table("a pile in ground of elastic layers, which give its stiffness")] = "pile"
     length: Annotated[float, Quantity("length", "l", "length below the plate", POSITIVE)]
@@ -181,6 +209,23 @@ class Pile(_AtPoint):
                  Range(at_least=0)),
     ] = None  # fmt: skip
     limit_is: LimitIsKey = "ultimate resistance"
+    gamma_R: Annotated[
+        float,
+        Number(
+            "gamma_t",
+            "partial factor of the characteristic resistance in compression; by default that of design approach 2 (EN "
+            "1997-1 Tables A.6 to A.8)",
+            FACTOR,
+        ),
+    ] = 1.1
+    gamma_R_tension: Annotated[
+        float,
+        Number(
+            "gamma_s;t",
+            "the same of the resistance in tension; in uplift it is at least 1.4 (EN 1997-1 Table A.16)",
+            FACTOR,
+        ),
+    ] = 1.15
 
     @property
     def acts(self) -> Acts:

@@ -1,7 +1,8 @@
 """What stands at a limit of the model: supports and piles, joints with play, ground that yields, loads cut off.
 
 In the analysis a limit is a law: a pile at its limit carries no more, and what it leaves goes elsewhere. That all is in
-equilibrium then does not say that it may be so. A pile keeps F_c;d <= R_c;d (EN 1997-1 7.6.2.1, in tension 7.6.3.1).
+equilibrium then does not say that it may be so. A pile keeps F_c;d <= R_c;d (EN 1997-1 7.6.2.1, in tension 7.6.3.1):
+its limit is R_d, or a characteristic resistance, at which it yields, over a partial factor in ultimate combinations.
 """
 
 from __future__ import annotations
@@ -11,10 +12,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.check import DesignCheck, Status, some
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.basis.demand_errors import error_of, scaled
-from groundslab.design.demands.support_forces import REACHED, Utilization, idle, utilization
+from groundslab.design.demands.support_forces import NOTHING, REACHED, Utilization, idle, limits_of, utilization
 from groundslab.model.loads.clipping import Clipped, find_clipped_loads
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.model.plates.joints import ElasticJoint
@@ -22,12 +24,14 @@ from groundslab.model.supports import AnySupport, LineSupport, Pile
 from groundslab.results.record import JointResult
 from groundslab.results.results import CombinationResult, Results
 
-PILE, SUPPORT = "pile force / resistance", "support force / limit"
+PILE, SUPPORT, WITHOUT = "pile force / resistance", "support force / limit", "resistance of piles"
 ONE_SIDED, PLAY, GROUND, CUT_OFF = "one-sided support", "play of a joint", "limit pressure", "loads cut off"
 #: Ground has sunk in if by more than this share of the largest settlement.
 SUNK = 1e-6
 #: Of loads that are cut off so many are named.
 MOST_CUT = 5
+#: So many piles without a resistance are named.
+MOST_NAMED = 5
 
 
 def checks(combined: Results) -> Iterator[DesignCheck]:
@@ -37,6 +41,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     results.sort(key=lambda result: result.limit_state not in STRENGTH)
     if results:
         yield from _supports(results)
+        yield from _without_resistance(results)
         yield from _joints(results)
         yield from _ground(results)
     yield from _cut_off(combined)
@@ -46,7 +51,10 @@ def _supports(results: list[CombinationResult]) -> Iterator[DesignCheck]:
     """Yield what each support carries against its limits, and which one-sided supports carry nothing."""
     for number, (described, support) in enumerate(zip(results[0].model.supports, results[0].supports, strict=False)):
         name = support.name
-        used = {result.combination: utilization(described, result.supports[number]) for result in results}
+        used = {
+            result.combination: utilization(described, result.supports[number], result.limit_state)
+            for result in results
+        }
         limited = {combination: one for combination, one in used.items() if one is not None}
         if limited:
             check = _resistance(described, name, limited)
@@ -59,17 +67,20 @@ def _supports(results: list[CombinationResult]) -> Iterator[DesignCheck]:
 def _resistance(described: AnySupport, name: str, used: Mapping[str, Utilization]) -> DesignCheck:
     """Return the check of a support against its limits, in the combination that governs."""
     reached = [combination for combination, one in used.items() if one.reached]
-    governing = reached[0] if reached else max(used, key=lambda combination: used[combination].share)
+    characteristic = described.limit_is == "characteristic resistance"
+    most_used = max(used, key=lambda combination: used[combination].share)
+    governing = reached[0] if reached and not characteristic else most_used
     one = used[governing]
     unit = "kN/m" if isinstance(described, LineSupport) else "kN"
     force, limit = one.force / 1e3, one.limit / 1e3
-    resistance = described.limit_is
-    most = f"its {resistance} of {limit:.4g} {unit}"
+    given = f"{described.limit_is} of {limit * one.factor:.4g} {unit}"
+    most = f"its {given}" if one.factor == 1 else f"{limit:.4g} {unit}, its {given} over {one.factor:g},"
     status: Status = "no failure found"
     words = f'{name}: {force:.4g} {unit} is {one.share:.3g} times {most} in "{governing}"'
     if reached:
-        status = "fails" if resistance == "design resistance" else "attention"
-        words = f"{name}: {force:.4g} {unit} reaches {most} in {some(reached)}"
+        status = "attention" if described.limit_is == "ultimate resistance" else "fails"
+        if not characteristic:
+            words = f"{name}: {force:.4g} {unit} reaches {most} in {some(reached)}"
     pile = isinstance(described, Pile)
     return DesignCheck(
         PILE if pile else SUPPORT,
@@ -79,18 +90,59 @@ def _resistance(described: AnySupport, name: str, used: Mapping[str, Utilization
         demand=force,
         resistance=limit,
         unit=unit,
-        clause="EN 1997-1 7.6.2.1, 7.6.3.1" if pile and resistance == "design resistance" else "",
+        clause="EN 1997-1 7.6.2.1, 7.6.3.1" if pile and described.limit_is != "ultimate resistance" else "",
         combination=governing,
         place=one.place,
         foundation=True,
+        steps=tuple(_steps(described, one, unit.replace("k", "M"))),
     )
+
+
+def _steps(described: AnySupport, one: Utilization, unit: str) -> Iterator[Step]:
+    """Yield what a support carries over what it can."""
+    clause = "EN 1997-1 7.6.2, 7.6.3" if isinstance(described, Pile) else ""
+    yield Step("force of the support", "F", one.force / MEGA, unit)
+    if described.limit_is == "characteristic resistance":
+        yield Step("characteristic resistance", "R_k", one.limit * one.factor / MEGA, unit)
+        yield Step("its partial factor", "gamma_R", one.factor, clause="EN 1997-1 Tables A.6 to A.8, A.16")
+        yield Step("design resistance", "R", one.limit / MEGA, unit, "R_k / gamma_R", clause)
+    else:
+        yield Step(described.limit_is, "R", one.limit / MEGA, unit)
+    yield Step("share used", "eta", one.share, "", "F / R", clause)
+
+
+def _without_resistance(results: list[CombinationResult]) -> Iterator[DesignCheck]:
+    """Yield which piles have no resistance that their force could be compared with, at all or the way they are loaded.
+
+    Other supports with a diameter count as piles, as they do for punching.
+    """
+    bare, half = [], []
+    for number, described in enumerate(results[0].model.supports):
+        if isinstance(described, LineSupport) or described.diameter is None:
+            continue
+        name = results[0].supports[number].name
+        limits = limits_of(described)
+        if min(limits) == np.inf:
+            bare.append(name)
+            continue
+        for way, sign, limit in zip(("compression", "tension"), (1, -1), limits, strict=True):
+            force, combination = max((sign * result.supports[number].total, result.combination) for result in results)
+            if limit == np.inf and force > NOTHING * max(abs(result.certificate.load) for result in results):
+                half.append((f'{name} {force / 1e3:.4g} kN in {way} in "{combination}"', combination))
+    if bare:
+        words = f"the resistance of {some(bare)} in the ground is not checked, as they have no limit"
+        yield DesignCheck(WITHOUT, "not checked", words, clause="EN 1997-1 7.6.2, 7.6.3")
+    if half:
+        listed = "; ".join(words for words, _ in half[:MOST_NAMED]) + (" ..." if len(half) > MOST_NAMED else "")
+        words = f"not checked, without a limit that way: {listed}"
+        yield DesignCheck(WITHOUT, "attention", words, clause="EN 1997-1 7.6.2, 7.6.3", combination=half[0][1])
 
 
 def _error(described: AnySupport, number: int, results: CombinationResult, limit: float) -> float | None:
     """Return the error of what a support carries against a limit [N], in the unit of its check."""
 
     def used(mesh: CombinationResult) -> float:
-        one = utilization(described, mesh.supports[number])
+        one = utilization(described, mesh.supports[number], results.limit_state)
         return 0.0 if one is None else one.share
 
     return scaled(error_of(results, used), limit / 1e3)

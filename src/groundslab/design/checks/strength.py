@@ -18,6 +18,7 @@ from groundslab.design.checks import pulling
 from groundslab.design.codes import code_of
 from groundslab.model.loads.load_cases import STRENGTH
 from groundslab.model.structure.beams import GivenSection, RibSection
+from groundslab.model.supports import Pile
 from groundslab.results.results import Results
 
 
@@ -38,6 +39,8 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     if combined.model.columns or combined.model.supports or combined.model.walls:
         yield from _punching(combined, code)
         yield from pulling.checks(combined)
+    if any(isinstance(support, Pile) for support in combined.model.supports):
+        yield DesignCheck("piles", "not checked", "the strength of the piles themselves is not checked")
     if any(wall.height is not None for wall in combined.model.walls):
         yield DesignCheck("walls", "not checked", "the strength of walls with a height is not checked")
     if combined.model.beams:

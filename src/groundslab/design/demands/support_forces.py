@@ -10,12 +10,15 @@ import numpy as np
 from groundslab.arrays import Array, Flags
 from groundslab.discretize.continuum.piles import pile_in_soil
 from groundslab.model.ground import ContinuousGround
+from groundslab.model.loads.load_cases import SERVICEABILITY
 from groundslab.model.supports import AnySupport, LineSupport, Pile
 from groundslab.results.record import SupportResult
 from groundslab.results.results import CombinationResult
 
 #: A force above this share of a limit has reached it.
 REACHED = 1 - 1e-6
+#: Least partial factor of a resistance in tension in uplift (EN 1997-1 Table A.16).
+UPLIFT = 1.4
 #: A force below this share of all loads is rounding.
 NOTHING = 1e-9
 
@@ -27,6 +30,7 @@ class Utilization:
     force: float
     limit: float
     place: tuple[float, float]
+    factor: float = 1.0  # by which the limit is smaller than the one given
 
     @property
     def share(self) -> float:
@@ -47,18 +51,36 @@ def limits_of(support: AnySupport) -> tuple[float, float]:
     return (math.inf, limit) if support.acts == "in tension" else (limit, math.inf)
 
 
-def utilization(described: AnySupport, support: SupportResult) -> Utilization | None:
-    """Return where a support is nearest to its limits in a combination; None without limits."""
-    compression, tension = limits_of(described)
+def factors_of(support: AnySupport, limit_state: str) -> tuple[float, float]:
+    """Return the partial factors of resistances in compression and in tension in a limit state.
+
+    They are 1 but for a characteristic resistance outside serviceability. In uplift that in tension is at least 1.4 (EN
+    1997-1 Table A.16).
+    """
+    if support.limit_is != "characteristic resistance" or limit_state in SERVICEABILITY:
+        return 1.0, 1.0
+    compression = support.gamma_R or 1.0
+    tension = support.gamma_R_tension if isinstance(support, Pile) else compression
+    return compression, max(tension, UPLIFT) if limit_state == "uplift" else tension
+
+
+def utilization(described: AnySupport, support: SupportResult, limit_state: str = "") -> Utilization | None:
+    """Return where a support is nearest to its limits in a combination; None without limits.
+
+    With a limit state characteristic resistances are divided by their partial factors.
+    """
+    factors = factors_of(described, limit_state) if limit_state else (1.0, 1.0)
+    compression, tension = (limit / factor for limit, factor in zip(limits_of(described), factors, strict=True))
     force = intensities(described, support)
     if min(compression, tension) == math.inf or not len(force):
         return None
     limits = np.where(force >= 0, compression, tension)
     node = int(np.argmax(np.abs(force) / limits))
-    limit = float(limits[node]) if np.isfinite(limits[node]) else min(compression, tension)
+    pulls = bool(force[node] < 0) if np.isfinite(limits[node]) else tension < compression
+    limit, factor = (tension, factors[1]) if pulls else (compression, factors[0])
     x, y = support.nodes[node]
     carried = abs(float(force[node])) if np.isfinite(limits[node]) else 0.0
-    return Utilization(carried, limit, (float(x), float(y)))
+    return Utilization(carried, limit, (float(x), float(y)), factor)
 
 
 def intensities(described: AnySupport, support: SupportResult) -> Array:

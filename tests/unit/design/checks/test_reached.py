@@ -18,6 +18,7 @@ from groundslab.fem.continuum import piles
 from groundslab.model.model import Model
 from groundslab.results.results import Results
 from groundslab.schema.base import Section
+from helpers.calculations import follow_steps
 
 STIFF = {"thickness": 1.0, "E": 30e12, "nu": 0.2}
 #: A stiff plate of 4 m x 4 m, 400 kN, on springs.
@@ -51,6 +52,7 @@ WALL = {"kind": "line", "name": "wall", "points": [(0, -2), (0, 2)], "stiffness"
 PILE = {"kind": "pile", "x": 0.0, "y": 0.0, "length": 10.0, "diameter": 0.5}
 CONTINUUM = {"ground": {"kind": "continuum", "half_space": {"E": 20e6, "nu": 0.3}}}
 DESIGN = {"limit": 1e3, "limit_is": "design resistance"}
+CHARACTERISTIC = {"limit": 1e3, "limit_is": "characteristic resistance", "gamma_R": 1.2}
 
 
 def solved(**changes: Any) -> Results:
@@ -140,6 +142,67 @@ def test_a_pile_in_tension() -> None:
     found = rows(reached.PILE, of)
     assert {(each.status, each.combination, each.resistance) for each in found} == {("no failure found", "ULS", 100)}
     assert [each.demand for each in found] == pytest.approx([1.35 * 160 / 4] * 4)
+
+
+@pytest.mark.parametrize(
+    ("limit", "share", "status"), [(200e3, 135 * 1.2 / 200, "no failure found"), (150e3, 135 * 1.2 / 150, "fails")]
+)
+def test_a_characteristic_resistance(limit: float, share: float, status: str) -> None:
+    """135 kN against R_k / 1.2, in the calculation, too; 100 kN in the characteristic combination against R_k."""
+    of = on_corners(limit=limit, limit_is="characteristic resistance", gamma_R=1.2)
+    found = rows(reached.SUPPORT, of)
+    assert {(each.status, each.combination) for each in found} == {(status, "ULS")}
+    assert [each.utilisation for each in found] == pytest.approx([share] * 4)
+    assert [each.resistance for each in found] == pytest.approx([limit / 1.2e3] * 4)
+    assert f"kN, its characteristic resistance of {limit / 1e3:.4g} kN over 1.2, in " in found[0].words
+    known = follow_steps(found[0].steps)
+    assert (known["R_k"], known["eta"]) == pytest.approx((limit / 1e6, share))
+    table = next(each for each in tables_of(of) if each.name == "supports")
+    assert set(table["limit"]) == {limit / 1e3}  # that of the analysis
+    alone = solved(
+        supports=[each | {"limit": 150e3, "limit_is": "characteristic resistance", "gamma_R": 1.2} for each in CORNERS],
+        contact={"gap": 1.0}, combinations=PLATE["combinations"][:1],
+    )  # fmt: skip
+    assert [each.utilisation for each in rows(reached.SUPPORT, alone)] == pytest.approx([100 / 150] * 4)
+
+
+@pytest.mark.parametrize(("state", "factor"), [("ultimate", 1.15), ("uplift", 1.4), ("characteristic", 1.0)])
+def test_partial_factors_of_piles_in_tension(state: str, factor: float) -> None:
+    """By Tables A.6 to A.8 and A.16 of EN 1997-1: 54 kN against 100 kN over the factor."""
+    places = [(x, y) for x in (-1.0, 1.0) for y in (-1.0, 1.0)]
+    keys = {"limit": 20e3, "limit_tension": 100e3, "limit_is": "characteristic resistance"}
+    up = [{"kind": "uniform", "q": -10e3, "case": "G"}]
+    made = [{"name": "C", "limit_state": state, "factors": {"G": 1.35}}]
+    supports = [PILE | keys | {"x": x, "y": y} for x, y in places]
+    found = rows(reached.PILE, solved(**CONTINUUM, loads=up, supports=supports, combinations=made))
+    assert [each.demand for each in found] == pytest.approx([54] * 4)
+    assert [each.resistance for each in found] == pytest.approx([100 / factor] * 4)
+
+
+def test_piles_without_a_resistance() -> None:
+    """They are not checked, and the headline says so; those that have one only the other way need attention."""
+    design = check_design(on_piles())
+    assert 'the resistance of "P1", "P2" in the ground is not checked, as they have no limit' in design.headline
+    assert not rows(reached.WITHOUT, on_piles(limit=10e6))
+    places = [(x, y) for x in (-1.0, 1.0) for y in (-1.0, 1.0)]
+    up = [{"kind": "uniform", "q": -10e3, "case": "G"}]
+    pulled = solved(**CONTINUUM, loads=up, supports=[PILE | {"limit": 20e3, "x": x, "y": y} for x, y in places])
+    (check,) = rows(reached.WITHOUT, pulled)
+    assert check.status == "attention"
+    assert check.words.startswith('not checked, without a limit that way: support 1 54 kN in tension in "ULS"; ')
+
+
+def test_partial_factors_go_with_characteristic_resistances() -> None:
+    """A support's must be given, a pile's have defaults; without such a resistance they are errors."""
+    characteristic = {"limit": 1e3, "limit_is": "characteristic resistance"}
+    with pytest.raises(InputError, match=r"gamma_R: found nothing"):
+        Model(**PLATE | {"supports": [CORNERS[0] | characteristic]})
+    with pytest.raises(InputError, match=r"gamma_R: found a partial factor"):
+        Model(**PLATE | {"supports": [CORNERS[0] | {"limit": 1e3, "gamma_R": 1.2}]})
+    with pytest.raises(InputError, match=r"gamma_R_tension: found a partial factor"):
+        Model(**PLATE | CONTINUUM | {"supports": [PILE | {"limit": 1e3, "gamma_R_tension": 1.2}]})
+    pile = Model(**PLATE | CONTINUUM | {"supports": [PILE | characteristic]}).supports[0]
+    assert (pile.gamma_R, pile.gamma_R_tension) == (1.1, 1.15)
 
 
 def test_a_support_that_lifts_off() -> None:
@@ -233,6 +296,13 @@ MODELS: dict[str, tuple[str, dict[str, Any]]] = {
     "PointSupport.limit_is": (reached.SUPPORT, {"supports": [CORNERS[0] | DESIGN]}),
     "PointSupport.acts": (reached.ONE_SIDED, {"supports": [CORNERS[0] | {"acts": "in tension"}]}),
     "PointSupport.gap": (reached.ONE_SIDED, {"supports": [CORNERS[0] | {"gap": 1.0}]}),
+    "PointSupport.gamma_R": (reached.SUPPORT, {"supports": [CORNERS[0] | CHARACTERISTIC]}),
+    "LineSupport.gamma_R": (reached.SUPPORT, {"supports": [WALL | {"acts": "in compression"} | CHARACTERISTIC]}),
+    "Pile.gamma_R": (reached.PILE, CONTINUUM | {"supports": [PILE | CHARACTERISTIC]}),
+    "Pile.gamma_R_tension": (
+        reached.PILE,
+        CONTINUUM | {"supports": [PILE | CHARACTERISTIC | {"limit_tension": 1e3, "gamma_R_tension": 1.2}]},
+    ),
     "LineSupport.limit": (reached.SUPPORT, {"supports": [WALL | {"acts": "in compression", "limit": 1e3}]}),
     "LineSupport.limit_is": (reached.SUPPORT, {"supports": [WALL | {"acts": "in compression"} | DESIGN]}),
     "LineSupport.acts": (reached.ONE_SIDED, {"supports": [WALL | {"acts": "in tension"}]}),
