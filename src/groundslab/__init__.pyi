@@ -32,6 +32,7 @@ from .model.design.floors import TR34Floor as TR34Floor
 from .model.design.limits import Limits as Limits
 from .model.design.limits import SoilStrength as SoilStrength
 from .model.design.reinforcement import Reinforcement as Reinforcement
+from .model.design.restraint import Restraint as Restraint
 from .model.ground import ConstrainedModulus as ConstrainedModulus
 from .model.ground import Continuum as Continuum
 from .model.ground import HalfSpace as HalfSpace

@@ -1,5 +1,8 @@
 """Crack widths of slabs in bending by EN 1992-1-1 7.3.4, and the least bars that control cracks, 7.3.2.
 
+Where restrained shortening cracks the slab all through, the bars at each face bear half of the force at which it does:
+k_c = 1, k_2 = 1, and x = 0.
+
     w_k = s_r,max (eps_sm - eps_cm)                                                                7.8
     eps_sm - eps_cm = (sigma_s - k_t f_ct,eff / rho_p,eff (1 + alpha_e rho_p,eff)) / E_s
                       >= 0.6 sigma_s / E_s                                                         7.9
@@ -35,9 +38,16 @@ FORMULAS = {
     "s_r far": "1.3 * (h - x)",
     "s_r by stress": "min(s_r, sigma_s * phi / (3.6 * f_ctm))",
     "w_k": "s_r * eps * 1000",
+    "k": "min(1, max(0.65, 1 - 0.7 * (h - 0.3)))",
+    "A_min bending": "0.4 * k * f_ctm * h / 2 / f_yk * 10000",
+    "A_min tension": "k * f_ct * h / 2 / f_yk * 10000",
+    "sigma_s tension": "k * f_ct * h / 2 / A_s",
+    "rho tension": "A_s / min(2.5 * (h - d), h / 2)",
+    "eps tension": "max(sigma_s - k_t * f_ct / rho * (1 + E_s / E_cm * rho), 0.6 * sigma_s) / E_s",
+    "s_r by stress, tension": "min(s_r, sigma_s * phi / (3.6 * f_ct))",
 }
-#: Bond of ribbed bars, and bending.
-K_1, K_2 = 0.8, 0.5
+#: Bond of ribbed bars, bending, and tension.
+K_1, K_2, K_2_TENSION = 0.8, 0.5, 1.0
 #: k_t of loads that last, and of others (7.3.4(2)).
 LONG_TERM, SHORT_TERM = 0.4, 0.6
 
@@ -58,16 +68,19 @@ def effective_ratio(h: Array, d: Array, x: Array, area: Array) -> Array:
     return np.asarray(area / depth)
 
 
-def mean_strain(sigma_s: Array, rho: Array, concrete: Concrete, steel: Steel, k_t: float = LONG_TERM) -> Array:
-    """Return eps_sm - eps_cm (n,) by 7.9, with f_ct,eff = f_ctm."""
-    stiffened = sigma_s - k_t * concrete.f_ctm / rho * (1 + steel.E_s / concrete.E_cm * rho)
+def mean_strain(
+    sigma_s: Array, rho: Array, concrete: Concrete, steel: Steel, k_t: float = LONG_TERM, f_ct: float | None = None
+) -> Array:
+    """Return eps_sm - eps_cm (n,) by 7.9, with f_ct,eff [Pa], f_ctm by default."""
+    f_ct = f_ct or concrete.f_ctm
+    stiffened = sigma_s - k_t * f_ct / rho * (1 + steel.E_s / concrete.E_cm * rho)
     return np.asarray(np.maximum(stiffened, 0.6 * sigma_s) / steel.E_s)
 
 
-def largest_spacing(bars: Bars, h: Array, x: Array, rho: Array, annex: Annex = RECOMMENDED) -> Array:
+def largest_spacing(bars: Bars, h: Array, x: Array, rho: Array, annex: Annex = RECOMMENDED, k_2: float = K_2) -> Array:
     """Return s_r,max (n,) [m] by 7.11, or by 7.14 where bars lie too far apart for it."""
     apart = np.asarray(bars.spacing > 5 * (bars.cover + bars.diameter / 2))
-    return np.where(apart, 1.3 * (h - x), annex.k_3 * bars.cover + K_1 * K_2 * annex.k_4 * bars.diameter / rho)
+    return np.where(apart, 1.3 * (h - x), annex.k_3 * bars.cover + K_1 * k_2 * annex.k_4 * bars.diameter / rho)
 
 
 def crack_width(
@@ -98,9 +111,9 @@ def crack_width(
     return s_r * mean_strain(sigma_s, rho, concrete, steel, k_t)
 
 
-def spacing_by_stress(sigma_s: Array, bars: Bars, concrete: Concrete) -> Array:
-    """Return the largest s_r,max (n,) [m] by the stress of bars, where the annex has it."""
-    return np.asarray(sigma_s * bars.diameter / (3.6 * concrete.f_ctm))
+def spacing_by_stress(sigma_s: Array, bars: Bars, concrete: Concrete, f_ct: float | None = None) -> Array:
+    """Return the largest s_r,max (n,) [m] by the stress of bars, where the annex has it, f_ct [Pa] by default f_ctm."""
+    return np.asarray(sigma_s * bars.diameter / (3.6 * (f_ct or concrete.f_ctm)))
 
 
 def minimum_area(h: Array, concrete: Concrete, sigma_s: float) -> Array:
@@ -109,5 +122,43 @@ def minimum_area(h: Array, concrete: Concrete, sigma_s: float) -> Array:
     sigma_s [Pa] is the stress that is allowed right after a crack has formed, f_yk or less.
     """
     h = np.asarray(h, dtype=float)
-    k = np.interp(h, [0.3, 0.8], [1.0, 0.65])
-    return np.asarray(0.4 * k * concrete.f_ctm * h / 2 / sigma_s)
+    return np.asarray(0.4 * depth_factor(h) * concrete.f_ctm * h / 2 / sigma_s)
+
+
+def depth_factor(h: Array) -> Array:
+    """Return k (n,) of thicknesses h (n,) [m], by which stresses that balance each other lower the force, 7.3.2(2)."""
+    return np.interp(h, [0.3, 0.8], [1.0, 0.65])
+
+
+def tension_force(h: Array, f_ct: float) -> Array:
+    """Return the force (n,) [N/m] at one face as a slab h (n,) [m] thick cracks all through, 7.1 with k_c = 1.
+
+    A_ct is half of the section, f_ct [Pa] the tensile strength at that time.
+    """
+    h = np.asarray(h, dtype=float)
+    return np.asarray(depth_factor(h) * f_ct * h / 2)
+
+
+def tension_ratio(h: Array, bars: Bars) -> Array:
+    """Return rho_p,eff (n,) of one face of a section that is all in tension, 7.3.2(3) and Figure 7.1 c."""
+    axis = bars.cover + bars.diameter / 2
+    return np.asarray(bars.area / np.minimum(2.5 * axis, np.asarray(h) / 2))
+
+
+def tension_k_2(annex: Annex) -> float:
+    """Return k_2 of a section in tension; phi / (3.6 rho) of an annex without k_3 is the same as in bending."""
+    return K_2_TENSION if annex.k_3 else K_2
+
+
+def tension_spacing(h: Array, bars: Bars, sigma_s: Array, concrete: Concrete, f_ct: float) -> Array:
+    """Return s_r,max (n,) [m] of a slab that is cracked all through."""
+    annex, rho = concrete.annex, tension_ratio(h, bars)
+    s_r = largest_spacing(bars, np.asarray(h), np.zeros(np.shape(h)), rho, annex, tension_k_2(annex))
+    return np.minimum(s_r, spacing_by_stress(sigma_s, bars, concrete, f_ct)) if annex.crack_spacing_by_stress else s_r
+
+
+def tension_crack_width(h: Array, bars: Bars, concrete: Concrete, steel: Steel, f_ct: float) -> Array:
+    """Return w_k (n,) [m] of a slab h (n,) [m] thick as restraint cracks it all through, loads that last, 7.3.4."""
+    sigma_s = tension_force(h, f_ct) / bars.area
+    strain = mean_strain(sigma_s, tension_ratio(h, bars), concrete, steel, LONG_TERM, f_ct)
+    return tension_spacing(h, bars, sigma_s, concrete, f_ct) * strain

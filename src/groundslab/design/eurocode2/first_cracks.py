@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.design.basis.calculation import Step
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.demands.design_moments import design_moments
@@ -21,12 +22,16 @@ NAME = "least bars for cracks"
 
 @dataclass(frozen=True, slots=True)
 class FirstCracks:
-    """The least area (n,) [m2/m] of a layer for thicknesses h (n,) [m], the code, its clause, and what is assumed."""
+    """The least area (n,) [m2/m] of a layer for thicknesses h (n,) [m], the code, its clause, and what is assumed.
+
+    With the steps of its calculation, of a thickness [m] and an area that is laid [m2/m], if there are any.
+    """
 
     least: Callable[[Array], Array]
     code: str
     clause: str
     assumed: str
+    steps: Callable[[float, float], Iterable[Step]] = lambda *_: ()
 
 
 def check_first_cracks(combined: Results, laid: dict[str, LaidBars], rule: FirstCracks) -> DesignCheck:
@@ -36,7 +41,8 @@ def check_first_cracks(combined: Results, laid: dict[str, LaidBars], rule: First
     """
     results = solved_results(combined)
     plate = results[0].plate
-    least = rule.least(results[0].elements.at_nodes(plate)[0])
+    thickness = results[0].elements.at_nodes(plate)[0]
+    least = rule.least(thickness)
     moments = [design_moments(result.plate) for result in results]
     # (n,) by layer; 0 where its face is never in tension
     used = {
@@ -62,6 +68,7 @@ def check_first_cracks(combined: Results, laid: dict[str, LaidBars], rule: First
         unit="cm2/m",
         clause=f"{rule.code} {rule.clause}",
         place=(x, y),
+        steps=tuple(rule.steps(float(thickness[node]), resistance / _CM2)),
     )
 
 

@@ -7,6 +7,7 @@ from typing import Annotated, ClassVar, Literal, get_args
 
 from groundslab.model.design.bars import OTHER_MESH, Bars, BarZone, Layer, MeshName, bars_of_mesh
 from groundslab.model.design.detailing import AllowedBars, Detailing
+from groundslab.model.design.restraint import Restraint
 from groundslab.model.ground import POSITIVE
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, list_plates
@@ -45,6 +46,7 @@ SteelChoice = Choice(SteelClass, "class of the steel", "give the yield strength 
 KEYS_OF_CODES: dict[str, tuple[str, ...]] = {
     "EN 1992-1-1": (
         "concrete", "steel", "annex", "gamma_c", "gamma_s", "accidental", "alpha_cc", "w_max", "exposure",
+        "restraint",
     ),
     "ACI 318": ("size_effect",),
     "EN 1992-1-1:2023": (
@@ -279,6 +281,9 @@ class Reinforcement(Section):
             "largest crack width in quasi-permanent combinations; by exposure if bars are provided",
             CRACK,
         ),
+    ] = None
+    restraint: Annotated[
+        Restraint | None, Table("restrained shortening of the slab, which bars at both faces must bear as it cracks")
     ] = None
 
     @property

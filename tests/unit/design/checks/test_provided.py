@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from groundslab.design.aci318.checks import bars as aci_bars
 from groundslab.design.basis.combinations import why_none
 from groundslab.design.checks import DesignCheck, check_design
 from groundslab.design.en1992 import cracking
@@ -16,6 +17,7 @@ from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.results.results import Results
 from helpers import synthetic
+from helpers.calculations import follow_steps
 from helpers.synthetic import LENGTH_X, LENGTH_Y
 
 BARS = {"diameter": 0.012, "spacing": 0.15}
@@ -167,3 +169,80 @@ def test_layers_that_are_missing_and_bars_too_thick() -> None:
         checks(1e3, bottom_x={"diameter": 0.05, "spacing": 0.1}, bottom=(0.02, 0.058))
     with pytest.raises(InputError, match="bars in all four layers"):
         checks(1e3, w_max=3e-4, **dict.fromkeys(LAID))
+
+
+THICK = {key: {"diameter": 0.016, "spacing": 0.15} for key in ("bottom_x", "bottom_y", "top_x", "top_y")}
+
+
+def test_bars_against_restraint() -> None:
+    """300 mm of C30/37 crack at 2.8965 x 0.15 = 0.4345 MN/m at each face, 8.69 cm2/m of 500 MPa, with any moment."""
+    assert "bars against restraint" not in checks(0.0)
+    for bars, status in ((LAID, "fails"), (THICK, "no failure found")):
+        row = checks(0.0, **bars, restraint={})["bars against restraint"]
+        assert (row.status, row.clause) == (status, "EN 1992-1-1 7.3.2(2)")
+        assert row.demand == pytest.approx(8.6895, rel=1e-4)
+        assert row.resistance == pytest.approx(np.pi * bars["top_x"]["diameter"] ** 2 / 4 / 0.15 * 1e4)
+        assert follow_steps(row.steps)["eta"] == pytest.approx(row.utilisation)
+    early = checks(0.0, **LAID, restraint={"f_ct_eff": 1.45e6})["bars against restraint"]
+    assert early.demand == pytest.approx(4.35)
+
+
+@pytest.mark.parametrize(("annex", "w_k"), [("recommended", 0.7375), ("Germany", 0.4675)])
+def test_the_width_of_cracks_by_restraint(annex: str, w_k: float) -> None:
+    """Bars of 16 mm at 150 mm, their axis at 58 mm: by hand.
+
+    sigma_s = 434.5 / 1340.4 = 324.1 MPa; rho = 1340.4 / (2.5 x 58) = 0.924 %; 0.6 x 324.1 / 200 000 = 0.972 per mille
+    is more than (324.1 - 132.4) / 200 000. s_r = 3.4 x 50 + 0.8 x 0.425 x 16 / 0.00924 = 758 mm; in Germany
+    16 / (3.6 x 0.00924) = 481 mm.
+    """
+    row = checks(0.0, **THICK, restraint={}, w_max=3e-4, annex=annex)["crack width by restraint"]
+    assert (row.status, row.of, row.resistance) == ("fails", "bottom y", pytest.approx(0.3))
+    assert row.demand == pytest.approx(w_k, rel=2e-3)
+    known = follow_steps(row.steps)
+    assert known["w_k"] == pytest.approx(row.demand)
+    assert (known["sigma_s"], known["rho"]) == (pytest.approx(324.1, rel=1e-3), pytest.approx(0.00924, rel=1e-3))
+    assert known["k_2"] == (1.0 if annex == "recommended" else 0.5)
+
+
+def test_restraint_that_is_not_checked_is_told() -> None:
+    """Without bars, without a width that is allowed, and where bars yield."""
+    model = model_of().replace(reinforcement={**STEEL, "restraint": {}})
+    one = synthetic.results(6, model=model, combination="ULS", limit_state="ultimate", factors=(("G", 1.35),))
+    design = check_design(Results(model, model.combinations[:1], {"ULS": one}, {}))
+    (row,) = [check for check in design.checks if check.name == "bars against restraint"]
+    assert (row.status, row.words.partition(";")[0]) == ("attention", "not checked, as no bars are laid")
+    yielding = checks(0.0, **LAID, restraint={}, w_max=3e-4)["crack width by restraint"]
+    assert (yielding.status, yielding.utilisation) == ("attention", None)
+    assert "crack width by restraint" not in checks(0.0, **THICK, restraint={})
+    with pytest.raises(InputError, match="restraint"):
+        model_of(code="ACI 318", restraint={})
+
+
+def test_least_bars_for_cracks_are_followed() -> None:
+    """The calculation gives the area of the check."""
+    row = checks(20e3, w_max=3e-4)["least bars for cracks"]
+    known = follow_steps(row.steps)
+    assert (known["A_min"], known["eta"]) == (pytest.approx(row.demand), pytest.approx(row.utilisation))
+
+
+def test_distance_of_bars_for_cracks_by_aci_318() -> None:
+    """At f_s = 280 MPa 380 mm - 2.5 x 52 mm = 250 mm along y, at 210 MPa the bars may be 300 mm x 280 / 210 apart."""
+    aci = {"code": "ACI 318", "f_yk": 420e6}
+    for spacing, status in ((0.24, "no failure found"), (0.26, "attention")):
+        far = {key: {"diameter": 0.012, "spacing": spacing} for key in LAID}
+        row = checks(1e3, **aci | far)["distance of bars for cracks"]
+        assert (row.status, row.of, row.clause) == (status, "bottom y", "ACI 318-19 24.3.2")
+        assert (row.demand, row.resistance) == (pytest.approx(spacing * 1e3), pytest.approx(250))
+        assert follow_steps(row.steps)["eta"] == pytest.approx(row.utilisation)
+    assert aci_bars.crack_spacing(210e6, np.array([0.02])) == pytest.approx([0.4])
+
+
+def test_bars_for_shrinkage_and_temperature_by_aci_318() -> None:
+    """0.0018 of 300 mm are 5.4 cm2/m: both faces together, not each."""
+    aci = {"code": "ACI 318", "f_yk": 420e6}
+    for spacing, status in ((0.4, "no failure found"), (0.42, "fails")):
+        far = {key: {"diameter": 0.012, "spacing": spacing} for key in LAID}
+        row = checks(0.0, **aci | far)["bars for shrinkage and temperature"]
+        assert (row.status, row.clause) == (status, "ACI 318-19 24.4.3.2")
+        assert (row.demand, row.resistance) == (pytest.approx(5.4), pytest.approx(2 * np.pi * 1.2**2 / 4 / spacing))
+        assert follow_steps(row.steps)["eta"] == pytest.approx(row.utilisation)

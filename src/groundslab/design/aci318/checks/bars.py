@@ -1,19 +1,27 @@
-"""Bars that are laid by ACI 318-19: how far apart, and their cover."""
+"""Bars that are laid by ACI 318-19: how far apart, for cracks, for shrinkage and temperature, and their cover."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
 
+import numpy as np
+
+from groundslab.arrays import Array
+from groundslab.design.aci318.bending import LEAST, minimum
+from groundslab.design.aci318.case_materials import materials
 from groundslab.design.basis.bar_checks import ROUNDING, check_cover, check_spacing, covers
+from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results
-from groundslab.model.design.laid_bars import LaidBars, bars_of
+from groundslab.model.design.laid_bars import LaidBars, axis_of, bars_of
 from groundslab.model.design.reinforcement import Reinforcement
-from groundslab.results.fields import LAYERS
+from groundslab.results.fields import LAYERS, place_of
 from groundslab.results.results import Results
 
-_MM = 1e3
+_MM, _CM2 = 1e3, 1e4
+#: The formula of `crack_spacing`, in mm, with stresses in MPa and covers in m.
+FORMULAS = {"s_max": "min(380 * 280 / f_s - 2.5 * 1000 * c_c, 300 * 280 / f_s)"}
 #: Bars are no farther apart than so many thicknesses, but so much [m] in any case, and so much [m] at most.
 SPACING = (2.0, 0.0, 0.45)
 #: Covers [m] of ACI 318-19 Table 20.5.1.3.1, the lesser of inches and of 318M: cast against the ground; otherwise in
@@ -26,7 +34,69 @@ THICK = 0.019
 def checks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -> Iterator[DesignCheck]:
     """Yield the checks of bars that are laid, by layer."""
     yield check_spacing(solved_results(combined)[0], laid, SPACING, "ACI 318-19", "8.7.2.2")
+    yield _cracks(steel, laid)
+    yield _shrinkage(combined, laid)
     yield _cover(steel)
+
+
+def _cracks(steel: Reinforcement, laid: dict[str, LaidBars]) -> DesignCheck:
+    """Return whether bars are near enough to each other to distribute cracks (24.3.2), at two thirds of f_y.
+
+    ACI 318 asks it of slabs that are reinforced in one direction (24.3.1), so that others need attention only.
+    """
+    f_s = 2 / 3 * materials(steel)[1].f_y
+    allowed = {layer: crack_spacing(f_s, axis_of(steel, layer) - bars.diameter / 2) for layer, bars in laid.items()}
+    layer = max(laid, key=lambda name: float((laid[name].spacing / allowed[name]).max()))
+    node = int(np.argmax(laid[layer].spacing / allowed[layer]))
+    spacing, most = float(laid[layer].spacing[node]) * _MM, float(allowed[layer][node]) * _MM
+    holds, name = spacing <= most, layer.replace("_", " ")
+    cover = axis_of(steel, layer) - float(laid[layer].diameter[node]) / 2
+    return DesignCheck(
+        "distance of bars for cracks", "no failure found" if holds else "attention",
+        f"{name}: {spacing:.4g} {'<=' if holds else '>'} {most:.4g} mm, at f_s {f_s / MEGA:.4g} MPa (24.3.2), which is "
+        "asked of slabs that are reinforced in one direction (24.3.1)",
+        of=name, demand=spacing, resistance=most, unit="mm", clause="ACI 318-19 24.3.2",
+        steps=(
+            Step("specified yield strength", "f_y", materials(steel)[1].f_y / MEGA, "MPa", clause="20.2.2"),
+            Step("stress of the bars", "f_s", f_s / MEGA, "MPa", "2 / 3 * f_y", "24.3.2.1"),
+            Step("cover of the bars", "c_c", cover, "m"),
+            Step("largest distance", "s_max", most, "mm", FORMULAS["s_max"], "Table 24.3.2"),
+            Step("distance of the bars", "s", spacing, "mm"),
+            Step("share used", "eta", spacing / most, "", "s / s_max"),
+        ),
+    )  # fmt: skip
+
+
+def crack_spacing(f_s: float, cover: Array) -> Array:
+    """Return the largest distance (n,) [m] of bars at a stress f_s [Pa] and covers (n,) [m], Table 24.3.2."""
+    stressed = 280 * MEGA / f_s
+    return np.minimum(0.38 * stressed - 2.5 * cover, 0.3 * stressed)
+
+
+def _shrinkage(combined: Results, laid: dict[str, LaidBars]) -> DesignCheck:
+    """Return whether both faces together have the bars for shrinkage and temperature in each direction (24.4.3.2)."""
+    results = solved_results(combined)[0]
+    thickness = results.elements.at_nodes(results.plate)[0]
+    least = minimum(thickness, thickness)
+    areas = {axis: laid[f"bottom_{axis}"].area + laid[f"top_{axis}"].area for axis in "xy"}
+    axis = max(areas, key=lambda name: float((least / areas[name]).max()))
+    node = int(np.argmax(least / areas[axis]))
+    demand, resistance = float(least[node]) * _CM2, float(areas[axis][node]) * _CM2
+    holds = demand <= resistance
+    x, y = place_of(results.plate.nodes, node)
+    return DesignCheck(
+        "bars for shrinkage and temperature", "no failure found" if holds else "fails",
+        f"along {axis}: {demand:.4g} {'<=' if holds else '>'} {resistance:.4g} cm2/m of both faces at ({x:.3f}, "
+        f"{y:.3f}) m (24.4.3.2)",
+        of=f"along {axis}", demand=demand, resistance=resistance, unit="cm2/m", clause="ACI 318-19 24.4.3.2",
+        place=(x, y),
+        steps=(
+            Step("thickness", "h", float(thickness[node]), "m"),
+            Step("least area of both faces", "A_min", demand, "cm2/m", f"{LEAST:g} * h * 10000", "24.4.3.2"),
+            Step("area of the bars that are laid", "A_s", resistance, "cm2/m"),
+            Step("share used", "eta", demand / resistance, "", "A_min / A_s"),
+        ),
+    )  # fmt: skip
 
 
 def least_cover(layer: str, diameter: float) -> float:

@@ -12,7 +12,8 @@ from groundslab.design.basis.combinations import solved_results
 from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.annex import annex_of
 from groundslab.design.en1992.case_materials import least_cover, materials, strengths, widest_crack
-from groundslab.design.en1992.checks import crack_steps
+from groundslab.design.en1992.checks.cracks import crack_steps
+from groundslab.design.en1992.checks.cracks.restraint import check_restraint
 from groundslab.design.eurocode2.bent_bars import (
     BentBars,
     Clauses,
@@ -45,6 +46,8 @@ def checks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -
 
     yield from check_stresses(bars_in_tension(combined, steel, laid, "characteristic", stress), f_yk, CLAUSES)
     w_max = widest_crack(steel)
+    if steel.restraint is not None:
+        yield from check_restraint(combined, steel, laid, w_max)
     if w_max is None:
         return
     yield _first_cracks(combined, steel, laid)
@@ -70,8 +73,11 @@ def _first_cracks(combined: Results, steel: Reinforcement, laid: dict[str, LaidB
         "EN 1992-1-1",
         "7.3.2(2)",
         "k_c = 0.4 and sigma_s = f_yk",
+        lambda h, area: crack_steps.least_in_bending(h, area, concrete, bars),
     )
     return check_first_cracks(combined, laid, rule)
+
+
 def _cover(steel: Reinforcement) -> DesignCheck:
     """Return whether the cover is c_min + Delta c_dev of the exposure class, or of any class, or more (4.4.1)."""
     annex, exposure = annex_of(steel.annex), steel.exposure
