@@ -43,6 +43,35 @@ def check_spacing(
     )
 
 
+def check_clear(
+    steel: Reinforcement, laid: dict[str, LaidBars], limits: tuple[float, float, float], code: str, clause: str
+) -> DesignCheck:
+    """Return whether bars are far enough from each other for concrete to pass.
+
+    The limits of the clear distance, besides the bars' diameter, are the least [m], the factor of the largest size of
+    the aggregate, and what is added to that [m].
+    """
+    least, times, more = limits
+    aggregate = 0.0 if steel.aggregate is None else times * steel.aggregate + more
+    needed = {layer: np.maximum(bars.thickest, max(least, aggregate)) for layer, bars in laid.items()}
+    layer = min(laid, key=lambda name: float((laid[name].clear - needed[name]).min()))
+    node = int(np.argmin(laid[layer].clear - needed[layer]))
+    clear, most = max(float(laid[layer].clear[node]), 0.0) * _MM, float(needed[layer][node]) * _MM
+    holds, name = clear >= most - ROUNDING * _MM, layer.replace("_", " ")
+    without = "" if steel.aggregate is not None else "; the size of the aggregate is not given"
+    return DesignCheck(
+        "clear distance of bars",
+        "no failure found" if holds else "fails",
+        f"{name}: {clear:.4g} {'>=' if holds else '<'} {most:.4g} mm ({clause}){without}",
+        of=name,
+        demand=clear,
+        resistance=most,
+        unit="mm",
+        least=True,
+        clause=f"{code} {clause}",
+    )
+
+
 def covers(steel: Reinforcement) -> Iterator[tuple[str, float, int]]:
     """Yield the cover [m] of each set of bars, with its layer and its position among those of the layer."""
     for layer in LAYERS:

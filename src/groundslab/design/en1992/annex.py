@@ -39,6 +39,7 @@ class Annex:
     minimum_by_cracking: bool
     most_bars: float
     spacing: tuple[float, float, float]
+    spacing_bent_most: tuple[float, float, float]
     k_3: float
     k_4: float
     crack_spacing_by_stress: bool

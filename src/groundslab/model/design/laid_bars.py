@@ -42,6 +42,8 @@ class LaidBars:
     area: Array  # (n,) [m2/m]
     diameter: Array  # (n,): one for all of them, 7.12 [m]
     spacing: Array  # (n,): from axis to axis at most [m]
+    clear: Array  # (n,): between bars, of several sets as if they were even, the thickest ones beside each other [m]
+    thickest: Array  # (n,): the largest diameter [m]
 
 
 def bar_area(bars: Bars) -> float:
@@ -82,7 +84,9 @@ def laid_bars(steel: Reinforcement, layer: str, places: Array) -> LaidBars:
     count = np.array(there) / spacing  # per length
     squares = (count * diameter**2).sum(axis=0)
     farthest = np.where(there, spacing, np.inf).min(axis=0)
-    return LaidBars(np.pi / 4 * squares, squares / (count * diameter).sum(axis=0), farthest)
+    thickest = np.where(there, diameter, 0.0).max(axis=0)
+    clear = 1 / count.sum(axis=0) - thickest
+    return LaidBars(np.pi / 4 * squares, squares / (count * diameter).sum(axis=0), farthest, clear, thickest)
 
 
 def mean_area(

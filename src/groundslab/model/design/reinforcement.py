@@ -23,6 +23,7 @@ from groundslab.schema.section_fields import Table
 #: Strengths for which EN 1992-1-1 has rules (3.1.2(2), 3.2.2(3)).
 CONCRETE, STEEL = Range(at_least=12e6, at_most=90e6), Range(at_least=400e6, at_most=600e6)
 PARTIAL = Range(at_least=0.1, at_most=10)
+AGGREGATE = Range(at_least=1e-3, at_most=0.15)
 CRACK = Range(at_least=5e-5, at_most=1e-3)
 #: Concrete with finer aggregates is beyond EN 1992-1-1:2023 (1.1(3)).
 AGGREGATE = Range(at_least=0.008, at_most=0.063)
@@ -226,6 +227,10 @@ class Reinforcement(Section):
             "one-way shear"
         ),
     ] = False
+    aggregate: Annotated[
+        float | None,
+        Quantity("length", "d_g", "largest size of the aggregate, for the clear distance of bars", AGGREGATE),
+    ] = None
     exposure: Annotated[
         Exposure | None,
         Choice(Exposure, "exposure class, for the cover and, if bars are provided, the crack width", ""),

@@ -188,6 +188,46 @@ def test_distance_of_bars_by_annex() -> None:
         assert rows({**EN, **AXES, **LAID, "annex": annex})["distance of bars"].resistance == most
 
 
+def test_distance_of_bars_where_bent_most() -> None:
+    """2 h and 250 mm at the largest moment and under columns (9.3.1.1(3)), in Germany 250 mm everywhere."""
+    far = {key: {"diameter": 0.012, "spacing": 0.3} for key in LAID}
+    for annex in ("recommended", "United Kingdom", "Germany"):
+        row = rows({**EN, **AXES, **far, "annex": annex})["distance of bars where bent most"]
+        assert (row.status, row.demand, row.resistance) == ("attention", pytest.approx(300), pytest.approx(250))
+        assert rows({**EN, **AXES, **LAID, "annex": annex})["distance of bars where bent most"].utilisation == 0.6
+    # only the bottom along x is bent by m_x > 0, the bottom along y counts under the column alone
+    bars = {**LAID, "bottom_y": {"diameter": 0.012, "spacing": 0.3}}
+    row = rows({**EN, **AXES, **bars})["distance of bars where bent most"]
+    assert (row.status, row.of) == ("attention", "bottom y")
+    assert "under C1" in row.words
+    bars = {**LAID, "top_y": {"diameter": 0.012, "spacing": 0.3}}
+    assert rows({**EN, **AXES, **bars})["distance of bars where bent most"].status == "no failure found"
+
+
+@pytest.mark.parametrize(
+    ("code", "aggregate", "least"),
+    [(EN, None, 20), (EN, 0.032, 37), (EN, 0.016, 21), (ACI, None, 25), (ACI, 0.03, 40)],
+)
+def test_clear_distance_of_bars(code: dict[str, Any], aggregate: float | None, least: float) -> None:
+    """The bar, 20 mm or d_g + 5 mm (EN 1992-1-1 8.2(2)); 25 mm or 4 / 3 d_agg (ACI 318-19 25.2.1)."""
+    size = {} if aggregate is None else {"aggregate": aggregate}
+    for more, status in ((-0.5e-3, "fails"), (0.5e-3, "no failure found")):
+        bars = LAID | {"top_x": {"diameter": 0.016, "spacing": 0.016 + least / 1e3 + more}}
+        row = rows({**code, **AXES, **bars, **size})["clear distance of bars"]
+        assert (row.status, row.of) == (status, "top x")
+        assert (row.demand, row.resistance) == (pytest.approx(least + more * 1e3), pytest.approx(least))
+    thick = LAID | {"top_x": {"diameter": 0.05, "spacing": 0.099}}
+    assert rows({**code, **AXES, **thick, "top": (0.07, 0.08)})["clear distance of bars"].resistance == 50
+
+
+def test_clear_distance_of_bars_in_zones() -> None:
+    """Of 12 mm and 16 mm at 150 mm each there is a bar every 75 mm: 59 mm between the thick ones."""
+    shape = {"kind": "rectangle", "x": (-1, 1), "y": (-1, 1)}
+    zone = {"name": "Z", "shape": shape, "layers": ("top_x",), "diameter": 0.016, "spacing": 0.15}
+    row = rows({**EN, **AXES, **LAID, "zones": [zone]})["clear distance of bars"]
+    assert (row.demand, row.of) == (pytest.approx(59), "top x")
+
+
 def test_links_name_the_outer_perimeter() -> None:
     """Of 1.2 v_Rd,c at 2 d: u_out = 1.2 u, and 0.2 u / (2 pi) farther out than 2 d (6.54)."""
     v_Rd_c = 0.12 * (1 + math.sqrt(0.2 / D)) * 60 ** (1 / 3) * 1e6

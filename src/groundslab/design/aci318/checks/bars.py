@@ -10,7 +10,7 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.design.aci318.bending import LEAST, minimum
 from groundslab.design.aci318.case_materials import materials
-from groundslab.design.basis.bar_checks import ROUNDING, check_cover, check_spacing, covers
+from groundslab.design.basis.bar_checks import ROUNDING, check_clear, check_cover, check_spacing, covers
 from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results
@@ -24,6 +24,8 @@ _MM, _CM2 = 1e3, 1e4
 FORMULAS = {"s_max": "min(380 * 280 / f_s - 2.5 * 1000 * c_c, 300 * 280 / f_s)"}
 #: Bars are no farther apart than so many thicknesses, but so much [m] in any case, and so much [m] at most.
 SPACING = (2.0, 0.0, 0.45)
+#: Clear distance of bars: the least [m], the factor of the aggregate's size, and nothing more.
+CLEAR = (0.025, 4 / 3, 0.0)
 #: Covers [m] of ACI 318-19 Table 20.5.1.3.1, the lesser of inches and of 318M: cast against the ground; otherwise in
 #: contact with it, of bars from No. 6 (19 mm) on and of thinner ones; of slabs not exposed.
 AGAINST_GROUND, _GROUND, _THIN, _INSIDE = 0.075, 0.050, 0.038, 0.019
@@ -34,6 +36,7 @@ THICK = 0.019
 def checks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -> Iterator[DesignCheck]:
     """Yield the checks of bars that are laid, by layer."""
     yield check_spacing(solved_results(combined)[0], laid, SPACING, "ACI 318-19", "8.7.2.2")
+    yield check_clear(steel, laid, CLEAR, "ACI 318-19", "25.2.1")
     yield _cracks(steel, laid)
     yield _shrinkage(combined, laid)
     yield _cover(steel)

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from groundslab.arrays import Array
-from groundslab.design.basis.bar_checks import check_cover, check_spacing
+from groundslab.design.basis.bar_checks import check_clear, check_cover, check_spacing
 from groundslab.design.basis.calculation import Step
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results
 from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.annex import annex_of
 from groundslab.design.en1992.case_materials import least_cover, materials, strengths, widest_crack
+from groundslab.design.en1992.checks.bent_most import spacing_where_bent_most
 from groundslab.design.en1992.checks.cracks import crack_steps
 from groundslab.design.en1992.checks.cracks.restraint import check_restraint
 from groundslab.design.eurocode2.bent_bars import (
@@ -31,6 +32,8 @@ from groundslab.results.results import Results
 
 #: The crack widths of Table 7.1N are those of quasi-permanent combinations.
 CLAUSES = Clauses("EN 1992-1-1", stress="7.2(5)", yielding="7.2(4)", crack="7.3.4")
+#: Clear distance of bars: the least [m], the factor of the aggregate's size, and what is added to it [m].
+CLEAR = (0.020, 1.0, 0.005)
 
 
 def checks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -> Iterator[DesignCheck]:
@@ -38,6 +41,10 @@ def checks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -
     spacing = annex_of(steel.annex).spacing
     # the clause is that of main reinforcement
     yield check_spacing(solved_results(combined)[0], laid, spacing, "EN 1992-1-1", "9.3.1.1(3)")
+    near = spacing_where_bent_most(combined, steel, laid)
+    if near is not None:
+        yield near
+    yield check_clear(steel, laid, CLEAR, "EN 1992-1-1", "8.2(2)")
     yield _cover(steel)
     of_case, f_yk = materials(steel), strengths(steel)[1]
 
