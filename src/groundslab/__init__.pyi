@@ -71,6 +71,7 @@ from .model.plate import Edges as Edges
 from .model.plate import Plate as Plate
 from .model.plate import Zone as Zone
 from .model.plates.further import FurtherPlate as FurtherPlate
+from .model.plates.joints import Dowels as Dowels
 from .model.plates.joints import ElasticJoint as ElasticJoint
 from .model.plates.joints import HingeJoint as HingeJoint
 from .model.remarks.remarks import Remark as Remark

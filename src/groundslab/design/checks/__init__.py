@@ -15,6 +15,7 @@ from groundslab.design.checks.ground import edge_force
 from groundslab.design.checks.one_way_shear import shear
 from groundslab.design.en1997 import checks as en1997
 from groundslab.design.floors import checks as floors
+from groundslab.design.floors import dowel_checks
 from groundslab.model.remarks.remarks import find_remarks
 from groundslab.results.results import Results
 
@@ -34,6 +35,7 @@ CHECKS: tuple[Callable[[Results], Iterable[DesignCheck]], ...] = (
     shear.checks,
     provided.checks,
     floors.checks,
+    dowel_checks.checks,
     en1997.checks,
     edge_force.checks,
     equilibrium.checks,

@@ -17,10 +17,34 @@ from groundslab.schema.repairs import remove, use_nearest
 from groundslab.schema.section_fields import ByKind, Table
 from groundslab.schema.wording import describe, one_of, quote, suggestion
 
+STEEL_SIZE, SPACING = Range(at_least=1e-3, at_most=1.0), Range(at_least=1e-2, at_most=10.0)
+OPENING, DOWEL_STEEL = Range(at_least=0.0, at_most=0.2), Range(at_least=200e6, at_most=1e9)
+
 
 def _check_two(between: tuple[str, str]) -> Iterator[RelativeIssue]:
     if between[0] == between[1]:
         yield RelativeIssue(("between", 1), f"{describe(between[1])} again", "another plate", "a joint has two sides")
+
+
+def _check_dowel(diameter: float | None, width: float | None, height: float | None) -> Iterator[RelativeIssue]:
+    plate = (width, height)
+    if diameter is None and None in plate:
+        yield RelativeIssue(("diameter",), "nothing", "the diameter, or width and height of plates")
+    elif diameter is not None and plate != (None, None):
+        yield RelativeIssue(("diameter",), f"{diameter!r} m", "either the diameter, or width and height of plates")
+
+
+class Dowels(Section):
+    """Dowels of steel across a joint, round bars or plates, which carry what the joint does."""
+
+    checks: ClassVar[tuple[Check, ...]] = (_check_dowel,)
+
+    diameter: Annotated[float | None, Quantity("length", "d", "diameter of round dowels", STEEL_SIZE)] = None
+    width: Annotated[float | None, Quantity("length", "W", "width of plates along the joint", STEEL_SIZE)] = None
+    height: Annotated[float | None, Quantity("length", "T", "thickness of plates", STEEL_SIZE)] = None
+    spacing: Annotated[float, Quantity("length", "s", "from dowel to dowel along the joint", SPACING)]
+    opening: Annotated[float, Quantity("length", "x", "opening of the joint, which dowels bridge", OPENING)]
+    f_yk: Annotated[float, Quantity("pressure", "f_yk", "characteristic strength of the dowels' steel", DOWEL_STEEL)]
 
 
 class _Joint(Section):
@@ -33,6 +57,7 @@ class _Joint(Section):
     between: Annotated[
         tuple[str, str], ListOf(Text(""), "", "names of the two plates, which share a line of their outlines", 2)
     ]
+    dowels: Annotated[Dowels | None, Table("dowels, whose resistance is compared with what the joint carries")] = None
 
     @property
     def title(self) -> str:
