@@ -17,6 +17,10 @@ if TYPE_CHECKING:
 
 #: The most that resists sliding of an undrained soil, over the vertical force (6.5 of 6.5.3(12)).
 MOST_UNDRAINED = 0.4
+#: The largest eccentricity without special precautions, over the way from the center to the edge (6.5.4(1)).
+MOST_ECCENTRIC = {"rectangle": 2 / 3, "other": 0.6}
+#: An eccentricity below this share of the base's size is none; areas whose shares differ by less are the same.
+NO_ECCENTRICITY, SAME_AREA = 1e-9, 1e-6
 #: The formulas of the functions here, with forces in MN, stresses in MPa, lengths in m and angles in radians.
 FORMULAS = {
     "N_q": "exp(pi * tan(phi)) * tan(pi / 4 + phi / 2)^2",
@@ -129,6 +133,31 @@ def drained_factors(base: EffectiveArea, soil: Soil, V: float, H: float) -> Drai
         i_c=i_q - (1 - i_q) / (N_c * tan),
         i_gamma=(1 - H / held) ** (m + 1),
     )
+
+
+def eccentricity(base: Polygon | MultiPolygon, x: float, y: float) -> tuple[float, float, float]:
+    """Return the eccentricity of a resultant at x, y [m], the base's edge in its direction [m], and what share may be.
+
+    The share is that of a rectangle, 1/3 of its width being 2/3 of the way from its center, else that of a circle, 0.6
+    of its radius (EN 1997-1 6.5.4(1)). The edge is that of the base without its notches.
+    """
+    from shapely import LineString, Point
+
+    center, hull = base.centroid, base.convex_hull
+    most = MOST_ECCENTRIC["rectangle" if _is_rectangle(base) else "other"]
+    e = math.hypot(x - center.x, y - center.y)
+    far = 2 * hull.length
+    if e <= far * NO_ECCENTRICITY:
+        return 0.0, hull.exterior.distance(center), most
+    end = center.x + (x - center.x) / e * far, center.y + (y - center.y) / e * far
+    edge = hull.exterior.intersection(LineString([(center.x, center.y), end]))
+    return e, float(edge.distance(Point(center.x, center.y))), most
+
+
+def _is_rectangle(base: Polygon | MultiPolygon) -> bool:
+    """Return whether a base is a rectangle."""
+    around = base.minimum_rotated_rectangle.area
+    return bool(around - base.area <= SAME_AREA * around)
 
 
 def bearing_resistance(base: EffectiveArea, soil: Soil, V: float, H: float) -> float:

@@ -75,6 +75,7 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
     def steps(force: _Forces, area: bearing.EffectiveArea) -> Iterator[Step]:
         return bearing_steps(strength, area, soil, force.V, force.H)
 
+    yield _eccentricity(forces, base)
     of_bearing = _Rule("bearing resistance", vertical, lambda force: force.V, bearing_resistance, steps)
     yield _worst(of_bearing, forces, base)
     if any(force.H for force in forces):
@@ -110,6 +111,33 @@ def _forces(results: CombinationResult) -> _Forces:
     acting = [(factor, cases[name]) for name, factor in results.factors if name in cases]
     H = math.hypot(*(sum(factor * getattr(case, axis) for factor, case in acting) for axis in ("H_x", "H_y")))
     return _Forces(V, H, (float(place[0]), float(place[1])), results)
+
+
+def _eccentricity(forces: list[_Forces], base: Polygon | MultiPolygon) -> DesignCheck:
+    """Return whether the resultant is so far out that special precautions are asked for (6.5.4)."""
+
+    def share(force: _Forces) -> float:
+        e, edge, most = bearing.eccentricity(base, *force.place)
+        return e / (edge * most)
+
+    force = max(forces, key=share)
+    e, edge, most = bearing.eccentricity(base, *force.place)
+    used, asked = share(force), ""
+    if used > 1:
+        asked = ": loads are to be reviewed and the edge's place with its tolerance, 0.1 m (6.5.4)"
+    words = f'e {e:.3g} m is {e / edge:.3g} of the way to the edge in "{force.combination}", {most:.3g} may be{asked}'
+    return DesignCheck(
+        "eccentricity on the ground", "attention" if used > 1 else "no failure found", words, demand=e,
+        resistance=edge * most, unit="m", clause="EN 1997-1 6.5.4(1)", combination=force.combination,
+        place=force.place, foundation=True, error=scaled(error_of(force.results, lambda mesh: share(_forces(mesh))),
+        edge * most),
+        steps=(
+            Step("eccentricity of the resultant", "e", e, "m"),
+            Step("from the center to the edge in its direction", "r", edge, "m"),
+            Step("share that may be", "s", most, clause="6.5.4(1)"),
+            Step("share used", "eta", used, "", "e / (s * r)", "6.5.4(1)"),
+        ),
+    )  # fmt: skip
 
 
 def _worst(rule: _Rule, forces: list[_Forces], base: Polygon | MultiPolygon) -> DesignCheck:

@@ -5,7 +5,7 @@ Both generations of EN 1992-1-1 limit them; how wide cracks are, and by which cl
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -98,7 +98,12 @@ def bars_at(combined: Results, steel: Reinforcement, laid: LaidBars, bent: BentB
     return h, Bars(diameter, spacing, axis_of(steel, bent.layer) - diameter / 2, np.array(area))
 
 
-def check_stresses(bent: list[BentBars], f_yk: float, clauses: Clauses) -> Iterator[DesignCheck]:
+def check_stresses(
+    bent: list[BentBars],
+    f_yk: float,
+    clauses: Clauses,
+    steps: Callable[[BentBars], Iterable[Step]] = lambda _: (),
+) -> Iterator[DesignCheck]:
     """Yield the largest stress of bars in characteristic combinations, which may be 0.8 f_yk."""
     if not bent:
         return
@@ -121,6 +126,7 @@ def check_stresses(bent: list[BentBars], f_yk: float, clauses: Clauses) -> Itera
         combination=worst.combination,
         place=worst.place,
         error=scaled(worst.error, 1e-6),
+        steps=tuple(steps(worst)),
     )
 
 

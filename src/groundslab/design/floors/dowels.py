@@ -1,4 +1,4 @@
-"""Resistance of dowels across joints by TR34, fourth edition, 6.5 (Concrete Society 2013; from a digest of it).
+"""Resistance of dowels across joints by TR34, fourth edition, 6.5, from a digest of it.
 
 A dowel shears off at 0.6 f_yd over 0.9 of its section, or it bends: the concrete bears k_3 f_cd over the dowel's width
 on both sides, and the dowel becomes plastic inside. With M_p = f_yd d^3 / 6 of a round bar, f_yd W T^2 / 4 of a plate,

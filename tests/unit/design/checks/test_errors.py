@@ -225,7 +225,10 @@ LAID = {f"{face}_{axis}": {"diameter": 0.016, "spacing": 0.15} for face in ("bot
 STATES = {"ULS": "ultimate", "SLS": "characteristic", "QP": "quasi-permanent"}
 PUSHES = {"acts": "in compression"}
 #: Rows whose demands are loads, distances or covers.
-GIVEN = {"cover", "distance of bars", "least bars for cracks", "uplift by actions"}
+GIVEN = {
+    "cover", "distance of bars", "distance of bars where bent most", "distance of bars for cracks",
+    "clear distance of bars", "least bars for cracks", "bars for shrinkage and temperature", "uplift by actions",
+}  # fmt: skip
 
 
 def raft(size: float, **changes: Any) -> Model:

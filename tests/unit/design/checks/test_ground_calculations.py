@@ -6,10 +6,11 @@ import math
 from typing import Any
 
 import pytest
+from shapely import Point, box
 
 import groundslab as gs
 from groundslab.design.checks import DesignCheck, check_design
-from groundslab.design.en1997.bearing import sliding_resistance
+from groundslab.design.en1997.bearing import eccentricity, sliding_resistance
 from groundslab.design.result_tables import table_makers
 from groundslab.model.model import Model
 from groundslab.results.results import Results
@@ -19,8 +20,8 @@ DRAINED = {"phi": 32.0, "c": 5e3, "unit_weight": 18e3, "overburden": 9e3, "gamma
 UNDRAINED = {"c_u": 60e3, "unit_weight": 18e3, "overburden": 9e3, "gamma_cu": 1.4}
 
 
-def pad(strength: dict[str, Any], H_x: float = 60e3) -> Results:
-    """Return a pad of 3 m x 2 m under 600 kN, 180 kNm and 1.5 H_x."""
+def pad(strength: dict[str, Any], H_x: float = 60e3, M_x: float = 120e3) -> Results:
+    """Return a pad of 3 m x 2 m under 600 kN, 1.5 M_x and 1.5 H_x."""
     return gs.solve(
         Model(
             plate={"length_x": 3, "length_y": 2, "thickness": 0.5, "E": 33e9, "nu": 0.2},
@@ -28,7 +29,7 @@ def pad(strength: dict[str, Any], H_x: float = 60e3) -> Results:
             cases=[{"name": "G"}, {"name": "wind", "action": "variable", "H_x": H_x}],
             loads=[
                 {"kind": "point", "P": 600e3, "x": 0, "y": 0, "width_x": 0.4, "width_y": 0.4, "case": "G"},
-                {"kind": "point", "P": 0, "M_x": 120e3, "x": 0, "y": 0, "width_x": 0.4, "width_y": 0.4, "case": "wind"},
+                {"kind": "point", "P": 0, "M_x": M_x, "x": 0, "y": 0, "width_x": 0.4, "width_y": 0.4, "case": "wind"},
             ],
             combinations=[{"name": "ULS", "factors": {"G": 1.0, "wind": 1.5}}],
             soil_strength=strength,
@@ -79,6 +80,31 @@ def test_an_undrained_soil_slides_at_most_at_0_4_v() -> None:
     assert stiff.resistance == pytest.approx(0.4 * 600)
     assert follow_steps(stiff.steps)["R_d"] == pytest.approx(0.24)
     assert sliding_resistance(gs_area(), 100e3, 0.0, 1e6, 1.1) == pytest.approx(400e3)
+
+
+@pytest.mark.parametrize(
+    ("base", "at", "share"),
+    [
+        (box(-1.5, -1, 1.5, 1), (0.3, 0.0), 0.3 / 1.0),  # 1/3 of 3 m
+        (box(-1.5, -1, 1.5, 1), (0.5, -0.6), 0.6 / (2 / 3)),  # 1/3 of 2 m before 1/3 of 3 m
+        (box(-1.5, -1, 1.5, 1), (0.0, 0.0), 0.0),
+        (Point(1, 2).buffer(3.0, quad_segs=90), (1 + 0.9, 2 + 1.2), 1.5 / 1.8),  # 0.6 R
+        (box(0, 0, 4, 4).difference(box(1, 1, 3, 3)), (3.2, 2.0), 1.2 / 1.2),  # no rectangle: 0.6
+    ],
+)
+def test_eccentricity_over_what_may_be(base: Any, at: tuple[float, float], share: float) -> None:
+    """A third of a rectangle's width, 0.6 of a circle's radius (EN 1997-1 6.5.4), the latter of other bases, too."""
+    e, edge, most = eccentricity(base, *at)
+    assert e / (edge * most) == pytest.approx(share, rel=1e-3)
+
+
+def test_a_pad_with_a_large_eccentricity() -> None:
+    """180 kNm of 600 kN, 0.3 m of 1 m; of a third of the weight 0.9 m of 1 m, and more needs attention."""
+    check = by_name(pad(DRAINED))["eccentricity on the ground"]
+    assert (check.status, check.demand, check.resistance) == ("no failure found", pytest.approx(0.3), pytest.approx(1))
+    assert follow_steps(check.steps)["eta"] == pytest.approx(check.utilisation)
+    check = by_name(pad(DRAINED, M_x=440e3))["eccentricity on the ground"]
+    assert (check.status, check.demand) == ("attention", pytest.approx(1.1))
 
 
 def gs_area() -> Any:

@@ -218,6 +218,14 @@ def test_restraint_that_is_not_checked_is_told() -> None:
         model_of(code="ACI 318", restraint={})
 
 
+def test_the_stress_of_bars_is_followed() -> None:
+    """The calculation gives the stress of the check, which is by hand above."""
+    row = checks(40e3)["stress of the bars"]
+    known = follow_steps(row.steps)
+    assert (known["sigma_s"], known["sigma_max"]) == (pytest.approx(stress_by_hand(40e3) / 1e6, rel=1e-3), 400)
+    assert known["eta"] == pytest.approx(row.utilisation)
+
+
 def test_least_bars_for_cracks_are_followed() -> None:
     """The calculation gives the area of the check."""
     row = checks(20e3, w_max=3e-4)["least bars for cracks"]

@@ -51,7 +51,12 @@ def checks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -
     def stress(m: Array, h: Array, bars: Bars) -> Array:
         return cracking.bar_stress(m, h, bars, *of_case)
 
-    yield from check_stresses(bars_in_tension(combined, steel, laid, "characteristic", stress), f_yk, CLAUSES)
+    def steps_of_stress(bent: BentBars) -> Iterator[Step]:
+        h, bars = bars_at(combined, steel, laid[bent.layer], bent)
+        return crack_steps.stress(bent.moment, h, bars, *of_case)
+
+    bent = bars_in_tension(combined, steel, laid, "characteristic", stress)
+    yield from check_stresses(bent, f_yk, CLAUSES, steps_of_stress)
     w_max = widest_crack(steel)
     if steel.restraint is not None:
         yield from check_restraint(combined, steel, laid, w_max)

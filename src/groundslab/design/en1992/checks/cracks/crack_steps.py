@@ -8,18 +8,28 @@ import numpy as np
 
 from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.en1992 import cracking
-from groundslab.design.en1992.cracking import FORMULAS, K_1, K_2, LONG_TERM, Bars
+from groundslab.design.en1992.cracking import FORMULAS, K_1, K_2, LONG_TERM
 from groundslab.design.en1992.materials import Concrete, Steel
+from groundslab.design.eurocode2.bent_bars import MOST_STRESS
+from groundslab.design.eurocode2.cracked_sections import Bars
 
 
-def steps(m: float, h: float, bars: Bars, concrete: Concrete, steel: Steel) -> Iterator[Step]:
-    """Yield the calculation for a moment m [N m/m] at a place of thickness h [m], with the bars there."""
+def stress(m: float, h: float, bars: Bars, concrete: Concrete, steel: Steel) -> Iterator[Step]:
+    """Yield the stress of bars under a moment m [N m/m] at a place of thickness h [m], over what 7.2(5) allows."""
+    yield from _cracked(m, h, bars, concrete, steel)
+    sigma_s = float(cracking.bar_stress(np.array([m]), np.array([h]), bars, concrete, steel)[0])
+    most = MOST_STRESS * steel.f_yk
+    yield Step("yield strength", "f_yk", steel.f_yk / MEGA, "MPa", clause="3.2.2(3)")
+    yield Step("largest stress", "sigma_max", most / MEGA, "MPa", f"{MOST_STRESS:g} * f_yk", "7.2(5)")
+    yield Step("share used", "eta", sigma_s / most, "", "sigma_s / sigma_max", "7.2(5)")
+
+
+def _cracked(m: float, h: float, bars: Bars, concrete: Concrete, steel: Steel) -> Iterator[Step]:
+    """Yield the stress of bars of a section that is cracked."""
     area, phi, spacing, c = (float(np.asarray(each)) for each in (bars.area, bars.diameter, bars.spacing, bars.cover))
-    d, at = h - c - phi / 2, np.array([h])
-    alpha_e = steel.E_s / concrete.E_cm
-    x = cracking.neutral_axis(np.array([d]), np.array([area]), alpha_e)
-    sigma_s = cracking.steel_stress(np.array([m]), np.array([d]), np.array([area]), alpha_e)
-    rho = cracking.effective_ratio(at, np.array([d]), x, np.array([area]))
+    d, alpha_e = h - c - phi / 2, steel.E_s / concrete.E_cm
+    x = float(cracking.neutral_axis(np.array([d]), np.array([area]), alpha_e)[0])
+    sigma_s = float(cracking.bar_stress(np.array([m]), np.array([h]), bars, concrete, steel)[0])
     yield Step("design moment per width, by Wood", "m", m / MEGA, "MNm/m")
     yield Step("thickness", "h", h, "m")
     yield Step("diameter of the bars", "phi", phi, "m", clause="7.3.4(3)")
@@ -30,10 +40,18 @@ def steps(m: float, h: float, bars: Bars, concrete: Concrete, steel: Steel) -> I
     yield Step("modulus of the steel", "E_s", steel.E_s / MEGA, "MPa", clause="3.2.7(4)")
     yield Step("modulus of the concrete", "E_cm", concrete.E_cm / MEGA, "MPa", clause="Table 3.1")
     yield Step("ratio of moduli", "alpha_e", alpha_e, "", "E_s / E_cm", "7.3.4(2)")
-    yield Step("depth of the neutral axis, cracked", "x", float(x[0]), "m", FORMULAS["x"])
-    yield Step(
-        "stress of the bars, cracked", "sigma_s", float(sigma_s[0]) / MEGA, "MPa", FORMULAS["sigma_s"], "7.3.4(2)"
-    )
+    yield Step("depth of the neutral axis, cracked", "x", x, "m", FORMULAS["x"])
+    yield Step("stress of the bars, cracked", "sigma_s", sigma_s / MEGA, "MPa", FORMULAS["sigma_s"], "7.3.4(2)")
+
+
+def steps(m: float, h: float, bars: Bars, concrete: Concrete, steel: Steel) -> Iterator[Step]:
+    """Yield the calculation of a crack for a moment m [N m/m] at a place of thickness h [m], with the bars there."""
+    yield from _cracked(m, h, bars, concrete, steel)
+    area, phi, c = (float(np.asarray(each)) for each in (bars.area, bars.diameter, bars.cover))
+    d, at = h - c - phi / 2, np.array([h])
+    x = cracking.neutral_axis(np.array([d]), np.array([area]), steel.E_s / concrete.E_cm)
+    sigma_s = cracking.bar_stress(np.array([m]), at, bars, concrete, steel)
+    rho = cracking.effective_ratio(at, np.array([d]), x, np.array([area]))
     yield Step("ratio of bars to the area in tension", "rho", float(rho[0]), "", FORMULAS["rho"], "7.3.2(3), 7.3.4(2)")
     yield Step("mean tensile strength", "f_ctm", concrete.f_ctm / MEGA, "MPa", clause="Table 3.1")
     yield Step("factor of loads that last", "k_t", LONG_TERM, clause="7.3.4(2)")
