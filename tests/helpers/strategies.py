@@ -538,7 +538,7 @@ def reinforcements(draw: st.DrawFn, plate: Plate) -> Reinforcement:
     by_second = st.builds(
         Reinforcement, code=st.just("EN 1992-1-1:2023"), f_ck=st.floats(12e6, 90e6),
         gamma_v=st.none() | st.floats(1.0, 2.0), k_tc=st.none() | st.floats(0.5, 1.0),
-        aggregate=st.none() | st.floats(0.008, 0.063), **given,
+        d_lower=st.none() | st.floats(0.008, 0.063), **given,
     )  # fmt: skip
     return draw(by_en | by_aci | by_second)
 

@@ -24,7 +24,7 @@ from groundslab.schema.wording import quote
 from groundslab.units import QuantityError, parse
 from groundslab.views.files import results_folder
 from groundslab.views.plots.style import plain_text
-from groundslab.views.report.drawings import draw_case
+from groundslab.views.report.drawings.drawings import draw_case
 from groundslab.views.report.input_tables import InputTable, input_tables
 from groundslab.views.scene.plan import plan_of
 from helpers import damage, synthetic

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from groundslab.design.aci318 import development
 from groundslab.design.aci318.case_materials import materials
-from groundslab.design.aci318.checks.bars import SPACING, least_cover
+from groundslab.design.aci318.checks.bars import CLEAR, SPACING, least_cover
 from groundslab.design.basis.detailing_rule import DetailingRule, EndingBar
 from groundslab.model.design.reinforcement import Reinforcement
 
-#: Clear distance of parallel bars at least (25.2.1): an inch, or the diameter, or 4/3 of the largest aggregate.
-LEAST_CLEAR = 0.025
 #: Bars reach so many diameters, or d, beyond where they are needed (7.7.3.3, by 8.7.4.1.1).
 BEYOND = 12
 
@@ -32,7 +30,7 @@ RULE = DetailingRule(
     lap=lambda steel, bar: _length(steel, bar, splice=True),
     shift=lambda d, diameter: max(d, BEYOND * diameter),
     least_cover=lambda _, layer, diameter: least_cover(layer, diameter),
-    least_clear=lambda diameter: max(diameter, LEAST_CLEAR),
+    least_clear=lambda steel, diameter: max(diameter, CLEAR[0], CLEAR[1] * (steel.aggregate or 0.0)),
     spacing=_spacing,
     edge_leg=2.0,  # as EN 1992-1-1 Figure 9.8: ACI 318 has no rule
     crack_area=None,

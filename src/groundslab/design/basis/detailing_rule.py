@@ -47,7 +47,7 @@ class DetailingRule:
     least_cover : callable
         Of materials, a layer and a diameter [m]: the cover that it must have [m]; None where the code has none.
     least_clear : callable
-        Of a diameter: the clear distance of parallel bars [m].
+        Of materials and a diameter [m]: the clear distance of parallel bars [m].
     spacing : callable
         Of materials and the thickness [m]: the largest spacing [m].
     edge_leg : float
@@ -63,7 +63,7 @@ class DetailingRule:
     lap: Callable[[Reinforcement, EndingBar], float]
     shift: Callable[[float, float], float]
     least_cover: Callable[[Reinforcement, str, float], float | None]
-    least_clear: Callable[[float], float]
+    least_clear: Callable[[Reinforcement, float], float]
     spacing: Callable[[Reinforcement, float], float]
     edge_leg: float
     crack_area: Callable[[Results, Reinforcement, str, float, float], Array] | None

@@ -17,8 +17,10 @@ from groundslab.model.design.laid_bars import axis_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
-#: The largest aggregate [m] that distances of bars count on, and what is added to it (8.2(2)).
-AGGREGATE, MORE = 0.020, 0.005
+#: The largest aggregate [m] that distances of bars count on, if the case has none.
+AGGREGATE = 0.020
+#: Clear distance of bars: the least [m], the factor of the aggregate's size, and what is added to it [m] (8.2(2)).
+CLEAR = (0.020, 1.0, 0.005)
 #: Halvings of the interval in which an area is looked for: to 1 / 1000 of it and less.
 HALVINGS = 14
 
@@ -32,9 +34,15 @@ def _length(steel: Reinforcement, bar: EndingBar, *, lap: bool) -> float:
 
 
 def _spacing(steel: Reinforcement, thickness: float) -> float:
-    """Return the largest spacing [m] (9.3.1.1(3))."""
-    times, least, most = annex_of(steel.annex).spacing
+    """Return the largest spacing [m] where slabs are bent most, which holds everywhere then (9.3.1.1(3))."""
+    times, least, most = annex_of(steel.annex).spacing_bent_most
     return min(max(times * thickness, least), most)
+
+
+def _clear(steel: Reinforcement, diameter: float) -> float:
+    """Return the clear distance of bars [m] at least (8.2(2))."""
+    least, times, more = CLEAR
+    return max(diameter, least, times * (steel.aggregate or AGGREGATE) + more)
 
 
 def crack_area(combined: Results, steel: Reinforcement, layer: str, diameter: float, spacing: float) -> Array:
@@ -86,7 +94,7 @@ RULE = DetailingRule(
     lap=lambda steel, bar: _length(steel, bar, lap=True),
     shift=lambda d, _: d,  # 9.2.1.3(2): a_l = d without links
     least_cover=lambda steel, _, diameter: least_cover(steel, diameter),
-    least_clear=lambda diameter: max(diameter, AGGREGATE + MORE, 0.020),
+    least_clear=_clear,
     spacing=_spacing,
     edge_leg=2.0,  # Figure 9.8
     crack_area=crack_area,

@@ -8,7 +8,7 @@ from groundslab.design.eurocode2.materials import strengths
 from groundslab.model.design.reinforcement import Reinforcement
 
 #: D_lower [m] where a case gives none.
-AGGREGATE = 0.016
+D_LOWER = 0.016
 
 
 def materials(steel: Reinforcement, limit_state: str = "ultimate") -> tuple[Concrete, Steel]:
@@ -24,8 +24,8 @@ def materials(steel: Reinforcement, limit_state: str = "ultimate") -> tuple[Conc
         gamma_c, gamma_s = steel.accidental or annex.accidental[:2]
         gamma_v = annex.accidental[2]
     k_tc = annex.k_tc if steel.k_tc is None else steel.k_tc
-    aggregate = AGGREGATE if steel.aggregate is None else steel.aggregate
-    return Concrete(f_ck, gamma_c, gamma_v, k_tc, aggregate, annex), Steel(f_yk, gamma_s)
+    d_lower = D_LOWER if steel.d_lower is None else steel.d_lower
+    return Concrete(f_ck, gamma_c, gamma_v, k_tc, d_lower, annex), Steel(f_yk, gamma_s)
 
 
 def flattest(steel: Reinforcement, concrete: Concrete) -> float:

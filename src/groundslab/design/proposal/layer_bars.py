@@ -13,7 +13,6 @@ from groundslab.design.basis.detailing_rule import DetailingRule, EndingBar
 from groundslab.design.proposal.covering import Options, Window, cover, one_zone
 from groundslab.design.proposal.plan_grid import PARTS, PlanGrid, spread_along
 from groundslab.model.design.bars import Bars
-from groundslab.model.design.detailing import AllowedBars
 from groundslab.model.design.laid_bars import bar_area
 from groundslab.model.design.reinforcement import Reinforcement
 
@@ -148,7 +147,7 @@ def _candidates(
             if np.isinf(excess).any() or (last is not None and np.array_equal(needs, last)):
                 continue
             last = needs
-            additions = [one for one in _additions(task, base, rule, steel.proposal) if one.bars.diameter <= thickest]
+            additions = [one for one in _additions(task, base, rule, steel) if one.bars.diameter <= thickest]
             options = _options(task, base, additions, grid, steel, rule)
             one = one_zone(excess, options) * grid.step**2 / PARTS if additions or not excess.any() else math.inf
             if math.isinf(one):
@@ -190,15 +189,15 @@ def _bases(task: LayerTask) -> Iterator[Bars]:
             yield Bars(diameter=diameter, spacing=spacing)
 
 
-def _additions(task: LayerTask, base: Bars, rule: DetailingRule, proposal: AllowedBars) -> list[_Addition]:
+def _additions(task: LayerTask, base: Bars, rule: DetailingRule, steel: Reinforcement) -> list[_Addition]:
     """Return what bars a zone may have beside a base."""
     additions = []
     for multiple, in_gap in MULTIPLES.items():
-        for diameter in task.diameters if proposal.most_zones else ():
+        for diameter in task.diameters if steel.proposal.most_zones else ():
             thickest = max(diameter, base.diameter)
             # bars of a gap divide it evenly; where another zone lies within, there is one more
             apart = [base.spacing / (in_gap + further) for further in (1, 2)]
-            room, more_room = (each - thickest >= rule.least_clear(thickest) - ROUNDING for each in apart)
+            room, more_room = (each - thickest >= rule.least_clear(steel, thickest) - ROUNDING for each in apart)
             if room:
                 bars = Bars(diameter=diameter, spacing=round(multiple * base.spacing, 6))
                 additions.append(_Addition(bars, apart[more_room], more_room))

@@ -26,7 +26,7 @@ PARTIAL = Range(at_least=0.1, at_most=10)
 AGGREGATE = Range(at_least=1e-3, at_most=0.15)
 CRACK = Range(at_least=5e-5, at_most=1e-3)
 #: Concrete with finer aggregates is beyond EN 1992-1-1:2023 (1.1(3)).
-AGGREGATE = Range(at_least=0.008, at_most=0.063)
+D_LOWER = Range(at_least=0.008, at_most=0.063)
 #: Of one layer.
 MOST_BARS = 100_000
 
@@ -51,7 +51,7 @@ KEYS_OF_CODES: dict[str, tuple[str, ...]] = {
     ),
     "ACI 318": ("size_effect",),
     "EN 1992-1-1:2023": (
-        "concrete", "steel", "gamma_c", "gamma_s", "accidental", "w_max", "gamma_v", "k_tc", "aggregate",
+        "concrete", "steel", "gamma_c", "gamma_s", "accidental", "w_max", "gamma_v", "k_tc", "d_lower",
     ),
 }  # fmt: skip
 
@@ -208,13 +208,13 @@ class Reinforcement(Section):
             Range(above=0, at_most=1),
         ),
     ] = None
-    aggregate: Annotated[
+    d_lower: Annotated[
         float | None,
         Quantity(
             "length",
             "D_lower",
             "least size of the coarsest aggregates, for shear by EN 1992-1-1:2023; 16 mm by default",
-            AGGREGATE,
+            D_LOWER,
         ),
     ] = None
     size_effect: Annotated[

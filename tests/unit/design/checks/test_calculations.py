@@ -69,7 +69,7 @@ CASES: dict[str, tuple[tuple[dict[str, Any], ...], dict[str, Any]]] = {
     "2023, edge and corner": ((EDGE, CORNER, MIDDLE), {"steel": SECOND, "P": 300e3}),
     "2023, beside an opening": ((MIDDLE,), {"steel": SECOND, "openings": (HOLE,)}),
     "2023, with links": ((ROUND,), {"steel": SECOND, "thickness": 0.25, "P": 480e3}),
-    "2023, of high strength": ((ROUND,), {"steel": SECOND | {"f_ck": 80e6, "aggregate": 0.032}}),
+    "2023, of high strength": ((ROUND,), {"steel": SECOND | {"f_ck": 80e6, "d_lower": 0.032}}),
     "ACI, without the effect of size": ((MIDDLE,), {"steel": ACI | {"size_effect": False}}),
 }
 

@@ -144,7 +144,7 @@ def test_materials_of_a_case() -> None:
     assert (rare.gamma_c, rare.gamma_v, rare_bars.gamma_s) == (1.15, 1.15, 1.0)
     other = Reinforcement(
         code="EN 1992-1-1:2023", f_ck=80e6, f_yk=500e6, gamma_c=1.4, gamma_s=1.1, gamma_v=1.3, k_tc=1.0,
-        aggregate=0.032, **AXES,
+        d_lower=0.032, **AXES,
     )  # fmt: skip
     concrete, bars = materials(other)
     assert (concrete.gamma_c, concrete.gamma_v, concrete.k_tc, bars.gamma_s) == (1.4, 1.3, 1.0, 1.1)
@@ -168,10 +168,10 @@ def test_keys_of_other_codes_are_refused(key: str, value: object, hint: str) -> 
     assert hint in str(caught.value)
 
 
-@pytest.mark.parametrize("key", ["gamma_v", "k_tc", "aggregate"])
+@pytest.mark.parametrize("key", ["gamma_v", "k_tc", "d_lower"])
 def test_its_own_keys_are_refused_by_the_first_generation(key: str) -> None:
     """A factor that says nothing must not be given."""
-    given = {"f_ck": 30e6, "f_yk": 500e6, **AXES, key: {"aggregate": 0.016}.get(key, 1.0)}
+    given = {"f_ck": 30e6, "f_yk": 500e6, **AXES, key: {"d_lower": 0.016}.get(key, 1.0)}
     with pytest.raises(InputError, match=f"{key} with EN 1992-1-1"):
         Reinforcement(**given)
 

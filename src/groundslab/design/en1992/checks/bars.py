@@ -15,6 +15,7 @@ from groundslab.design.en1992.case_materials import least_cover, materials, stre
 from groundslab.design.en1992.checks.bent_most import spacing_where_bent_most
 from groundslab.design.en1992.checks.cracks import crack_steps
 from groundslab.design.en1992.checks.cracks.restraint import check_restraint
+from groundslab.design.en1992.detailing import CLEAR
 from groundslab.design.eurocode2.bent_bars import (
     BentBars,
     Clauses,
@@ -32,8 +33,6 @@ from groundslab.results.results import Results
 
 #: The crack widths of Table 7.1N are those of quasi-permanent combinations.
 CLAUSES = Clauses("EN 1992-1-1", stress="7.2(5)", yielding="7.2(4)", crack="7.3.4")
-#: Clear distance of bars: the least [m], the factor of the aggregate's size, and what is added to it [m].
-CLEAR = (0.020, 1.0, 0.005)
 
 
 def checks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -> Iterator[DesignCheck]:

@@ -1,48 +1,73 @@
-"""Punching by EN 1992-1-1:2023 at columns, step by step, as it can be followed by hand.
+"""Punching by EN 1992-1-1:2023 at columns, piles and ends of walls, step by step, as it can be followed by hand.
 
 Every value is that of the check; formulas stand beside the functions that compute it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from math import isfinite
 
-from groundslab.design.basis.calculation import MEGA, Step, punching_force
+from groundslab.design.basis.calculation import MEGA, Pushing, Step, punching_force
+from groundslab.design.basis.design_code import Calculation
 from groundslab.design.en1992_2023 import punching as en1992
 from groundslab.design.en1992_2023.case_materials import materials
 from groundslab.design.en1992_2023.checks.concrete_steps import in_shear
 from groundslab.design.en1992_2023.checks.critical_sections import CriticalSection
 from groundslab.design.en1992_2023.checks.punching import links_needed, outermost_depth
-from groundslab.design.en1992_2023.checks.punching_demand import Punching, column_demands
+from groundslab.design.en1992_2023.checks.punching_demand import Punching, column_demands, pile_demands
+from groundslab.design.en1992_2023.checks.wall_ends import wall_demands
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
 F = en1992.FORMULAS
 
 
-def at_columns(combined: Results, steel: Reinforcement) -> Iterator[tuple[str, str, tuple[Step, ...]]]:
-    """Yield the governing combination of each column with its steps: name, combination, steps.
+def at_columns(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
+    """Yield the governing combination of each column with its steps; those that use most come first."""
+    return _governing(column_demands(combined)[0], steel, "column")
 
-    Those that use most of their resistance come first.
-    """
+
+def over_piles(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
+    """Yield the governing combination of each pile with its steps; those that use most come first."""
+    return _governing(pile_demands(combined)[0], steel, "pile")
+
+
+def at_walls(combined: Results, steel: Reinforcement) -> Iterator[Calculation]:
+    """Yield the governing combination of each end and corner of walls with its steps; those that use most first."""
+    return _governing(wall_demands(combined), steel, None)
+
+
+#: The calculations by their names.
+STEPS = (("punching", at_columns), ("punching over piles", over_piles), ("punching at walls' ends", at_walls))
+
+
+def _governing(
+    demands: Mapping[tuple[str, str], Punching], steel: Reinforcement, one: Pushing | None
+) -> Iterator[Calculation]:
+    """Yield name, combination and steps where each uses most of its resistance; nothing pushes alone at walls."""
     governing: dict[str, Punching] = {}
-    for demand in column_demands(combined)[0].values():
+    for demand in demands.values():
         known = governing.get(demand.name)
         if not demand.supported and demand.used > (0.0 if known is None else known.used):
             governing[demand.name] = demand
     for demand in sorted(governing.values(), key=lambda each: -each.used):
-        yield demand.name, demand.combination, tuple(_steps(demand, steel))
+        yield demand.name, demand.combination, tuple(_steps(demand, steel, one))
 
 
-def _steps(demand: Punching, steel: Reinforcement) -> Iterator[Step]:
+def _steps(demand: Punching, steel: Reinforcement, one: Pushing | None) -> Iterator[Step]:
     """Yield the steps of a demand."""
     concrete, bars = materials(steel, demand.limit_state)
-    inside = demand.force, demand.others, demand.pressure, demand.edge
-    yield from punching_force(("N_Ed", "V_Ed"), inside, demand.V_Ed, "8.4.2(6)")
+    if one is None:
+        yield Step("shear force of the slab across the perimeter", "V_Ed", demand.V_Ed / MEGA, "MN", clause="8.4.2(6)")
+    else:
+        inside = demand.force, demand.others, demand.pressure, demand.edge
+        yield from punching_force(one, ("N_Ed", "V_Ed"), inside, demand.V_Ed, "8.4.2(6)")
     yield Step("effective depth", "d_v", demand.d, "m", clause="8.4.2(1), 8.91")
     yield Step("perimeter at d_v / 2 that counts", "b_05", demand.b_05, "m", clause="8.4.2(2) to (5)")
-    if demand.section is not None:
+    if demand.section is None:
+        yield Step("factor for an end or a corner", "beta_e", demand.beta_e, clause="Figure 8.21")
+    else:
         yield from _beta(demand, demand.section)
     yield from _stress(demand)
     yield from in_shear(concrete, bars, demand.d, "d_v")

@@ -53,7 +53,8 @@ def _demand(punching: WallPunching, steel: Reinforcement, combined: Results) -> 
     # gradients are those of the whole perimeter, without openings
     b_0, whole = (total_length(course(site.area, distance).legs) for distance in (0.0, en1992.DISTANCE * d))
     k_pb, b_05 = en1992.gradient(b_0, whole), float(site.perimeters.u[0])
-    ratio = punching_ratio(model.plate, steel, site.column, d, model.plates) if steel.laid else en1992.MOST_BARS
+    laid = punching_ratio(model.plate, steel, site.column, d, model.plates) if steel.laid else en1992.MOST_BARS
+    ratio = min(laid, en1992.MOST_BARS)
     beta_e = en1992.WALLS[site.end.kind]
     of_force = beta_e / (b_05 * d)
     return Punching(
@@ -65,7 +66,7 @@ def _demand(punching: WallPunching, steel: Reinforcement, combined: Results) -> 
         b_05=b_05,
         b_0=b_0,
         k_pb=k_pb,
-        ratio=min(ratio, en1992.MOST_BARS),
+        ratio=ratio,
         a_pd=d,
         a_p=np.inf,
         V_Ed=V,
