@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from groundslab.arrays import Array
 from groundslab.design.basis.bending_steps import BarsNeeded
@@ -18,12 +19,19 @@ from groundslab.design.basis.punching_columns import Heads, PunchingColumns
 from groundslab.design.basis.shear_demand import ShearDemand
 from groundslab.design.basis.wide_beam import Cut
 from groundslab.design.bending import BendingRule
+from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.model.design.laid_bars import LaidBars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import CombinationResult, Results
 
-#: What a calculation is of, its combination, its steps.
-Calculation = tuple[str, str, tuple[Step, ...]]
+
+class Calculation(NamedTuple):
+    """The steps of a check of punching: what it is of, its combination, and the perimeter, if it has one."""
+
+    of: str
+    combination: str
+    steps: tuple[Step, ...]
+    perimeter: SketchedPerimeter | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -128,6 +128,14 @@ class Perimeter:
         return total_length(self.whole)
 
 
+class SketchedPerimeter(NamedTuple):
+    """What a sketch of a perimeter shows."""
+
+    line: Perimeter
+    legs: Array  # (l, 2, 2): what counts of it [m]
+    center: Array  # (2,) of the column or pile [m]
+
+
 def perimeter(
     plate: PlateResult, column: Footprint, distance: float, openings: Openings | None = None, *, square: bool = False
 ) -> Perimeter:

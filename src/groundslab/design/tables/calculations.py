@@ -9,9 +9,11 @@ import numpy as np
 from groundslab.design.basis.bending_steps import BarsNeeded
 from groundslab.design.basis.calculation import Step, with_numbers
 from groundslab.design.basis.combinations import ultimate_results
+from groundslab.design.basis.design_code import Calculation
 from groundslab.design.basis.punching_columns import Heads
 from groundslab.design.checks import check_design
 from groundslab.design.codes import code_of
+from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.design.required_bars import MINIMUM, MOMENT, governing_needs, section_name
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.model.design.reinforcement import Reinforcement
@@ -34,7 +36,7 @@ _NOTES = (
 def calculations(combined: Results) -> Table:
     """Return the calculations of checks, as the report of the case wants them."""
     rows: list[list[Cell]] = []
-    for check, of, combination, steps in _calculations(combined):
+    for check, (of, combination, steps, _) in _calculations(combined):
         known: dict[str, float] = {}
         for step in steps:
             numbers = with_numbers(step, known) if step.formula else ""
@@ -44,11 +46,20 @@ def calculations(combined: Results) -> Table:
     return table_of("calculations", "Calculations", _HEADS, rows, _NOTES)
 
 
-def _calculations(combined: Results) -> Iterator[tuple[str, str, str, tuple[Step, ...]]]:
-    """Yield check, what it is of, combination and steps of each calculation."""
+def perimeters(combined: Results) -> dict[tuple[str, str, str], SketchedPerimeter]:
+    """Return the perimeters of calculations by check, what it is of, and combination."""
+    return {
+        (check, each.of, each.combination): each.perimeter
+        for check, each in _calculations(combined)
+        if each.perimeter is not None
+    }
+
+
+def _calculations(combined: Results) -> Iterator[tuple[str, Calculation]]:
+    """Yield the name of a check, and its calculation."""
     for check in check_design(combined).checks:
         if check.steps:
-            yield check.name, check.of, check.combination, check.steps
+            yield check.name, Calculation(check.of, check.combination, check.steps)
     steel = combined.model.reinforcement
     if steel is None:
         return
@@ -56,14 +67,14 @@ def _calculations(combined: Results) -> Iterator[tuple[str, str, str, tuple[Step
     if code.bars_by_steps is not None:
         yield from _bending(combined, steel, code.bars_by_steps)
     for name, calculated in () if code.punching is None else code.punching.steps:
-        for number, (of, combination, steps) in enumerate(calculated(combined, steel)):
+        for number, calculation in enumerate(calculated(combined, steel)):
             if number == 0 or combined.model.report.sheets == "all":
-                yield name, of, combination, steps
+                yield name, calculation
 
 
 def _bending(
     combined: Results, steel: Reinforcement, by_steps: Callable[[Reinforcement, BarsNeeded, str], Iterator[Step]]
-) -> Iterator[tuple[str, str, str, tuple[Step, ...]]]:
+) -> Iterator[tuple[str, Calculation]]:
     """Yield the calculations of each layer of bars that are in tension."""
     states = {result.combination: result.limit_state for result in ultimate_results(combined)}
     axes = dict(zip(LAYERS, (*steel.bottom_axes, *steel.top_axes), strict=True))
@@ -76,4 +87,4 @@ def _bending(
         alone = rule.required(np.array([abs(bars.moment)]), bars.d, thickness=bars.thickness)
         if not alone.fails[0]:  # without bars in compression, which the steps know nothing of
             of = f"{need.layer.replace('_', ' ')}, {section_name(need.section)}"
-            yield "bending", of, need.combination, tuple(by_steps(steel, bars, state))
+            yield "bending", Calculation(of, need.combination, tuple(by_steps(steel, bars, state)))

@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import groupby
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
-from groundslab.design.basis.calculation import SYMBOL
+from groundslab.design.basis.calculation import CONSTANTS, FUNCTIONS, SYMBOL
+from groundslab.design.tables.calculations import perimeters
 from groundslab.design.tables.table import Table
 from groundslab.units import format_number
+from groundslab.views.report.drawings.perimeter_sketch import draw_sketch
 from groundslab.views.report.table_layout import split_symbol
+
+if TYPE_CHECKING:
+    from markupsafe import Markup
+
+    from groundslab.results.results import Results
 
 #: A piece of a formula: its text, and whether it stands as it is, below or above the line, or is a variable.
 Piece = tuple[str, Literal["", "var", "sub", "sup"]]
@@ -19,7 +26,8 @@ _TOKENS = re.compile(
     r"(?P<digits>\d[\d.]*)e(?P<exponent>[-+]\d+)|\^\((?P<power>[^()]+)\)|\^(?P<raised>[\d.]+)"
     rf"|(?P<symbol>{SYMBOL.pattern})|(?P<rest>[^^A-Za-z\d]+|[\d.]+(?![\d.e])|.)"
 )
-FUNCTIONS = {"sqrt": "√"}
+#: How functions and numbers with a name are written, if not by their names.
+WRITTEN = {"sqrt": "√", "pi": "π"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,16 +45,30 @@ class Line:
 
 @dataclass(frozen=True, slots=True)
 class Sheet:
-    """The calculation of one check at one place in one combination."""
+    """The calculation of one check at one place in one combination, with the sketch of a perimeter if it has one."""
 
     title: str
     lines: tuple[Line, ...]
+    sketch: Markup | None = None
 
 
-def build_sheets(table: Table) -> list[Sheet]:
-    """Return the sheets of the table of calculations."""
-    rows = zip(*(column.values for column in table.columns), strict=True)
+def draw_sheets(combined: Results, table: Table) -> list[Sheet]:
+    """Return the sheets of the table of calculations, with sketches of perimeters."""
+    sketches = perimeters(combined)
     sheets = []
+    for number, (key, sheet) in enumerate(build_sheets(table).items(), 1):
+        if key in sketches:
+            drawn = draw_sketch(combined.solved_model, sketches[key], number, f"Perimeter: {sheet.title}")
+            sheets.append(replace(sheet, sketch=drawn))
+        else:
+            sheets.append(sheet)
+    return sheets
+
+
+def build_sheets(table: Table) -> dict[tuple[str, str, str], Sheet]:
+    """Return the sheets of the table of calculations by check, what they are of, and combination."""
+    rows = zip(*(column.values for column in table.columns), strict=True)
+    sheets = {}
     for about, of_one in groupby(rows, key=lambda row: row[:3]):
         lines = [
             Line(
@@ -62,7 +84,8 @@ def build_sheets(table: Table) -> list[Sheet]:
             if isinstance(value, int | float)
         ]
         title = ", ".join(str(part) for part in about if part)
-        sheets.append(Sheet(f"{title[0].upper()}{title[1:]}", tuple(lines)))
+        check, of, combination = map(str, about)
+        sheets[check, of, combination] = Sheet(f"{title[0].upper()}{title[1:]}", tuple(lines))
     return sheets
 
 
@@ -75,8 +98,8 @@ def split_formula(formula: str) -> list[Piece]:
         elif power := match["power"] or match["raised"]:
             pieces.append((power, "sup"))
         elif name := match["symbol"]:
-            if name in FUNCTIONS or name in ("max", "min", "abs"):
-                pieces.append((FUNCTIONS.get(name, name), ""))
+            if name in FUNCTIONS + CONSTANTS:
+                pieces.append((WRITTEN.get(name, name), ""))
             else:
                 base, _, index = name.partition("_")
                 ((letter, _), *_) = split_symbol(base)

@@ -20,7 +20,7 @@ from groundslab.results.soil_profile import list_columns
 from groundslab.schema.wording import listed
 from groundslab.views.report import table_layout
 from groundslab.views.report.assumptions import list_assumptions
-from groundslab.views.report.calculations import build_sheets
+from groundslab.views.report.calculations import draw_sheets
 from groundslab.views.report.drawings import drawings
 from groundslab.views.report.ground_models import build_chapter
 from groundslab.views.report.input_tables import input_tables
@@ -144,7 +144,7 @@ def _chapters(
         "calculations": {
             "calculations": lambda: [table for table in tables() if table.name == "calculations"],
             "sheets": lambda: [
-                sheet for table in tables() if table.name == "calculations" for sheet in build_sheets(table)
+                sheet for table in tables() if table.name == "calculations" for sheet in draw_sheets(combined, table)
             ],
         },
         "case": {

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import pytest
 
 import groundslab as gs
 from groundslab.design.basis.calculation import CONSTANTS, FUNCTIONS, Step, with_numbers
 from groundslab.design.result_tables import tables_of
+from groundslab.design.tables.calculations import perimeters
 from groundslab.design.tables.table import Table
+from groundslab.views.report.drawings.perimeter_sketch import tangents
 from helpers.calculations import NAMES, follow
 
 STEEL = {"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.04, 0.05)}
@@ -26,6 +29,14 @@ def sheets(*columns: dict[str, Any], steel: dict[str, Any] | None = None, thickn
            openings: tuple[dict[str, Any], ...] = (), M_y: float = 0.0, P: float = 900e3,
            name: str = "calculations") -> Table:  # fmt: skip
     """Return the calculations, or another table, of a slab of 6 m by 4 m with columns that press and turn it."""
+    results = solved(*columns, steel=steel, thickness=thickness, wanted=wanted, openings=openings, M_y=M_y, P=P)
+    (found,) = [table for table in tables_of(results) if table.name == name]
+    return found
+
+
+def solved(*columns: dict[str, Any], steel: dict[str, Any] | None, thickness: float, wanted: str,
+           openings: tuple[dict[str, Any], ...], M_y: float, P: float) -> gs.Results:  # fmt: skip
+    """Return the results of the slab of `sheets`."""
     model = gs.Model(
         plate={"length_x": 6.0, "length_y": 4.0, "thickness": thickness, "E": 30e9, "nu": 0.2, "openings": openings},
         ground={"kind": "pasternak", "k0": 20e6, "k1": 5e6},
@@ -39,8 +50,8 @@ def sheets(*columns: dict[str, Any], steel: dict[str, Any] | None = None, thickn
         report={"sheets": wanted},
         mesh={"size": 0.25},
     )  # fmt: skip
-    (found,) = [table for table in tables_of(gs.solve(model)) if table.name == name]
-    return found
+    results: gs.Results = gs.solve(model)
+    return results
 
 
 def of(table: Table, check: str) -> dict[str, float]:
@@ -108,6 +119,20 @@ def test_the_sheet_of_two_way_shear_is_the_check() -> None:
     assert found["eta"] == pytest.approx(found["v_u"] / (0.75 * found["v_c"]))
     assert abs(found["gamma_v1"] - 0.4) < 0.05
     assert found["v_u"] > found["V_u"] / (found["b_o"] * found["d"])
+
+
+@pytest.mark.parametrize(("steel", "length"), [({}, "u"), (ACI, "b_o"), (SECOND, "b_05")])
+def test_the_sketch_is_the_perimeter(steel: dict[str, Any], length: str) -> None:
+    """What is drawn thick is as long as what counts; tangents to an opening pass through its corners."""
+    results = solved(MIDDLE, steel=steel, thickness=0.4, wanted="all", openings=(HOLE,), M_y=0.0, P=900e3)
+    ((key, sketch),) = perimeters(results).items()
+    assert key == ("punching", "M", "high")
+    (table,) = [table for table in tables_of(results) if table.name == "calculations"]
+    drawn = np.linalg.norm(sketch.legs[:, 1] - sketch.legs[:, 0], axis=1).sum()
+    assert drawn == pytest.approx(of(table, "punching")[length], rel=1e-6)
+    ends = np.array([end for end in tangents(sketch) if end[0] > 0])
+    corners = np.array([[0.5, -0.2], [0.5, 0.2]])
+    assert {round(y / x, 4) for x, y in ends} >= {round(y / x, 4) for x, y in corners}
 
 
 def test_links_are_told_where_they_are_needed() -> None:

@@ -43,7 +43,9 @@ def test_each_check_has_a_sheet() -> None:
         ["punching", "C1", "ULS 1", "share used", "eta", "", "", 0.5, "", ""],
         ["punching", "C2", "ULS 1", "share used", "eta", "", "", 0.75, "", ""],
     ]
-    first, second = build_sheets(table_of("calculations", "Calculations", HEADS, rows, ()))
+    sheets = build_sheets(table_of("calculations", "Calculations", HEADS, rows, ()))
+    assert list(sheets) == [("punching", "C1", "ULS 1"), ("punching", "C2", "ULS 1")]
+    first, second = sheets.values()
     assert (first.title, second.title) == ("Punching, C1, ULS 1", "Punching, C2, ULS 1")
     assert [(line.symbol, line.value) for line in first.lines] == [("d", "0.25000"), ("eta", "0.50000")]
     assert [line.value for line in second.lines] == ["0.75000"]

@@ -44,6 +44,7 @@ class TwoWay:
     error: Callable[[], float | None] = field(repr=False, compare=False)  # of v_u [Pa]
     transfer: aci318.Transfer | None = field(default=None, repr=False, compare=False)  # of a column or pile
     beta_e: float | None = None  # by what v_u at an end of a wall is larger than its mean
+    line: Perimeter | None = field(default=None, repr=False, compare=False)  # of a column or pile
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,6 +145,7 @@ def _demand(
         punching.place,
         lambda: error_of(results, lambda mesh: _transfer(_shear(mesh, section, punching, steel), section).v_u),
         transfer,
+        line=section.line,
     )
 
 

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+import numpy as np
+
 from groundslab.design.aci318 import punching as aci318
 from groundslab.design.aci318.case_materials import materials
 from groundslab.design.aci318.checks.concrete_steps import concrete_in_shear
@@ -15,6 +17,7 @@ from groundslab.design.aci318.checks.wall_ends import WALL_STRESS, wall_two_way
 from groundslab.design.aci318.materials import PHI_SHEAR
 from groundslab.design.basis.calculation import MEGA, Pushing, Step, punching_force
 from groundslab.design.basis.design_code import Calculation
+from groundslab.design.demands.perimeters import SketchedPerimeter
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
@@ -46,7 +49,9 @@ def _governing(demands: Iterable[TwoWay], steel: Reinforcement, one: Pushing | N
         if not demand.supported and demand.v_u > (0.0 if known is None else known.v_u):
             governing[demand.name] = demand
     for demand in sorted(governing.values(), key=lambda each: -each.v_u / strength(each, steel)):
-        yield demand.name, demand.combination, tuple(_steps(demand, steel, one))
+        line, place = demand.line, np.array(demand.place)
+        sketch = None if line is None else SketchedPerimeter(line, line.legs, place)
+        yield Calculation(demand.name, demand.combination, tuple(_steps(demand, steel, one)), sketch)
 
 
 def _steps(demand: TwoWay, steel: Reinforcement, one: Pushing | None) -> Iterator[Step]:

@@ -22,7 +22,7 @@ from groundslab.design.by_plate import plate_under
 from groundslab.design.demands import line_properties, perimeter_loads
 from groundslab.design.demands.line_properties import Course
 from groundslab.design.demands.perimeter_loads import LoadsNear, PerimeterLoads, PunchingForce
-from groundslab.design.demands.perimeters import Perimeter, Surroundings, perimeter_at, surroundings
+from groundslab.design.demands.perimeters import Perimeter, SketchedPerimeter, Surroundings, perimeter_at, surroundings
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.punching_demand import (
@@ -181,6 +181,7 @@ def _control(
         reduced,
         line.opened,
         loads,
+        SketchedPerimeter(line, line.legs, around.center),
     )
 
 

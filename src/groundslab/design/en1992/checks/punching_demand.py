@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from groundslab.arrays import Array
 from groundslab.design.demands.line_properties import Course
 from groundslab.design.demands.perimeter_loads import PerimeterLoads
+from groundslab.design.demands.perimeters import SketchedPerimeter
 
 #: How far from the face perimeters reach, over the effective depth.
 REACH = 2.0
@@ -28,6 +29,7 @@ class ControlPerimeter:
     reduced: float  # u_1* / u_1 of a perimeter at an edge, else 1
     opened: bool  # whether openings take off a part of it
     loads: PerimeterLoads
+    sketch: SketchedPerimeter = field(repr=False, compare=False)
 
 
 @dataclass(frozen=True, slots=True)

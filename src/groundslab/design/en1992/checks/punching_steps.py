@@ -48,7 +48,9 @@ def _governing(punched: Demands, steel: Reinforcement, one: Pushing | None) -> I
         if stress is not None and demand.used(stress) > governing.get(demand.name, (0.0,))[0]:
             governing[demand.name] = demand.used(stress), demand, stress
     for _, demand, stress in sorted(governing.values(), key=lambda each: -each[0]):
-        yield demand.name, demand.combination, tuple(_steps(demand, stress, steel, one))
+        steps = tuple(_steps(demand, stress, steel, one))
+        sketch = None if stress.control is None else stress.control.sketch
+        yield Calculation(demand.name, demand.combination, steps, sketch)
 
 
 def _steps(demand: Demand, stress: Stress, steel: Reinforcement, one: Pushing | None) -> Iterator[Step]:

@@ -16,6 +16,7 @@ from groundslab.design.demands.perimeter_shear import MomentLine, PerimeterShear
 from groundslab.design.demands.perimeters import (
     Openings,
     Perimeter,
+    SketchedPerimeter,
     Surroundings,
     outside,
     perimeter_at,
@@ -50,6 +51,7 @@ class CriticalSection:
     thickness: float  # [m]
     ratio: float  # of the bars in tension, or the most that count
     line: Perimeter
+    legs: Array  # (l, 2, 2): what counts at d_v / 2 [m]
     b_05: float  # length that counts at d_v / 2 [m]
     b_0: float  # that at the face [m]
     center: Array  # (2,) of what counts at d_v / 2 [m]
@@ -60,6 +62,11 @@ class CriticalSection:
     nodes: int  # of the plate that shear forces and moments are read from
     shear: PerimeterShear | None
     lines: tuple[MomentLine, ...]
+
+    @property
+    def sketch(self) -> SketchedPerimeter:
+        """Return what a sketch of it shows."""
+        return SketchedPerimeter(self.line, self.legs, self.place)
 
     @property
     def axes(self) -> Array:
@@ -128,6 +135,7 @@ def critical_section(
         thickness=perimeter_loads.thickness_at(results, footprint),
         ratio=ratio,
         line=line,
+        legs=legs,
         b_05=total_length(legs),
         b_0=total_length(face),
         center=center,

@@ -52,7 +52,8 @@ def _governing(
         if not demand.supported and demand.used > (0.0 if known is None else known.used):
             governing[demand.name] = demand
     for demand in sorted(governing.values(), key=lambda each: -each.used):
-        yield demand.name, demand.combination, tuple(_steps(demand, steel, one))
+        sketch = None if demand.section is None else demand.section.sketch
+        yield Calculation(demand.name, demand.combination, tuple(_steps(demand, steel, one)), sketch)
 
 
 def _steps(demand: Punching, steel: Reinforcement, one: Pushing | None) -> Iterator[Step]:
