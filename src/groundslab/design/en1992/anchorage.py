@@ -34,14 +34,14 @@ def good_bond(below: float, above: float) -> bool:
 
 
 def bond_stress(concrete: Concrete, diameter: float, good: bool) -> float:
-    """Return f_bd [Pa] of a bar [m] (8.2)."""
+    """Return f_bd [Pa] of a bar [m] (formula 8.2)."""
     f_ctk = CHARACTERISTIC * mean_tensile_strength(min(concrete.f_ck, MOST_BOND))
     eta_2 = min(1.0, (132 - diameter * 1e3) / 100)
     return 2.25 * (1.0 if good else POOR) * eta_2 * f_ctk / concrete.gamma_c
 
 
 def basic_length(concrete: Concrete, steel: Steel, diameter: float, good: bool) -> float:
-    """Return l_b,rqd [m] of a bar [m] that is stressed by f_yd (8.3)."""
+    """Return l_b,rqd [m] of a bar [m] that is stressed by f_yd (formula 8.3)."""
     return diameter / 4 * steel.f_yd / bond_stress(concrete, diameter, good)
 
 
@@ -53,13 +53,13 @@ def cover_factor(concrete: Concrete, diameter: float, c_d: float) -> float:
 
 
 def anchorage_length(concrete: Concrete, steel: Steel, diameter: float, c_d: float, good: bool) -> float:
-    """Return l_bd [m] of a straight bar [m] (8.4), c_d [m] as in Figure 8.3."""
+    """Return l_bd [m] of a straight bar [m] (formula 8.4), c_d [m] as in Figure 8.3."""
     basic = basic_length(concrete, steel, diameter, good)
     return max(cover_factor(concrete, diameter, c_d) * basic, 0.3 * basic, 10 * diameter, 0.100)
 
 
 def lap_length(concrete: Concrete, steel: Steel, diameter: float, c_d: float, good: bool) -> float:
-    """Return l_0 [m] of straight bars [m] that all lap in one section (8.10)."""
+    """Return l_0 [m] of straight bars [m] that all lap in one section (formula 8.10)."""
     thin, thick = concrete.annex.lap
     alpha_6 = thin if diameter < THICK_LAP - ROUNDING else thick
     basic = basic_length(concrete, steel, diameter, good)

@@ -7,7 +7,7 @@ over the depth x has, with r = eps_c2 / eps_cu,
     F_c = (1 - r / 3) f_cd x     at     a_c = (1/2 - r/3 + r^2/12) / (1 - r/3) x     from that face
 
 and so has a block of the depth 2 a_c with the stress F_c / (2 a_c): in a rectangular section both are the same, exactly
-(`design/bending`). The neutral axis is kept above the depth up to which (7.16) lets moments of a linear elastic
+(`design/bending`). The neutral axis is kept above the depth up to which formula 7.16 lets moments of a linear elastic
 analysis be without redistribution, delta_M = 1, and above that at which bars in tension just yield.
 """
 
@@ -42,7 +42,7 @@ MOST_BARS = 0.04
 
 
 def deepest_axis(steel: Steel) -> float:
-    """Return the largest x / d: that of (7.16) without redistribution, or less, so that the steel yields."""
+    """Return the largest x / d: that of formula 7.16 without redistribution, or less, so that the steel yields."""
     unredistributed = 1 - 1 / (1 + 0.7 * EPS_CU * steel.E_s / steel.f_yd)
     yields = EPS_CU / (EPS_CU + steel.f_yd / steel.E_s)
     return min(unredistributed, yields)

@@ -34,7 +34,7 @@ FORMULAS = {
     "eps": "max(sigma_s - k_t * f_ctm / rho * (1 + E_s / E_cm * rho), (1 - k_t) * sigma_s) / E_s",
     "w_k,cal": "k_w * k_r * s_r * eps * 1000",
 }
-#: Good bond (9.18), as bars of slabs cast horizontally have at the bottom; else POOR_BOND.
+#: Good bond (formula 9.18), as bars of slabs cast horizontally have at the bottom; else POOR_BOND.
 GOOD_BOND, POOR_BOND = 0.9, 1.2
 #: k_t of loads that last (9.2.3(3)).
 LONG_TERM = 0.4
@@ -103,7 +103,7 @@ def width_of_stress(sigma_s: Array, h: Array, x: Array, bars: Bars, given: tuple
 
 
 def curvature_factor(h: Array, x: Array, bars: Bars) -> Array:
-    """Return k_1/r (n,), by which a crack is wider at the face than at the bars (9.9)."""
+    """Return k_1/r (n,), by which a crack is wider at the face than at the bars (formula 9.9)."""
     return np.asarray((h - x) / (h - axis(bars) - x))
 
 

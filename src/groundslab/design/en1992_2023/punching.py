@@ -46,7 +46,7 @@ FORMULAS = {
 WALLS: Mapping[str, float] = {"end": 1.4, "corner": 1.2}
 #: The least beta_e (Table 8.3).
 LEAST_BETA = 1.05
-#: k_pb is between these (8.96).
+#: k_pb is between these (formula 8.96).
 LEAST_GRADIENT, MOST_GRADIENT = 1.0, 2.5
 #: The largest ratio of bars that counts: the standard has none, and that of the first generation is on the safe side.
 MOST_BARS = 0.02
@@ -77,17 +77,17 @@ def beta(e_b: float, b_1: float, b_2: float) -> float:
 
 
 def gradient(b_0: float, b_05: float) -> float:
-    """Return k_pb for the perimeters at the face and at d_v / 2 [m] (8.96)."""
+    """Return k_pb for the perimeters at the face and at d_v / 2 [m] (formula 8.96)."""
     return min(MOST_GRADIENT, max(LEAST_GRADIENT, 3.6 * math.sqrt(max(0.0, 1 - b_0 / b_05))))
 
 
 def depth_by_contraflexure(a_p: float, d_v: float) -> float:
-    """Return a_pd, or d_v where contraflexure is not nearer than 8 d_v, for a_p >= d_v and d_v [m] (8.97)."""
+    """Return a_pd, or d_v where contraflexure is not nearer than 8 d_v, for a_p >= d_v and d_v [m] (formula 8.97)."""
     return math.sqrt(max(a_p, d_v) * d_v / 8) if a_p < FAR_CONTRAFLEXURE * d_v else d_v
 
 
 def resistance_without_links(concrete: Concrete, k_pb: float, rho: float, d: float) -> float:
-    """Return tau_Rd,c [Pa] for a ratio rho of bars and d_v, or a_pd in its place, [m] (8.94)."""
+    """Return tau_Rd,c [Pa] for a ratio rho of bars and d_v, or a_pd in its place, [m] (formula 8.94)."""
     f_ck = concrete.f_ck / _MPA
     of_bars = 0.6 * k_pb * math.cbrt(100 * min(rho, MOST_BARS) * f_ck * concrete.d_dg / d)
     return min(of_bars, 0.5 * math.sqrt(f_ck)) / concrete.gamma_v * _MPA

@@ -31,13 +31,13 @@ MOST_BARS = 0.02
 
 
 def minimum_resistance(concrete: Concrete, steel: Steel, d: Array | float) -> Array:
-    """Return tau_Rdc,min (n,) [Pa] for effective depths d (n,) [m] (8.20)."""
+    """Return tau_Rdc,min (n,) [Pa] for effective depths d (n,) [m] (formula 8.20)."""
     ratio = concrete.f_ck / steel.f_yd * concrete.d_dg / np.asarray(d, dtype=float)
     return np.asarray(11 / concrete.gamma_v * np.sqrt(ratio) * _MPA)
 
 
 def stress_without_links(concrete: Concrete, steel: Steel, d: Array | float, rho: Array | float) -> Array:
-    """Return tau_Rd,c (n,) [Pa] for effective depths d (n,) [m] and ratios of bars in tension rho (n,) (8.27)."""
+    """Return tau_Rd,c (n,) [Pa] for depths d (n,) [m] and ratios of bars in tension rho (n,) (formula 8.27)."""
     d = np.asarray(d, dtype=float)
     counted = np.minimum(rho, MOST_BARS)
     of_bars = 0.66 / concrete.gamma_v * np.cbrt(100 * counted * concrete.f_ck / _MPA * concrete.d_dg / d) * _MPA

@@ -41,7 +41,7 @@ class Steel:
 
     @property
     def f_yd(self) -> float:
-        """Return the design yield strength [Pa], EN 1992-1-1:2004 3.2.7(2), EN 1992-1-1:2023 (5.11)."""
+        """Return the design yield strength [Pa], EN 1992-1-1:2004 3.2.7(2), EN 1992-1-1:2023 formula 5.11."""
         return self.f_yk / self.gamma_s
 
 

@@ -57,7 +57,7 @@ def checks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -
 
 
 def _cover(steel: Reinforcement) -> DesignCheck:
-    """Return whether the cover is what bond asks for, and Delta c_dev, or more (6.5)."""
+    """Return whether the cover is what bond asks for, and Delta c_dev, or more (clause 6.5)."""
     # bond asks for the bar's diameter, and 10 mm are the least (6.5.2)
     least = {
         layer: [max(bars.diameter, 0.010) + RECOMMENDED.delta_c_dev for bars in bars_of(steel, layer)]

@@ -99,7 +99,7 @@ class CriticalSection:
 
     @property
     def k_pb(self) -> float:
-        """Return the gradient enhancement (8.96)."""
+        """Return the gradient enhancement (formula 8.96)."""
         return en1992.gradient(self.b_0, self.b_05)
 
 

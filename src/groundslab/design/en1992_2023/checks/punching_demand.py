@@ -218,7 +218,7 @@ def _stress(
 
 
 def _of_analysis(results: CombinationResult, section: CriticalSection, punching: PunchingForce) -> float | None:
-    """Return tau_Ed by shear forces along the perimeter, averaged over 2 d_v [Pa] (8.93); None off the mesh."""
+    """Return tau_Ed by shear forces along the perimeter, averaged over 2 d_v [Pa] (formula 8.93); None off the mesh."""
     plate = plate_under(results, *punching.place)
     shear = section.shear_on(plate)
     sign = -1.0 if punching.from_below else 1.0
@@ -226,7 +226,7 @@ def _of_analysis(results: CombinationResult, section: CriticalSection, punching:
 
 
 def _contraflexure(results: CombinationResult, section: CriticalSection, punching: PunchingForce) -> float:
-    """Return a_p [m], the mean distance of contraflexure from the support along both axes of bars (8.98).
+    """Return a_p [m], the mean distance of contraflexure from the support along both axes of bars (formula 8.98).
 
     inf at edges and corners: from where it is measured there, Figure 8.21 a), was not read.
     """

@@ -20,7 +20,7 @@ def remarks(_: Results, __: Reinforcement) -> Iterator[DesignCheck]:
     words = f"{SECOND_HAND}; docs/theory.md lists them, to be checked against the standard and its national annex"
     yield DesignCheck("formulas of the code", "attention", words)
     words = (
-        "durability by exposure resistance classes (6.4), fatigue (10), anchorage and laps (11), detailing of links "
-        "(12.4.2, 12.5.1) and limits of deflection (9.3) are not checked"
+        "durability by exposure resistance classes (clause 6.4), fatigue (10), anchorage and laps (11), detailing of "
+        "links (12.4.2, 12.5.1) and limits of deflection (clause 9.3) are not checked"
     )
     yield DesignCheck("rest of EN 1992-1-1:2023", "attention", words)
