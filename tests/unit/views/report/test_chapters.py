@@ -21,7 +21,7 @@ from groundslab.units import UNITS
 from groundslab.views.files import results_folder
 from groundslab.views.report import content, pdf
 from groundslab.views.report.drawings import drawings
-from groundslab.views.report.drawings.load_plan import draw_load_plan, load_text
+from groundslab.views.report.drawings.load_plan import LoadPlan, load_text, plan_base
 from groundslab.views.report.drawings.maps import _path_data
 from groundslab.views.report.html import render_report
 from groundslab.views.summary.combinations import Extreme
@@ -174,11 +174,11 @@ class TestLoads:
         loads = [{"kind": "point", "P": 1e3 + n, "x": -2.9 + 0.02 * n, "y": 0} for n in range(250)]
         (drawn,) = plans_of_loads(model(cases=[], loads=loads))
         many = model(cases=[], loads=loads)
-        (axes,) = draw_load_plan(many, as_solved(many), None).axes
+        (axes,) = LoadPlan(plan_base(many, as_solved(many)), None).draw().axes
         written = [text.get_text() for text in axes.texts]
         assert len(written) > 20
         missing = len(loads) - len(written)
-        assert drawn.caption == f"All loads. For {missing} values there is no space; all are listed under loads."
+        assert drawn.caption == f"All loads. For {missing} values there is no space; the case lists all."
 
     def test_values_stand_on_no_line(self) -> None:
         """The value of a line load stands beside it, and that of a column on the plate's edge off the edge."""
@@ -188,7 +188,7 @@ class TestLoads:
             {"kind": "line", "q": 20e3, "points": [(-2, -1), (2, -1)]},
         ]
         slab = model(cases=[], loads=loads, columns=[column])
-        figure = draw_load_plan(slab, as_solved(slab), None)
+        figure = LoadPlan(plan_base(slab, as_solved(slab)), None).draw()
         (axes,) = figure.axes
         boxes = {text.get_text(): text.get_window_extent() for text in axes.texts}
         for words, y in (("321 kN", 2.0), ("20 kN/m", -1.0)):

@@ -18,8 +18,8 @@ from groundslab.views.plots.panels import Panel, build_panels, find_extremes, sh
 from groundslab.views.plots.plan import draw_mesh
 from groundslab.views.plots.request import PlottedCombination, parse_request
 from groundslab.views.plots.style import place_words
-from groundslab.views.report.drawings import load_plan
 from groundslab.views.report.drawings.case_plan import describe_omissions, draw_case_plan
+from groundslab.views.report.drawings.load_plan import LoadPlan, plan_base
 from groundslab.views.report.drawings.maps import draw_maps
 
 if TYPE_CHECKING:
@@ -59,11 +59,12 @@ def draw_case(model: Model, placed: Model) -> Drawing:
 
 def draw_loads(model: Model, placed: Model) -> Iterator[Drawing]:
     """Yield the plan of each load case's loads, without factors; of all loads where there are no cases."""
+    base = plan_base(model, placed)
     for number, case in enumerate(model.cases or (None,), 1):
-        if any(map(load_plan.takes_part(model, case), placed.loads)):
-            caption = load_plan.describe_loads(model, placed, case)
-            draw = partial(load_plan.draw_load_plan, model, placed, case)
-            yield Drawing(to_inline_svg(draw, f"loads{number}", caption), caption)
+        plan = LoadPlan(base, case)
+        if plan.has_loads:
+            caption = plan.describe()
+            yield Drawing(to_inline_svg(plan.draw, f"loads{number}", caption), caption)
 
 
 def draw_mesh_plan(results: CombinationResult) -> Drawing:

@@ -23,7 +23,6 @@ if TYPE_CHECKING:
 
     from groundslab.model.loads.load_cases import LoadCase
     from groundslab.model.loads.load_types import AnyLoad
-    from groundslab.model.loads.patterns import Move
     from groundslab.model.model import Model
 
 #: Width of a plan of loads, the largest height of what is drawn, and what stays free around it [mm].
@@ -43,79 +42,102 @@ def takes_part(model: Model, case: LoadCase | None) -> Callable[[AnyLoad], bool]
     return symbols.load_filter((name, 1.0) for name in names)
 
 
-class _Sheet(NamedTuple):
-    """Where a plan lies on its sheet."""
+class LoadPlan:
+    """The plan of the loads of one load case, or of all loads where there are no cases."""
+
+    def __init__(self, base: PlanBase, case: LoadCase | None) -> None:
+        self._base, self._case = base, case
+        self._belongs = takes_part(base.model, case)
+        pairs = zip(base.placed.loads, base.plan["loads"], strict=True)
+        self._loads = [(load, about) for load, about in pairs if self._belongs(load)]
+        self._paths = [
+            move for move in base.model.moves if move.travels and case is not None and move.case == case.name
+        ]
+        values, self._repeated = _split_repeated(_values(self._loads))
+        self._texts, self._missing = _place_values(base, self._loads, values)
+
+    @property
+    def has_loads(self) -> bool:
+        """Return whether any load belongs to the case."""
+        return bool(self._loads)
+
+    def draw(self) -> Figure:
+        """Return the plan as a figure, with the values that there is space for."""
+        (x0, x1, y0, y1), per_meter, model, placed, _ = self._base
+        width, height = (x1 - x0) * per_meter, (y1 - y0) * per_meter
+        page = style.Page(WIDTH)
+        axes = page.add_axes((WIDTH - width) / 2, FREE, width, height)
+        axes.set(xlim=(x0, x1), ylim=(y0, y1))
+        axes.set_axis_off()
+        symbols.draw_plate(axes, model, fill=style.PANEL)
+        symbols.draw_columns(axes, placed, self._belongs)
+        symbols.draw_walls(axes, placed, self._belongs)
+        symbols.draw_beams(axes, model)
+        for path in self._paths:
+            axes.plot(*zip(*path.points, strict=True), color=style.LOAD, linewidth=0.6, linestyle=(0, (6, 3)))
+        symbols.draw_loads(axes, placed, self._belongs, everywhere=False)
+        for text, (x, y) in self._texts:
+            axes.text(
+                x / per_meter, y / per_meter, text, fontsize=style.SMALL, ha="center", va="center", color=style.LOAD,
+                parse_math=False, zorder=8,
+                bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.2},
+            )  # fmt: skip
+        return page.finish(FREE + height + FREE / 2, signed=False)
+
+    def describe(self) -> str:
+        """Return the name of the case, its action, what of it acts everywhere or often, whether values are missing."""
+        case = self._case
+        everywhere = [_on_plate(load) for load, about in self._loads if not stands_in_plan(about)]
+        forces = [] if case is None else [("H_x", case.H_x), ("H_y", case.H_y)]
+        everywhere += [f"{symbol.replace('_', '')} {value / 1e3:.5g} kN" for symbol, value in forces if value]
+        everywhere += [f"{count} \N{MULTIPLICATION SIGN} {text}" for text, count in self._repeated.items()]
+        name = "All loads" if case is None else f"{case.name}, {case.action}"
+        hidden = f" For {self._missing} values there is no space; the case lists all." if self._missing else ""
+        moves = " It moves along the dashed path; drawn at the first position." if self._paths else ""
+        return f"{name}{': ' if everywhere else ''}{'; '.join(everywhere)}.{hidden}{moves}"
+
+
+class PlanBase(NamedTuple):
+    """What the plans of all load cases share."""
 
     limits: tuple[float, float, float, float]  # x0, x1, y0, y1 [m]
     per_meter: float  # [mm/m]
+    model: Model
+    placed: Model
+    plan: dict[str, Any]  # of the case as solved
 
 
-def _sheet(model: Model) -> _Sheet:
-    """Return how large a plan is drawn."""
+def plan_base(model: Model, placed: Model) -> PlanBase:
+    """Return where and how large plans of loads are drawn."""
     near = nearby(plan_of(model))
     (x0, y0), (x1, y1) = near.min(axis=0), near.max(axis=0)
-    return _Sheet((x0, x1, y0, y1), min((WIDTH - 2 * FREE) / (x1 - x0), HEIGHT / (y1 - y0)))
+    per_meter = min((WIDTH - 2 * FREE) / (x1 - x0), HEIGHT / (y1 - y0))
+    return PlanBase((x0, x1, y0, y1), per_meter, model, placed, plan_of(placed))
 
 
-def draw_load_plan(model: Model, placed: Model, case: LoadCase | None) -> Figure:
-    """Return the plan of the loads of a case as a figure, with the values that there is space for."""
-    belongs = takes_part(model, case)
-    (x0, x1, y0, y1), per_meter = _sheet(model)
-    width, height = (x1 - x0) * per_meter, (y1 - y0) * per_meter
-    page = style.Page(WIDTH)
-    axes = page.add_axes((WIDTH - width) / 2, FREE, width, height)
-    axes.set(xlim=(x0, x1), ylim=(y0, y1))
-    axes.set_axis_off()
-    symbols.draw_plate(axes, model, fill=style.PANEL)
-    symbols.draw_columns(axes, placed, belongs)
-    symbols.draw_walls(axes, placed, belongs)
-    symbols.draw_beams(axes, model)
-    for path in _paths(model, case):
-        axes.plot(*zip(*path.points, strict=True), color=style.LOAD, linewidth=0.6, linestyle=(0, (6, 3)))
-    symbols.draw_loads(axes, placed, belongs, everywhere=False)
-    for text, (x, y) in _place_values(model, placed, case)[0]:
-        axes.text(
-            x / per_meter, y / per_meter, text, fontsize=style.SMALL, ha="center", va="center", color=style.LOAD,
-            parse_math=False, zorder=8,
-            bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.2},
-        )  # fmt: skip
-    return page.finish(FREE + height + FREE / 2, signed=False)
+#: A load, and what the plan says of it.
+Loads = list[tuple["AnyLoad", dict[str, Any]]]
 
 
-def describe_loads(model: Model, placed: Model, case: LoadCase | None) -> str:
-    """Return the name of a case, its action, what of it acts everywhere or often, and whether values are missing."""
-    everywhere = [_on_plate(load) for load, about in _loads_of(model, placed, case) if not stands_in_plan(about)]
-    forces = [] if case is None else [("H_x", case.H_x), ("H_y", case.H_y)]
-    everywhere += [f"{symbol.replace('_', '')} {value / 1e3:.5g} kN" for symbol, value in forces if value]
-    _, repeated = _split_repeated(_values(model, placed, case))
-    everywhere += [f"{count} \N{MULTIPLICATION SIGN} {text}" for text, count in repeated.items()]
-    name = "All loads" if case is None else f"{case.name}, {case.action}"
-    _, missing = _place_values(model, placed, case)
-    hidden = f" For {missing} values there is no space; all are listed under loads." if missing else ""
-    moves = " It moves along the dashed path; drawn at the first position." if _paths(model, case) else ""
-    return f"{name}{': ' if everywhere else ''}{'; '.join(everywhere)}.{hidden}{moves}"
-
-
-def _place_values(model: Model, placed: Model, case: LoadCase | None) -> tuple[list[tuple[str, Point]], int]:
+def _place_values(
+    base: PlanBase, loads: Loads, values: dict[tuple[float, float], list[str]]
+) -> tuple[list[tuple[str, Point]], int]:
     """Return the values of loads with the middle of each [mm], and how many there is no space for.
 
     They stand on no line of the plan, nor on each other.
     """
-    (x0, x1, y0, y1), per_meter = _sheet(model)
-    limits = (x0 * per_meter - FREE, x1 * per_meter + FREE, y0 * per_meter - FREE, y1 * per_meter + FREE)
-    placement = LabelPlacement(limits)
-    plan = plan_of(placed)
+    per_meter, plan = base.per_meter, base.plan
+    x0, x1, y0, y1 = (limit * per_meter for limit in base.limits)
+    placement = LabelPlacement((x0 - FREE, x1 + FREE, y0 - FREE, y1 + FREE))
     parts = (*plan["plates"], *plan["openings"], *plan["zones"], *plan["columns"])
     lines = [plan["outline"], *(part["ring"] for part in parts)]
-    of_loads = [about for _, about in _loads_of(model, placed, case) if stands_in_plan(about)]
-    lines += [about.get("ring") or about["points"] for about in of_loads]
+    lines += [about.get("ring") or about["points"] for _, about in loads if stands_in_plan(about)]
     for line in lines:
         closed = np.array([*line, line[0]] if len(line) > 2 else line, dtype=float)
         placement.reserve_line(per_meter * closed, NEAR)
-    texts, _ = _split_repeated(_values(model, placed, case))
     shown, missing = [], 0
-    for place, values in texts.items():
-        text = style.plain_text(", ".join(values))
+    for place, texts in values.items():
+        text = style.plain_text(", ".join(texts))
         half = style.text_width(text, style.SMALL) / 2, 0.5 * style.SMALL * style.PT
         at = (place[0] * per_meter, place[1] * per_meter)
         middle = next(filter(None, (placement.place_free(at, half, far, SIDES) for far in DISTANCES)), None)
@@ -124,22 +146,10 @@ def _place_values(model: Model, placed: Model, case: LoadCase | None) -> tuple[l
     return shown, missing
 
 
-def _loads_of(model: Model, placed: Model, case: LoadCase | None) -> list[tuple[AnyLoad, dict[str, Any]]]:
-    """Return the loads of a case, each with what the plan says of it."""
-    belongs = takes_part(model, case)
-    pairs = zip(placed.loads, plan_of(placed)["loads"], strict=True)
-    return [(load, about) for load, about in pairs if belongs(load)]
-
-
 def _on_plate(load: AnyLoad) -> str:
     """Return the text of a load on the entire plate, such as "uniform 5 kPa", with the plate that it names."""
     name = getattr(load, "plate", "")
     return f"{load.kind} {load_text(load)}" + (f" on {name}" if name else "")
-
-
-def _paths(model: Model, case: LoadCase | None) -> list[Move]:
-    """Return the paths along which a case moves."""
-    return [move for move in model.moves if move.travels and case is not None and move.case == case.name]
 
 
 def load_text(load: AnyLoad) -> str:
@@ -169,10 +179,10 @@ def _split_repeated(
     return {place: texts for place, texts in kept.items() if texts}, repeated
 
 
-def _values(model: Model, placed: Model, case: LoadCase | None) -> dict[tuple[float, float], list[str]]:
-    """Return how large the loads of a case are, by the places at which that is written."""
+def _values(loads: Loads) -> dict[tuple[float, float], list[str]]:
+    """Return how large loads are, by the places at which that is written."""
     texts: dict[tuple[float, float], list[str]] = {}
-    for load, about in _loads_of(model, placed, case):
+    for load, about in loads:
         if stands_in_plan(about):
             place = upper_left(about["ring"]) if "ring" in about else middle(about["points"])
             texts.setdefault(place, []).append(load_text(load))
