@@ -76,6 +76,10 @@ class Analyses:
         """Return a name for the archive of case, results and report of a run, and its content."""
         return f"{case.stem}-results.zip", self.solver.make_view(("archive", run, case.name))
 
+    def propose_bars(self, run: int, case: Path) -> bytes:
+        """Return the text of a case with bars that the results of a run ask for."""
+        return self.solver.make_view(("bars", run, str(case.parent)))
+
     def _is_outdated(self, run: int) -> bool:
         """Return whether the document describes another model by now than that of a run."""
         solved, present = self.solver.schedule.results.get(run), self._revision

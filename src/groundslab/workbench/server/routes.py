@@ -267,6 +267,11 @@ def _add_solver_routes(app: FastAPI, session: Session) -> None:
         name, content = analyses.write_report(run, session.file.path or UNTITLED)
         return respond_download(name, content, "text/html; charset=utf-8")
 
+    @app.get("/api/results/{run}/bars")
+    def propose_bars(run: int) -> Response:
+        text = analyses.propose_bars(run, session.file.path or UNTITLED)
+        return Response(text, media_type="text/plain; charset=utf-8")
+
     @app.get("/api/results/{run}/archive")
     def get_archive(run: int) -> Response:
         name, content = analyses.write_archive(run, session.file.path or UNTITLED)

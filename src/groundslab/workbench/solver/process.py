@@ -1,6 +1,7 @@
 """The process that solves: it is kept warm, and stops a run between two steps of the analysis.
 
-It receives ("solve", run, text, shown, before), ("report", run, file), ("archive", run, file) and ("table", run, name)
+It receives ("solve", run, text, shown, before), ("report", run, file), ("archive", run, file), ("table", run, name) and
+("bars", run, folder)
 from ``Worker`` through a pipe. It sends ("ready",) when it can receive, ("warm",) when it has warmed up, ("progress",
 run, text, share), ("preview", run, words, figures) followed by the bytes of a scene, ("provisional", run, answer) and
 ("solved", run, answer) followed by the bytes of the scene, ("refused", run, message, issues), ("stopped", run),
@@ -17,6 +18,7 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from multiprocessing.connection import Connection
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import GroundslabError, InputError
@@ -352,6 +354,14 @@ def _write_archive(solved: Solved, file: str, told: Told) -> bytes:
     return pack_results(solved.results, solved.text, _render_report(solved, file, told))
 
 
+def _write_bars(solved: Solved, folder: str, _: Told) -> bytes:
+    """Return the text of the case with bars that are proposed; relative names of files are those in a folder."""
+    from groundslab.case import casefile
+    from groundslab.design.proposal.propose import propose_bars
+
+    return casefile.with_reinforcement(solved.text, propose_bars(solved.results).model, Path(folder)).encode()
+
+
 def _write_table(solved: Solved, name: str, _: Told | None = None) -> bytes:
     """Return a table as JSON."""
     from groundslab.workbench.solver.tables import table_to_json
@@ -362,4 +372,5 @@ def _write_table(solved: Solved, name: str, _: Told | None = None) -> bytes:
 #: What writes each kind of view.
 WRITERS: dict[str, Callable[[Solved, str, Told], bytes]] = {
     "report": _write_report, OUTDATED: _write_outdated_report, "archive": _write_archive, "table": _write_table,
+    "bars": _write_bars,
 }  # fmt: skip

@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from groundslab.case import casefile
 from groundslab.errors import InputError
 from groundslab.workbench.events import Event
 from groundslab.workbench.solver import process
@@ -547,3 +548,48 @@ def test_the_report_compares_grounds_where_the_case_lists_that_chapter(chapters:
     titles = ["Extreme values", *(["Ground models compared"] if compared else [])]
     assert making == [("making", 1, title, number / len(titles)) for number, title in enumerate(titles)]
     assert (b"Ground models compared" in pipe.content) is compared
+
+
+def test_bars_are_proposed_as_a_text_of_the_case() -> None:
+    """The text has bars in all layers, and what stands above with its comments; without reinforcement it says so."""
+    text = """# a strip
+[plate]
+length_x = "4 m"
+length_y = "2 m"
+thickness = "300 mm"
+E = "30 GPa"
+nu = 0.2
+[ground]
+kind = "winkler"
+k = "30 MPa/m"
+[mesh]
+size = "0.5 m"
+[[cases]]
+name = "G"
+[[loads]]
+kind = "point"
+P = "300 kN"
+x = "0 m"
+y = "0 m"
+case = "G"
+[[combinations]]
+name = "one"
+limit_state = "ultimate"
+factors = {G = 1.35}
+[reinforcement]
+f_ck = "30 MPa"
+f_yk = "500 MPa"
+bottom = ["50 mm", "62 mm"]
+top = ["50 mm", "62 mm"]
+"""
+    pipe = Kept()
+    for run, case in enumerate((text, text.partition("[reinforcement]")[0])):
+        *_, solved = process.solve(case, Progress(lambda *_: None))
+        process._send_view(pipe, ("bars", run, "."), {run: solved})
+    (_, _, first), (_, _, second) = pipe.messages
+    assert first == ""
+    assert "[reinforcement]" in second
+    made = casefile.loads(pipe.content.decode())
+    assert pipe.content.startswith(b"# a strip")
+    assert made.reinforcement is not None
+    assert made.reinforcement.laid

@@ -192,6 +192,8 @@ export class HttpApi {
   scene = async (run: number) => (await this.request(`results/${run}/scene`, undefined, 120_000)).arrayBuffer();
   preview = async (run: number) => (await this.request(`results/${run}/preview`, undefined, 120_000)).arrayBuffer();
   setShown = async (combination: string | null) => void (await this.json("shown", { combination }));
+  /** The text of the case with bars that its results ask for. */
+  proposeBars = async (run: number) => (await this.request(`results/${run}/bars`, undefined, 120_000)).text();
   report = (run: number) => this.file(`results/${run}/report`);
   archiveAddress = (run: number) => `api/results/${run}/archive?token=${encodeURIComponent(this.token)}`;
   eventsAddress = () => `api/events?token=${encodeURIComponent(this.token)}`;

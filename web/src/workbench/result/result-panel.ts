@@ -6,6 +6,7 @@ import { type Api, Lost, Refused, type Summary } from "../client/api";
 import type { Store } from "../client/store";
 import { splitter } from "../controls/splitter";
 import type { Change } from "../model/edits";
+import { barsBar } from "./bars-bar";
 import { comparisonBar } from "./comparison-bar";
 import { keepSection } from "./keep-section";
 import { LowerPanels } from "./lower-panels";
@@ -37,7 +38,15 @@ export class ResultPanel {
     private readonly store: Store,
     private readonly api: Pick<
       Api,
-      "scene" | "summary" | "tables" | "table" | "preview" | "setShown" | "compareGrounds" | "cancelComparison"
+      | "scene"
+      | "summary"
+      | "tables"
+      | "table"
+      | "preview"
+      | "setShown"
+      | "compareGrounds"
+      | "cancelComparison"
+      | "proposeBars"
     >,
     private readonly onLost: (error: Lost) => void,
     model: ModelActions | null,
@@ -89,6 +98,7 @@ export class ResultPanel {
     });
     const bar = model && comparisonBar(store, api, (error) => this.handleError(error));
     if (bar) lower.tables.addTo("ground", bar);
+    if (model) lower.tables.addTo("reinforcement", barsBar(store, api, model.push));
     return lower;
   }
 
