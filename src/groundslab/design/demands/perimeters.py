@@ -137,16 +137,23 @@ class SketchedPerimeter(NamedTuple):
 
 
 def perimeter(
-    plate: PlateResult, column: Footprint, distance: float, openings: Openings | None = None, *, square: bool = False
+    plate: PlateResult,
+    column: Footprint,
+    distance: float,
+    openings: Openings | None = None,
+    *,
+    square: bool = False,
+    near: float | None = None,
 ) -> Perimeter:
-    """Return the control perimeter at a distance [m] from a footprint on a plate (see `Surroundings`).
+    """Return the control perimeter at a distance [m] from a footprint on a plate (see `perimeter_at`).
 
     Raises
     ------
     InputError
         If the footprint does not lie on the plate, or nothing of the perimeter does.
     """
-    return perimeter_at(surroundings(plate, column, distance, openings or Openings()), distance, square=square)
+    around = surroundings(plate, column, distance, openings or Openings())
+    return perimeter_at(around, distance, square=square, near=near)
 
 
 def surroundings(plate: PlateResult, column: Footprint, within: float, openings: Openings) -> Surroundings:
@@ -186,13 +193,16 @@ def surroundings(plate: PlateResult, column: Footprint, within: float, openings:
     )
 
 
-def perimeter_at(around: Surroundings, distance: float, *, square: bool = False) -> Perimeter:
+def perimeter_at(
+    around: Surroundings, distance: float, *, square: bool = False, near: float | None = None
+) -> Perimeter:
     """Return the shortest perimeter on the plate at a distance [m] from a footprint (EN 1992-1-1 6.4.2).
 
     It runs around the footprint, with rounded corners, and ends where it meets the plate's edge (Figure 6.13), or runs
-    straight out to one or several edges nearer than the distance at a right angle, if that is shorter (Figure 6.15).
-    Lengths of the free edge itself do not count, nor what lies in the shadow of openings (Figure 6.14). With `square`
-    its corners are square, as those of ACI 318-19 22.6.4.1.
+    straight out to one or several edges at a right angle, if that is shorter (Figure 6.15). Lengths of the free edge
+    itself do not count, nor what lies in the shadow of openings (Figure 6.14). With `square` its corners are square, as
+    those of ACI 318-19 22.6.4.1. Edges count together up to a setback `near` [m]; without it, those to which it would
+    run out alone: no column in the middle of a slab is one at a corner, though that may be the shorter way.
 
     Raises
     ------
@@ -200,8 +210,12 @@ def perimeter_at(around: Surroundings, distance: float, *, square: bool = False)
         If nothing of the perimeter is left on the plate.
     """
     join: Literal["mitre", "round"] = "mitre" if square else "round"
-    near = [edge for edge in around.edges if edge.setback <= distance]
-    stretched = list(stretched_over(around, near, distance))
+    corner = distance * (2.0 if square else np.pi / 2)
+    stretched = [
+        way
+        for way in stretched_over(around, list(around.edges), distance)
+        if _may_be_shorter(around, way[0], corner, near)
+    ]
     regions = [polygon.buffer(distance, quad_segs=QUARTER_CHORDS, join_style=join) for _, polygon in stretched]
     ways = [_cut_off(around, region) for region in regions]
     shortest = min(range(len(ways)), key=lambda i: total_length(ways[i][1]))
@@ -215,6 +229,22 @@ def perimeter_at(around: Surroundings, distance: float, *, square: bool = False)
         raise InputError([Issue("column", where, expected, "take a smaller distance")])
     setbacks = tuple(edge.setback for edge in stretched[shortest][0])
     return Perimeter(legs, whole, ring, inside, opened, setbacks, stretched[shortest][1])
+
+
+def _may_be_shorter(around: Surroundings, edges: tuple[NearEdge, ...], corner: float, near: float | None) -> bool:
+    """Return whether a perimeter that runs out to edges may be shorter than one all around, by their setbacks.
+
+    All around are the sides of the footprint and four corners of a length [m]; two legs to one edge leave out a side
+    and two corners, those to two edges two sides and three corners, those to three edges three sides and all corners.
+    """
+    x0, y0, x1, y1 = around.footprint.bounds
+    width = float(np.hypot(x1 - x0, y1 - y0))
+    alone = width / 2 + corner
+    if len(edges) == 1:
+        return edges[0].setback < alone
+    most = (len(edges) * width + (len(edges) + 1) * corner) if edges else np.inf
+    close = all(edge.setback < (alone if near is None else near) for edge in edges)
+    return bool(close and sum(edge.setback for edge in edges) < most)
 
 
 def stretched_over(

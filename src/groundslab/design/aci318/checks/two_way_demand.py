@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from groundslab.arrays import Array, Memo
 from groundslab.design.aci318 import punching as aci318
 from groundslab.design.aci318.case_materials import materials
@@ -109,7 +111,7 @@ def critical_section(
     openings = Openings(OPENING_REACH * perimeter_loads.thickness_at(results, footprint))
     try:
         plate = plate_under(results, *punching.place)
-        line = perimeter(plate, footprint, d / 2, openings, square=True)
+        line = perimeter(plate, footprint, d / 2, openings, square=True, near=np.inf)
     except InputError as error:
         return str(error)
     shape = line_properties.shape_of(line.whole)

@@ -111,7 +111,7 @@ def critical_section(
     d = perimeter_loads.effective_depth(results, footprint, steel, from_below=punching.from_below)
     try:
         around = surroundings(plate, footprint, d, Openings(OPENING_REACH * d, widened=True))
-        line = perimeter_at(around, en1992.DISTANCE * d)
+        line = perimeter_at(around, en1992.DISTANCE * d, near=np.inf)
     except InputError as error:
         return str(error)
     if line_properties.shape_of(line.whole) == "cut":
@@ -159,7 +159,7 @@ def _relieved(
 ) -> PerimeterLoads:
     """Return what acts up to 0.67 d_v from the face, or inside the control perimeter if there is no such line."""
     try:
-        farther = perimeter_at(around, en1992.RELIEVED * d)
+        farther = perimeter_at(around, en1992.RELIEVED * d, near=np.inf)
     except InputError:
         return near.inside(results, line.inside)
     # one that begins to run out to an edge, or cuts the slab, has another shape
