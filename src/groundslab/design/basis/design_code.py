@@ -32,6 +32,7 @@ class Calculation(NamedTuple):
     combination: str
     steps: tuple[Step, ...]
     perimeter: SketchedPerimeter | None = None
+    place: tuple[float, float] | None = None  # [m]
 
 
 @dataclass(frozen=True, slots=True)

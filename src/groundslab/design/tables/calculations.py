@@ -24,7 +24,7 @@ from groundslab.results.results import Results
 FOLLOWED = (MOMENT, MINIMUM)
 _HEADS: Heads = (
     ("check", ""), ("of", ""), ("combination", ""), ("quantity", ""), ("symbol", ""), ("formula", ""),
-    ("with numbers", ""), ("value", ""), ("unit", ""), ("clause", ""),
+    ("with numbers", ""), ("value", ""), ("unit", ""), ("clause", ""), ("x", "m"), ("y", "m"),
 )  # fmt: skip
 _NOTES = (
     "Each at its governing place and in its governing combination, see the table checks. What a value is made of "
@@ -36,12 +36,13 @@ _NOTES = (
 def calculations(combined: Results) -> Table:
     """Return the calculations of checks, as the report of the case wants them."""
     rows: list[list[Cell]] = []
-    for check, (of, combination, steps, _) in _calculations(combined):
+    for check, (of, combination, steps, perimeter, place) in _calculations(combined):
+        x, y = place or ((None, None) if perimeter is None else map(float, perimeter.center))
         known: dict[str, float] = {}
         for step in steps:
             numbers = with_numbers(step, known) if step.formula else ""
             about: list[Cell] = [check, of, combination, step.words, step.symbol, step.formula, numbers]
-            rows.append([*about, step.value, step.unit, step.clause])
+            rows.append([*about, step.value, step.unit, step.clause, x, y])
             known[step.symbol] = step.value
     return table_of("calculations", "Calculations", _HEADS, rows, _NOTES)
 
@@ -59,7 +60,7 @@ def _calculations(combined: Results) -> Iterator[tuple[str, Calculation]]:
     """Yield the name of a check, and its calculation."""
     for check in check_design(combined).checks:
         if check.steps:
-            yield check.name, Calculation(check.of, check.combination, check.steps)
+            yield check.name, Calculation(check.of, check.combination, check.steps, place=check.place)
     steel = combined.model.reinforcement
     if steel is None:
         return
@@ -87,4 +88,4 @@ def _bending(
         alone = rule.required(np.array([abs(bars.moment)]), bars.d, thickness=bars.thickness)
         if not alone.fails[0]:  # without bars in compression, which the steps know nothing of
             of = f"{need.layer.replace('_', ' ')}, {section_name(need.section)}"
-            yield "bending", Calculation(of, need.combination, tuple(by_steps(steel, bars, state)))
+            yield "bending", Calculation(of, need.combination, tuple(by_steps(steel, bars, state)), place=need.place)

@@ -11,6 +11,7 @@ from groundslab.design.basis.calculation import CONSTANTS, FUNCTIONS, SYMBOL
 from groundslab.design.tables.calculations import perimeters
 from groundslab.design.tables.table import Table
 from groundslab.units import format_number
+from groundslab.views.plots.style import place_words
 from groundslab.views.report.drawings.perimeter_sketch import draw_sketch
 from groundslab.views.report.table_layout import split_symbol
 
@@ -70,20 +71,15 @@ def build_sheets(table: Table) -> dict[tuple[str, str, str], Sheet]:
     rows = zip(*(column.values for column in table.columns), strict=True)
     sheets = {}
     for about, of_one in groupby(rows, key=lambda row: row[:3]):
-        lines = [
-            Line(
-                str(quantity),
-                str(symbol),
-                str(formula),
-                str(numbers),
-                format_number(float(value)),
-                str(unit),
-                str(clause),
-            )
-            for *_, quantity, symbol, formula, numbers, value, unit, clause in of_one
-            if isinstance(value, int | float)
-        ]
-        title = ", ".join(str(part) for part in about if part)
+        lines, places = [], set()
+        for *_, quantity, symbol, formula, numbers, value, unit, clause, x, y in of_one:
+            if isinstance(value, int | float):
+                words = map(str, (quantity, symbol, formula, numbers, format_number(float(value)), unit, clause))
+                lines.append(Line(*words))
+            if isinstance(x, float) and isinstance(y, float):
+                places.add((x, y))
+        where = [f"at {place_words(place)}" for place in places]
+        title = ", ".join([*(str(part) for part in about if part), *where])
         check, of, combination = map(str, about)
         sheets[check, of, combination] = Sheet(f"{title[0].upper()}{title[1:]}", tuple(lines))
     return sheets

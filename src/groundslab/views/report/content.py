@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from groundslab._version import __version__
 from groundslab.case import casefile
 from groundslab.design.checks import check_design
-from groundslab.design.result_tables import tables_of
+from groundslab.design.result_tables import table_makers, tables_of
 from groundslab.errors import InputError, Issue
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
@@ -91,6 +91,7 @@ def build_page(
     if comparison is not None and comparison.model != combined.model:
         raise InputError([Issue("comparison", "one of another model", "one of the model of the results")])
     missing = {"grounds"} if comparison is None else set()
+    missing |= set() if "calculations" in table_makers(combined) else {"calculations"}
     shown = [name for name in TITLES if name in wanted and name not in missing]
     makers = _chapters(combined, entries, comparison, in_appendix="long_tables" in shown)
     contents: dict[str, Any] = {}

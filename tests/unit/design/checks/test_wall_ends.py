@@ -204,7 +204,7 @@ def test_calculations_by_en_1992() -> None:
     combined = results()
     steel = combined.model.reinforcement
     assert steel is not None
-    ((of, combination, steps, _),) = punching_steps.at_walls(combined, steel)
+    ((of, combination, steps, *_),) = punching_steps.at_walls(combined, steel)
     known = follow_steps(steps)
     check = of_walls(punching.checks(combined))
     assert (of, combination) == (check.of, check.combination)
@@ -219,7 +219,7 @@ def test_calculations_by_aci_318() -> None:
     combined = results("ACI 318")
     steel = combined.model.reinforcement
     assert steel is not None
-    ((of, combination, steps, _),) = two_way_steps.at_walls(combined, steel)
+    ((of, combination, steps, *_),) = two_way_steps.at_walls(combined, steel)
     known = follow_steps(steps)
     check = of_walls(two_way.checks(combined))
     assert (of, combination) == (check.of, check.combination)

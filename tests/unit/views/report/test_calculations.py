@@ -9,7 +9,7 @@ from groundslab.views.report.calculations import Piece, build_sheets, split_form
 
 HEADS = (
     ("check", ""), ("of", ""), ("combination", ""), ("quantity", ""), ("symbol", ""), ("formula", ""),
-    ("with numbers", ""), ("value", ""), ("unit", ""), ("clause", ""),
+    ("with numbers", ""), ("value", ""), ("unit", ""), ("clause", ""), ("x", "m"), ("y", "m"),
 )  # fmt: skip
 
 
@@ -39,13 +39,13 @@ def test_pieces_lose_nothing(formula: str) -> None:
 def test_each_check_has_a_sheet() -> None:
     """Rows of one check at one place in one combination are one sheet, in their order."""
     rows = [
-        ["punching", "C1", "ULS 1", "effective depth", "d", "h - a", "0.3 - 0.05", 0.25, "m", "6.4.2"],
-        ["punching", "C1", "ULS 1", "share used", "eta", "", "", 0.5, "", ""],
-        ["punching", "C2", "ULS 1", "share used", "eta", "", "", 0.75, "", ""],
+        ["punching", "C1", "ULS 1", "effective depth", "d", "h - a", "0.3 - 0.05", 0.25, "m", "6.4.2", 1.5, -2.0],
+        ["punching", "C1", "ULS 1", "share used", "eta", "", "", 0.5, "", "", 1.5, -2.0],
+        ["punching", "C2", "ULS 1", "share used", "eta", "", "", 0.75, "", "", None, None],
     ]
     sheets = build_sheets(table_of("calculations", "Calculations", HEADS, rows, ()))
     assert list(sheets) == [("punching", "C1", "ULS 1"), ("punching", "C2", "ULS 1")]
     first, second = sheets.values()
-    assert (first.title, second.title) == ("Punching, C1, ULS 1", "Punching, C2, ULS 1")
+    assert (first.title, second.title) == ("Punching, C1, ULS 1, at (1.5, \N{MINUS SIGN}2) m", "Punching, C2, ULS 1")
     assert [(line.symbol, line.value) for line in first.lines] == [("d", "0.25000"), ("eta", "0.50000")]
     assert [line.value for line in second.lines] == ["0.75000"]

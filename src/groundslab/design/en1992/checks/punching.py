@@ -96,8 +96,10 @@ def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> DesignCh
         most += [(demand, stress, annex.k_max * resistance) for demand, stress, resistance in limited]
     limit = f"{annex.k_max:g} v_Rd,c with {which}"
     with_links = _punching(name, names, limit, most, punched, "fails", "6.4.5(1)")
+    others = {demand.name for demand, stress, resistance in there if stress.v_Ed > resistance and not stress.supported}
     if with_links.status == "fails":
-        return with_links
+        beyond = {demand.name for demand, stress, resistance in most if stress.v_Ed > resistance}
+        return replace(with_links, words=f"{with_links.words}{_more(others - beyond, names)}")
     without = _punching(name, names, f"v_Rd with {which}", there, punched, "attention", "6.4.4(2)")
     if with_links.hangs:
         low, high = with_links.between or (0.0, 0.0)
@@ -109,6 +111,12 @@ def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> DesignCh
     links = _links(steel, worst)
     reach = _outer(worst[0], [judged for judged in there if judged[0] is worst[0]], names)
     return replace(without, words=f"punching reinforcement is needed at {without.words}; {links}, {reach}")
+
+
+def _more(needing: set[str], names: Names) -> str:
+    """Return in words which others need links, beside those that links cannot help."""
+    listed = ", ".join(sorted(needing)[:6]) + (" ..." if len(needing) > 6 else "")
+    return f"; punching reinforcement is needed at {len(needing)} other {names.many}: {listed}" if needing else ""
 
 
 def _links(steel: Reinforcement, worst: Judged) -> str:

@@ -71,8 +71,13 @@ def _steps(demand: Demand, stress: Stress, steel: Reinforcement, one: Pushing | 
     yield Step("stress", "v_Ed", stress.v_Ed / MEGA, "MPa", en1992.FORMULAS["v_Ed"], "6.4.3(3), 6.38")
     yield from _resistance(demand, stress, concrete)
     yield Step("share used", "eta", demand.used(stress), "", "v_Ed / v_Rd", "6.4.4(2)")
-    if stress.v_Ed > demand.resistance(stress) and not concrete.annex.links_alone:
-        yield from _links(demand, stress, bars)
+    if stress.v_Ed > demand.resistance(stress):
+        most = concrete.annex.k_max
+        v_m = most * demand.resistance(stress) / MEGA
+        yield Step("largest resistance with links", "v_Rd,m", v_m, "MPa", f"{most:g} * v_Rd", "6.4.5(1)")
+        yield Step("share of it that is used", "eta_m", stress.v_Ed / MEGA / v_m, "", "v_Ed / v_Rd,m", "6.4.5(1)")
+        if not concrete.annex.links_alone:
+            yield from _links(demand, stress, bars)
     if demand.face is not None and concrete.annex.face:
         yield from _face(demand.face, concrete)
 

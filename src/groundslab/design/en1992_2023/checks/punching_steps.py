@@ -69,7 +69,7 @@ def _steps(demand: Punching, steel: Reinforcement, one: Pushing | None) -> Itera
     if demand.section is None:
         yield Step("factor for an end or a corner", "beta_e", demand.beta_e, clause="Figure 8.21")
     else:
-        yield from _beta(demand, demand.section)
+        yield from _beta(demand, demand.section, one or "column")
     yield from _stress(demand)
     yield from in_shear(concrete, bars, demand.d, "d_v")
     yield Step("perimeter at the face that counts", "b_0", demand.b_0, "m", clause="8.4.3(1), Figure 8.18")
@@ -87,10 +87,10 @@ def _steps(demand: Punching, steel: Reinforcement, one: Pushing | None) -> Itera
         yield from _links(demand, steel)
 
 
-def _beta(demand: Punching, section: CriticalSection) -> Iterator[Step]:
+def _beta(demand: Punching, section: CriticalSection, one: Pushing) -> Iterator[Step]:
     """Yield how beta_e follows from the support's eccentricity."""
     for n, e, width in zip((1, 2), demand.eccentricities, section.widths, strict=True):
-        yield Step(f"eccentricity of the column's force along axis {n}", f"e_{n}", e, "m", clause="Table 8.3")
+        yield Step(f"eccentricity of the {one}'s force along axis {n}", f"e_{n}", e, "m", clause="Table 8.3")
         yield Step(f"overall width of the perimeter along axis {n}", f"b_{n}", width, "m", clause="Figure 8.21")
     e_b = en1992.eccentricity(section.course.shape, *demand.eccentricities)
     yield Step("eccentricity that counts", "e_b", e_b, "m", F[f"e_b {_kind(section)}"], "Table 8.3")
