@@ -54,6 +54,14 @@ def resistance_without_links(concrete: Concrete, d: float, rho: float = MOST_BAR
     return max(of_bars, least_factor(concrete, d) * k * math.sqrt(k * f_ck)) * _MPA
 
 
+def required_ratio(concrete: Concrete, d: float, v: float) -> float:
+    """Return the ratio rho of bars for which v_Rd,c is v [Pa], for an effective depth d [m]; 0 if none are needed."""
+    if v <= resistance_without_links(concrete, d, 0.0):
+        return 0.0
+    of_one = concrete.annex.c_rd_c_punching / concrete.gamma_c * size_factor(d) * math.cbrt(concrete.f_ck / _MPA)
+    return (v / _MPA / of_one) ** 3 / 100
+
+
 def size_factor(d: float) -> float:
     """Return k of an effective depth d [m] (6.4.4(1))."""
     return min(2.0, 1 + math.sqrt(200 / (1e3 * d)))

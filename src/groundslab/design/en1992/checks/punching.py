@@ -104,6 +104,8 @@ def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> DesignCh
     if with_links.hangs:
         low, high = with_links.between or (0.0, 0.0)
         without = replace(without, words=f"{without.words}; {low:.3g} to {high:.3g} times {limit}, within the error")
+    if without.status == "no failure found" and not steel.laid:
+        without = _without_bars(steel, without, there)
     needing = [judged for judged in there if judged[1].v_Ed > judged[2] and not judged[1].supported]
     if not needing:
         return without
@@ -111,6 +113,21 @@ def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> DesignCh
     links = _links(steel, worst)
     reach = _outer(worst[0], [judged for judged in there if judged[0] is worst[0]], names)
     return replace(without, words=f"punching reinforcement is needed at {without.words}; {links}, {reach}")
+
+
+def _without_bars(steel: Reinforcement, check: DesignCheck, judged: list[Judged]) -> DesignCheck:
+    """Return a check that holds with the most bars as one that needs attention, if it asks for any: none are laid."""
+    ratios = [
+        (en1992.required_ratio(materials(steel, demand.limit_state)[0], demand.d, stress.v_Ed * share), demand)
+        for demand, stress, _ in judged
+        if not stress.supported
+        for share in [demand.v_Rd_c / demand.resistance(stress)]
+    ]
+    ratio, demand = max(ratios, key=lambda one: one[0], default=(0.0, None))
+    if demand is None or not ratio:
+        return check
+    needs = f"{demand.name} needs bars in tension of {100 * ratio:.2g} % of the section, and none are provided"
+    return replace(check, status="attention", words=f"{needs}: {check.words}")
 
 
 def _more(needing: set[str], names: Names) -> str:

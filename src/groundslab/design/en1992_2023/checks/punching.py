@@ -99,6 +99,10 @@ def _worst(judged: list[Punching], steel: Reinforcement, name: str) -> DesignChe
     if demand.used > 1:
         status, more = _with_links(demand, steel)
         words += more
+    elif not steel.laid and demand.tau_Ed > demand.tau_min:
+        ratio = en1992.MOST_BARS * max(demand.tau_Ed / demand.tau_Rd_c, 0.0) ** 3
+        words = f"needs bars in tension of {100 * ratio:.2g} % of the section, and none are provided: {words}"
+        status = "attention"
     return DesignCheck(
         name, status, words, of=demand.name, demand=max(demand.tau_Ed, 0.0) / 1e6, resistance=demand.resistance / 1e6,
         unit="MPa", clause="EN 1992-1-1:2023 8.4.1, 8.4.3, 8.4.4", combination=demand.combination, place=demand.place,
