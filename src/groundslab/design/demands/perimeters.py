@@ -201,8 +201,7 @@ def perimeter_at(
     It runs around the footprint, with rounded corners, and ends where it meets the plate's edge (Figure 6.13), or runs
     straight out to one or several edges at a right angle, if that is shorter (Figure 6.15). Lengths of the free edge
     itself do not count, nor what lies in the shadow of openings (Figure 6.14). With `square` its corners are square, as
-    those of ACI 318-19 22.6.4.1. Edges count together up to a setback `near` [m]; without it, those to which it would
-    run out alone: no column in the middle of a slab is one at a corner, though that may be the shorter way.
+    those of ACI 318-19 22.6.4.1. It may run out to edges up to a setback `near` [m], by default the distance.
 
     Raises
     ------
@@ -214,7 +213,7 @@ def perimeter_at(
     stretched = [
         way
         for way in stretched_over(around, list(around.edges), distance)
-        if _may_be_shorter(around, way[0], corner, near)
+        if _may_be_shorter(around, way[0], corner, distance if near is None else near)
     ]
     regions = [polygon.buffer(distance, quad_segs=QUARTER_CHORDS, join_style=join) for _, polygon in stretched]
     ways = [_cut_off(around, region) for region in regions]
@@ -231,20 +230,16 @@ def perimeter_at(
     return Perimeter(legs, whole, ring, inside, opened, setbacks, stretched[shortest][1])
 
 
-def _may_be_shorter(around: Surroundings, edges: tuple[NearEdge, ...], corner: float, near: float | None) -> bool:
-    """Return whether a perimeter that runs out to edges may be shorter than one all around, by their setbacks.
+def _may_be_shorter(around: Surroundings, edges: tuple[NearEdge, ...], corner: float, near: float) -> bool:
+    """Return whether a perimeter that runs out to near edges may be shorter than one all around, by their setbacks.
 
     All around are the sides of the footprint and four corners of a length [m]; two legs to one edge leave out a side
     and two corners, those to two edges two sides and three corners, those to three edges three sides and all corners.
     """
     x0, y0, x1, y1 = around.footprint.bounds
-    width = float(np.hypot(x1 - x0, y1 - y0))
-    alone = width / 2 + corner
-    if len(edges) == 1:
-        return edges[0].setback < alone
-    most = (len(edges) * width + (len(edges) + 1) * corner) if edges else np.inf
-    close = all(edge.setback < (alone if near is None else near) for edge in edges)
-    return bool(close and sum(edge.setback for edge in edges) < most)
+    width, setbacks = float(np.hypot(x1 - x0, y1 - y0)), [edge.setback for edge in edges]
+    most = width / 2 + corner if len(edges) == 1 else len(edges) * width + (len(edges) + 1) * corner
+    return not edges or (max(setbacks) <= near and sum(setbacks) < most)
 
 
 def stretched_over(
