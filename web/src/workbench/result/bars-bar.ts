@@ -12,8 +12,8 @@ const STALE = "Solve first: the case has changed since.";
 export function barsBar(store: Store, api: Pick<Api, "proposeBars">, push: (change: Change) => void): HTMLElement {
   const start = button("Propose bars", HINT, () => void propose());
   start.classList.add("small");
-  const words = h("span", { class: "comparison-words", role: "status" });
-  const element = h("div", { class: "comparison-bar" }, start, words);
+  const words = h("span", { class: "bars-words", role: "status" });
+  const element = h("div", { class: "comparison-bar bars-bar" }, start, words);
   let isBusy = false;
   const isFresh = () => freshness(store.solved, store.doc?.version, store.waitingCount) === "fresh";
 
