@@ -26,7 +26,7 @@ from groundslab.results.results import CombinationResult, Results
 
 
 class Calculation(NamedTuple):
-    """The steps of a check of punching: what it is of, its combination, and the perimeter, if it has one."""
+    """The steps of a check: what it is of, its combination, and the perimeter and the place, if it has them."""
 
     of: str
     combination: str

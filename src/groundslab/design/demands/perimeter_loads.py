@@ -8,10 +8,10 @@ unless the case says so. Where it adds to what punches, it always counts.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
@@ -42,6 +42,32 @@ CORNER_REACH = 1 + math.sqrt(2)
 NEAR_BY = 1e-6
 #: A side is curved if its middle lies off its chord by more than this, over its length.
 CURVED = 1e-9
+
+
+Place = TypeVar("Place")
+#: What a check knows of the place of a column (False) or a pile (True), by its name.
+Places = dict[tuple[bool, str], Place]
+
+
+def pushing_forces(
+    results: Sequence[CombinationResult],
+    forces: Sequence[PunchingForce],
+    model: Model,
+    of_places: tuple[Memo[Places[Place]], Callable[[CombinationResult, PunchingForce], Place]],
+) -> Iterator[tuple[PunchingForce, Place, list[CombinationResult]]]:
+    """Yield the forces that push in any combination, what a check knows of the place of each, and the combinations.
+
+    What is known of a place is made once for a mesh, and kept.
+    """
+    kept, make = of_places
+    for punching in forces:
+        pushing = [result for result in results if punching.pushing(result)[0] > 0]
+        if pushing:
+            known = kept.get(pushing[0].plate.nodes, model, dict)
+            key = punching.from_below, punching.name
+            if key not in known:
+                known[key] = make(pushing[0], punching)
+            yield punching, known[key], pushing
 
 
 @dataclass(frozen=True)

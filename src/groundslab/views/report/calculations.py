@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 Piece = tuple[str, Literal["", "var", "sub", "sup"]]
 #: A small or a large number, a power, a symbol and what stands between.
 _TOKENS = re.compile(
-    r"(?P<digits>\d[\d.]*)e(?P<exponent>[-+]\d+)|\^\((?P<power>[^()]+)\)|\^(?P<raised>[\d.]+)"
+    r"(?P<digits>\d[\d.]*)e(?P<exponent>[-+]\d+)|\^\((?P<power>[^()]+)\)|\^(?P<raised>[\d.]+|[A-Za-z])"
     rf"|(?P<symbol>{SYMBOL.pattern})|(?P<rest>[^^A-Za-z\d]+|[\d.]+(?![\d.e])|.)"
 )
 #: How functions and numbers with a name are written, if not by their names.

@@ -22,6 +22,7 @@ HEADS = (
         ("sqrt(v_Rd,c)", [("√", ""), ("(", ""), ("v", "var"), ("Rd,c", "sub"), (")", "")]),
         ("-1.9e-06", [("\N{MINUS SIGN}", ""), ("1.9 \N{MULTIPLICATION SIGN} 10", ""), ("-6", "sup")]),
         ("omega", [("ω", "var")]),
+        ("(1 - a)^m", [("(", ""), ("1", ""), (" \N{MINUS SIGN} ", ""), ("a", "var"), (")", ""), ("m", "sup")]),
     ],
 )
 def test_formulas_in_pieces(formula: str, pieces: list[Piece]) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 
@@ -85,15 +86,8 @@ def _two_way(
     if steel is None:
         return demands, missing
     results = ultimate_results(combined)
-    for punching in forces:
-        pushing = [result for result in results if punching.pushing(result)[0] > 0]
-        if not pushing:
-            continue
-        known = _SECTIONS.get(pushing[0].plate.nodes, model, dict)
-        key = punching.from_below, punching.name
-        if key not in known:
-            known[key] = critical_section(pushing[0], punching, steel)
-        section = known[key]
+    make = partial(critical_section, steel=steel)
+    for punching, section, pushing in perimeter_loads.pushing_forces(results, forces, model, (_SECTIONS, make)):
         if isinstance(section, str):
             missing[punching.name] = section
             continue

@@ -67,16 +67,10 @@ def _demands(combined: Results, forces: tuple[PunchingForce, ...]) -> Demands:
     governing: dict[tuple[str, str], Demand] = {}
     missing: dict[str, str] = {}
     reach: dict[str, float] = {}
-    for punching in forces if steel is not None else ():
-        pushing = [result for result in results if punching.pushing(result)[0] > 0]
-        if not pushing:
-            continue
-        assert steel is not None
-        known = _SITES.get(pushing[0].plate.nodes, model, dict)
-        key = punching.from_below, punching.name
-        if key not in known:
-            known[key] = _site(pushing[0], punching, steel)
-        site = known[key]
+    if steel is None:
+        return Demands(governing, missing, {punching.name: punching.place for punching in forces}, reach)
+    make = partial(_site, steel=steel)
+    for punching, site, pushing in perimeter_loads.pushing_forces(results, forces, model, (_SITES, make)):
         of_combinations, why = _largest(pushing, site)
         if why:
             missing[punching.name] = why
