@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache, partial
 
-from groundslab.design.bar_quantities import bars
 from groundslab.design.basis.wall_ends import loaded_ends
 from groundslab.design.checks import check_design
 from groundslab.design.checks_table import checks_table
 from groundslab.design.demands.perimeter_loads import punching_piles
+from groundslab.design.detailing.bar_quantities import bars
 from groundslab.design.tables import errors
 from groundslab.design.tables.calculations import calculations
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope

@@ -1,1 +1,1 @@
-"""Bars as they are cut, lapped and bent: the positions of a bar list."""
+"""Bars as they are laid, cut, lapped and bent: one by one, as the positions of a bar list, and in sums."""

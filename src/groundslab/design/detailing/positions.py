@@ -22,9 +22,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array, Flags
-from groundslab.design.bar_layout import DENSITY, BarSet, bar_sets
 from groundslab.design.basis.detailing_rule import DetailingRule, EndingBar
 from groundslab.design.codes import code_of
+from groundslab.design.detailing.bar_layout import DENSITY, BarSet, bar_sets
 from groundslab.model.design.bars import Bars
 from groundslab.model.design.detailing import Detailing
 from groundslab.model.design.laid_bars import axis_of, bars_of, polygon_of

@@ -137,7 +137,7 @@ def _candidates(
         for spacing in task.spacings:
             needs = spread_along(task.needs(thickest, spacing), reach)
             shifted[thickest, spacing] = np.where(fine > 0, needs, 0.0)
-    for base in _bases(task):
+    for base in _bases(task, steel, rule):
         of_base = bar_area(base)
         last: Array | None = None
         for thickest in (diameter for diameter in reversed(task.diameters) if diameter >= base.diameter):
@@ -182,11 +182,12 @@ def _options(
     )
 
 
-def _bases(task: LayerTask) -> Iterator[Bars]:
+def _bases(task: LayerTask, steel: Reinforcement, rule: DetailingRule) -> Iterator[Bars]:
     """Yield what bars the base may have."""
     for diameter in task.diameters:
         for spacing in task.spacings:
-            yield Bars(diameter=diameter, spacing=spacing)
+            if spacing - diameter >= rule.least_clear(steel, diameter) - ROUNDING:
+                yield Bars(diameter=diameter, spacing=spacing)
 
 
 def _additions(task: LayerTask, base: Bars, rule: DetailingRule, steel: Reinforcement) -> list[_Addition]:

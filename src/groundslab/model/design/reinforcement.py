@@ -47,9 +47,9 @@ SteelChoice = Choice(SteelClass, "class of the steel", "give the yield strength 
 KEYS_OF_CODES: dict[str, tuple[str, ...]] = {
     "EN 1992-1-1": (
         "concrete", "steel", "annex", "gamma_c", "gamma_s", "accidental", "alpha_cc", "w_max", "exposure",
-        "restraint",
+        "restraint", "detailing", "proposal",
     ),
-    "ACI 318": ("size_effect",),
+    "ACI 318": ("size_effect", "detailing", "proposal"),
     "EN 1992-1-1:2023": (
         "concrete", "steel", "gamma_c", "gamma_s", "accidental", "w_max", "gamma_v", "k_tc", "d_lower",
     ),
@@ -134,6 +134,8 @@ _HINTS = {
     ("EN 1992-1-1:2023", "alpha_cc"): "k_tc is the factor of long-term effects",
     ("EN 1992-1-1:2023", "annex"): "no annex to it is known; gamma_c, gamma_s, gamma_v and k_tc can be given",
     ("EN 1992-1-1:2023", "exposure"): "its limits are not known here; w_max is the largest crack width",
+    ("EN 1992-1-1:2023", "detailing"): "its rules for anchorage and laps are not known here",
+    ("EN 1992-1-1:2023", "proposal"): "its rules for anchorage and laps are not known here",
     ("EN 1992-1-1", "k_tc"): "alpha_cc is the factor of long-term effects",
 }
 

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.bar_layout import BarSet, bar_sets
-from groundslab.design.bar_quantities import bars as bars_table
+from groundslab.design.detailing.bar_layout import BarSet, bar_sets
+from groundslab.design.detailing.bar_quantities import bars as bars_table
 from groundslab.design.detailing.positions import U_SHAPE, Position, positions
 from groundslab.geometry.plan import DRAWN_CHORD, Ring
 from groundslab.model.model import Model

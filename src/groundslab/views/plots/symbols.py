@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.design.bar_layout import bar_sets
+from groundslab.design.detailing.bar_layout import bar_sets
 from groundslab.fem.mesh import SIDES
 from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.model.loads.acting import AreaPressure, LineForce, PlateAction, PointForce

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from groundslab.design.bar_quantities import bars
+from groundslab.design.detailing.bar_quantities import bars
 from groundslab.design.detailing.positions import U_SHAPE, cut, positions
 from groundslab.model.model import Model
 

@@ -158,7 +158,8 @@ def test_materials_of_a_case() -> None:
 @pytest.mark.parametrize(
     ("key", "value", "hint"),
     [("annex", "Germany", "no annex to it is known"), ("alpha_cc", 0.85, "k_tc"), ("exposure", "XC2", "w_max"),
-     ("size_effect", False, "")],
+     ("size_effect", False, ""), ("detailing", {}, "anchorage and laps"),
+     ("proposal", {"most_zones": 3}, "anchorage and laps")],
 )  # fmt: skip
 def test_keys_of_other_codes_are_refused(key: str, value: object, hint: str) -> None:
     """With what there is instead."""

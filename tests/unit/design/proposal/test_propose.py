@@ -206,6 +206,7 @@ def test_cases_that_get_no_bars() -> None:
     for allowed, place in (
         ({"diameters": (0.006,), "spacings": (0.25,)}, "bottom"),
         ({"spacings": (0.6,)}, "spacings"),
+        ({"diameters": (0.016,), "spacings": (0.03,)}, "bottom"),  # 14 mm between them: no concrete passes
     ):
         model = raft(STEEL | {"proposal": allowed})
         with pytest.raises(InputError, match=place):

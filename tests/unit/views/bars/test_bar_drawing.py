@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from groundslab.cli import main
-from groundslab.design.bar_layout import BarSet, bar_sets
-from groundslab.design.bar_quantities import bars
+from groundslab.design.detailing.bar_layout import BarSet, bar_sets
+from groundslab.design.detailing.bar_quantities import bars
 from groundslab.design.detailing.positions import Position, positions
 from groundslab.errors import InputError
 from groundslab.model.model import Model

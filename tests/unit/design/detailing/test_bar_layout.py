@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from shapely import box
 
-from groundslab.design.bar_layout import bar_sets, straight_bars
-from groundslab.design.bar_quantities import bars
+from groundslab.design.detailing.bar_layout import bar_sets, straight_bars
+from groundslab.design.detailing.bar_quantities import bars
 from groundslab.design.detailing.positions import MOST_LENGTHS
 from groundslab.model.model import Model
 
