@@ -10,6 +10,9 @@ from decimal import Context, Decimal
 from functools import cache, lru_cache
 from typing import Any
 
+#: A unit for people: its size in SI units, and its name.
+Step = tuple[float, str]
+
 
 @dataclass(frozen=True, slots=True)
 class Dimension:
@@ -22,7 +25,7 @@ class Dimension:
     example: str
     si: str
     powers: tuple[int, int, int, int]
-    steps: tuple[tuple[float, str], ...]  # units for people, the smallest first: size in SI units, name
+    steps: tuple[Step, ...]  # units for people, the smallest first
     smallest: float = 1e-6
     largest: float = 1e18
 
@@ -212,19 +215,18 @@ def show(value: float, dimension: str) -> str:
     return f"{text} {unit}"
 
 
-def together(values: Sequence[float], dimension: str) -> tuple[list[str], str]:
+def together(values: Sequence[float], dimension: str, steps: Sequence[Step] = ()) -> tuple[list[str], str]:
     """Return quantities given in SI units with five digits each, and their unit: that which fits the middle one.
 
-    Those that are 0 do not count for it.
+    Those that are 0 do not count for it. The units to choose from are the dimension's own, unless they are given.
     """
     known = sorted(abs(value) for value in values if value)
-    size, unit = _fitting(known[len(known) // 2] if known else 0.0, dimension)
+    size, unit = _fitting(known[len(known) // 2] if known else 0.0, steps or DIMENSIONS[dimension].steps)
     return [f"{value / size + 0.0:.5g}" for value in values], unit
 
 
-def _fitting(value: float, dimension: str) -> tuple[float, str]:
+def _fitting(value: float, steps: Sequence[Step]) -> Step:
     """Return size and name of the unit in which a quantity given in SI units is at least 1, if there is one."""
-    steps = DIMENSIONS[dimension].steps
     if value == 0:
         return next((step for step in steps if step[0] == 1.0), steps[0])
     # the rounded number decides, so that 999.9999 Pa becomes 1 kPa

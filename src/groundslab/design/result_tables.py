@@ -22,10 +22,11 @@ from groundslab.design.tables.structure.columns import column_envelope, column_t
 from groundslab.design.tables.structure.walls import wall_limit_table, wall_table
 from groundslab.design.tables.summary import acting_cases, combinations, extremes, tilts
 from groundslab.design.tables.supports import joint_table, support_table
-from groundslab.design.tables.table import Column, Table
+from groundslab.design.tables.table import Column, Table, in_units
 from groundslab.model.ground import ContinuousGround
 from groundslab.model.structure.beams import GivenSection
 from groundslab.results.results import Results
+from groundslab.unit_systems import System
 
 __all__ = ["Column", "Table", "fields_of_envelope", "table_makers", "tables_of"]
 
@@ -76,7 +77,18 @@ def _knows_storeys(combined: Results) -> bool:
 
 
 def table_makers(combined: Results) -> dict[str, Callable[[], Table]]:
-    """Return the function for each table of `tables_of` by the table's name; tables that others use are made once."""
+    """Return the function for each table of `tables_of` by the table's name, in the units that the case asks for."""
+    units = combined.model.units
+    return {name: partial(_in_units, make, units) for name, make in _makers(combined).items()}
+
+
+def _in_units(make: Callable[[], Table], units: System) -> Table:
+    """Make a table in some units."""
+    return in_units(make(), units)
+
+
+def _makers(combined: Results) -> dict[str, Callable[[], Table]]:
+    """Return the function for each table in SI units by the table's name; tables that others use are made once."""
     model = combined.model
     checks: dict[str, Callable[[], Table]] = {}
     design = check_design(combined)

@@ -42,6 +42,7 @@ from groundslab.schema import reference
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Text
 from groundslab.schema.section_fields import Table
+from groundslab.unit_systems import System
 
 
 class Model(Section):
@@ -166,6 +167,11 @@ class Model(Section):
         moved = self.model_copy()
         vars(moved)["_origin"] = origin
         return moved
+
+    @property
+    def units(self) -> System:
+        """Return the units in which results are shown."""
+        return "SI" if self.project is None else self.project.units
 
     @property
     def ground_carries_shear(self) -> bool:

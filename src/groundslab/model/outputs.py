@@ -18,13 +18,14 @@ from groundslab.schema.fields import Boolean, Choice, Integer, ListOf, Quantity,
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.places import coordinate
 from groundslab.schema.section_fields import Table
+from groundslab.unit_systems import System
 
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
 
 class Project(Section):
-    """What stands in the title block of the report; nothing of it takes part in the analysis."""
+    """What stands in the title block of the report, and units of output; none of it takes part in the analysis."""
 
     name: Annotated[str, Text("name of the project")] = ""
     number: Annotated[str, Text("its number")] = ""
@@ -34,6 +35,14 @@ class Project(Section):
     checker: Annotated[str, Text("who checked it")] = ""
     revision: Annotated[str, Text("revision of the calculation")] = ""
     date: Annotated[str, Text("its date, as it should be shown")] = ""
+    units: Annotated[
+        System,
+        Choice(
+            System,
+            "units of results in the summary, tables, report, figures and workbench: SI, or those customary in the "
+            "United States (kip, ft, in, psf, psi, and bars by number)",
+        ),
+    ] = "SI"
 
 
 #: Chapters of the report, in their order.

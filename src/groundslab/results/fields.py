@@ -8,7 +8,8 @@ from typing import Literal
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.units import UNITS, Unit
+from groundslab.unit_systems import DISPLAYED
+from groundslab.units import Unit
 
 #: Which values a quantity takes: any; usually positive, with negative ones an exception (uplift, tension); or one sign.
 Sign = Literal["any", "usually positive", "not negative", "not positive"]
@@ -20,7 +21,7 @@ class ResultField:
 
     quantity: str
     symbol: str
-    unit: str  # of display, a name in units.UNITS
+    unit: str  # of display, a name in unit_systems.DISPLAYED
     dimension: str  # a name in units.DIMENSIONS
     meaning: str
     sign: Sign
@@ -29,7 +30,7 @@ class ResultField:
     @property
     def display(self) -> Unit:
         """Return the unit of display with its SI unit and factor."""
-        return UNITS[self.unit]
+        return DISPLAYED[self.unit]
 
     @property
     def scale(self) -> float:

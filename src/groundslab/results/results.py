@@ -25,6 +25,7 @@ from groundslab.results.record import (
     WallLimit,
 )
 from groundslab.schema.wording import listed, quote
+from groundslab.unit_systems import System, in_system, words_in
 from groundslab.units import format_number
 
 if TYPE_CHECKING:
@@ -233,7 +234,7 @@ class CombinationResult:
     def __repr__(self) -> str:
         """Return the first figures on one line."""
         settlement, contact, verdict = _figures(self)
-        return f"{self.combination} ({self.limit_state}): w <= {settlement} mm, {contact} % in contact, {verdict}"
+        return f"{self.combination} ({self.limit_state}): w <= {settlement}, {contact} % in contact, {verdict}"
 
 
 @dataclass(frozen=True, slots=True, weakref_slot=True, repr=False)
@@ -352,7 +353,7 @@ class Results(Mapping[str, CombinationResult]):
 
     def _repr_html_(self) -> str:
         """Return the first figures of each combination as a table for notebooks."""
-        heads = ("combination", "limit state", "largest settlement [mm]", "area in contact [%]", "certificate")
+        heads = ("combination", "limit state", "largest settlement", "area in contact [%]", "certificate")
         rows = [f"<th>{'</th><th>'.join(heads)}</th>"]
         for each in self.combinations:
             found = self.results.get(each.name)
@@ -363,18 +364,19 @@ class Results(Mapping[str, CombinationResult]):
 
     def _reason(self, combination: str) -> str:
         """Return why a combination has no certified results, on one line."""
-        return refusal_words(self.refused[combination])
+        return refusal_words(self.refused[combination], self.model.units)
 
 
-def refusal_words(error: GroundslabError) -> str:
+def refusal_words(error: GroundslabError, units: System = "SI") -> str:
     """Return why a combination has no certified results, on one line: the foundation fails, or it is not solved."""
     kind = "FOUNDATION FAILS" if isinstance(error, NoEquilibrium) else "not solved"
-    return f"{kind}: {' '.join(str(error).split())}"
+    return f"{kind}: {words_in(' '.join(str(error).split()), units)}"
 
 
 def _figures(results: CombinationResult) -> tuple[str, str, str]:
-    """Return largest settlement [mm], area in contact [%] and verdict of the certificate as texts."""
-    settlement = format_number(results.plate.settlement.max() * PLATE_FIELDS["settlement"].scale, 4, trim=True)
+    """Return largest settlement with its unit, area in contact [%] and verdict of the certificate as texts."""
+    unit = in_system(PLATE_FIELDS["settlement"].display, results.model.units)
+    settlement = f"{format_number(results.plate.settlement.max() * unit.scale, 4, trim=True)} {unit.name}"
     contact = format_number(100 * results.plate.contact_share, 4, trim=True)
     return settlement, contact, "certified" if results.certificate.holds else "NOT CERTIFIED"
 

@@ -171,7 +171,7 @@ def test_singular_moments_are_called_so() -> None:
     assert "singular (*) at forces without a footprint (1): within a thickness" in document["notes"][0]
     assert [key for key, each in document.items() if "singular" in each] == ["largest_moment_x", "largest_moment_y"]
     row = row_of(results, "section_forces", "largest_moment_x")
-    assert terminal.shown_row(row).place == "(0.000, 0.000)*"
+    assert terminal.shown_row(row, "SI").place == "(0.000, 0.000)*"
     parts = {each["key"]: each for each in build_summary(results_of(results))["combinations"][0]["sections"]}
     notes = {each["key"]: each["note"] for each in parts["section_forces"]["rows"]}
     assert notes["largest_moment_x"] == "at (0.000, 0.000) m, singular"

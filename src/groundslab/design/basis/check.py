@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from groundslab.design.basis.calculation import Step
+from groundslab.unit_systems import System, unit_in, words_in
 
 Status = Literal["fails", "attention", "no failure found", "not checked"]
 #: Statuses in the order in which they are listed.
@@ -102,6 +103,18 @@ class DesignCheck:
             return None
         over, under = (self.resistance, demand) if self.least else (demand, self.resistance)
         return over / under if under else float("inf") if over else 0.0
+
+
+def in_units(check: DesignCheck, system: System) -> DesignCheck:
+    """Return a check with its numbers and words in the units of a system; its place [m] and its steps stay."""
+    if system == "SI":
+        return check
+    unit, factor = unit_in(check.unit, system)
+    demand, resistance, error = (
+        None if value is None else value * factor for value in (check.demand, check.resistance, check.error)
+    )
+    words = words_in(check.words, system)
+    return replace(check, words=words, demand=demand, resistance=resistance, unit=unit, error=error)
 
 
 def some(names: Sequence[str], most: int = 5) -> str:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 from groundslab.arrays import Memo
-from groundslab.design.basis.check import ORDER, DesignCheck, Status
+from groundslab.design.basis.check import ORDER, DesignCheck, Status, in_units
 from groundslab.design.checks import equilibrium, limits, provided, reached, strength
 from groundslab.design.checks.ground import edge_force
 from groundslab.design.checks.one_way_shear import shear
@@ -109,7 +109,7 @@ def check_design(combined: Results) -> Design:
 
 def _check_design(combined: Results) -> Design:
     """Return the checks, which are made once of the same results."""
-    made = [check for find in CHECKS for check in find(combined)]
+    made = [in_units(check, combined.model.units) for find in CHECKS for check in find(combined)]
     checked = tuple(sorted((check for check in made if check.status != "not checked"), key=_order))
     unchecked = {check.name: check.words for check in made if check.status == "not checked"}
     left = "; ".join((unchecked if "strength" in unchecked else {"anchorage": NOT_CHECKED, **unchecked}).values())

@@ -132,11 +132,11 @@ def check_stresses(
 
 def _yields(bent: BentBars, f_yk: float, name: str, clauses: Clauses) -> DesignCheck:
     """Return the check of bars that yield in a combination of serviceability."""
-    layer = bent.layer.replace("_", " ")
+    layer, limit = bent.layer.replace("_", " "), f"f_yk {f_yk / 1e6:.4g} MPa"
     return DesignCheck(
         name,
         "fails",
-        f"{layer}: the bars yield, sigma_s {bent.value / 1e6:.4g} > f_yk {f_yk / 1e6:.4g} MPa of an elastic section at "
+        f"{layer}: the bars yield, sigma_s {bent.value / 1e6:.4g} MPa > {limit} of an elastic section at "
         f'{bent.where} in "{bent.combination}"; the section fails, and no crack width is valid ({clauses.yielding})',
         of=layer,
         demand=bent.value / 1e6,

@@ -42,7 +42,7 @@ def envelopes(combined: Results) -> Table:
         "combination; design moments are those of each combination, not of enveloped moments.",
         "Of combinations with the same value the first is named.",
     ]
-    return table_of("envelope", "Envelope over the combinations", heads, rows, notes)
+    return table_of("envelope", "Envelope over the combinations", heads, rows, notes, ("least", "greatest"))
 
 
 def fields_of_envelope(combined: Results) -> dict[str, Array | Integers]:

@@ -126,7 +126,7 @@ def extremes(combined: Results) -> Table:
     ]
     if any(has_line_force(result) for result in combined.results.values()):
         notes.append(EDGE_NOTE)
-    return table_of("extremes", "Extremes of each combination", heads, rows, notes)
+    return table_of("extremes", "Extremes of each combination", heads, rows, notes, ("least", "greatest"))
 
 
 def tilts(combined: Results) -> Table:

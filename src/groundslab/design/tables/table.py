@@ -5,10 +5,11 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from groundslab.optional import import_optional
+from groundslab.unit_systems import System, unit_in, words_in
 from groundslab.units import coordinate
 
 if TYPE_CHECKING:
@@ -19,6 +20,8 @@ Cell = str | float | int | None
 #: Name and unit of a column; no unit for words, counts and ratios.
 Head = tuple[str, str]
 
+#: Columns of sentences, in which quantities may stand.
+WORDS = ("in words", "outcome")
 #: Significant digits of numbers in CSV files.
 DIGITS = 7
 #: Decimals of lengths in meters, at least.
@@ -45,12 +48,16 @@ class Column:
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """Columns of one length under names of their own; the notes say what a reader must know about them."""
+    """Columns of one length under names of their own; the notes say what a reader must know about them.
+
+    Values `by_row`, columns by their names, and errors of these are in the unit that the column "unit" names.
+    """
 
     name: str
     title: str
     columns: tuple[Column, ...]
     notes: tuple[str, ...] = ()
+    by_row: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         """Refuse columns of different lengths and names that stand twice."""
@@ -90,13 +97,48 @@ class Table:
 
 
 def table_of(
-    name: str, title: str, heads: Sequence[Head], rows: Iterable[Sequence[Any]], notes: Sequence[str] = ()
+    name: str,
+    title: str,
+    heads: Sequence[Head],
+    rows: Iterable[Sequence[Any]],
+    notes: Sequence[str] = (),
+    by_row: Sequence[str] = (),
 ) -> Table:
     """Return a table from its rows; NumPy's numbers become Python's, lengths in meters are rounded to nanometers."""
     plain = [[_plain(value, unit) for value, (_, unit) in zip(row, heads, strict=True)] for row in rows]
     columns = list(zip(*plain, strict=True)) if plain else [()] * len(heads)
     made = (Column(name, unit, values) for (name, unit), values in zip(heads, columns, strict=True))
-    return Table(name, title, tuple(made), tuple(notes))
+    return Table(name, title, tuple(made), tuple(notes), tuple(by_row))
+
+
+def in_units(table: Table, system: System) -> Table:
+    """Return a table with its values, the words in its cells and its notes in the units of a system.
+
+    Formulas and what stands in the unit of its row without being told `by_row` stay as they are.
+    """
+    if system == "SI":
+        return table
+    factors = [unit_in(str(unit), system)[1] for unit in table["unit"]] if table.by_row else []
+    columns = []
+    for column in table.columns:
+        unit, factor = unit_in(column.unit, system)
+        values: tuple[Cell, ...]
+        if column.name in table.by_row or column.error_of in table.by_row:
+            values = tuple(map(_times, column.values, factors))
+        elif column.name == "unit" and table.by_row:
+            values = tuple(unit_in(str(value), system)[0] if value else value for value in column.values)
+        elif column.name in WORDS:
+            values = tuple(words_in(value, system) if isinstance(value, str) else value for value in column.values)
+        else:
+            values = tuple(_times(value, factor) for value in column.values)
+        columns.append(replace(column, unit=unit, values=values))
+    notes = tuple(words_in(note, system) for note in table.notes)
+    return replace(table, columns=tuple(columns), notes=notes)
+
+
+def _times(value: Cell, factor: float) -> Cell:
+    """Return a number times a factor; words and gaps stay."""
+    return value * factor if isinstance(value, float) and factor != 1.0 else value
 
 
 def _plain(value: Any, unit: str) -> Cell:
@@ -113,7 +155,7 @@ def _written(value: Cell, unit: str) -> str:
         return ""
     if not isinstance(value, float):
         return str(value)
-    whole = len(str(int(abs(value)))) if unit == "m" else 0
+    whole = len(str(int(abs(value)))) if unit in ("m", "ft") else 0
     return f"{value:.{max(DIGITS, whole + DECIMALS)}g}"
 
 

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from groundslab.results.fields import PLATE_FIELDS
 from groundslab.views.ground_comparison.rows import headings
 from groundslab.views.plots import style
 from groundslab.views.plots.request import DOWNWARDS, QUANTITIES
@@ -57,7 +56,7 @@ def plot_comparison(comparison: GroundComparison, to: str | Path | None = None) 
     from groundslab.views.plots import export
 
     with style.apply_style():
-        figure = draw_comparison(comparison)
+        figure = style.show_in(draw_comparison(comparison), comparison.model.units)
     if to is not None:
         export.save([figure], to)
     return figure
@@ -76,13 +75,14 @@ def draw_comparison(comparison: GroundComparison, titled: bool = True) -> Figure
             legend |= _draw_curves(axes, comparison, axis, field)
             axes.tick_params(labelbottom=row == len(fields) - 1)
         across, where = ("y", comparison.place[1]) if axis == "x" else ("x", comparison.place[0])
-        axes.set_xlabel(f"{axis} [m], at {across} = {style.number(round(where, 3))} m")
+        axes.set_xlabel(f"{axis}, at {across} = {style.number(round(where, 3))} m [m]")
     return page.finish(top + 3 * HIGH + 2 * GAP + AXIS, legend)
 
 
 def _draw_curves(axes: Axes, comparison: GroundComparison, axis: str, field: str) -> dict[str, Any]:
     """Draw a field of all grounds along a line; return the entries in the legend."""
-    about = PLATE_FIELDS[field]
+    quantity = QUANTITIES[field].in_units(comparison.model.units)
+    about = quantity.field
     along = np.array(comparison.lines[axis])
     axes.axhline(0.0, color=style.GREY, linewidth=0.6, zorder=1)
     entries = {}
@@ -92,7 +92,7 @@ def _draw_curves(axes: Axes, comparison: GroundComparison, axis: str, field: str
         # beside the plate there is nothing, which breaks the curve
         values = np.array(ground.curves[axis][field], dtype=float) * about.scale
         (entries[name],) = axes.plot(along, values, color=color, linestyle=stroke, linewidth=1.1)
-    axes.set(xlim=(along[0], along[-1]), ylabel=QUANTITIES[field].label)
+    axes.set(xlim=(along[0], along[-1]), ylabel=quantity.label)
     axes.margins(y=0.08)
     if field == "pressure":
         limit = MOST_PRESSURE * comparison.grounds[0].figures["exceeded_pressure"] * about.scale

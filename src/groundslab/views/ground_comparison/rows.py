@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from groundslab.analysis.ground_comparison.figures import COMPARED_FIELDS, FIGURES
-from groundslab.design.tables.table import Table, table_of
+from groundslab.design.tables.table import Table, in_units, table_of
 from groundslab.results.fields import PLATE_FIELDS
+from groundslab.unit_systems import in_system, unit_in, words_in
 from groundslab.units import UNITS, format_number
 
 if TYPE_CHECKING:
@@ -53,8 +54,9 @@ def figure_rows(comparison: GroundComparison) -> list[ComparisonRow]:
     """Return the figures of the plate, and then the differences over all of it."""
     rows = []
     for name, figure in FIGURES.items():
-        unit, scale = figure.unit
-        known = tuple(ground.figures[name] * scale for ground in comparison.grounds)
+        shown, scale = figure.unit
+        unit, factor = unit_in(shown, comparison.model.units)
+        known = tuple(ground.figures[name] * scale * factor for ground in comparison.grounds)
         others = [comparison.difference(ground.name, name) for ground in comparison.grounds[1:]]
         differences = (None, *(None if other is None else 100 * other for other in others))
         rows.append(ComparisonRow(name, figure.label, unit, known, differences))
@@ -69,11 +71,12 @@ def constant_rows(comparison: GroundComparison) -> list[ComparisonRow]:
     """Return the constants of the grounds that have them."""
     rows = []
     for name, unit in CONSTANTS.items():
-        scale = UNITS[unit].scale if unit else 1.0
+        shown = in_system(UNITS[unit], comparison.model.units) if unit else None
+        scale = 1.0 if shown is None else shown.scale
         values = tuple(
             ground.constants[name] * scale if name in ground.constants else None for ground in comparison.grounds
         )
-        rows.append(ComparisonRow(name, name, unit, values, (None,) * len(values)))
+        rows.append(ComparisonRow(name, name, "" if shown is None else shown.name, values, (None,) * len(values)))
     return [row for row in rows if any(value is not None for value in row.values)]
 
 
@@ -86,7 +89,8 @@ RMS_NOTE = (
 def notes(comparison: GroundComparison) -> tuple[str, ...]:
     """Return the notes on a comparison."""
     about = f'Combination "{comparison.combination}" ({comparison.limit_state}).'
-    return (about, "Differences are those to the continuum, in percent of its value.", RMS_NOTE, *comparison.notes)
+    others = tuple(words_in(note, comparison.model.units) for note in comparison.notes)
+    return (about, "Differences are those to the continuum, in percent of its value.", RMS_NOTE, *others)
 
 
 def comparison_table(comparison: GroundComparison) -> Table:
@@ -117,4 +121,5 @@ def curve_table(comparison: GroundComparison) -> Table:
             place = (s, y) if axis == "x" else (x, s)
             shown = (None if value is None else value * scale for value, scale in zip(values, scales, strict=True))
             rows.append((f"along {axis}", *place, *shown))
-    return table_of("ground_curves", "Fields along the lines through the largest settlement", heads, rows)
+    title = "Fields along the lines through the largest settlement"
+    return in_units(table_of("ground_curves", title, heads, rows), comparison.model.units)

@@ -84,11 +84,12 @@ def plot(
 def write(request: PlotRequest, path: str | Path) -> list[Figure]:
     """Draw a request into a file, a PDF page by page and else on one sheet, and return the figures."""
     from groundslab.views.plots import export
-    from groundslab.views.plots.style import apply_style
+    from groundslab.views.plots.style import apply_style, show_in
 
     if export.file_format(path) == "pdf":
         with apply_style():
-            figures: list[Figure] = _drawing_module(request).draw_pages(request)
+            drawn: list[Figure] = _drawing_module(request).draw_pages(request)
+            figures = [show_in(figure, request.combined.model.units) for figure in drawn]
     else:
         figures = [_sheet(request)]
     export.save(figures, path)
@@ -105,15 +106,14 @@ def write_picture(results: CombinationResult, path: Path) -> None:
 def _sheet(request: PlotRequest) -> Figure:
     """Return one sheet with all panels of a request; raises InputError if they are too many."""
     from groundslab.errors import InputError, Issue
-    from groundslab.views.plots.style import apply_style
+    from groundslab.views.plots.style import apply_style, show_in
 
     count = request.panel_count
     if count > MOST_PANELS:
         hint = "name fewer fields or combinations, or write a PDF, which has pages"
         raise InputError([Issue("combination", f"{count} panels on one sheet", f"at most {MOST_PANELS}", hint)])
     with apply_style():
-        figure: Figure = _drawing_module(request).draw_sheet(request)
-    return figure
+        return show_in(_drawing_module(request).draw_sheet(request), request.combined.model.units)
 
 
 def _drawing_module(request: PlotRequest) -> Any:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from groundslab.results.contact_zone import goes_below_zero
+from groundslab.unit_systems import words_in
 from groundslab.views.plots.panels import Panel, find_extremes
 from groundslab.views.plots.style import (
     BASE,
@@ -214,7 +215,7 @@ def place_labels(model: Model, panel: Panel, per_meter: float, *, numbered: bool
         labels.append(Label(words, placement.place_best(corners, size), FOOT))
     for zone in (zone for plate in model.every_plate for zone in plate.zones):
         if zone.thickness is not None:
-            words = f"t = {zone.thickness:g} m"
+            words = words_in(f"t = {zone.thickness:g} m", model.units)
             size = text_width(words, FOOT + 0.5) / 2 + 0.4, 0.6 * (FOOT + 0.5) * PT
             (x, y), half = _bounding_box(np.array(zone.shape.ring().flat(np.inf)) * per_meter)
             inner = half[0] - size[0] - 0.6, half[1] - size[1] - 0.6

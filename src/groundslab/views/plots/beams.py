@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from groundslab.unit_systems import in_system, unit_in
+from groundslab.units import UNITS
 from groundslab.views.plots import style
 from groundslab.views.plots.annotations import TitleLine, draw_title
 from groundslab.views.plots.panels import NOT_CERTIFIED
@@ -24,8 +26,8 @@ if TYPE_CHECKING:
 LEFT, HIGH, ABOVE, BETWEEN, BELOW = 17.0, 30.0, 12.0, 4.0, 13.0
 #: So many beams are on a page, and so many with axial forces.
 ON_PAGE, ON_PAGE_WITH_AXIAL = 3, 2
-#: What is drawn of each beam: its attribute, its label, and whether positive values point down.
-DRAWN = (("moment", "M [kNm]", True), ("shear", "V [kN]", False), ("axial", "N [kN]", False))
+#: What is drawn of each beam: its attribute, its symbol, its unit, and whether positive values point down.
+DRAWN = (("moment", "M", "kNm", True), ("shear", "V", "kN", False), ("axial", "N", "kN", False))
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +36,7 @@ class BeamCurves:
 
     name: str
     way: Array  # (k,) [m]
-    values: dict[str, Array]  # (curves, k)
+    values: dict[str, Array]  # (curves, k), in units of display
     names: tuple[str, ...]  # of the curves
     band: bool  # whether the curves are the largest and the smallest of many
 
@@ -58,9 +60,12 @@ def curves_along(request: PlotRequest) -> list[BeamCurves]:
     """Return the curves of each beam; of more combinations than can be told apart the largest and the smallest."""
     names = tuple(combination.name for combination in request.combinations)
     band = bool(request.envelope) or len(names) > len(style.CYCLE)
-    found = []
+    found, units = [], request.combined.model.units
     for beams in zip(*(combination.results.beams for combination in request.combinations), strict=True):
-        values = {name: np.stack([getattr(beam, name) for beam in beams]) / 1e3 for name, _, _ in DRAWN}
+        values = {
+            name: np.stack([getattr(beam, name) for beam in beams]) * in_system(UNITS[unit], units).scale
+            for name, _, unit, _ in DRAWN
+        }
         if not values["axial"].any():
             del values["axial"]
         if band:
@@ -82,7 +87,8 @@ def draw_curves(request: PlotRequest, curves: Sequence[BeamCurves], *, titled: b
     for beam in curves:
         top += ABOVE
         drawn = [each for each in DRAWN if each[0] in beam.values]
-        for row, (what, label, downwards) in enumerate(drawn):
+        for row, (what, symbol, unit, downwards) in enumerate(drawn):
+            label = f"{symbol} [{unit_in(unit, request.combined.model.units)[0]}]"
             axes = page.add_axes(LEFT, top, width, HIGH)
             legend |= _draw(axes, beam, what)
             axes.set(xlim=(0.0, float(beam.way[-1])), ylabel=label)

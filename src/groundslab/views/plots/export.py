@@ -15,11 +15,13 @@ from groundslab.errors import InputError, Issue
 from groundslab.schema.wording import listed, quote
 from groundslab.storage import atomic, checksums
 from groundslab.storage.ownership import check_replaceable, is_figure
-from groundslab.views.plots.style import PAGE_COLORS, apply_style
+from groundslab.views.plots.style import PAGE_COLORS, apply_style, show_in
 
 if TYPE_CHECKING:
     from markupsafe import Markup
     from matplotlib.figure import Figure
+
+    from groundslab.unit_systems import System
 
 #: What a file's name may end with.
 FORMATS = (".pdf", ".svg", ".png")
@@ -66,7 +68,11 @@ def write_file(path: str | Path, target: Path, content: bytes) -> None:
 
 
 def to_inline_svg(
-    draw: Callable[[], Figure], name: str, label: str, changes: Mapping[str, Any] = MappingProxyType({})
+    draw: Callable[[], Figure],
+    name: str,
+    label: str,
+    changes: Mapping[str, Any] = MappingProxyType({}),
+    units: System = "SI",
 ) -> Markup:
     """Return a figure as an SVG element for an HTML page; the label is its title for screen readers.
 
@@ -77,7 +83,9 @@ def to_inline_svg(
 
     file = BytesIO()
     with apply_style(changes):
-        draw().savefig(file, format="svg", metadata=dict.fromkeys(("Creator", "Date", "Format", "Type")))
+        show_in(draw(), units).savefig(
+            file, format="svg", metadata=dict.fromkeys(("Creator", "Date", "Format", "Type"))
+        )
     root = ElementTree.fromstring(file.getvalue())
     for parent in [*root.iter()]:
         for child in [*parent]:

@@ -70,7 +70,7 @@ def build_panel(quantity: PlotQuantity, combination: PlottedCombination, named: 
     """Return the panel of a quantity in one combination."""
     results, plate = combination.results, combination.results.plate
     source = f"{combination.name} ({combination.limit_state})" if named else ""
-    values, takes_part = nodal_values(results, quantity.name), load_filter(results.factors)
+    values, takes_part = nodal_values(results, quantity.name) * quantity.factor, load_filter(results.factors)
     force, contact = _line_force(quantity, [results]), contact_function(results)
     shown = (quantity, source, values, plate.nodes, plate.elements, takes_part, force)
     return Panel(*shown, contact, plate.contact_share, combination.certified, mesh=mesh)
@@ -94,7 +94,10 @@ def _line_force(
 def _envelope_panels(quantity: PlotQuantity, combinations: Sequence[PlottedCombination], state: str) -> Iterator[Panel]:
     """Yield the largest and smallest values of a quantity over combinations, but for those always zero."""
     extremes = envelope(
-        {combination.name: nodal_values(combination.results, quantity.name) for combination in combinations}
+        {
+            combination.name: nodal_values(combination.results, quantity.name) * quantity.factor
+            for combination in combinations
+        }
     )
     line_force = _line_force(quantity, [combination.results for combination in combinations])
     factors = [pair for combination in combinations for pair in combination.results.factors if pair[1]]

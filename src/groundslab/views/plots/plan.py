@@ -25,6 +25,7 @@ from groundslab.views.plots.style import (
     label_of_axis,
     number,
     place_words,
+    show_in,
 )
 from groundslab.views.plots.symbols import load_filter
 
@@ -99,6 +100,7 @@ def draw_frame(model: Model, width: float, height: float) -> MapFrame:
     box_width = min(width - MAP_LEFT - MAP_RIGHT, (height - MAP_TOP - MAP_BELOW) / ratio)
     axes = page.add_axes(MAP_LEFT, MAP_TOP, box_width, box_width * ratio)
     _draw_case(axes, model, lambda _: False, box_width)
+    show_in(page.figure, model.units)
     axes.set(xlabel="", ylabel="", facecolor="none")
     figure = page.finish(MAP_TOP + box_width * ratio + MAP_BELOW, signed=False)
     figure.patch.set_visible(False)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal, get_args
 
 import numpy as np
@@ -26,6 +26,7 @@ from groundslab.results.fields import (
 from groundslab.results.record import Step
 from groundslab.results.results import CombinationResult, Results
 from groundslab.schema.wording import describe, listed, one_of, quote, suggestion
+from groundslab.unit_systems import System, unit_in
 from groundslab.views.plots.style import math_symbol
 from groundslab.views.summary.combinations import entries
 
@@ -35,10 +36,14 @@ DOWNWARDS = frozenset({"settlement"})
 
 @dataclass(frozen=True, slots=True)
 class PlotQuantity:
-    """A quantity of the plate that is drawn: its name and its entry in the table of quantities."""
+    """A quantity of the plate that is drawn: its name and its entry in the table of quantities.
+
+    Values in the usual unit of display are drawn times the factor.
+    """
 
     name: str
     field: ResultField
+    factor: float = 1.0
 
     @property
     def symbol(self) -> str:
@@ -58,6 +63,11 @@ class PlotQuantity:
     def label(self) -> str:
         """Return symbol and unit, for axes and color bars."""
         return f"{self.symbol} [{self.field.unit.replace('kNm', 'kN m')}]"
+
+    def in_units(self, system: System) -> PlotQuantity:
+        """Return the quantity as it is drawn in the units of a system."""
+        unit, factor = unit_in(self.field.unit, system)
+        return replace(self, field=replace(self.field, unit=unit), factor=self.factor * factor)
 
 
 #: A force along the edge is no field over the plate; plans of the pressure name its largest.
@@ -179,7 +189,8 @@ def parse_request(
     issues += [Issue("combination", describe(name), one_of(known), suggestion(name, known)) for name in unknown]
     quantities: tuple[PlotQuantity, ...] = ()
     try:
-        quantities = resolve(fields or DEFAULT_QUANTITIES.get(chosen_kind, ()))
+        named = resolve(fields or DEFAULT_QUANTITIES.get(chosen_kind, ()))
+        quantities = tuple(quantity.in_units(combined.model.units) for quantity in named)
     except InputError as error:
         issues += error.issues
     listed_lines = tuple(SectionLine(line.name, line.start, line.end) for line in combined.model.output.lines)

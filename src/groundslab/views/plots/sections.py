@@ -60,7 +60,10 @@ def sample_lines(request: PlotRequest) -> list[LineCurves]:
             continue
         values = [dict(zip(POINT_FIELDS, point_values(section.values), strict=True)) for section in sections]
         names = tuple(combination.name for combination in request.combinations)
-        rows = {quantity.name: np.stack([value[quantity.name] for value in values]) for quantity in request.quantities}
+        rows = {
+            quantity.name: quantity.factor * np.stack([value[quantity.name] for value in values])
+            for quantity in request.quantities
+        }
         band = bool(request.envelope) or len(names) > len(style.CYCLE)
         if band:
             rows = {name: np.stack([values.max(axis=0), values.min(axis=0)]) for name, values in rows.items()}

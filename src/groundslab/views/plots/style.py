@@ -16,6 +16,7 @@ import numpy as np
 
 from groundslab._version import __version__
 from groundslab.geometry.plan import format_place
+from groundslab.unit_systems import unit_in, words_in
 from groundslab.units import WHOLE, format_coordinate, format_number
 
 if TYPE_CHECKING:
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
     from matplotlib.axis import Axis
     from matplotlib.figure import Figure
     from matplotlib.text import Text
+
+    from groundslab.unit_systems import System
 
 Item = TypeVar("Item")
 
@@ -107,13 +110,13 @@ def batch(items: Sequence[Item], size: int) -> list[Sequence[Item]]:
 
 def number(value: float) -> str:
     """Return a number with four significant digits and a true minus sign."""
-    return format_number(value, 4, trim=True, fixed=(1e-4, 1e4), minus="\N{MINUS SIGN}")
+    return format_number(value, 4, trim=True, fixed=(1e-4, 1e7), minus="\N{MINUS SIGN}")
 
 
-def place_words(place: tuple[float, float]) -> str:
-    """Return a place [m] in words, to the millimeter and with a true minus sign."""
+def place_words(place: tuple[float, float], unit: str = "m") -> str:
+    """Return a place in words, with three decimals at most and a true minus sign."""
     x, y = place
-    return f"{format_place((round(x, 3), round(y, 3)))} m".replace("-", "\N{MINUS SIGN}")
+    return f"{format_place((round(x, 3), round(y, 3)))} {unit}".replace("-", "\N{MINUS SIGN}")
 
 
 def label_of_axis(axis: Axis, name: str, low: float) -> str:
@@ -125,6 +128,39 @@ def label_of_axis(axis: Axis, name: str, low: float) -> str:
     start = KILOMETER * math.floor(low / KILOMETER)
     axis.set_major_formatter(FuncFormatter(lambda value, _: format_coordinate(round(value - start, 6))))
     return f"{name} \N{MINUS SIGN} {start} [m]"
+
+
+def show_in(figure: Figure, units: System) -> Figure:
+    """Return a figure whose axes of lengths in meters, and the words on it, are in the units of a system."""
+    from matplotlib.text import Text
+
+    if units == "SI":
+        return figure
+    for axes in figure.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            if axis.get_label_text().endswith("[m]"):
+                _show_lengths_in(axis, units)
+    for text in figure.findobj(Text):
+        assert isinstance(text, Text)
+        if "[" not in text.get_text():  # what labels an axis has been converted with it
+            text.set_text(words_in(text.get_text(), units))
+    return figure
+
+
+def _show_lengths_in(axis: Axis, units: System) -> None:
+    """Give an axis of lengths in meters round ticks in the units of a system, and a label that says so."""
+    from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator
+
+    unit, per_meter = unit_in("m", units)
+    name = axis.get_label_text().removesuffix("[m]").partition("\N{MINUS SIGN}")[0].rstrip()
+    low, high = sorted(end * per_meter for end in axis.get_view_interval())
+    count = max(2, len(axis.get_majorticklocs()))
+    ticks = MaxNLocator(nbins=count, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high)
+    start = KILOMETER * math.floor(low / KILOMETER) if abs(low) >= WHOLE else 0
+    axis.set_major_locator(FixedLocator([tick / per_meter for tick in ticks if low - 1e-9 <= tick <= high + 1e-9]))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: format_coordinate(round(value * per_meter - start, 6))))
+    name = words_in(name, units)
+    axis.set_label_text(f"{name} \N{MINUS SIGN} {start} [{unit}]" if start else f"{name} [{unit}]")
 
 
 def math_symbol(name: str) -> str:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from groundslab.model.ground import ContinuousGround, Continuum, Winkler
 from groundslab.schema.wording import listed
+from groundslab.unit_systems import words_in
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
@@ -77,7 +78,7 @@ def list_assumptions(combined: Results) -> list[str]:
         sentences.append(
             "Envelopes hold the extreme of each quantity by itself; values in different rows need not act together."
         )
-    return sentences
+    return [words_in(sentence, model.units) for sentence in sentences]
 
 
 def _of_plate(model: Model) -> str:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Literal
 from groundslab.design.basis.calculation import CONSTANTS, FUNCTIONS, SYMBOL
 from groundslab.design.tables.calculations import perimeters
 from groundslab.design.tables.table import Table
+from groundslab.unit_systems import unit_in
 from groundslab.units import format_number
 from groundslab.views.plots.style import place_words
 from groundslab.views.report.drawings.perimeter_sketch import draw_sketch
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from markupsafe import Markup
 
     from groundslab.results.results import Results
+    from groundslab.unit_systems import System
 
 #: A piece of a formula: its text, and whether it stands as it is, below or above the line, or is a variable.
 Piece = tuple[str, Literal["", "var", "sub", "sup"]]
@@ -33,7 +35,7 @@ WRITTEN = {"sqrt": "√", "pi": "π"}
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """One line of a sheet."""
+    """One line of a sheet; the value is given in another unit too if the case asks for such units."""
 
     quantity: str
     symbol: str
@@ -42,6 +44,8 @@ class Line:
     value: str
     unit: str
     clause: str
+    other_value: str = ""
+    other_unit: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +61,7 @@ def draw_sheets(combined: Results, table: Table) -> list[Sheet]:
     """Return the sheets of the table of calculations, with sketches of perimeters."""
     sketches = perimeters(combined)
     sheets = []
-    for number, (key, sheet) in enumerate(build_sheets(table).items(), 1):
+    for number, (key, sheet) in enumerate(build_sheets(table, combined.model.units).items(), 1):
         if key in sketches:
             drawn = draw_sketch(combined.solved_model, sketches[key], number, f"Perimeter: {sheet.title}")
             sheets.append(replace(sheet, sketch=drawn))
@@ -66,8 +70,11 @@ def draw_sheets(combined: Results, table: Table) -> list[Sheet]:
     return sheets
 
 
-def build_sheets(table: Table) -> dict[tuple[str, str, str], Sheet]:
-    """Return the sheets of the table of calculations by check, what they are of, and combination."""
+def build_sheets(table: Table, units: System) -> dict[tuple[str, str, str], Sheet]:
+    """Return the sheets of the table of calculations by check, what they are of, and combination.
+
+    Formulas are in SI units, as codes print them; in other units each value is given beside.
+    """
     rows = zip(*(column.values for column in table.columns), strict=True)
     sheets = {}
     for about, of_one in groupby(rows, key=lambda row: row[:3]):
@@ -75,14 +82,20 @@ def build_sheets(table: Table) -> dict[tuple[str, str, str], Sheet]:
         for *_, quantity, symbol, formula, numbers, value, unit, clause, x, y in of_one:
             if isinstance(value, int | float):
                 words = map(str, (quantity, symbol, formula, numbers, format_number(float(value)), unit, clause))
-                lines.append(Line(*words))
+                lines.append(Line(*words, *_in_other_unit(float(value), str(unit), units)))
             if isinstance(x, float) and isinstance(y, float):
                 places.add((x, y))
-        where = [f"at {place_words(place)}" for place in places]
+        where = [f"at {place_words(place, unit_in('m', units)[0])}" for place in places]
         title = ", ".join([*(str(part) for part in about if part), *where])
         check, of, combination = map(str, about)
         sheets[check, of, combination] = Sheet(f"{title[0].upper()}{title[1:]}", tuple(lines))
     return sheets
+
+
+def _in_other_unit(value: float, unit: str, units: System) -> tuple[str, ...]:
+    """Return value and unit in the units of a system; nothing where these are the same."""
+    other, factor = unit_in(unit, units)
+    return () if other == unit else (format_number(value * factor, fixed=(1e-4, 1e9)), other)
 
 
 def split_formula(formula: str) -> list[Piece]:

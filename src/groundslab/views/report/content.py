@@ -18,6 +18,7 @@ from groundslab.results.record import Certificate
 from groundslab.results.results import refusal_words
 from groundslab.results.soil_profile import list_columns
 from groundslab.schema.wording import listed
+from groundslab.unit_systems import unit_in
 from groundslab.views.report import table_layout
 from groundslab.views.report.assumptions import list_assumptions
 from groundslab.views.report.calculations import draw_sheets
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
     from groundslab.design.tables.table import Table
     from groundslab.model.outputs import Chapter, Project
     from groundslab.results.results import CombinationResult, Results
+    from groundslab.unit_systems import System
     from groundslab.views.summary.combinations import Entry, Extreme
     from groundslab.views.summary.rows import Row
 
@@ -114,7 +116,7 @@ def build_page(
             (error_text(check.error or 0.0, check.demand or 0.0), between_text(check))
             for check in check_design(combined).checks
         ],
-        "refused": [(name, refusal_words(error)) for name, error in combined.refused.items()],
+        "refused": [(name, refusal_words(error, combined.model.units)) for name, error in combined.refused.items()],
         **contents,
     }
 
@@ -150,11 +152,13 @@ def _chapters(
         },
         "case": {
             "case": lambda: input_tables(model, combined.combinations),
-            "analysed": lambda: list(map(layout_section, list_sections(combined))) if there else [],
+            "analysed": lambda: [
+                layout_section(section, model.units) for section in (list_sections(combined) if there else ())
+            ],
         },
         "certificate": {"certificates": lambda: _certificates(combined, entries)},
         "convergence": {
-            "constants": lambda: list_constants(entries) if constants else None,
+            "constants": lambda: list_constants(entries, model.units) if constants else None,
             "history": lambda: list_steps(entries),
         },
         "long_tables": {
@@ -165,7 +169,7 @@ def _chapters(
 
 def _title_block(project: Project | None) -> list[tuple[str, str]]:
     """Return the entries of a project that are given, each with its heading."""
-    entries = [] if project is None else [(key.capitalize(), str(value)) for key, value in project]
+    entries = [] if project is None else [(key.capitalize(), str(value)) for key, value in project if key != "units"]
     return [(name if name != "Name" else "Project", value) for name, value in entries if value]
 
 
@@ -194,15 +198,15 @@ def list_sections(combined: Results) -> list[SummarySection]:
     return [plate, mesh, *([ground] if isinstance(combined.model.ground, ContinuousGround) else [])]
 
 
-def layout_section(section: SummarySection) -> TableLayout:
+def layout_section(section: SummarySection, units: System) -> TableLayout:
     """Return a section of the summary."""
-    rows = tuple(map(layout_row, section.rows))
+    rows = tuple(layout_row(row, units) for row in section.rows)
     return drop_empty_columns(TableLayout(section.title, headers(*_VALUE), rows, section.notes))
 
 
-def layout_row(row: Row) -> tuple[Cell, ...]:
+def layout_row(row: Row, units: System) -> tuple[Cell, ...]:
     """Return a row of the summary without its place."""
-    shown = shown_row(row)
+    shown = shown_row(row, units)
     words = Cell(row.label, "words"), Cell(row.symbol, "symbol")
     return (*words, Cell(shown.figure, "number"), Cell(shown.unit), Cell(shown.error, "number"))
 
@@ -210,6 +214,7 @@ def layout_row(row: Row) -> tuple[Cell, ...]:
 def _extremes(combined: Results, entries: Sequence[Entry]) -> Iterator[TableLayout]:
     """Yield the extremes over all certified combinations with their places, those of GROUPS side by side."""
     names = {entry.number: entry.combination.name for entry in entries} if len(entries) > 1 else {}
+    units = combined.model.units
     groups = {
         name: {section.key: (section, {row.row.key: row for row in rows}) for section, rows in extremes}
         for name, states in GROUPS.items()
@@ -222,10 +227,16 @@ def _extremes(combined: Results, entries: Sequence[Entry]) -> Iterator[TableLayo
         rows = [_shared_label([side[key].row for side in sides if key in side]) for key in keys]
         heads = headers("", "symbol", "unit")
         for name in groups:
-            heads += (*headers(f"#{name if names else 'value'}"), TableHeader("at (x, y)", "m", number=True))
+            heads += (
+                *headers(f"#{name if names else 'value'}"),
+                TableHeader("at (x, y)", unit_in("m", units)[0], number=True),
+            )
             heads += headers("combination")
         cells = tuple(
-            (*_words_of(row), *(cell for side in sides for cell in _extreme(side.get(row.key), names, row.label)))
+            (
+                *_words_of(row, units),
+                *(cell for side in sides for cell in _extreme(side.get(row.key), names, row.label, units)),
+            )
             for row in rows
         )
         notes = tuple(dict.fromkeys(note for section in there for note in section.notes))
@@ -238,16 +249,16 @@ def _shared_label(rows: Sequence[Row]) -> Row:
     return rows[0] if same else replace(rows[0], label=rows[0].label.partition(", ")[0])
 
 
-def _words_of(row: Row) -> tuple[Cell, ...]:
+def _words_of(row: Row, units: System) -> tuple[Cell, ...]:
     """Return a row's name, symbol and unit."""
-    return Cell(row.label, "words"), Cell(row.symbol, "symbol"), Cell(shown_row(row).unit)
+    return Cell(row.label, "words"), Cell(row.symbol, "symbol"), Cell(shown_row(row, units).unit)
 
 
-def _extreme(extreme: Extreme | None, names: Mapping[int, str], label: str) -> tuple[Cell, ...]:
+def _extreme(extreme: Extreme | None, names: Mapping[int, str], label: str, units: System) -> tuple[Cell, ...]:
     """Return an extreme, under it its error or what the label leaves out, its place, its combination of several."""
     if extreme is None:
         return (Cell(""),) * 3
-    shown = shown_row(extreme.row)
+    shown = shown_row(extreme.row, units)
     under = shown.error or extreme.row.label.removeprefix(label).removeprefix(", ")
     return (
         Cell(shown.figure, "number", under),
@@ -258,45 +269,47 @@ def _extreme(extreme: Extreme | None, names: Mapping[int, str], label: str) -> t
 
 def _certificates(combined: Results, entries: Sequence[Entry]) -> list[TableLayout]:
     """Return the certificate, a figure a row: of several combinations the worst, then all of each, for the screen."""
+    units = combined.model.units
     proofs = {
         entry.combination.name: sections.certificate_section(entry.results)
         for entry in entries
         if entry.results is not None
     }
     if len(proofs) == 1:
-        return [replace(grid, notes=CERTIFICATE_NOTES) for grid in map(_certificate, proofs.values())]
+        return [replace(_certificate(proof, units), notes=CERTIFICATE_NOTES) for proof in proofs.values()]
     names = {entry.number: entry.combination.name for entry in entries}
-    worst = _certificate(SummarySection("worst", "", tuple(extreme.row for extreme in combinations.worst(combined))))
+    rows_of_worst = tuple(extreme.row for extreme in combinations.worst(combined))
+    worst = _certificate(SummarySection("worst", "", rows_of_worst), units)
     by = tuple(Cell(names[extreme.number]) for extreme in combinations.worst(combined))
     heads = (*worst.heads, TableHeader("combination"))
     rows = tuple((*row, cell) for row, cell in zip(worst.rows, by, strict=True))
-    return [replace(worst, heads=heads, rows=rows, notes=CERTIFICATE_NOTES), *_all_certificates(proofs)]
+    return [replace(worst, heads=heads, rows=rows, notes=CERTIFICATE_NOTES), *_all_certificates(proofs, units)]
 
 
-def _all_certificates(proofs: Mapping[str, SummarySection]) -> list[TableLayout]:
+def _all_certificates(proofs: Mapping[str, SummarySection], units: System) -> list[TableLayout]:
     """Return the certificates of several combinations, one a row and cut in two, folded."""
     known = {row.key: row for section in proofs.values() for row in section.rows}
     rows = []
     for name, section in proofs.items():
         by_key = {row.key: row for row in section.rows}
         cells = [
-            Cell(shown_row(by_key[key]).figure, "bad" if by_key[key].ok is False else "number")
+            Cell(shown_row(by_key[key], units).figure, "bad" if by_key[key].ok is False else "number")
             if key in by_key
             else Cell("")
             for key in known
         ]
         rows.append((Cell(name), *cells, _holds(all(row.ok is not False for row in section.rows))))
-    figures = [TableHeader(row.label, shown_row(row).unit, number=True) for row in known.values()]
+    figures = [TableHeader(row.label, shown_row(row, units).unit, number=True) for row in known.values()]
     heads = [TableHeader("combination"), *figures, TableHeader("certificate")]
     grid = TableLayout("", tuple(heads), tuple(rows), folded=True)
     return table_layout.split_columns(drop_empty_columns(grid), 1)
 
 
-def _certificate(section: SummarySection) -> TableLayout:
+def _certificate(section: SummarySection, units: System) -> TableLayout:
     """Return a certificate, a figure a row with its limit."""
     rows = []
     for row in section.rows:
-        shown = shown_row(row)
+        shown = shown_row(row, units)
         limit = "" if row.tolerance is None else limit_text(row)
         verdict = _holds(row.ok) if row.ok is not None else Cell("" if row.tolerance is None else verdict_word(row))
         rows.append((Cell(row.label), Cell(shown.figure, "number"), Cell(shown.unit), Cell(limit, "number"), verdict))
@@ -328,14 +341,14 @@ def layout_whole(table: Table) -> dict[str, Any]:
     return about | {"grids": grids if fits and len(table) else [], "notes": table.notes}
 
 
-def list_constants(entries: Sequence[Entry]) -> TableLayout:
+def list_constants(entries: Sequence[Entry], units: System) -> TableLayout:
     """Return the constants of the ground that the combinations ended with; those with the same ones share a row."""
     heads: list[TableHeader] = []
     names: dict[tuple[Cell, ...], list[str]] = {}
     for entry in entries:
         if entry.results is None:
             continue
-        shown = [(row, shown_row(row)) for row in sections.description_of_ground(entry.results).rows[1:]]
+        shown = [(row, shown_row(row, units)) for row in sections.description_of_ground(entry.results).rows[1:]]
         heads = heads or [TableHeader(row.label, text.unit, True, row.symbol) for row, text in shown]
         cells = tuple(Cell(text.figure, "number") for _, text in shown)
         names.setdefault(cells, []).append(entry.combination.name)

@@ -32,7 +32,9 @@ def build_chapter(comparison: GroundComparison) -> GroundChapter:
     """Return the chapter of a comparison."""
     figures = _layout(comparison, "Figures", figure_rows(comparison), notes(comparison))
     constants = _layout(comparison, "Constants", constant_rows(comparison), ())
-    svg = to_inline_svg(partial(draw_comparison, comparison, titled=False), "grounds", CAPTION)
+    svg = to_inline_svg(
+        partial(draw_comparison, comparison, titled=False), "grounds", CAPTION, units=comparison.model.units
+    )
     return GroundChapter((figures, constants), Drawing(svg, CAPTION))
 
 

@@ -15,7 +15,8 @@ from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.schema.base import Section
 from groundslab.schema.fields import Boolean, Factors, FieldType, Integer, ListOf, Number, Quantity
 from groundslab.schema.section_fields import Field
-from groundslab.units import format_coordinate, together
+from groundslab.unit_systems import System, together, unit_in, words_in
+from groundslab.units import format_coordinate
 from groundslab.views.report.applicable_keys import keys_without_use
 from groundslab.views.report.table_layout import (
     GREEK,
@@ -90,12 +91,12 @@ def input_tables(model: Model, combinations: Sequence[Combination]) -> list[Inpu
         if name == "combinations":
             grids = [_combinations(combinations)] if model.cases else []
         elif isinstance(value, Section):
-            grids = list(_part(value, "", hidden))
+            grids = list(_part(value, "", model.units, hidden))
         else:
-            grids = list(_list(value or (), name, "", hidden))
+            grids = list(_list(value or (), name, "", model.units, hidden))
         if name == "cases" and model.cases:
             grids.append(_acting(model, combinations))
-        notes = [f"Remark: {remark.words}." for remark in remarks if remark.path[0] == name]
+        notes = [f"Remark: {words_in(remark.words, model.units)}." for remark in remarks if remark.path[0] == name]
         if notes and grids:
             grids[-1] = replace(grids[-1], notes=(*grids[-1].notes, *notes))
         if grids:
@@ -103,15 +104,15 @@ def input_tables(model: Model, combinations: Sequence[Combination]) -> list[Inpu
     return tables
 
 
-def format_value(key: FieldType, value: Any) -> str:
+def format_value(key: FieldType, value: Any, units: System) -> str:
     """Return a value as people write it: quantities with five digits and a fitting unit, numbers with six."""
     if isinstance(value, str):
         return value
     if isinstance(key, Quantity):
-        (text,), unit = together([value], key.dimension)
+        (text,), unit = together([value], key.dimension, units)
         return f"{text} {unit}"
     if isinstance(key, ListOf):
-        return _several(key, value)
+        return _several(key, value, units)
     if isinstance(key, Boolean):
         return "yes" if value else "no"
     if isinstance(key, Number):
@@ -122,39 +123,42 @@ def format_value(key: FieldType, value: Any) -> str:
     return str(value)
 
 
-def describe_shape(shape: Section) -> str:
-    """Return a shape in words, its places in meters."""
+def describe_shape(shape: Section, units: System) -> str:
+    """Return a shape in words, its places in meters or feet."""
+    unit, per_meter = unit_in("m", units)
     if isinstance(shape, Circle):
-        return f"circle about {_places([shape.centre])} m, radius {shape.radius:.6g} m"
+        return f"circle about {_places([shape.centre], units)} {unit}, radius {shape.radius * per_meter:.6g} {unit}"
     if isinstance(shape, Rectangle):
-        return f"rectangle, x = {_span(shape.x)} m, y = {_span(shape.y)} m"
+        return f"rectangle, x = {_span(shape.x, units)} {unit}, y = {_span(shape.y, units)} {unit}"
     assert isinstance(shape, Polygon)
     bulges = f"; bulges {', '.join(f'{bulge:.6g}' for bulge in shape.bulges)}" if any(shape.bulges) else ""
-    return f"polygon {_places(shape.points)} m{bulges}"
+    return f"polygon {_places(shape.points, units)} {unit}{bulges}"
 
 
-def _span(ends: tuple[float, float]) -> str:
-    """Return two lengths in meters."""
-    return f"{format_coordinate(ends[0])} to {format_coordinate(ends[1])}"
+def _span(ends: tuple[float, float], units: System) -> str:
+    """Return two lengths [m] in meters or feet."""
+    _, per_meter = unit_in("m", units)
+    return " to ".join(format_coordinate(end * per_meter) for end in ends)
 
 
-def _places(places: Sequence[Sequence[float]]) -> str:
-    """Return places in meters."""
-    return " ".join(f"({', '.join(map(format_coordinate, place))})" for place in places)
+def _places(places: Sequence[Sequence[float]], units: System) -> str:
+    """Return places [m] in meters or feet."""
+    _, per_meter = unit_in("m", units)
+    return " ".join(f"({', '.join(format_coordinate(x * per_meter) for x in place)})" for place in places)
 
 
-def _several(key: ListOf, values: Sequence[Any]) -> str:
+def _several(key: ListOf, values: Sequence[Any], units: System) -> str:
     """Return a list of values; those with one unit share it."""
     item = key.each
     if isinstance(item, ListOf):
-        return f"{_places(values)} m"
+        return f"{_places(values, units)} {unit_in('m', units)[0]}"
     if isinstance(item, Quantity):
-        texts, unit = together(values, item.dimension)
+        texts, unit = together(values, item.dimension, units)
         return f"{' to '.join(texts)} {unit}" if key.rising else f"({', '.join(texts)}) {unit}"
-    return ", ".join(format_value(item, value) for value in values)
+    return ", ".join(format_value(item, value, units) for value in values)
 
 
-def _part(part: Section, title: str, hidden: Set[str] = frozenset()) -> Iterator[TableLayout]:
+def _part(part: Section, title: str, units: System, hidden: Set[str] = frozenset()) -> Iterator[TableLayout]:
     """Yield what a part says itself, then the parts in it; hidden keys stand there only if they are given."""
     rows: list[tuple[Cell, ...]] = []
     below: list[TableLayout] = []
@@ -164,13 +168,13 @@ def _part(part: Section, title: str, hidden: Set[str] = frozenset()) -> Iterator
             continue
         if key is not None:
             if value is not None and value != ():
-                rows.append(_row(name, key, value, field))
+                rows.append(_row(name, key, value, field, units))
         elif isinstance(value, Rectangle | Polygon | Circle):
-            rows.append((Cell(name), Cell(""), Cell(describe_shape(value)), Cell(field.meaning, "muted")))
+            rows.append((Cell(name), Cell(""), Cell(describe_shape(value, units)), Cell(field.meaning, "muted")))
         elif isinstance(value, Section):
-            below += _part(value, _words(name))
+            below += _part(value, _words(name), units)
         elif isinstance(value, tuple):
-            below += _list(value, name, _words(name))
+            below += _list(value, name, _words(name), units)
         elif value is not None:
             rows.append((Cell("kind"), Cell(""), Cell(str(value)), Cell(field.meaning, "muted")))
     if rows:
@@ -178,16 +182,18 @@ def _part(part: Section, title: str, hidden: Set[str] = frozenset()) -> Iterator
     yield from below
 
 
-def _row(name: str, key: FieldType, value: Any, field: Field) -> tuple[Cell, ...]:
+def _row(name: str, key: FieldType, value: Any, field: Field, units: System) -> tuple[Cell, ...]:
     """Return the row of a key; what a case has that does not say it is called default."""
     default = not field.required and value == field.default
     meaning = f"{key.meaning} (default)" if default and "by default" not in key.meaning else key.meaning
     words = name if name == key.symbol else name.replace("_", " ")
     symbol = Cell("" if name == key.symbol and name not in GREEK else key.symbol, "symbol")
-    return (Cell(words, "words"), symbol, Cell(format_value(key, value)), Cell(meaning, "muted"))
+    return (Cell(words, "words"), symbol, Cell(format_value(key, value, units)), Cell(meaning, "muted"))
 
 
-def _list(parts: Sequence[Section], name: str, title: str, hidden: Set[str] = frozenset()) -> Iterator[TableLayout]:
+def _list(
+    parts: Sequence[Section], name: str, title: str, units: System, hidden: Set[str] = frozenset()
+) -> Iterator[TableLayout]:
     """Yield a list of parts, those of one kind in one grid, numbered as in the case; lists in them stand below."""
     kinds: dict[type[Section], list[tuple[int, Section]]] = {}
     for number, part in enumerate(parts, 1):
@@ -195,19 +201,19 @@ def _list(parts: Sequence[Section], name: str, title: str, hidden: Set[str] = fr
     for kind, numbered in kinds.items():
         tag = kind.model_fields.get("kind")
         meaning = f"{tag.default}, {tag.meaning}" if tag is not None and tag.type is None else ""
-        yield _columns(kind, numbered, ": ".join(filter(None, (title, meaning))), hidden)
+        yield _columns(kind, numbered, ": ".join(filter(None, (title, meaning))), units, hidden)
     for number, part in enumerate(parts, 1):
         called = ", ".join(filter(None, (f"{ONE.get(name, _words(name))} {number}", getattr(part, "name", ""))))
         for inner, field in type(part).model_fields.items():
             value = getattr(part, inner)
             if field.sections.many and value:
-                yield from _list(value, inner, f"{called}: {inner}")
+                yield from _list(value, inner, f"{called}: {inner}", units)
             elif isinstance(value, Section) and not isinstance(value, Rectangle | Polygon | Circle):
-                yield from _part(value, f"{called}: {inner}")
+                yield from _part(value, f"{called}: {inner}", units)
 
 
 def _columns(
-    kind: type[Section], numbered: list[tuple[int, Section]], title: str, hidden: Set[str] = frozenset()
+    kind: type[Section], numbered: list[tuple[int, Section]], title: str, units: System, hidden: Set[str] = frozenset()
 ) -> TableLayout:
     """Return parts of one kind, one a row; keys that are nowhere given have no column, nor have hidden defaults."""
     heads, columns = ([TableHeader("no.", number=True)], [[Cell(str(number), "number") for number, _ in numbered]])
@@ -218,10 +224,10 @@ def _columns(
         if not said and (name not in ALWAYS or name in hidden or key is None):
             continue
         if key is not None:
-            head, cells = _column(name, key, values)
+            head, cells = _column(name, key, values, units)
         elif isinstance(next(value for value in values if value is not None), Rectangle | Polygon | Circle):
             head = TableHeader(_words(name).lower())
-            cells = [Cell("" if value is None else describe_shape(value)) for value in values]
+            cells = [Cell("" if value is None else describe_shape(value, units)) for value in values]
         else:
             continue
         heads.append(head)
@@ -229,7 +235,7 @@ def _columns(
     return TableLayout(title, tuple(heads), tuple(zip(*columns, strict=True)))
 
 
-def _column(name: str, key: FieldType, values: list[Any]) -> tuple[TableHeader, list[Cell]]:
+def _column(name: str, key: FieldType, values: list[Any], units: System) -> tuple[TableHeader, list[Cell]]:
     """Return the column of a key; its quantities have one unit."""
     words, symbol = name.replace("_", " "), key.symbol
     if symbol == name:
@@ -237,9 +243,9 @@ def _column(name: str, key: FieldType, values: list[Any]) -> tuple[TableHeader, 
     nothing = Cell(ALWAYS.get(name, ""))
     if not isinstance(key, Quantity):
         kind: Kind = "number" if isinstance(key, Number | Integer) else ""
-        cells = [nothing if value is None else Cell(format_value(key, value), kind) for value in values]
+        cells = [nothing if value is None else Cell(format_value(key, value, units), kind) for value in values]
         return TableHeader(words, "", bool(kind), symbol), cells
-    texts, unit = together([value for value in values if value is not None], key.dimension)
+    texts, unit = together([value for value in values if value is not None], key.dimension, units)
     left = iter(texts)
     cells = [nothing if value is None else Cell(next(left), "number") for value in values]
     return TableHeader(words, unit if texts else "", number=True, symbol=symbol), cells

@@ -15,6 +15,7 @@ from groundslab.model.plan_origin import plan_origin
 from groundslab.results.contact_zone import contact_function, goes_below_zero, has_line_force
 from groundslab.results.fields import BAR_FIELDS, LINE_FORCE, PLATE_FIELDS, SHOWN_ELEMENT_FIELDS, extreme
 from groundslab.results.results import refusal_words
+from groundslab.unit_systems import in_system, unit_in
 from groundslab.views.scene.binary import Blocks, Scene
 from groundslab.views.scene.plan import plan_of
 from groundslab.views.summary import combinations
@@ -23,9 +24,11 @@ if TYPE_CHECKING:
     from groundslab.arrays import Array
     from groundslab.results.mesh_results import PlateResult
     from groundslab.results.results import CombinationResult, Results
+    from groundslab.unit_systems import System
     from groundslab.views.summary.combinations import Entry
 
 FORMAT = 2
+_ABOUT = PLATE_FIELDS | SHOWN_ELEMENT_FIELDS | BAR_FIELDS
 #: The nodal fields that a scene has, if need be; all others can be made of them.
 SHOWN = (
     "settlement", "rotation_x", "rotation_y", "pressure", LINE_FORCE, "gap", "penetration", "moment_x", "moment_y",
@@ -47,7 +50,7 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
     plates = [results.plate for results in there]
     _require_one_mesh(plates)
     names = _fields_of(there)
-    blocks = Blocks()
+    blocks, units = Blocks(), combined.model.units
     of_bars = _fields_of_bars(combined)
     nodes, elements, section = np.zeros((0, 2)), np.zeros((0, 9), dtype=np.int64), np.zeros(0, dtype=np.int64)
     if there:
@@ -68,8 +71,10 @@ def scene_of(combined: Results, most: int | None = None) -> Scene:
         "version": __version__,
         "plan": plan_of(combined.solved_model),
         "mesh": mesh,
-        "fields": [_about(name, there) for name in names] + [_words(name, False) for name in of_bars] + [_CONTACT],
-        "combinations": [_combination(entry, names, blocks, entry.number in kept, shared) for entry in entries],
+        "fields": [_about(name, there, units) for name in names]
+        + [_words(name, False, units) for name in of_bars]
+        + [_CONTACT],
+        "combinations": [_combination(entry, names, blocks, entry.number in kept, shared, units) for entry in entries],
         "left_out": [
             entry.combination.name for entry in entries if entry.results is not None and entry.number not in kept
         ],
@@ -102,17 +107,23 @@ def _fields_of(there: list[CombinationResult]) -> list[str]:
     return [name for name in SHOWN if not absent.get(name)] + (of_elements if there else [])
 
 
-def _about(name: str, there: list[CombinationResult]) -> dict[str, Any]:
+def _about(name: str, there: list[CombinationResult], units: System) -> dict[str, Any]:
     """Return how a field is called and shown; it is signed if its sign matters."""
-    sign = (PLATE_FIELDS | SHOWN_ELEMENT_FIELDS)[name].sign
-    return _words(name, sign == "any" or any(goes_below_zero(nodal_values(results, name)) for results in there))
+    sign = _ABOUT[name].sign
+    signed = sign == "any" or any(goes_below_zero(nodal_values(results, name)) for results in there)
+    return _words(name, signed, units)
 
 
-def _words(name: str, signed: bool) -> dict[str, Any]:
+def _words(name: str, signed: bool, units: System) -> dict[str, Any]:
     """Return how a field is called and shown, signed or not."""
-    about = (PLATE_FIELDS | SHOWN_ELEMENT_FIELDS | BAR_FIELDS)[name]
-    words = {key: getattr(about, key) for key in ("symbol", "unit", "meaning", "averaged")}
-    return {"name": name, **words, "signed": signed}
+    about = _ABOUT[name]
+    words = {key: getattr(about, key) for key in ("symbol", "meaning", "averaged")}
+    return {"name": name, "unit": unit_in(about.unit, units)[0], **words, "signed": signed}
+
+
+def _shown_values(results: CombinationResult, name: str) -> Array:
+    """Return a field at the nodes (n,) in the unit that it is shown in."""
+    return nodal_values(results, name) * unit_in(_ABOUT[name].unit, results.model.units)[1]
 
 
 def _fields_of_bars(combined: Results) -> dict[str, Array]:
@@ -122,14 +133,19 @@ def _fields_of_bars(combined: Results) -> dict[str, Array]:
     """
     fields = bar_fields(combined)
     return {
-        name: values * BAR_FIELDS[name].scale
+        name: values * in_system(BAR_FIELDS[name].display, combined.model.units).scale
         for name, values in fields.items()
         if name.startswith(SHOWN_OF_BARS) and np.isfinite(values).all()
     }
 
 
 def _combination(
-    entry: Entry, names: list[str], blocks: Blocks, kept: bool, shared: Mapping[str, dict[str, Any]]
+    entry: Entry,
+    names: list[str],
+    blocks: Blocks,
+    kept: bool,
+    shared: Mapping[str, dict[str, Any]],
+    units: System,
 ) -> dict[str, Any]:
     """Return one combination: what acts together, its fields, their extremes, or why there are none.
 
@@ -138,14 +154,14 @@ def _combination(
     results = entry.results
     values = None
     if results is not None and kept:
-        values = {name: blocks.put_range(nodal_values(results, name)) for name in names}
+        values = {name: blocks.put_range(_shown_values(results, name)) for name in names}
         values |= {**shared, "contact": blocks.put_signed(contact_function(results))}
     return {
         "name": entry.combination.name,
         "number": entry.number,
         "limit_state": entry.combination.limit_state,
         "factors": [list(pair) for pair in entry.combination.factors],
-        "refused": None if entry.refused is None else refusal_words(entry.refused),
+        "refused": None if entry.refused is None else refusal_words(entry.refused, units),
         "certified": entry.refused is None,
         "values": values,
         "extremes": {} if results is None else dict(_extremes(results, names)),
@@ -156,10 +172,10 @@ def _extremes(results: CombinationResult, names: list[str]) -> Iterator[tuple[st
     """Yield the extremes of each field with their places: [value, x, y]; of the line force those along the edge."""
     plate = results.plate
     for name in names:
-        yield name, _range(plate.nodes, nodal_values(results, name))
+        yield name, _range(plate.nodes, _shown_values(results, name))
     if has_line_force(results):
         on_edge = plate.edge_length > 0
-        yield LINE_FORCE, _range(plate.nodes[on_edge], nodal_values(results, LINE_FORCE)[on_edge])
+        yield LINE_FORCE, _range(plate.nodes[on_edge], _shown_values(results, LINE_FORCE)[on_edge])
 
 
 def _range(nodes: Array, values: Array) -> dict[str, list[float]]:

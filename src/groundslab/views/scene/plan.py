@@ -9,6 +9,8 @@ import numpy as np
 
 from groundslab.geometry.plan import DRAWN_CHORD
 from groundslab.model.loads.acting import AreaPressure, LineForce, PlateAction, PointForce
+from groundslab.unit_systems import in_system
+from groundslab.units import UNITS, Unit
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
@@ -24,21 +26,22 @@ if TYPE_CHECKING:
     from groundslab.model.structure.walls import Wall
     from groundslab.model.supports import AnySupport
     from groundslab.model.varying_ground import Borehole, Void
+    from groundslab.unit_systems import System
 
 #: Digits after the point of a length in meters.
 DIGITS = 9
 
-#: The units that loads are shown in: their sizes in SI units, their names.
+#: The units that loads are shown in.
 MAGNITUDES = {
-    "force": (1e3, "kN"),
-    "moment": (1e3, "kNm"),
-    "force per length": (1e3, "kN/m"),
-    "moment per length": (1e3, "kNm/m"),
-    "pressure": (1e3, "kPa"),
-    "weight per volume": (1e3, "kN/m^3"),
-    "temperature difference": (1.0, "K"),
-    "strain": (1.0, ""),
-    "length": (1e-3, "mm"),
+    "force": Unit("kN", "N", 1e-3),
+    "moment": Unit("kNm", "N m", 1e-3),
+    "force per length": Unit("kN/m", "N/m", 1e-3),
+    "moment per length": Unit("kNm/m", "N m/m", 1e-3),
+    "pressure": Unit("kPa", "Pa", 1e-3),
+    "weight per volume": Unit("kN/m^3", "N/m^3", 1e-3),
+    "temperature difference": Unit("K", "K", 1.0),
+    "strain": Unit("", "", 1.0),
+    "length": Unit("mm", "m", 1e3),
 }
 
 Data = dict[str, Any]
@@ -71,6 +74,7 @@ def plan_of(model: Model) -> Data:
 
     output = model.output
     return {
+        "lengths": lengths_in(model.units),
         "bounds": [value for place in _rounded([(x0, y0), (x1, y1)]) for value in place],
         "thickness": plate.thickness,
         "outline": ring(plate.ring()),
@@ -108,12 +112,16 @@ def _beam(beam: Beam, chord: float) -> Data:
     return {"name": beam.name, "width": beam.width, "points": _rounded(axis)}
 
 
-def load_parts(load: AnyLoad) -> list[list[Any]]:
+def lengths_in(units: System) -> Data:
+    """Return how lengths on pictures are shown: the unit of places, that of thicknesses and settlements, factors."""
+    long, short = in_system(UNITS["m"], units), in_system(UNITS["mm"], units)
+    return {"unit": long.name, "per_meter": long.scale, "small": short.name, "small_per_meter": short.scale}
+
+
+def load_parts(load: AnyLoad, units: System) -> list[list[Any]]:
     """Return how large a load is, without factors: symbol, value and unit of each of its parts."""
-    return [
-        [symbol, _tidied(value / MAGNITUDES[dimension][0]), MAGNITUDES[dimension][1]]
-        for symbol, value, dimension in load.magnitudes
-    ]
+    shown = [(symbol, value, in_system(MAGNITUDES[name], units)) for symbol, value, name in load.magnitudes]
+    return [[symbol, _tidied(value * unit.scale), unit.name] for symbol, value, unit in shown]
 
 
 def _tidied(value: float) -> float:
@@ -142,7 +150,7 @@ def _load(load: AnyLoad, model: Model, chord: float) -> Data:
         about.pop("footprint", None)
     if wall := getattr(load, "wall", ""):
         about["wall"] = wall
-    return about | {"parts": load_parts(load)}
+    return about | {"parts": load_parts(load, model.units)}
 
 
 def _place_of(shape: Acting, model: Model, chord: float) -> Data:

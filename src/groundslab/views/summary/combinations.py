@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from groundslab.errors import NotCertified
 from groundslab.results.contact_zone import require_finite as require_one_finite
+from groundslab.unit_systems import words_in
 from groundslab.views.summary import sections
 from groundslab.views.summary.rows import Row, SummarySection
 
@@ -68,11 +69,16 @@ def case_lines(combined: Results) -> list[str]:
     from groundslab.model.remarks.case_use import case_uses
     from groundslab.model.remarks.remarks import find_remarks
 
+    units = combined.model.units
     uses = case_uses(combined.model, combined.combinations)
     remarks = find_remarks(combined.model, combined.combinations)
     return [
-        *(f"{use.case.name} ({use.about()}): {use.words()}" for use in uses),
-        *(f"remark: {remark.words}" for remark in remarks if not remark.doubtful and remark.path[0] != "loads"),
+        *(f"{use.case.name} ({use.about()}): {words_in(use.words(), units)}" for use in uses),
+        *(
+            f"remark: {words_in(remark.words, units)}"
+            for remark in remarks
+            if not remark.doubtful and remark.path[0] != "loads"
+        ),
     ]
 
 

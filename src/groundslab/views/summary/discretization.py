@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from groundslab.accuracy.judgment import JudgedValue, judge
 from groundslab.accuracy.values import error_of_contact_share, error_of_largest, estimate_error
+from groundslab.unit_systems import words_in
 from groundslab.units import UNITS
 from groundslab.views.summary.rows import Row, SummarySection
 
@@ -131,6 +132,11 @@ def coarse_words(combined: Results) -> str:
 
     "" where none of these is true.
     """
+    return words_in(_coarse_words(combined), combined.model.units)
+
+
+def _coarse_words(combined: Results) -> str:
+    """Return `coarse_words` in SI units."""
     from groundslab.accuracy.resolution import find_unresolved
 
     if combined.provisional:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
+from groundslab.unit_systems import System, in_system, words_in
 from groundslab.units import Unit
 
 if TYPE_CHECKING:
@@ -37,3 +38,17 @@ class SummarySection:
     title: str
     rows: tuple[Row, ...]
     notes: tuple[str, ...] = ()
+
+
+def in_units(section: SummarySection, system: System) -> SummarySection:
+    """Return a section whose rows are shown in the units of a system; their values stay in SI units."""
+    if system == "SI":
+        return section
+    notes = tuple(words_in(note, system) for note in section.notes)
+    return replace(section, rows=tuple(_row_in(row, system) for row in section.rows), notes=notes)
+
+
+def _row_in(row: Row, system: System) -> Row:
+    """Return a row that is shown in the units of a system."""
+    value = words_in(row.value, system) if isinstance(row.value, str) else row.value
+    return replace(row, value=value, unit=None if row.unit is None else in_system(row.unit, system))

@@ -16,7 +16,7 @@ from groundslab.results.fields import PLATE_FIELDS, extreme, place_of
 from groundslab.units import UNITS
 from groundslab.views.summary.cracking import cracking_sections
 from groundslab.views.summary.discretization import discretization_section, largest_error, unknown_words, with_error
-from groundslab.views.summary.rows import Row, SummarySection
+from groundslab.views.summary.rows import Row, SummarySection, in_units
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
@@ -79,7 +79,10 @@ def summary(results: CombinationResult) -> list[SummarySection]:
 
 def description(results: CombinationResult) -> list[SummarySection]:
     """Return the sections on the model: plate, mesh, ground, and loads cut off at the plate's edge."""
-    return [_plate(results), mesh_section(results), description_of_ground(results), *cut_loads(results.model)]
+    plate, mesh, cut = _plate(results), mesh_section(results), cut_loads(results.model)
+    units = results.model.units
+    return [in_units(plate, units), in_units(mesh, units), description_of_ground(results),
+            *(in_units(section, units) for section in cut)]  # fmt: skip
 
 
 #: Figures of results, which are asked for more than once.
@@ -88,7 +91,8 @@ _FIGURES: Memo[list[SummarySection]] = Memo()
 
 def figures(results: CombinationResult) -> list[SummarySection]:
     """Return the sections on the results: settlement, contact, support and section forces, with their errors."""
-    return _FIGURES.get(results, None, lambda: _figures(results))
+    units = results.model.units
+    return _FIGURES.get(results, None, lambda: [in_units(section, units) for section in _figures(results)])
 
 
 def _figures(results: CombinationResult) -> list[SummarySection]:
@@ -205,7 +209,8 @@ def description_of_ground(results: CombinationResult) -> SummarySection:
     if results.coarser is not None:
         coarser = {row.key: row for row in description_of_ground(results.coarser).rows}
         rows = [with_error(row, coarser.get(row.key), results) for row in rows]
-    return SummarySection("ground", "Ground", (rows[0], *_continuum(results), *rows[1:]))
+    section = SummarySection("ground", "Ground", (rows[0], *_continuum(results), *rows[1:]))
+    return in_units(section, results.model.units)
 
 
 def _continuum(results: CombinationResult) -> tuple[Row, ...]:
@@ -378,4 +383,5 @@ def certificate_section(results: CombinationResult) -> SummarySection:
         )
     unknown = unknown_words(results)
     notes = (*notes, unknown) if unknown else notes
-    return SummarySection("certificate", "Certificate", (*rows, *largest_error(results)), notes)
+    section = SummarySection("certificate", "Certificate", (*rows, *largest_error(results)), notes)
+    return in_units(section, results.model.units)

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 from groundslab._version import __version__
 from groundslab.results.contact_zone import goes_below_zero
 from groundslab.results.results import refusal_words
-from groundslab.units import format_number
+from groundslab.unit_systems import in_system, unit_in
+from groundslab.units import UNITS, format_number
 from groundslab.views.summary import combinations
 from groundslab.views.summary.discretization import coarse_words
 from groundslab.views.summary.rows import SummarySection
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from groundslab.design.checks import Design, DesignCheck, Status
     from groundslab.results.record import Step
     from groundslab.results.results import CombinationResult, Results
+    from groundslab.unit_systems import System
     from groundslab.views.summary.combinations import Entry, Extreme
     from groundslab.views.summary.rows import Row
 
@@ -80,29 +82,31 @@ def _print_cases(combined: Results, console: Console) -> None:
 def _print_only(results: CombinationResult, console: Console) -> None:
     """Print the figures of an only combination and its convergence history."""
     for section in summary(results):
-        _print_section(section, [_line(row) for row in section.rows], console)
+        _print_section(section, [_line(row, results.model.units) for row in section.rows], console)
     console.print()
     print_history(results.steps, console)
 
 
 def _print_several(combined: Results, entries: Sequence[Entry], console: Console) -> None:
     """Print what combinations have in common, each on its lines, and the extremes over all."""
+    units = combined.model.units
     for section in combinations.description(combined) if any(entry.results for entry in entries) else []:
-        _print_section(section, [_line(row) for row in section.rows], console)
+        _print_section(section, [_line(row, units) for row in section.rows], console)
     console.print()
     _print_lines(["Combinations"], "bold cyan", console)
-    for heading in (("load", "settlement", "uplift", "contact", "iteration"), ("kN", "mm", "mm", "%", "steps")):
+    of_figures = (unit_in("kN", units)[0], unit_in("mm", units)[0], unit_in("mm", units)[0], "%", "steps")
+    for heading in (("load", "settlement", "uplift", "contact", "iteration"), of_figures):
         _print_lines(["   " + "".join(f"{word:>12}" for word in heading)], "dim", console)
     for entry in entries:
-        for line in _entry(entry):
+        for line in _entry(entry, units):
             console.print(line, soft_wrap=True)
     for section, rows in combinations.extremes(combined):
         titled = replace(section, title=f"{section.title}: extremes")
-        _print_section(titled, [_extreme(row) for row in rows], console)
+        _print_section(titled, [_extreme(row, units) for row in rows], console)
     if not combined.results:
         return
     worst = SummarySection("certificate", "Certificate: the worst value of each figure", ())
-    _print_section(worst, [_extreme(row) for row in combinations.worst(combined)], console)
+    _print_section(worst, [_extreme(row, units) for row in combinations.worst(combined)], console)
     _print_lines(["  The number before each line is that of the governing combination."], "dim", console)
 
 
@@ -114,7 +118,7 @@ def _print_lines(lines: Iterable[str], style: str, console: Console) -> None:
         console.print(Text(line, style=style), soft_wrap=True)
 
 
-def _entry(entry: Entry) -> Iterator[Text]:
+def _entry(entry: Entry, units: System) -> Iterator[Text]:
     """Yield the lines of one combination: name and factors, figures, and why it is refused."""
     from rich.text import Text
 
@@ -126,22 +130,23 @@ def _entry(entry: Entry) -> Iterator[Text]:
     if entry.results is not None:
         w, contact = entry.results.plate.settlement, entry.results.plate.contact_share
         uplift = -w.min() if goes_below_zero(w) else 0.0
-        figures = (entry.results.certificate.load / 1e3, w.max() * 1e3, uplift * 1e3, contact * 100)
+        force, length = in_system(UNITS["kN"], units).scale, in_system(UNITS["mm"], units).scale
+        figures = (entry.results.certificate.load * force, w.max() * length, uplift * length, contact * 100)
         texts = [*map(format_number, figures), str(len(entry.results.steps))]
         line = Text("   " + "".join(f"{text:>12}" for text in texts))
         if entry.refused is None:
             line.append("  ok", style="green")
         yield line
     if entry.refused is not None:
-        shown = textwrap.wrap(refusal_words(entry.refused), 74, max_lines=6, placeholder=" ...")
+        shown = textwrap.wrap(refusal_words(entry.refused, units), 74, max_lines=6, placeholder=" ...")
         yield from (Text(f"    {line}", style="bold red") for line in shown)
 
 
-def _extreme(extreme: Extreme) -> Text:
+def _extreme(extreme: Extreme, units: System) -> Text:
     """Return a row as one line that begins with the number of its combination."""
     from rich.text import Text
 
-    return Text(f"{extreme.number:>2} ") + _line(extreme.row, 1)
+    return Text(f"{extreme.number:>2} ") + _line(extreme.row, units, 1)
 
 
 def _head(title: str, design: Design, console: Console) -> None:
@@ -225,13 +230,13 @@ def step_texts(step: Step) -> list[str]:
     ]
 
 
-def _line(row: Row, taken: int = 0) -> Text:
+def _line(row: Row, units: System, taken: int = 0) -> Text:
     """Return a row of the summary as one line; long words wrap under themselves. So many columns are taken before."""
     from rich.text import Text
 
     symbol = f" {row.symbol}" if row.symbol else ""
     line = Text(("" if taken else "  ") + (row.label + symbol).ljust(LABEL - taken))
-    shown = shown_row(row)
+    shown = shown_row(row, units)
     if row.tolerance is not None:
         line.append(f"{shown.figure:>{VALUE}} {shown.unit}{' ' if shown.unit else ''}")
         line.append(verdict_word(row), style=VERDICTS[row.ok][1])
@@ -266,8 +271,8 @@ def limit_text(row: Row) -> str:
     return f"{row.tolerance:.0e}" if row.unit is None else f"{row.tolerance * row.unit.scale:g} {row.unit.name}"
 
 
-def shown_row(row: Row) -> Shown:
-    """Return the texts of a row: figures that must vanish with two digits, others with five, places to a millimetre."""
+def shown_row(row: Row, units: System) -> Shown:
+    """Return the texts of a row: figures that must vanish with two digits, others with five, and its place."""
     if isinstance(row.value, str):
         return Shown(row.value)
     if row.tolerance is not None and row.unit is None:
@@ -276,9 +281,15 @@ def shown_row(row: Row) -> Shown:
     figure = str(row.value) if isinstance(row.value, int) else format_number(row.value * scale)
     if row.tolerance is not None:
         figure = f"{row.value * scale:.2g}"
-    place = "" if row.place is None else "({:.3f}, {:.3f})".format(*(round(x, 3) + 0.0 for x in row.place))
+    place = "" if row.place is None else place_text(row.place, units)
     place += "*" if row.singular else ""
     return Shown(figure, unit, place, "" if row.error is None else error_text(row.error, row.value))
+
+
+def place_text(place: tuple[float, float], units: System) -> str:
+    """Return a place [m] with three decimals in meters or feet."""
+    _, per_meter = unit_in("m", units)
+    return "({:.3f}, {:.3f})".format(*(round(x * per_meter, 3) + 0.0 for x in place))
 
 
 def error_text(error: float, value: float) -> str:

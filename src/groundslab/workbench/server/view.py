@@ -106,7 +106,7 @@ class ResultsView:
         design = self.summary["design"]
         headline = design["headline"] if design.get("status") in ("fails", "attention") else ""
         about = {"run": ONLY, "version": ONLY, "seconds": None, "design": headline}
-        refused = {name: refusal_words(why) for name, why in self._results.refused.items()}
+        refused = {name: refusal_words(why, self._results.model.units) for name, why in self._results.refused.items()}
         provisional = provisional_words(self._results)
         return [("solved", about | {"refused": refused, "provisional": provisional, "update": 0})]
 

@@ -174,7 +174,7 @@ def _outcome(
     from groundslab.workbench.solver.summary import build_summary
     from groundslab.workbench.solver.tables import layout_makers
 
-    refused = {name: refusal_words(error) for name, error in results.refused.items()}
+    refused = {name: refusal_words(error, results.model.units) for name, error in results.refused.items()}
     summary, scene = build_summary(results, with_checks), pack(scene_of(results))
     tables = layout_makers(results) if with_checks else {}
     start, first = times

@@ -6,13 +6,15 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from groundslab.results.results import refusal_words
+from groundslab.unit_systems import unit_in
 from groundslab.units import format_number
 from groundslab.views.summary import combinations, json_summary, sections
 from groundslab.views.summary.discretization import coarse_words
-from groundslab.views.summary.terminal import error_text, limit_text, shown_row, verdict_word
+from groundslab.views.summary.terminal import error_text, limit_text, place_text, shown_row, verdict_word
 
 if TYPE_CHECKING:
     from groundslab.results.results import Results
+    from groundslab.unit_systems import System
     from groundslab.views.summary.combinations import Entry
     from groundslab.views.summary.rows import Row, SummarySection
 
@@ -26,17 +28,17 @@ def build_summary(combined: Results, with_checks: bool = True) -> dict[str, Any]
     return {
         **({"design": json_summary.design(combined)} if with_checks else {}),
         "coarse": coarse_words(combined),
-        "combinations": [_combination_to_json(entry) for entry in combinations.entries(combined)],
+        "combinations": [_combination_to_json(entry, combined.model.units) for entry in combinations.entries(combined)],
     }
 
 
-def _combination_to_json(entry: Entry) -> dict[str, Any]:
+def _combination_to_json(entry: Entry, units: System) -> dict[str, Any]:
     """Return one combination: why it is refused, its certificate, its sections."""
     about: dict[str, Any] = {
         "name": entry.combination.name,
         "limit_state": entry.combination.limit_state,
         "factors": combinations.factors_text(entry.combination),
-        "refused": None if entry.refused is None else refusal_words(entry.refused),
+        "refused": None if entry.refused is None else refusal_words(entry.refused, units),
     }
     if entry.results is None:
         return about | {"certificate": None, "sections": []}
@@ -45,27 +47,27 @@ def _combination_to_json(entry: Entry) -> dict[str, Any]:
     shown = figures | {"holds": certificate.holds, "too_large": list(certificate.too_large())}
     parts = [*sections.figures(entry.results), sections.certificate_section(entry.results)]
     parts += sections.description(entry.results)
-    return about | {"certificate": shown, "sections": [_section_to_json(section) for section in parts]}
+    return about | {"certificate": shown, "sections": [_section_to_json(section, units) for section in parts]}
 
 
-def _section_to_json(section: SummarySection) -> dict[str, Any]:
+def _section_to_json(section: SummarySection, units: System) -> dict[str, Any]:
     """Return a section of the summary."""
-    rows = [_row_to_json(row) for row in section.rows]
+    rows = [_row_to_json(row, units) for row in section.rows]
     return {"key": section.key, "title": section.title, "rows": rows, "notes": list(section.notes)}
 
 
-def _row_to_json(row: Row) -> dict[str, Any]:
+def _row_to_json(row: Row, units: System) -> dict[str, Any]:
     """Return a row of the summary, its value as text, numbers with five digits; ok only for checks."""
     unit = "" if row.unit is None else row.unit.name
     if row.tolerance is not None:
-        value, note = shown_row(row).figure, f"{verdict_word(row)} (limit {limit_text(row)})"
+        value, note = shown_row(row, units).figure, f"{verdict_word(row)} (limit {limit_text(row)})"
     elif isinstance(row.value, str):
         value, note = row.value, ""
     else:
         plain = isinstance(row.value, int)
         value = str(row.value) if plain else format_number(row.value * (1.0 if row.unit is None else row.unit.scale))
         error = "" if row.error is None else error_text(row.error, row.value)
-        note = "" if row.place is None else "at ({:.3f}, {:.3f}) m".format(*(round(x, 3) + 0.0 for x in row.place))
+        note = "" if row.place is None else f"at {place_text(row.place, units)} {unit_in('m', units)[0]}"
         note = f"{error} {note}{', singular' if row.singular else ''}".strip()
     about = {"key": row.key, "label": row.label, "symbol": row.symbol, "value": value, "unit": unit, "note": note}
     return about | ({"ok": row.ok} if row.ok is not None else {})

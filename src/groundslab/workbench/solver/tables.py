@@ -46,9 +46,11 @@ def layout_makers(combined: Results) -> dict[str, Maker]:
     entries = combinations.entries(combined)
     there = [entry.results for entry in entries if entry.results is not None]
     if any(results.constants.k0 for results in there):
-        makers["constants"] = lambda: replace(content.list_constants(entries), title="Constants of the ground")
+        makers["constants"] = lambda: replace(
+            content.list_constants(entries, combined.model.units), title="Constants of the ground"
+        )
     if there:
-        makers["mesh"] = lambda: content.layout_section(content.list_sections(combined)[1])
+        makers["mesh"] = lambda: content.layout_section(content.list_sections(combined)[1], combined.model.units)
         makers["steps"] = lambda: replace(content.list_steps(entries), title="Steps of the analysis")
     if any(results.comparison is not None for results in there):
         makers["errors"] = partial(_list_errors, combined)
@@ -81,7 +83,11 @@ def _list_errors(combined: Results) -> TableLayout:
     parts = {
         results.combination: discretization_section(results) for results in combined.values() if results.comparison
     }
-    rows = tuple((Cell(name), *content.layout_row(row)[:-1]) for name, section in parts.items() for row in section.rows)
+    rows = tuple(
+        (Cell(name), *content.layout_row(row, combined.model.units)[:-1])
+        for name, section in parts.items()
+        for row in section.rows
+    )
     heads = table_layout.headers("combination", "value", "symbol", "#error", "unit")
     notes = dict.fromkeys(note for section in parts.values() for note in section.notes)
     layout = TableLayout("Discretization errors", heads, rows, tuple(notes))

@@ -103,12 +103,12 @@ def test_constants_that_are_the_same_stand_once() -> None:
     """Two combinations with the same constants share a row without a name; others have a row each, with their names."""
     both = synthetic.combined()
     found = combinations.entries(both)
-    (row,) = content.list_constants(found).rows
-    assert not [head for head in content.list_constants(found).heads if head.text == "combination"]
+    (row,) = content.list_constants(found, "SI").rows
+    assert not [head for head in content.list_constants(found, "SI").heads if head.text == "combination"]
     first, second, *others = found
     assert second.results is not None
     softer = replace(second.results, constants=replace(second.results.constants, k0=(1e6,)))
-    table = content.list_constants([first, replace(second, results=softer), *others])
+    table = content.list_constants([first, replace(second, results=softer), *others], "SI")
     assert len(table.rows) == 2
     assert len(table.heads) == len(row) + 1
     assert table.rows[1][0].text == second.combination.name

@@ -44,7 +44,7 @@ def test_each_check_has_a_sheet() -> None:
         ["punching", "C1", "ULS 1", "share used", "eta", "", "", 0.5, "", "", 1.5, -2.0],
         ["punching", "C2", "ULS 1", "share used", "eta", "", "", 0.75, "", "", None, None],
     ]
-    sheets = build_sheets(table_of("calculations", "Calculations", HEADS, rows, ()))
+    sheets = build_sheets(table_of("calculations", "Calculations", HEADS, rows, ()), "SI")
     assert list(sheets) == [("punching", "C1", "ULS 1"), ("punching", "C2", "ULS 1")]
     first, second = sheets.values()
     assert (first.title, second.title) == ("Punching, C1, ULS 1, at (1.5, \N{MINUS SIGN}2) m", "Punching, C2, ULS 1")

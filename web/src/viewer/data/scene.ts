@@ -82,7 +82,16 @@ export interface FrameLine {
   points: Point[];
 }
 
+/** How lengths are shown: the unit of places, that of thicknesses and settlements, and how many make a meter. */
+export interface Lengths {
+  unit: string;
+  per_meter: number;
+  small: string;
+  small_per_meter: number;
+}
+
 export interface Plan {
+  lengths?: Lengths; // how they are shown; all in a plan are in meters
   bounds: [number, number, number, number]; // x0, y0, x1, y1 of the plate [m]
   outline: Ring;
   thickness?: number; // [m] outside all zones

@@ -25,11 +25,12 @@ export class Legend {
     const isAbove = scale.max > scale.levels.at(-1)! + BEYOND * scale.step;
     const isBelow = scale.min < scale.levels[0]! - BEYOND * scale.step;
     const edge = field.name === "pressure" && scene ? lineForceOf(scene, choice) : null;
+    const edgeUnit = scene?.head.fields.find((each) => each.name === "line_force")?.unit;
     const hatch = h("span", { class: "gs-legend-hatch" });
     const notes: Child[][] = [
       [`max ${formatNumber(scale.max)}`],
       [`min ${formatNumber(scale.min)}`],
-      edge ? [`edge line force up to ${formatNumber(edge[0])} kN/m`] : [],
+      edge ? [`edge line force up to ${formatNumber(edge[0])} ${edgeUnit}`] : [],
       isAbove ? [`above the scale: up to ${formatNumber(scale.max)} ${field.unit}`] : [],
       isBelow ? [`below the scale: down to ${formatNumber(scale.min)} ${field.unit}`] : [],
       shown.lifted ? [hatch, isEnvelope(choice) ? "no contact in some combination" : "no contact"] : [],

@@ -1,4 +1,5 @@
 // A result as a picture: which field of which combination, in plan or in space, with its color scale.
+
 import {
   type Choice,
   choiceName,
@@ -12,6 +13,7 @@ import {
   isEnvelope,
   parseChoice,
 } from "../data/fields";
+import { lengthsOf } from "../data/lengths";
 import { labelEverywhere } from "../data/load-labels";
 import { formatNumber, withMinus } from "../data/numbers";
 import { Locator } from "../data/point-location";
@@ -217,7 +219,8 @@ export class ResultView {
   private read(at: Point | null): void {
     const { scene, locator } = this;
     if (!at || !scene || !locator) return setText(this.reading, "");
-    let text = `x ${at[0].toFixed(2)}  y ${at[1].toFixed(2)} m`;
+    const { unit, per_meter: per } = lengthsOf(scene.head.plan);
+    let text = `x ${(at[0] * per).toFixed(2)}  y ${(at[1] * per).toFixed(2)} ${unit}`;
     const spot = this.plan.shown ? locator.locate(...at) : null;
     if (spot) {
       const info = fieldOf(scene, this.field);

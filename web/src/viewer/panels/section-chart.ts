@@ -1,6 +1,8 @@
 // A field along a line through the plate, for one or several combinations.
+
 import uPlot from "uplot";
 import { type Choice, choiceName, fieldOf, isEnvelope } from "../data/fields";
+import { lengthsOf } from "../data/lengths";
 import { formatNumber, formatShort } from "../data/numbers";
 import type { Locator } from "../data/point-location";
 import { distanceBetween, pointBetween } from "../data/points";
@@ -122,20 +124,21 @@ export class SectionChart {
   private makePlot(place: HTMLElement, width: number, height: number, times: number, theme: Theme): uPlot {
     const { scene, field, choices } = this.section!;
     const info = fieldOf(scene, field);
+    const { unit, per_meter: per } = lengthsOf(scene.head.plan);
     const palette = paletteOf(theme);
     const options: uPlot.Options = {
       width,
       height,
       scales: {
-        x: { time: false, range: () => [0, Math.max(this.length(), 1e-9)] },
+        x: { time: false, range: () => [0, Math.max(this.length() * per, 1e-9)] },
         y: { dir: pointsDownward(field) ? -1 : 1, range: (_, low, high) => axisLimits(low, high) },
       },
-      axes: makeAxes(`${symbolText(info.symbol)} [${info.unit}]`, times, palette),
+      axes: makeAxes(unit, `${symbolText(info.symbol)} [${info.unit}]`, times, palette),
       legend: { show: times === 1 },
       cursor: { drag: { x: false, y: false }, points: { size: 7 } },
       padding: [10 * times, 14 * times, 0, 0],
       series: [
-        { label: "s", value: (_, value: number | null) => (value === null ? "–" : `${value.toFixed(2)} m`) },
+        { label: "s", value: (_, value: number | null) => (value === null ? "–" : `${value.toFixed(2)} ${unit}`) },
         ...choices.map(
           (choice, i): uPlot.Series => ({
             ...makeStroke(i, times, CURVES[theme]),
@@ -150,7 +153,7 @@ export class SectionChart {
         setCursor: times === 1 ? [(plot) => this.pointAt(plot)] : [],
       },
     };
-    return new uPlot(options, [this.samples!.s, ...this.curves], place);
+    return new uPlot(options, [this.samples!.s.map((s) => s * per), ...this.curves], place);
   }
 
   private length(): number {
@@ -196,7 +199,10 @@ export class SectionChart {
   private drawPeak({ ctx, bbox, valToPos }: uPlot, word: string, peak: Peak, times: number, palette: Palette): void {
     const { scene, choices } = this.section!;
     const dot = uPlot.pxRatio * times;
-    const [x, y] = [valToPos(peak.s, "x", true), valToPos(peak.value, "y", true)];
+    const [x, y] = [
+      valToPos(peak.s * lengthsOf(scene.head.plan).per_meter, "x", true),
+      valToPos(peak.value, "y", true),
+    ];
     const number = isEnvelope(peak.choice) ? undefined : scene.head.combinations[peak.choice]?.number;
     const from = choices.length > 1 && number !== undefined ? ` (${number})` : "";
     const text = `${word} ${formatNumber(peak.value)}${from}`;
@@ -218,7 +224,7 @@ export class SectionChart {
   }
 }
 
-function makeAxes(label: string, times: number, palette: Palette): uPlot.Axis[] {
+function makeAxes(unit: string, label: string, times: number, palette: Palette): uPlot.Axis[] {
   const font = `${12 * times}px ${FONT}`;
   const makeAxis = (label: string, labelSize: number, size: number, space: number): uPlot.Axis => ({
     stroke: palette.ink,
@@ -233,7 +239,7 @@ function makeAxes(label: string, times: number, palette: Palette): uPlot.Axis[] 
     space: space * times,
     values: (_, ticks) => ticks.map((tick) => formatShort(tick, 6)),
   });
-  return [makeAxis("distance s along the section [m]", 18, 26, 60), makeAxis(label, 20, 50, 26)];
+  return [makeAxis(`distance s along the section [${unit}]`, 18, 26, 60), makeAxis(label, 20, 50, 26)];
 }
 
 function makeStroke(i: number, times: number, colors: readonly string[]): uPlot.Series {

@@ -1,5 +1,7 @@
 // A section through the plate: the line it is cut along, and the chart of a field along it.
+
 import { type Choice, fieldOf, isEnvelope } from "../data/fields";
+import { lengthsOf } from "../data/lengths";
 import { formatShort } from "../data/numbers";
 import type { Line, Point, Scene } from "../data/scene";
 import { fillOptions, h } from "../shared/dom";
@@ -74,9 +76,10 @@ export class SectionPanel {
       return this.chart.show(null);
     }
     const info = fieldOf(scene, field);
-    const place = ([x, y]: Point) => `(${formatShort(x, 5)}, ${formatShort(y, 5)})`;
+    const { unit, per_meter: per } = lengthsOf(scene.head.plan);
+    const place = ([x, y]: Point) => `(${formatShort(x * per, 5)}, ${formatShort(y * per, 5)})`;
     const name = section.name ? `${section.name}: ` : "";
-    this.title.textContent = `${symbolText(info.symbol)} [${info.unit}] along ${name}${place(section.start)} to ${place(section.end)} m`;
+    this.title.textContent = `${symbolText(info.symbol)} [${info.unit}] along ${name}${place(section.start)} to ${place(section.end)} ${unit}`;
     this.chart.show({ scene, locator, field, choices: this.choices(scene), ...section });
   }
 

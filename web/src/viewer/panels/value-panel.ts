@@ -1,4 +1,5 @@
 // All values at a picked point.
+
 import {
   type Choice,
   choiceName,
@@ -8,6 +9,7 @@ import {
   isInContact,
   principalDirection,
 } from "../data/fields";
+import { lengthsOf } from "../data/lengths";
 import { formatNumber, withMinus } from "../data/numbers";
 import type { LocalPoint, Locator } from "../data/point-location";
 import type { Point, Scene } from "../data/scene";
@@ -30,7 +32,9 @@ export class ValuePanel {
   show(scene: Scene | null, locator: Locator | null, choice: Choice, point: Point | null, field?: string): void {
     if (!scene || !locator || !point) return this.showHint();
     const [x, y] = point;
-    const place = h("div", { class: "gs-values-at" }, `x ${meters(x)} m, y ${meters(y)} m`);
+    const { unit, per_meter } = lengthsOf(scene.head.plan);
+    const lengthText = (value: number) => `${withMinus((value * per_meter).toFixed(3))} ${unit}`;
+    const place = h("div", { class: "gs-values-at" }, `x ${lengthText(x)}, y ${lengthText(y)}`);
     const spot = locator.locate(x, y);
     if (!spot) return fill(this.element, place, h("p", {}, "This point is not on the plate."));
     const rows = fieldsOf(scene).map((info) => {
@@ -103,9 +107,5 @@ function sectionText({ head: { plan }, mesh }: Scene, element: number): string {
     ...plate.zones.map((zone, n) => ({ name: zone.name ?? `zone ${n + 1}`, thickness: zone.thickness })),
   ]);
   const { name, thickness } = all[position] ?? { name: "plate", thickness: plan.thickness };
-  return `section: ${name}${thickness === undefined ? "" : `, ${thicknessText(thickness)}`}`;
-}
-
-function meters(value: number): string {
-  return withMinus(value.toFixed(3));
+  return `section: ${name}${thickness === undefined ? "" : `, ${thicknessText(thickness, lengthsOf(plan))}`}`;
 }

@@ -1,5 +1,6 @@
 // What is drawn above the field: the plan's symbols, marks, rulers. All of it moves with the plan.
-import type { Plan, Point } from "../data/scene";
+import { lengthsOf } from "../data/lengths";
+import type { Lengths, Plan, Point } from "../data/scene";
 import { svg } from "../shared/dom";
 import { FONT } from "../shared/palette";
 import type { Camera } from "./camera";
@@ -49,7 +50,7 @@ export class Overlay {
   }
 
   draw(camera: Camera, plan: Plan | null, layers: Layers, marks: Marks): void {
-    this.drawRulers(camera, layers);
+    this.drawRulers(camera, layers, lengthsOf(plan));
     this.symbols.removeAttribute("transform");
     const groups = plan
       ? symbolsOf(plan, layers, marks.factors).map((symbol) => drawGroup(symbol.kind, drawSymbol(camera, symbol)))
@@ -66,9 +67,11 @@ export class Overlay {
     this.symbols.replaceChildren(...groups);
   }
 
-  drawRulers(camera: Camera, layers: Layers): void {
+  drawRulers(camera: Camera, layers: Layers, lengths: Lengths): void {
     this.element.setAttribute("viewBox", `0 0 ${camera.width} ${camera.height}`);
-    this.rulers.replaceChildren(...(layers.axes ? [...drawRulers(camera), ...drawScaleBar(camera)] : []));
+    this.rulers.replaceChildren(
+      ...(layers.axes ? [...drawRulers(camera, lengths), ...drawScaleBar(camera, lengths)] : []),
+    );
   }
 }
 

@@ -1,4 +1,5 @@
 // The symbols of a solved plan.
+import { lengthsOf } from "../data/lengths";
 import { labelLoads } from "../data/load-labels";
 import type { Area, Beam, FrameLine, Line, Load, Place, Plan, Wall } from "../data/scene";
 import { plainSymbols } from "../shared/symbols";
@@ -49,7 +50,7 @@ export function symbolsOf(plan: Plan, layers: Layers, factors: ReadonlyMap<strin
   const openings = [...plan.openings, ...further.flatMap((each) => each.openings)];
   const symbols = [
     ...(layers.ground ? ground : []),
-    ...(layers.zones ? zones.map((each) => area("zone", each, thicknessText(each.thickness))) : []),
+    ...(layers.zones ? zones.map((each) => area("zone", each, thicknessText(each.thickness, lengthsOf(plan)))) : []),
     area("slab", { ring: plan.outline }),
     ...further.map(({ ring }) => area("slab", { ring })),
     ...openings.map((each) => area("opening", each)),

@@ -1,4 +1,5 @@
 // The plate in plan: a field in colors, and above it the symbols of the plan.
+
 import {
   CONTACT,
   extremesOf,
@@ -8,6 +9,7 @@ import {
   isEnvelope,
   nodalValues,
 } from "../data/fields";
+import { lengthsOf } from "../data/lengths";
 import { formatNumber } from "../data/numbers";
 import type { Extreme, Plan, Point, Scene } from "../data/scene";
 import { type ShownField, scaleFor } from "../data/shown-field";
@@ -198,7 +200,7 @@ export class PlanView extends FieldView {
     this.drawField();
     if (this.moving && drawn?.scale === camera.scale) {
       this.overlay.shift((drawn.x - camera.x) * camera.scale, (camera.y - drawn.y) * camera.scale);
-      this.overlay.drawRulers(camera, this.layers);
+      this.overlay.drawRulers(camera, this.layers, lengthsOf(this.plan));
       return;
     }
     this.overlay.draw(camera, this.plan, this.layers, this.marks);

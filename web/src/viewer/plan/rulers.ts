@@ -1,4 +1,5 @@
 // Grid, rulers with figures along the left and the lower edge, and the scale bar of a plan.
+import { METERS } from "../data/lengths";
 import { formatShort, formatTicks, multiplesWithin, roundStep, roundStepOf } from "../data/numbers";
 import { offset } from "../data/points";
 import { svg } from "../shared/dom";
@@ -34,36 +35,37 @@ export function drawGrid(camera: Camera): SVGElement[] {
 }
 
 /** Draw the rulers. */
-export function drawRulers(camera: Camera): SVGElement[] {
+export function drawRulers(camera: Camera, lengths = METERS): SVGElement[] {
   const { width, height, scale } = camera;
   const [left, bottom] = [RULER.left, height - RULER.bottom];
   const [x0, y0, x1, y1] = camera.box;
-  const step = stepOf(camera, COARSE);
-  const xs = multiplesWithin(x0 + left / scale, x1, step);
-  const ys = multiplesWithin(y0 + RULER.bottom / scale, y1, step);
+  const { unit, per_meter: per } = lengths;
+  const step = roundStepOf([1, 2, 5], (COARSE / scale) * per);
+  const xs = multiplesWithin((x0 + left / scale) * per, x1 * per, step);
+  const ys = multiplesWithin((y0 + RULER.bottom / scale) * per, y1 * per, step);
   const drawFigure = (x: number, y: number, text: string, align: string) =>
     svg("text", { x, y, class: `figure ${align}` }, text);
   return [
     svg("path", { class: "ruler", d: `M0 0H${left}V${bottom}H${width}V${height}H0Z` }),
     svg("path", { class: "ruler-edge", d: `M${left + 0.5} 0V${bottom + 0.5}H${width}` }),
     ...formatTicks(xs).flatMap((text, i) => {
-      const u = camera.toPixel([xs[i]!, 0])[0];
+      const u = camera.toPixel([xs[i]! / per, 0])[0];
       return u < left + 14 || u > width - 54 ? [] : [drawFigure(u, height - 7, text, "middle")];
     }),
     ...formatTicks(ys).flatMap((text, i) => {
-      const v = camera.toPixel([0, ys[i]!])[1];
+      const v = camera.toPixel([0, ys[i]! / per])[1];
       return v < 28 || v > bottom - 6 ? [] : [drawFigure(left - 7, v + 4, text, "end")];
     }),
-    drawFigure(width - 8, height - 7, "x [m]", "end"),
-    drawFigure(left - 7, 13, "y [m]", "end"),
+    drawFigure(width - 8, height - 7, `x [${unit}]`, "end"),
+    drawFigure(left - 7, 13, `y [${unit}]`, "end"),
   ];
 }
 
 /** Draw the scale bar in the lower right corner. */
-export function drawScaleBar({ width, height, scale }: Camera): SVGElement[] {
-  const length = roundStep(50 / scale);
-  const [left, right, y] = [width - 12 - length * scale, width - 12, height - RULER.bottom - 10];
+export function drawScaleBar({ width, height, scale }: Camera, { unit, per_meter: per } = METERS): SVGElement[] {
+  const length = roundStep((50 / scale) * per);
+  const [left, right, y] = [width - 12 - (length / per) * scale, width - 12, height - RULER.bottom - 10];
   const ends = [...offset([left, y], [0, -4], [0, 2]), ...offset([right, y], [0, 2], [0, -4])];
   const bar = drawPath(ends, false, "scale-bar");
-  return [bar, drawText([right, y - 5], `${formatShort(length)} m`, [0, 0], "end")];
+  return [bar, drawText([right, y - 5], `${formatShort(length)} ${unit}`, [0, 0], "end")];
 }

@@ -1,8 +1,9 @@
 // Symbols of what has a place in plan: the same in the editor and over a result.
+
 import { boxAround } from "../data/boxes";
 import { formatShort } from "../data/numbers";
 import { distanceBetween, offset, pointBetween } from "../data/points";
-import type { Point } from "../data/scene";
+import type { Lengths, Point } from "../data/scene";
 import { svg } from "../shared/dom";
 import type { Camera } from "./camera";
 import "./symbols.css";
@@ -284,6 +285,6 @@ export function drawCross(at: Readonly<Point>, size: number): SVGElement[] {
 }
 
 /** Format a thickness [m] as beside a zone. */
-export function thicknessText(thickness: number): string {
-  return `t = ${formatShort(thickness * 1000)} mm`;
+export function thicknessText(thickness: number, { small, small_per_meter }: Lengths): string {
+  return `t = ${formatShort(thickness * small_per_meter)} ${small}`;
 }

@@ -25,7 +25,7 @@ export interface View {
   height: number;
   ratio: number; // dots per pixel
   scale: number; // pixels per meter, about
-  exaggeration: number; // of the settlement
+  exaggeration: number; // how high a unit of the settlement is drawn [m]
   box: Readonly<Box>; // the part of the plan that is seen [m]
 }
 

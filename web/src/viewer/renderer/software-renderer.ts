@@ -55,7 +55,7 @@ export function rasterize(
   for (const [start, count] of ranges)
     for (let f = start; f < start + count; f += 3) {
       const [a, b, c] = [triangles[f]!, triangles[f + 1]!, triangles[f + 2]!];
-      const light = picture.settlement ? lightOn(mesh, picture.settlement, view.exaggeration / 1000, a, b, c) : 0;
+      const light = picture.settlement ? lightOn(mesh, picture.settlement, view.exaggeration, a, b, c) : 0;
       fillTriangle(raster, picture, screen, a, b, c, light);
     }
   return raster;
@@ -193,8 +193,7 @@ function projectPoints(points: Float32Array, origin: Point, view: View): Float32
 
 function projectNodes(mesh: Mesh, { settlement }: Picture, view: View): Float32Array {
   const places = nodesFromOrigin(mesh);
-  if (settlement)
-    for (let i = 0; i < mesh.nodeCount; i++) places[3 * i + 2] = (-settlement[i]! * view.exaggeration) / 1000;
+  if (settlement) for (let i = 0; i < mesh.nodeCount; i++) places[3 * i + 2] = -settlement[i]! * view.exaggeration;
   return projectPoints(places, mesh.origin, view);
 }
 

@@ -117,7 +117,7 @@ export class WebglRenderer implements FieldRenderer {
   readonly cost = 0;
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
-  private readonly exaggeration = { value: 0 }; // [m] for each mm
+  private readonly exaggeration = { value: 0 }; // [m] for each unit of the settlement
   private readonly uniforms = {
     uBands: { value: null as DataTexture | null },
     ...makeUniforms(() => 0, "uOrigin", "uStep", "uCount", "uLow", "uHigh", "uLines", "uRatio", "uContact", "uLit"),
@@ -221,7 +221,7 @@ export class WebglRenderer implements FieldRenderer {
       this.renderer.setPixelRatio(ratio);
       this.renderer.setSize(width, height, false);
     }
-    this.exaggeration.value = view.exaggeration / 1000;
+    this.exaggeration.value = view.exaggeration;
     this.uniforms.uRatio.value = ratio;
     this.uniforms.uSun.value.set(...LOOK.sun).transformDirection(camera.matrixWorldInverse);
     // stripes stay where they are on the plate while it moves

@@ -1,8 +1,10 @@
 // The plate in space, bent by its settlement many times exaggerated, with a field in colors.
+
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { EVERYTHING } from "../data/boxes";
 import { type Choice, extremesOf, fieldOf, nodalValues } from "../data/fields";
+import { lengthsOf } from "../data/lengths";
 import { formatShort, roundStep } from "../data/numbers";
 import type { Ring, Scene } from "../data/scene";
 import { scaleFor } from "../data/shown-field";
@@ -25,7 +27,7 @@ export class SpaceView extends FieldView {
   private readonly controls: OrbitControls;
   private base = 1; // exaggeration in the slider's middle
   private exaggeration = 1;
-  private depth = 0; // of the middle between least and greatest settlement [mm]
+  private depth = 0; // of the middle between least and greatest settlement
   private feet: number[] = []; // the node next to each column
 
   constructor(container: HTMLElement) {
@@ -63,7 +65,7 @@ export class SpaceView extends FieldView {
     const nodal = nodalValues(scene, choice, field);
     this.renderer.setPicture({ values: nodal, contact: null, settlement, scale, lines: true, mesh: this.mesh });
     const ends = extremesOf(scene, choice, "settlement");
-    const greatest = Math.max(Math.abs(ends.min[0]), Math.abs(ends.max[0]), 1e-9) / 1000;
+    const greatest = Math.max(Math.abs(ends.min[0]), Math.abs(ends.max[0]), 1e-9) / this.perMeter;
     this.base = roundStep((0.06 * this.extent()) / greatest);
     this.depth = (ends.min[0] + ends.max[0]) / 2;
     this.exaggerate();
@@ -79,7 +81,7 @@ export class SpaceView extends FieldView {
     const { clientWidth: width, clientHeight: height } = this.element;
     const half = TANGENT * Math.min(1, (width || 1) / (height || 1) / 1.25);
     const away = (0.5 * Math.hypot(x1 - x0, y1 - y0) * 0.86) / half;
-    const target = new Vector3((x0 + x1) / 2, (y0 + y1) / 2, (-this.depth * this.exaggeration) / 1000);
+    const target = new Vector3((x0 + x1) / 2, (y0 + y1) / 2, (-this.depth * this.exaggeration) / this.perMeter);
     controls.target.copy(target);
     camera.position.copy(target).addScaledVector(new Vector3(-0.42, -0.78, 0.62).normalize(), away);
     camera.near = away / 100;
@@ -94,6 +96,11 @@ export class SpaceView extends FieldView {
     const picture = this.takePicture(width, height, ratio, () => this.draw(width, height, ratio));
     picture.style.width = `${width}px`;
     return picture;
+  }
+
+  /** Return how many units of the settlement make a meter. */
+  private get perMeter(): number {
+    return lengthsOf(this.scene?.head.plan).small_per_meter;
   }
 
   private extent(): number {
@@ -122,10 +129,10 @@ export class SpaceView extends FieldView {
 
   /** Return each column as an upright prism that stands on the bent plate. */
   private columnLines(scene: Scene, choice: Choice): number[] {
-    const settlement = nodalValues(scene, choice, "settlement"); // [mm]
+    const settlement = nodalValues(scene, choice, "settlement");
     const height = 0.07 * this.extent();
     return scene.head.plan.columns.flatMap(({ ring }, k) => {
-      const foot = (-settlement[this.feet[k]!]! * this.exaggeration) / 1000;
+      const foot = (-settlement[this.feet[k]!]! * this.exaggeration) / this.perMeter;
       const top = foot + height;
       // corners of a rectangle; of a round one every few
       const corners = ring.length > 8 ? ring.filter((_, i) => i % Math.ceil(ring.length / 8) === 0) : ring;
@@ -153,7 +160,8 @@ export class SpaceView extends FieldView {
   }
 
   protected draw(width = this.stage.clientWidth, height = this.stage.clientHeight, ratio = this.screenRatio): void {
-    const { camera, exaggeration } = this;
+    const { camera } = this;
+    const exaggeration = this.exaggeration / this.perMeter;
     if (!width || !height) return;
     camera.aspect = width / height;
     camera.updateProjectionMatrix();

@@ -46,7 +46,8 @@ def wall_limit_table(combined: Results) -> Table:
             ends: list[Cell] = [None if each is None else float(each[k] * about.scale) for k in (0, 1)
                                 for each in of_each]  # fmt: skip
             rows.append([results.combination, about.label, about.unit, *ends])
-    return table_of("wall_limits", "Limits of walls", _LIMITS, rows, _LIMIT_NOTES)
+    values = tuple(name for name, _ in _LIMITS[3:])
+    return table_of("wall_limits", "Limits of walls", _LIMITS, rows, _LIMIT_NOTES, values)
 
 
 def wall_table(combined: Results) -> Table:

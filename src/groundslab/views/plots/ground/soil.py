@@ -22,6 +22,8 @@ from groundslab.model.ground import (
     Winkler,
 )
 from groundslab.results.soil_profile import Profile, profiles_of
+from groundslab.unit_systems import System, in_system
+from groundslab.units import UNITS
 from groundslab.views.plots import style
 
 if TYPE_CHECKING:
@@ -178,14 +180,20 @@ def draw_columns(
             where = f" at {style.place_words(places[column.name])}" if column.name in places else ""
             words = style.plain_text(column.name, 30) + where
             page.write(left + style.MARGIN, top, words, fontsize=style.BASE, fontweight="bold", color=style.INK)
-            legend |= _draw_column(page, column, columns, (left, top + 12.0, width, high), named)
-            bottoms.append(_write_tables(page, column, (left + style.MARGIN, top + 12.0 + high + 6.0), width))
+            legend |= _draw_column(page, column, columns, (left, top + 12.0, width, high), named, model.units)
+            corner = left + style.MARGIN, top + 12.0 + high + 6.0
+            bottoms.append(_write_tables(page, column, corner, width, model.units))
         top = max(bottoms) + 6.0
     return page.finish(top, legend if len(legend) > 1 else {})
 
 
 def _draw_column(
-    page: style.Page, column: SoilColumn, alike: Sequence[SoilColumn], box: tuple[float, ...], named: bool
+    page: style.Page,
+    column: SoilColumn,
+    alike: Sequence[SoilColumn],
+    box: tuple[float, ...],
+    named: bool,
+    units: System,
 ) -> dict[str, Any]:
     """Draw layers, moduli and mode of a column in a box [mm] (left, top, size); return the entries in the legend."""
     left, top, wide, high = box
@@ -201,10 +209,12 @@ def _draw_column(
     entries: dict[str, Any] = {}
     if to_scale and any(layer.E for layer in column.layers):
         most = max(float(s.E[1].max()) for other in alike for s in other.layers if s.E is not None)
-        _draw_moduli(page.add_axes(left + LEFT + band + GAP, top, width - GAP, high), column, depth, most)
+        beside = page.add_axes(left + LEFT + band + GAP, top, width - GAP, high, sharey=axes)
+        _draw_moduli(beside, column, depth, most, units)
     if with_mode:
-        axes = page.add_axes(left + LEFT + band + GAP + width, top, width - GAP, high)
-        entries = _draw_modes(axes, column, depth, named=named)
+        sharing = {"sharey": axes} if to_scale else {}
+        beside = page.add_axes(left + LEFT + band + GAP + width, top, width - GAP, high, **sharing)
+        entries = _draw_modes(beside, column, depth, named=named)
     return entries
 
 
@@ -252,22 +262,23 @@ def _set_depth_axes(axes: Axes, depth: float, label: str) -> None:
     axes.spines[["right", "bottom"]].set_visible(False)
 
 
-def _draw_moduli(axes: Axes, column: SoilColumn, depth: float, most: float) -> None:
+def _draw_moduli(axes: Axes, column: SoilColumn, depth: float, most: float, units: System) -> None:
     """Draw E over the depth, as it varies within the layers."""
     from matplotlib.ticker import MaxNLocator
 
     tops = _tops(column, to_scale=True)
+    unit = in_system(UNITS["MPa"], units)
     z, E = [], []
     for (upper, lower), layer in zip(pairwise(tops), column.layers, strict=True):
         if layer.E is not None:
             z.append(upper + layer.E[0] * (lower - upper))
-            E.append(layer.E[1] / 1e6)
+            E.append(layer.E[1] * unit.scale)
     depths, moduli = np.concatenate(z), np.concatenate(E)
     axes.fill_betweenx(depths, 0, moduli, color=(style.GROUND, OPACITIES[0]), linewidth=0)
     axes.plot(moduli, depths, color=style.INK, linewidth=1.2)
-    axes.set_xlim(0, 1.08 * most / 1e6)
+    axes.set_xlim(0, 1.08 * most * unit.scale)
     axes.xaxis.set_major_locator(MaxNLocator(nbins=4, steps=[1, 2, 2.5, 5, 10]))
-    _set_depth_axes(axes, depth, "$E$ [MPa]")
+    _set_depth_axes(axes, depth, f"$E$ [{unit.name}]")
 
 
 def _draw_modes(axes: Axes, column: SoilColumn, depth: float, *, named: bool) -> dict[str, Any]:
@@ -288,16 +299,23 @@ def _draw_modes(axes: Axes, column: SoilColumn, depth: float, *, named: bool) ->
     return entries
 
 
-def _write_tables(page: style.Page, column: SoilColumn, corner: tuple[float, float], wide: float) -> float:
+def _write_tables(
+    page: style.Page, column: SoilColumn, corner: tuple[float, float], wide: float, units: System
+) -> float:
     """Write the layers and what the combinations found below a corner [mm]; return how far down that reaches."""
     left, top = corner
     stretch = (wide * SIDE_BY_SIDE / style.PAGE_WIDTH) ** 0.5
     has_constants = any(layer.k0 for layer in column.layers)
-    heads = ["layer", "h [m]", "E [MPa]", "\N{GREEK SMALL LETTER NU} [-]"]
-    heads += ["k0 [MPa/m]", "k1 [MPa m]"] if has_constants else []
+    h, E, k0, k1 = (in_system(UNITS[name], units) for name in ("m", "MPa", "MPa/m", "MPa m"))
+    stiffnesses = [f"k0 [{k0.name}]", f"k1 [{k1.name}]"]
+    heads = ["layer", f"h [{h.name}]", f"E [{E.name}]", "\N{GREEK SMALL LETTER NU} [-]"]
+    heads += stiffnesses if has_constants else []
     rows = [
         heads,
-        *(_row(index, layer, with_constants=has_constants) for index, layer in enumerate(column.layers, start=1)),
+        *(
+            _row(index, layer, units, with_constants=has_constants)
+            for index, layer in enumerate(column.layers, start=1)
+        ),
     ]
     top = _write_table(page, left, top, rows, [stretch * end for end in ENDS])
     if not column.constants:
@@ -305,9 +323,10 @@ def _write_tables(page: style.Page, column: SoilColumn, corner: tuple[float, flo
     heads = ["combination", "\N{GREEK SMALL LETTER GAMMA} [-]"]
     lines: list[tuple[Any, ...]] = [(constant.name, constant.gamma) for constant in column.constants]
     if len(column.constants[0].psi):
-        heads += ["k0 [MPa/m]", "k1 [MPa m]"]
+        heads += stiffnesses
         lines = [
-            (constant.name, constant.gamma, constant.k0[0] / 1e6, constant.k1[0] / 1e6) for constant in column.constants
+            (constant.name, constant.gamma, constant.k0[0] * k0.scale, constant.k1[0] * k1.scale)
+            for constant in column.constants
         ]
     if len(lines) > MOST:
         values = list(zip(*(line[1:] for line in lines), strict=True))
@@ -318,13 +337,15 @@ def _write_tables(page: style.Page, column: SoilColumn, corner: tuple[float, flo
     return _write_table(page, left, top + 2.5, [heads, *shown], ends, first_left=True)
 
 
-def _row(index: int, layer: PlottedLayer, *, with_constants: bool) -> list[str]:
+def _row(index: int, layer: PlottedLayer, units: System, *, with_constants: bool) -> list[str]:
     """Return a layer as a row of the table."""
-    h, nu = (None if value is None else style.number(value) for value in (layer.thickness, layer.nu))
+    length, modulus, *scales = (in_system(UNITS[name], units).scale for name in ("m", "MPa", "MPa/m", "MPa m"))
+    h = None if layer.thickness is None else style.number(layer.thickness * length)
+    nu = None if layer.nu is None else style.number(layer.nu)
     h = "\N{INFINITY}" if layer.endless else h
-    E = None if layer.E is None else _range(layer.E[1][[0, -1]] / 1e6)
-    constants = (layer.k0, layer.k1) if with_constants else ()
-    stiffnesses = (_range([k / 1e6 for k in values]) if values else None for values in constants)
+    E = None if layer.E is None else _range(layer.E[1][[0, -1]] * modulus)
+    constants = zip((layer.k0, layer.k1), scales, strict=True) if with_constants else ()
+    stiffnesses = (_range([k * scale for k in values]) if values else None for values, scale in constants)
     return [str(index), *(text or "\N{EN DASH}" for text in (h, E, nu, *stiffnesses))]
 
 

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab.results.soil_profile import profile_depths
+from groundslab.unit_systems import in_system
+from groundslab.units import UNITS, Unit
 from groundslab.views.plots import style
 from groundslab.views.plots.annotations import TitleLine, draw_title
 from groundslab.views.plots.contours import draw_color_bar, draw_contours, make_scale
@@ -63,33 +65,35 @@ def _figure(request: PlotRequest, panels: Sequence[Panel]) -> Figure:
     words = ["Vertical stress below the plate, without the soil's own weight"]
     top = page.write_heading(request.combined.model.title, words, "" if certified else NOT_CERTIFIED)
     sampled = [sample_section(*panel) for panel in panels]
-    scale = make_scale([stress / 1e3 for *_, stress in sampled], signed=False)
+    unit = in_system(UNITS["kPa"], request.combined.model.units)
+    scale = make_scale([stress * unit.scale for *_, stress in sampled], signed=False)
     wide = style.PAGE_WIDTH - LEFT - BAR - style.MARGIN
     for (combination, line), section in zip(panels, sampled, strict=True):
         s, z, _ = section
         high = min(HIGH, wide * float(z[-1] / np.ptp(s)))
         axes = page.add_axes(LEFT, top + ABOVE, wide, high)
         name = f"{combination.name} ({combination.limit_state})" if request.names_combinations else ""
-        _draw_section(axes, section, scale, line, name)
-        draw_color_bar(axes, scale, r"$\sigma_z$ [kPa]", (1.03, 0.0, 0.02, 1.0), high)
+        _draw_section(axes, section, scale, line, name, unit)
+        draw_color_bar(axes, scale, rf"$\sigma_z$ [{unit.name}]", (1.03, 0.0, 0.02, 1.0), high)
         _draw_borders(axes, request, line, float(z[-1]))
         top += ABOVE + high + 11.0
     return page.finish(top)
 
 
 def _draw_section(
-    axes: Axes, section: tuple[Array, Array, Array], scale: ColorScale, line: SectionLine, name: str
+    axes: Axes, section: tuple[Array, Array, Array], scale: ColorScale, line: SectionLine, name: str, unit: Unit
 ) -> None:
     """Fill the contours of a section and write which one it is."""
     from matplotlib.tri import Triangulation
 
     s, z, stress = section
     S, Z = np.meshgrid(s, z, indexing="ij")
-    draw_contours(axes, Triangulation(S.ravel(), Z.ravel()), stress.ravel() / 1e3, scale)
+    draw_contours(axes, Triangulation(S.ravel(), Z.ravel()), stress.ravel() * unit.scale, scale)
     axes.set(xlim=(s[0], s[-1]), ylim=(z[-1], 0.0), xlabel="distance s along the line [m]", ylabel="depth z [m]")
     i, j = np.unravel_index(int(stress.argmax()), stress.shape)
     ends = f"from {style.place_words(line.start)} to {style.place_words(line.end)}"
-    most = f"largest {style.number(stress[i, j] / 1e3)} kPa at s = {style.number(s[i])} m, z = {style.number(z[j])} m"
+    place = f"s = {style.number(s[i])} m, z = {style.number(z[j])} m"
+    most = f"largest {style.number(stress[i, j] * unit.scale)} {unit.name} at {place}"
     title = ", ".join(filter(None, (style.plain_text(line.name, 60) or "Section", style.plain_text(name, 60))))
     draw_title(
         axes,

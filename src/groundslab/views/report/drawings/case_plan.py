@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from groundslab.unit_systems import unit_in
 from groundslab.views.plots import style, symbols
 from groundslab.views.plots.annotations import LabelPlacement, Point
 from groundslab.views.scene.plan import plan_of
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from groundslab.model.model import Model
+    from groundslab.unit_systems import System
 
     Data = dict[str, Any]
 
@@ -63,7 +65,7 @@ def describe_omissions(model: Model) -> tuple[str, ...]:
     """Return how to read the plan of a model, and what it does not show, in sentences."""
     plan = plan_of(model)
     labels = "L and a number: the load of that number in the case; loads on columns and walls have no label."
-    notes = ["Dimensions in meters.", labels]
+    notes = [f"Dimensions in {'meters' if model.units == 'SI' else 'feet'}.", labels]
     everywhere = [f"L{n} ({load['kind']})" for n, load in enumerate(plan["loads"], 1) if not stands_in_plan(load)]
     if model.moves:
         notes.append("Forces of patterns have no label; those on a path are drawn at all of its positions.")
@@ -72,7 +74,8 @@ def describe_omissions(model: Model) -> tuple[str, ...]:
     near = {tuple(place) for place in nearby(plan).tolist()}
     far = [hole for hole in plan["boreholes"] if (hole["x"], hole["y"]) not in near]
     if far:
-        names = ", ".join(f"{hole['name']} at ({_meters(hole['x'])}, {_meters(hole['y'])})" for hole in far)
+        places = [tuple(_length(hole[axis], model.units) for axis in "xy") for hole in far]
+        names = ", ".join(f"{hole['name']} at ({x}, {y})" for hole, (x, y) in zip(far, places, strict=True))
         notes.append(f"Too far away to be drawn: {names}.")
     return tuple(notes)
 
@@ -169,7 +172,7 @@ def _label_parts(plan: Data, labels: Labels) -> None:
     for support in plan["supports"]:
         labels.add(middle(support["points"]), support["name"], style.SUPPORT, 3.0)
     for zone in plan["zones"]:
-        labels.add(upper_left(zone["ring"]), f"t = {_meters(zone['thickness'])}", style.GREY, 1.0)
+        labels.add(upper_left(zone["ring"]), f"t = {zone['thickness']:.6g} m", style.GREY, 1.0)
 
 
 def _label_loads(axes: Axes, plan: Data, labels: Labels) -> None:
@@ -204,13 +207,15 @@ def _draw_dimensions(axes: Axes, model: Model, corner: Point, per_meter: float) 
         for row, chain in enumerate(chains, 1):
             level = corner[1 - axis] - row * CHAIN / per_meter
             for ends_of_one in pairwise(chain):
-                _draw_dimension(axes, axis, ends_of_one, level, per_meter)
+                _draw_dimension(axes, axis, ends_of_one, level, per_meter, model.units)
 
 
-def _draw_dimension(axes: Axes, axis: int, ends: tuple[float, float], level: float, per_meter: float) -> None:
+def _draw_dimension(
+    axes: Axes, axis: int, ends: tuple[float, float], level: float, per_meter: float, units: System
+) -> None:
     """Draw a dimension line along x (axis 0) or y (1) with ticks at its ends and its length."""
     look: dict[str, Any] = {"color": style.GREY, "linewidth": 0.6, "clip_on": False}
-    length, middle, tick = _meters(ends[1] - ends[0]), (ends[0] + ends[1]) / 2, 0.8 / per_meter
+    length, middle, tick = _length(ends[1] - ends[0], units), (ends[0] + ends[1]) / 2, 0.8 / per_meter
     line = np.array([ends, (level, level)])[:: -1 if axis else 1]
     axes.plot(*line, **look)
     for x, y in line.T:
@@ -234,9 +239,10 @@ def _draw_axes(axes: Axes, corner: Point, per_meter: float) -> None:
     axes.plot(0.0, 0.0, "o", markersize=3, markerfacecolor="none", markeredgecolor=style.GREY, zorder=3)
 
 
-def _meters(value: float) -> str:
-    """Return a length in meters without its unit."""
-    return f"{value + 0.0:.6g}"
+def _length(value: float, units: System) -> str:
+    """Return a length [m] in meters or feet without its unit."""
+    _, per_meter = unit_in("m", units)
+    return f"{value * per_meter + 0.0:.6g}"
 
 
 def middle(places: Sequence[Sequence[float]]) -> Point:

@@ -11,6 +11,7 @@ import numpy as np
 
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.required_bars import bar_fields
+from groundslab.unit_systems import words_in
 from groundslab.views.plots import beams, plot
 from groundslab.views.plots.export import to_inline_svg
 from groundslab.views.plots.ground.soil import draw_columns, soil_columns
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from groundslab.arrays import Array
     from groundslab.model.model import Model
     from groundslab.results.results import CombinationResult, Results
+    from groundslab.unit_systems import System
 
 #: More columns of soil than these are not drawn.
 MOST_COLUMNS = 6
@@ -54,7 +56,8 @@ class Drawing:
 def draw_case(model: Model, placed: Model) -> Drawing:
     """Return the plan of a case as written, with the loads of the case as solved."""
     caption = " ".join(("Plan.", *describe_omissions(model)))
-    return Drawing(to_inline_svg(lambda: draw_case_plan(model, placed), "plan", "Plan of the plate"), caption)
+    svg = to_inline_svg(lambda: draw_case_plan(model, placed), "plan", "Plan of the plate", units=model.units)
+    return Drawing(svg, words_in(caption, model.units))
 
 
 def draw_loads(model: Model, placed: Model) -> Iterator[Drawing]:
@@ -63,14 +66,15 @@ def draw_loads(model: Model, placed: Model) -> Iterator[Drawing]:
     for number, case in enumerate(model.cases or (None,), 1):
         plan = LoadPlan(base, case)
         if plan.has_loads:
-            caption = plan.describe()
-            yield Drawing(to_inline_svg(plan.draw, f"loads{number}", caption), caption)
+            caption = words_in(plan.describe(), model.units)
+            yield Drawing(to_inline_svg(plan.draw, f"loads{number}", caption, units=model.units), caption)
 
 
 def draw_mesh_plan(results: CombinationResult) -> Drawing:
     """Return the plan of the elements."""
     caption = "Mesh: the elements of the plate."
-    return Drawing(to_inline_svg(partial(draw_mesh, results, titled=False), "mesh", caption), caption)
+    draw, units = partial(draw_mesh, results, titled=False), results.model.units
+    return Drawing(to_inline_svg(draw, "mesh", caption, units=units), caption)
 
 
 def draw_soil(results: CombinationResult) -> Drawing | None:
@@ -80,7 +84,8 @@ def draw_soil(results: CombinationResult) -> Drawing | None:
     known = [column for column in columns if column.depth is not None][:MOST_COLUMNS]
     if not known:
         return None
-    return Drawing(to_inline_svg(lambda: draw_columns(results.model, known), "soil", "Columns of soil"), "")
+    draw, units = partial(draw_columns, results.model, known), results.model.units
+    return Drawing(to_inline_svg(draw, "soil", "Columns of soil", units=units), "")
 
 
 def draw_stress(results: CombinationResult) -> Drawing | None:
@@ -101,7 +106,7 @@ def draw_beams(combined: Results) -> Iterator[Drawing]:
         forces = "shear force, and axial force" if any("axial" in beam.values for beam in part) else "and shear force"
         caption = f"Bending moment, positive downwards where the beam sags, {forces} along {names}."
         draw = partial(beams.draw_curves, request, part, titled=False)
-        yield Drawing(to_inline_svg(draw, f"beams{number}", caption), caption)
+        yield Drawing(to_inline_svg(draw, f"beams{number}", caption, units=combined.model.units), caption)
 
 
 def find_governing(combined: Results) -> dict[str, str]:
@@ -138,16 +143,16 @@ def _governing_panels(combined: Results) -> Iterator[tuple[Panel, str]]:
     for what, name in find_governing(combined).items():
         drawn.setdefault((GOVERNS[what][0], name), []).append(GOVERNS[what][1])
     ultimate = [results for results in ultimate_results(combined) if results.combination in combined.results]
-    several = len(combined.combinations) > 1
+    several, units = len(combined.combinations) > 1, combined.model.units
     for (field, name), reasons in drawn.items():
         if field in ENVELOPES and len(ultimate) > 1:
             continue
         (panel,) = build_panels(parse_request(combined, (field,), "plan", name, None, None))
         governs = f", {name}; this combination governs the {' and '.join(reasons)}" if several else ""
-        yield panel, _caption(panel, governs)
+        yield panel, _caption(panel, units, governs)
     if len(ultimate) > 1:
         for panel in build_panels(parse_request(combined, ENVELOPES, "plan", None, "ultimate", None)):
-            yield panel, _caption(panel, f": {panel.source[0].lower()}{panel.source[1:]}")
+            yield panel, _caption(panel, units, f": {panel.source[0].lower()}{panel.source[1:]}")
 
 
 def _bar_panels(combined: Results) -> Iterator[tuple[Panel, str]]:
@@ -162,13 +167,14 @@ def _bar_panels(combined: Results) -> Iterator[tuple[Panel, str]]:
     ]
     if wanted:
         for panel in build_panels(parse_request(combined, wanted, "plan", None, None, None)):
-            yield panel, _caption(panel, "")
+            yield panel, _caption(panel, combined.model.units, "")
 
 
-def _caption(panel: Panel, governs: str) -> str:
+def _caption(panel: Panel, units: System, governs: str) -> str:
     """Return what a panel shows, and its extremes with their places."""
     extremes = [
-        f"{one.word} {one.value:.5g} at {place_words(one.place)}" + (f" ({one.whose})" if one.whose else "")
+        f"{one.word} {one.value:.5g} at {words_in(place_words(one.place), units)}"
+        + (f" ({one.whose})" if one.whose else "")
         for one in find_extremes(panel)
     ]
     facts = "; ".join(extremes) or "zero"

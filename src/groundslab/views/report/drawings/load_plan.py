@@ -154,7 +154,7 @@ def _on_plate(load: AnyLoad) -> str:
 
 def load_text(load: AnyLoad) -> str:
     """Return how large a load is, without factors, such as "321 kN" or "10 to 20 kN/m"."""
-    parts = load_parts(load)
+    parts = load_parts(load, "SI")
     if parts[-1][0].endswith("_end"):
         return f"{' to '.join(dict.fromkeys(f'{value:.5g}' for _, value, _ in parts))} {parts[0][2]}"
     # a force or a pressure needs no symbol, moments do

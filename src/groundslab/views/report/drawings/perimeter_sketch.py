@@ -26,7 +26,7 @@ AROUND = 0.15
 
 def draw_sketch(model: Model, sketch: SketchedPerimeter, number: int, label: str) -> Markup:
     """Return the sketch as an SVG element for an HTML page; its label is its title for screen readers."""
-    return to_inline_svg(lambda: _figure(model, sketch), f"sketch{number}", label)
+    return to_inline_svg(lambda: _figure(model, sketch), f"sketch{number}", label, units=model.units)
 
 
 def _figure(model: Model, sketch: SketchedPerimeter) -> Figure:

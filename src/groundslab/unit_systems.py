@@ -1,0 +1,198 @@
+"""Units of output: SI units, or those customary in the United States, for figures, columns and words."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from types import MappingProxyType
+from typing import Literal
+
+from groundslab import units
+from groundslab.units import NUMBER, UNITS, Step, Unit, format_number
+
+#: In what units results are shown.
+System = Literal["SI", "US"]
+
+INCH, FOOT, POUND_FORCE, POUND = 0.0254, 0.3048, 4.4482216152605, 0.45359237  # [m], [m], [N], [kg], exact
+KIP = 1000 * POUND_FORCE
+
+
+def _customary(name: str, size: float) -> tuple[str, float]:
+    """Return a unit's name and the factor from the unit that it stands for, of a size in that unit."""
+    return name, 1 / size
+
+
+#: What stands for units of display in the United States, and the factor from the one to the other.
+CUSTOMARY: Mapping[str, tuple[str, float]] = MappingProxyType(
+    {
+        "m": _customary("ft", FOOT),
+        "mm": _customary("in", INCH * 1e3),
+        "m2": _customary("ft2", FOOT**2),
+        "cm2": _customary("in2", INCH**2 * 1e4),
+        "mm2": _customary("in2", INCH**2 * 1e6),
+        "m3": _customary("ft3", FOOT**3),
+        "mm/m": _customary("in/ft", INCH * 1e3 / FOOT),
+        "cm2/m": _customary("in2/ft", INCH**2 * 1e4 / FOOT),
+        "cm2/m2": _customary("in2/ft2", INCH**2 * 1e4 / FOOT**2),
+        "kg": _customary("lb", POUND),
+        "kg/m2": _customary("lb/ft2", POUND / FOOT**2),
+        "kg/m3": _customary("pcf", POUND / FOOT**3),
+        "N": _customary("lbf", POUND_FORCE),
+        "kN": _customary("kip", KIP / 1e3),
+        "MN": _customary("kip", KIP / 1e6),
+        "kN/m": _customary("kip/ft", KIP / FOOT / 1e3),
+        "MN/m": _customary("kip/ft", KIP / FOOT / 1e6),
+        "GN/m": _customary("kip/in", KIP / INCH / 1e9),
+        "kNm": _customary("kip ft", KIP * FOOT / 1e3),
+        "MNm": _customary("kip ft", KIP * FOOT / 1e6),
+        "kNm/m": _customary("kip ft/ft", KIP / 1e3),
+        "MNm/m": _customary("kip ft/ft", KIP / 1e6),
+        "kNm/rad": _customary("kip ft/rad", KIP * FOOT / 1e3),
+        "MNm/rad": _customary("kip ft/rad", KIP * FOOT / 1e6),
+        "Pa": _customary("psf", POUND_FORCE / FOOT**2),
+        "kPa": _customary("psf", POUND_FORCE / FOOT**2 / 1e3),
+        "kN/m2": _customary("psf", POUND_FORCE / FOOT**2 / 1e3),
+        "MPa": _customary("psi", POUND_FORCE / INCH**2 / 1e6),
+        "GPa": _customary("ksi", KIP / INCH**2 / 1e9),
+        "kPa/m": _customary("pci", POUND_FORCE / INCH**3 / 1e3),
+        "MPa/m": _customary("pci", POUND_FORCE / INCH**3 / 1e6),
+        "MPa m": _customary("kip/in", KIP / INCH / 1e6),
+        "kN/m3": _customary("pcf", POUND_FORCE / FOOT**3 / 1e3),
+        "kPa/m2": _customary("psf/ft2", POUND_FORCE / FOOT**4 / 1e3),
+        "MN/m2": _customary("ksf", KIP / FOOT**2 / 1e6),
+    }
+)
+
+_POUND_PER_FOOT, _KIP_PER_FOOT = (POUND_FORCE / FOOT, "lbf/ft"), (KIP / FOOT, "kip/ft")
+_FOOT_POUND, _FOOT_KIP = POUND_FORCE * FOOT, KIP * FOOT
+#: Units for people in the United States by the names of dimensions, as `units.Dimension.steps`; the others keep theirs.
+CUSTOMARY_STEPS: Mapping[str, tuple[Step, ...]] = MappingProxyType(
+    {
+        "length": ((INCH, "in"), (FOOT, "ft")),
+        "pressure": ((POUND_FORCE / FOOT**2, "psf"), (KIP / FOOT**2, "ksf"), (KIP / INCH**2, "ksi")),
+        "pressure per length": ((POUND_FORCE / INCH**3, "pci"),),
+        "pressure times length": ((POUND_FORCE / INCH, "lbf/in"), (KIP / INCH, "kip/in")),
+        "force per length": (_POUND_PER_FOOT, _KIP_PER_FOOT),
+        "weight per volume": ((POUND_FORCE / FOOT**3, "pcf"),),
+        "force": ((POUND_FORCE, "lbf"), (KIP, "kip")),
+        "moment": ((_FOOT_POUND, "lbf ft"), (_FOOT_KIP, "kip ft")),
+        "moment per angle": ((_FOOT_POUND, "lbf ft/rad"), (_FOOT_KIP, "kip ft/rad")),
+        "stiffness": ((POUND_FORCE / INCH, "lbf/in"), (KIP / INCH, "kip/in")),
+        "stiffness per length": ((POUND_FORCE / FOOT**2, "psf"), (KIP / FOOT**2, "ksf")),
+        "pressure per area": ((POUND_FORCE / FOOT**4, "psf/ft^2"),),
+        "moment per length": ((POUND_FORCE, "lbf ft/ft"), (KIP, "kip ft/ft")),
+        "area per length": ((INCH**2 / FOOT, "in^2/ft"),),
+        "area": ((INCH**2, "in^2"), (FOOT**2, "ft^2")),
+        "second moment of area": ((INCH**4, "in^4"), (FOOT**4, "ft^4")),
+        "slope": ((INCH / FOOT, "in/ft"),),
+    }
+)
+
+#: Bars of ASTM A615: the number of a size, and its nominal diameter [m].
+BAR_SIZES: Mapping[str, float] = MappingProxyType(
+    {
+        f"#{number}": round(inches * INCH, 7)
+        for number, inches in (
+            (3, 0.375), (4, 0.5), (5, 0.625), (6, 0.75), (7, 0.875), (8, 1.0), (9, 1.128), (10, 1.27), (11, 1.41),
+            (14, 1.693), (18, 2.257),
+        )
+    }
+)  # fmt: skip
+#: A diameter within this of a size [m] has its name.
+NEAR = 5e-5
+
+_MINUS, _TO = "\N{MINUS SIGN}", "\N{EN DASH}"
+_ONE = NUMBER.replace("[+-]", f"[+{_MINUS}-]")
+_SHARED = rf" (?:x|<=|>=|<|>|to|\.\.|/|and|{_TO}) "  # between numbers that share a unit
+_PLACE = rf"[(\[]{_ONE}(?:, {_ONE})*[)\]]"
+_RAISED = str.maketrans("234", "²³⁴")
+#: The same with powers as they are written elsewhere, such as m^2 and m².
+_AS_WRITTEN = {
+    write(name): (write(other), factor)
+    for write in (str, lambda name: re.sub(r"(\d)", r"^\1", name), lambda name: name.translate(_RAISED))
+    for name, (other, factor) in CUSTOMARY.items()
+}
+_UNITS = "|".join(sorted(map(re.escape, _AS_WRITTEN), key=len, reverse=True))
+#: A name in quotes, or a quantity.
+_QUANTITY = re.compile(
+    rf'"[^"]*"|'
+    rf"(?P<numbers>(?:{_PLACE}|(?<![\w.^])(?<! at ){_ONE})(?:{_SHARED}(?:{_PLACE}|{_ONE}))*) "
+    rf"(?P<unit>{_UNITS})(?![\w^*²³⁴]|/[a-zA-Z])"
+)
+_NUMBER = re.compile(_ONE)
+
+
+def unit_in(name: str, system: System) -> tuple[str, float]:
+    """Return the name of what stands for a unit of display in a system, and the factor from the one to the other."""
+    return (name, 1.0) if system == "SI" else _AS_WRITTEN.get(name, (name, 1.0))
+
+
+def in_system(unit: Unit, system: System) -> Unit:
+    """Return what stands for a unit of display in a system: itself in SI units, and where there is nothing else."""
+    name, factor = unit_in(unit.name, system)
+    return replace(unit, name=name, scale=unit.scale * factor)
+
+
+#: All units of display, of both systems, by name.
+DISPLAYED: Mapping[str, Unit] = MappingProxyType(
+    UNITS | {unit.name: unit for unit in (in_system(each, "US") for each in UNITS.values())}
+)
+
+
+def together(values: Sequence[float], dimension: str, system: System) -> tuple[list[str], str]:
+    """Return quantities given in SI units with five digits each, and their unit in a system; see `units.together`."""
+    return units.together(values, dimension, () if system == "SI" else CUSTOMARY_STEPS.get(dimension, ()))
+
+
+def words_in(text: str, system: System) -> str:
+    """Return a text with the quantities in it in the units of a system, such as "kip" for "kN".
+
+    Parameters
+    ----------
+    text : str
+        A text as checks, remarks and notes have it: numbers, one or some that share a unit, a blank, and a unit of
+        display. Numbers without one stay as they are, and so do names: in quotes, or of where a load stands on its
+        path, as in "truck at 5.00 m".
+    system : str
+        "SI", which changes nothing, or "US".
+
+    Returns
+    -------
+    str
+        The same text; numbers have as many digits as before, but three at least.
+
+    Examples
+    --------
+    >>> words_in("v_Ed 120.5 kN/m at (1.250, 3.000) m is 0.8 times v_Rd,c", "US")
+    'v_Ed 8.257 kip/ft at (4.101, 9.843) ft is 0.8 times v_Rd,c'
+    """
+    if system == "SI":
+        return text
+    return _QUANTITY.sub(_converted, text)
+
+
+def bar_size(diameter: float, system: System) -> str:
+    """Return the name of bars of a diameter [m], such as "#5"; in SI units, and for other diameters, their diameter."""
+    if system == "US":
+        for name, known in BAR_SIZES.items():
+            if abs(known - diameter) < NEAR:
+                return name
+    unit = in_system(UNITS["mm"], system)
+    return f"{format_number(diameter * unit.scale, 4, trim=True)} {unit.name}"
+
+
+def _converted(match: re.Match[str]) -> str:
+    """Return the numbers of a quantity in the other unit, and that; a name as it is."""
+    if match["unit"] is None:
+        return match[0]
+    name, factor = unit_in(match["unit"], "US")
+    numbers = _NUMBER.sub(lambda number: _scaled(number[0], factor), match["numbers"])
+    return f"{numbers} {name}"
+
+
+def _scaled(number: str, factor: float) -> str:
+    """Return a number times a factor, with as many digits as it has, but three at least, and its kind of minus sign."""
+    minus, plain = (_MINUS, number.replace(_MINUS, "-")) if _MINUS in number else ("-", number)
+    mantissa = plain.lower().partition("e")[0].lstrip("+-").replace(".", "").lstrip("0")
+    return format_number(float(plain) * factor, max(3, len(mantissa)), fixed=(1e-4, 1e7), minus=minus)
