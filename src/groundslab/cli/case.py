@@ -65,6 +65,7 @@ def check_case(options: argparse.Namespace) -> int:
     from groundslab.analysis.check import check, find_unbalanced
     from groundslab.model.combinations import list_combinations
     from groundslab.model.remarks.remarks import find_remarks
+    from groundslab.unit_systems import words_in
 
     check(model)
     lost = find_unbalanced(model)
@@ -78,7 +79,7 @@ def check_case(options: argparse.Namespace) -> int:
     lines += [f'  no equilibrium in "{name}": {error}' for name, error in lost.items()]
     lines += _structure_and_supports(model) + _cases_and_combinations(model, combinations)
     lines += [f"  remark: {remark.words}" for remark in find_remarks(model, combinations)]
-    print_stdout("\n".join(lines))
+    print_stdout("\n".join(words_in(line, model.units) for line in lines))
     return EXIT_DESIGN_FAILS if lost else EXIT_OK
 
 
@@ -98,7 +99,7 @@ def _structure_and_supports(model: Model) -> list[str]:
         if wall.height is not None:
             size += f", a deep beam {wall.height:g} m high{_share(wall.stiffness)}"
             for hole in wall.openings:
-                size += f", an opening {hole.height:g} m high at {hole.start:g} m to {hole.end:g} m"
+                size += f", an opening {hole.height:g} m high from {hole.start:g} m to {hole.end:g} m"
         lines.append(f"  wall {wall.name}: {size}")
     for beam in model.beams:
         section = beam.section

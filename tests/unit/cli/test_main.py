@@ -439,8 +439,8 @@ class TestOthers:
             "  column A1: 0.3 m x 0.4 m at (1, 2) m",
             "  column B: diameter 0.5 m at (0, 0) m",
             "  wall W: 0.3 m thick, 4 m long",
-            "  wall V: 0.3 m thick, 4 m long, a deep beam 3 m high, 50 % of its stiffness, an opening 2.2 m high at "
-            "1 m to 2 m",
+            "  wall V: 0.3 m thick, 4 m long, a deep beam 3 m high, 50 % of its stiffness, an opening 2.2 m high "
+            "from 1 m to 2 m",
             "  beam R: rib of 0.4 m x 0.6 m, eccentric, 4 m long, 70 % of its stiffness",
             "  beam S: a section by its properties, 4 m long",
             "  support pile: point, elastic, acts in compression, at (-2, -1) m",
