@@ -10,6 +10,7 @@ from groundslab.analysis.driver import solve
 from groundslab.case.casefile import load
 from groundslab.design.checks import check_design
 from groundslab.design.en1992_2023.checks.punching_demand import column_demands
+from groundslab.design.result_tables import tables_of
 from helpers.paths import EXAMPLES
 
 #: The raft with eight combinations has a test of its own below.
@@ -51,6 +52,19 @@ def test_the_ribbed_raft_weighs_what_its_comment_says() -> None:
     coarse = solve(model.replace(ground={"kind": "winkler", "k": 15e6}, reinforcement=None, mesh={"size": 1.0}))
     assert coarse["characteristic 2"].certificate.load == pytest.approx(3526.75e3, rel=1e-12)
     assert "= 3526.75 kN" in (EXAMPLES / "ribbed_raft.toml").read_text(encoding="utf-8")
+
+
+def test_the_mat_in_customary_units_weighs_what_its_comment_says() -> None:
+    """1.2 D + 1.6 L in kip, worked out by hand, is the sum of the loads that the table shows."""
+    model = load(EXAMPLES / "us_mat.toml")
+    coarse = solve(
+        model.replace(reinforcement=None, combine={"expression": "ACI 318", "sets": ["ultimate"]}, mesh={"size": 1.0})
+    )
+    table = next(table for table in tables_of(coarse) if table.name == "combinations")
+    (column,) = (column for column in table.columns if column.name == "sum of loads")
+    assert column.unit == "kip"
+    assert column.values[table["loads"].index("1.2 D + 1.6 L")] == pytest.approx(2913.76, rel=1e-12)
+    assert "= 2913.8 kip" in (EXAMPLES / "us_mat.toml").read_text(encoding="utf-8")
 
 
 def test_punching_by_the_second_generation_is_what_its_comment_says() -> None:

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, ClassVar, Literal
+from dataclasses import dataclass
+from typing import Annotated, Any, ClassVar, Literal
 
 from groundslab.model.shapes import Shape
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Choice, ListOf, Quantity, Text
-from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.issues import RelativeIssue, field_error
 from groundslab.schema.ranges import Range
 from groundslab.schema.section_fields import Table
-from groundslab.schema.wording import quote
+from groundslab.schema.wording import listed, quote
+from groundslab.unit_systems import BAR_SIZES
 
 #: Bars, and how far apart they are at least (EN 1992-1-1 8.2(2): 20 mm between them).
-BAR, APART = Range(at_least=4e-3, at_most=0.05), Range(at_least=0.02)
+BAR, APART = Range(at_least=4e-3, at_most=0.06), Range(at_least=0.02)
 
 #: A layer of bars: the face that it is near, and the axis that its bars run along.
 Layer = Literal["bottom_x", "bottom_y", "top_x", "top_y"]
@@ -30,10 +32,40 @@ MeshName = Literal["A142", "A193", "A252", "A393", "Q188A", "Q257A", "Q335A", "Q
 OTHER_MESH = "give the wires of any other mesh by diameter and spacing"
 
 
+@dataclass(frozen=True)
+class Diameter(Quantity):
+    """A diameter of bars: a length, or the number of a size by ASTM A615, such as "#5"."""
+
+    dimension: str = "length"
+    symbol: str = "phi"
+    meaning: str = ""
+    range: Range = BAR
+    words: tuple[str, ...] = tuple(BAR_SIZES)
+
+    def read(self, value: Any, from_file: bool) -> float:
+        """Return the diameter [m]; raises FieldError."""
+        if isinstance(value, str) and value.startswith("#") and value not in BAR_SIZES:
+            raise field_error(value, self.expected(), f"there are {listed(BAR_SIZES, 'and')}")
+        known = super().read(value, from_file)
+        return BAR_SIZES[known] if isinstance(known, str) else known
+
+    def write(self, value: float | str) -> str:
+        """Return the number of a size where it has one, else the length."""
+        return super().write(next((name for name, size in BAR_SIZES.items() if size == value), value))
+
+    def expected(self) -> str:
+        """Return an example of each."""
+        return 'a length such as "16 mm", or a size such as "#5"'
+
+    def type_text(self) -> str:
+        """Return an example of each for the table of keys."""
+        return 'length (`"16 mm"`) or size (`"#5"`)'
+
+
 class Bars(Section):
     """Bars of one layer, all over the slab."""
 
-    diameter: Annotated[float, Quantity("length", "phi", "diameter of the bars", BAR)]
+    diameter: Annotated[float, Diameter(meaning="diameter of the bars")]
     spacing: Annotated[float, Quantity("length", "s", "from axis to axis", APART)]
 
 
@@ -66,7 +98,7 @@ class BarZone(Section):
     name: Annotated[str, Text("name of the zone")]
     shape: Annotated[Shape, Table("where; what reaches over the plate's edge is cut off")]
     layers: Annotated[tuple[Layer, ...], ListOf(Choice(Layer, ""), "", "layers of the bars", unique=True)]
-    diameter: Annotated[float | None, Quantity("length", "phi", "diameter of the bars", BAR)] = None
+    diameter: Annotated[float | None, Diameter(meaning="diameter of the bars")] = None
     spacing: Annotated[float | None, Quantity("length", "s", "of these bars, center to center", APART)] = None
     mesh: Annotated[
         MeshName | None,
