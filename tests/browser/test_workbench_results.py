@@ -158,3 +158,21 @@ def test_a_reference_stands_beside_the_next_result(server: Server, bench: Bench,
     picture.click()
     bench.wait_equal(lambda: page.evaluate(largest), now)
     assert cells[3] == f"{100 * (after - before) / before:+.1f} %".replace("-", "\N{MINUS SIGN}")
+
+
+def test_results_in_customary_units(server: Server, bench: Bench, case: Path) -> None:
+    """A case that asks for US units has kip in tables and feet in the picture; what is typed keeps its own units."""
+    case.write_text(case.read_text() + '\n[project]\nunits = "US"\n')
+    bench.open(server.start(case))
+    bench.wait_solved()
+    page = bench.page
+    result = page.locator(".result")
+    result.get_by_role("tab", name="Combinations").click()
+    heads = page.locator(".result-table:visible thead")
+    bench.until(lambda: "[kip]" in heads.inner_text(), heads.inner_text)
+    assert "[in]" in heads.inner_text()
+    figures = page.locator(".result .gs-overlay .figure")
+    bench.until(lambda: "x [ft]" in figures.all_inner_texts() or "x [ft]" in figures.all_text_contents())
+    assert "[in]" in page.locator(".gs-legend-title").first.inner_text()
+    page.locator(".result .gs-plan, .result canvas").first.click(position={"x": 200, "y": 150})
+    bench.until(lambda: " ft, y " in page.locator(".gs-values-at").first.inner_text())
