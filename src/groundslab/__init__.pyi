@@ -10,8 +10,11 @@ from .case.casefile import load as load
 from .design.checks import Design as Design
 from .design.checks import DesignCheck as DesignCheck
 from .design.checks import check_design as check_design
+from .design.proposal.links import punching_links as punching_links
 from .design.proposal.propose import BarProposal as BarProposal
 from .design.proposal.propose import propose_bars as propose_bars
+from .design.punching_links.layout import LinkLayout as LinkLayout
+from .design.punching_links.layout import LinkPerimeter as LinkPerimeter
 from .design.result_tables import tables_of as tables_of
 from .errors import GroundslabError as GroundslabError
 from .errors import IllConditioned as IllConditioned

@@ -119,9 +119,9 @@ def run_bars(options: argparse.Namespace) -> int:
     targets = bars.default_paths(options.results) if options.out is None else (Path(options.out),)
     for target in targets:
         bars.check(target)
-    model = results_folder.load_results(options.results).model
+    results = results_folder.load_results(options.results)
     for target in targets:
-        bars.write_bars(model, target)
+        bars.write_bars(results, target)
         print_stderr(f"wrote {target}")
     return EXIT_OK
 

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from groundslab.design.proposal.propose import BarProposal
+    from groundslab.design.punching_links.layout import LinkLayout
     from groundslab.model.design.bars import Bars, BarZone
     from groundslab.results.results import Results
 
@@ -86,6 +87,7 @@ def _words(proposal: BarProposal) -> Iterator[str]:
             f"{volume * _KG:.0f} kg without laps, required {proposal.required[layer] * _KG:.0f} kg"
         )
         yield from map(_zone, zones)
+    yield from map(_links, proposal.links)
     yield from (f"note: {remark}" for remark in proposal.remarks)
 
 
@@ -93,6 +95,18 @@ def _zone(zone: BarZone) -> str:
     """Return a zone in words."""
     x0, x1, y0, y1 = zone.shape.ring().bounds
     return f"  {zone.name}: {_bars(zone.bars)}, x {x0:g} to {x1:g} m, y {y0:g} to {y1:g} m"
+
+
+def _links(layout: LinkLayout) -> str:
+    """Return links against punching in words."""
+    of = f"{layout.support} {layout.name}"
+    if not layout.perimeters:
+        return f"no links at {of}: {layout.why}"
+    radial = "" if layout.radial is None else f", {layout.radial:g} m apart"
+    return (
+        f"links at {of}: {layout.counts} legs {layout.diameter * _MM:g} mm, first perimeter "
+        f"{layout.perimeters[0].distance:g} m from the face{radial}; {layout.mass:.0f} kg"
+    )
 
 
 def _bars(bars: Bars) -> str:

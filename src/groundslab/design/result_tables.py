@@ -10,11 +10,12 @@ from groundslab.design.checks import check_design
 from groundslab.design.checks_table import checks_table
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.detailing.bar_quantities import bars
+from groundslab.design.proposal.links import punching_links
 from groundslab.design.tables import errors
 from groundslab.design.tables.calculations import calculations
 from groundslab.design.tables.envelopes import envelopes, fields_of_envelope
 from groundslab.design.tables.locations import lines, points, soil, strips
-from groundslab.design.tables.punching import pile_punching, wall_punching
+from groundslab.design.tables.punching import pile_punching, shear_reinforcement, wall_punching
 from groundslab.design.tables.reinforcement import reinforcement
 from groundslab.design.tables.structure.beams import beam_reinforcement, beam_table
 from groundslab.design.tables.structure.building import building_table, storey_table
@@ -37,7 +38,7 @@ def tables_of(combined: Results) -> tuple[Table, ...]:
     Load cases have a table of what acts where. Points, section lines, design strips, supports, joints, walls and their
     limits, beams, the building above with its storeys, columns, piles and ends of walls that punch the plate,
     reinforcement and laid bars have a table each if the model names any, and so have checks; on a continuum, the soil
-    below the points too.
+    below the points too. Links against punching have one where they are needed.
     Discretization errors stand in columns at the right. docs/results.md explains every column.
 
     Parameters
@@ -138,6 +139,9 @@ def _makers(combined: Results) -> dict[str, Callable[[], Table]]:
         if any(not isinstance(beam.section, GivenSection) for beam in model.beams):
             of_beams = partial(beam_reinforcement, steel=model.reinforcement)
             makers["beam_reinforcement"] = lambda: errors.with_errors_of_governing(of_beams, combined)
+        links = punching_links(combined)
+        if links:
+            makers["shear_reinforcement"] = lambda: shear_reinforcement(combined)
         if model.reinforcement.laid:
-            makers["bars"] = lambda: bars(model)
+            makers["bars"] = lambda: bars(model, links)
     return makers

@@ -7,6 +7,7 @@ from groundslab.design.aci318.case_materials import materials
 from groundslab.design.aci318.checks import (
     bars,
     bending_steps,
+    links,
     one_way_shear,
     two_way,
     two_way_columns,
@@ -48,6 +49,7 @@ ACI318 = DesignCode(
         extremes=(("v_u", "MPa"),),
         with_errors=("V_u", "v_u", "v_u / phi v_c"),
         steps=two_way_steps.STEPS,
+        links=links.links,
     ),
     beams=BeamRule(minimum=beams.minimum, links=beams.links, clauses="22.3, 22.5, 9.6.1.2, 9.6.3.4"),
     bars=bars.checks,

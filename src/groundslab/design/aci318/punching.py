@@ -52,10 +52,14 @@ def most_with_links(concrete: Concrete) -> float:
     return 0.5 * concrete.root
 
 
+def with_links(concrete: Concrete, d: float) -> float:
+    """Return v_c [Pa] where there are stirrups, and at the section beyond them (Table 22.6.6.1)."""
+    return 0.17 * concrete.lambda_s(d) * concrete.root
+
+
 def links(v_u: float, d: float, b_o: float, concrete: Concrete, steel: Steel) -> float:
     """Return A_v / s [m2/m] of stirrups on all sides of the critical section for a factored stress v_u [Pa]."""
-    v_c = 0.17 * concrete.lambda_s(d) * concrete.root
-    return max(0.0, (v_u / PHI_SHEAR - v_c) * b_o / steel.f_yt)
+    return max(0.0, (v_u / PHI_SHEAR - with_links(concrete, d)) * b_o / steel.f_yt)
 
 
 def gamma_v(b_1: float, b_2: float) -> float:

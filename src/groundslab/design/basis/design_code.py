@@ -20,6 +20,7 @@ from groundslab.design.basis.shear_demand import ShearDemand
 from groundslab.design.basis.wide_beam import Cut
 from groundslab.design.bending import BendingRule
 from groundslab.design.demands.perimeters import SketchedPerimeter
+from groundslab.design.punching_links.demand import LinkDemand
 from groundslab.model.design.laid_bars import LaidBars
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import CombinationResult, Results
@@ -94,6 +95,8 @@ class PunchingRule:
         Of columns, piles and ends of walls the name of the calculations and a callable. Of all combinations and
         materials: at which column and in which combination each calculation is, and its steps, the column that uses
         most first.
+    links : callable or None
+        Of all combinations and materials: what needs links, with their perimeters, or why links do not help.
     """
 
     at_columns: Callable[[Results, Reinforcement], PunchingColumns]
@@ -103,6 +106,7 @@ class PunchingRule:
     extremes: Heads
     with_errors: tuple[str, ...]
     steps: tuple[tuple[str, Callable[[Results, Reinforcement], Iterator[Calculation]]], ...]
+    links: Callable[[Results, Reinforcement], Iterator[LinkDemand]] | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -24,8 +24,6 @@ from groundslab.results.fields import LAYERS
 if TYPE_CHECKING:
     from shapely.geometry.base import BaseGeometry
 
-#: Density of steel [kg/m3] (EN 1992-1-1 3.2.7(3)).
-DENSITY = 7850.0
 #: A count is not one more for what a width is larger than a multiple of the spacing by rounding, and what remains of a
 #: bar by rounding is none [m].
 ROUNDING, SHORTEST = 1e-9, 1e-6

@@ -2,23 +2,34 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from groundslab.design.detailing.positions import MOST_LENGTHS, Position, positions
+from groundslab.design.punching_links.layout import LinkLayout
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.model.model import Model
 from groundslab.model.plates.region import PlateRegion
 
 MM = 1e3
+#: What a reader must know of links.
+LINKS_NOTE = "Links are those of the table shear_reinforcement: proposed, vertical legs without hooks."
 
 
-def bars(model: Model) -> Table:
-    """Return the quantities of the bars provided, with their sum in the last row."""
+#: The layer of links in the table.
+LINKS = "links"
+
+
+def bars(model: Model, links: Sequence[LinkLayout] = ()) -> Table:
+    """Return the quantities of the bars provided, and of links against punching, with their sum in the last row."""
     heads = [
         ("mark", ""), ("layer", ""), ("zone", ""), ("mesh", ""), ("shape", ""), ("diameter", "mm"), ("spacing", "mm"),
         ("number", ""), ("least length", "m"), ("greatest length", "m"), ("lap", "m"), ("total length", "m"),
         ("mass", "kg"), ("mass per area", "kg/m2"),
     ]  # fmt: skip
     area = PlateRegion(model.plate, model.plates).area.area
-    rows = [_row(position, area) for position in positions(model)]
+    listed = positions(model)
+    rows = [_row(position, area) for position in listed]
+    rows += [_link_row(layout, mark, area) for mark, layout in marked_links(links, listed).items()]
     if rows:
         number, length, mass, share = (sum(float(row[i] or 0) for row in rows) for i in (7, 11, 12, 13))
         rows.append([None, "all layers", *[None] * 5, round(number), None, None, None, length, mass, share])
@@ -36,9 +47,24 @@ def bars(model: Model) -> Table:
     )  # fmt: skip
     notes = [
         f"{cut} Steel of 7850 kg/m3 (EN 1992-1-1 3.2.7(3)); the mass per area is over all of the slab.",
+        *([LINKS_NOTE] if any(layout.perimeters for layout in links) else []),
         f"Of a set with more than {MOST_LENGTHS} different lengths there is one row.",
     ]
     return table_of("bars", "Bars provided", heads, rows, notes)
+
+
+def marked_links(links: Sequence[LinkLayout], listed: Sequence[Position]) -> dict[int, LinkLayout]:
+    """Return the links that are laid by their marks, which follow those of the bars."""
+    laid = (layout for layout in links if layout.perimeters)
+    return dict(enumerate(laid, start=len(listed) + 1))
+
+
+def _link_row(layout: LinkLayout, mark: int, area: float) -> list[Cell]:
+    """Return the row of the links around one column, pile or end of a wall."""
+    return [
+        mark, LINKS, f"{layout.support} {layout.name}", None, "leg", layout.diameter * MM, None, layout.number,
+        layout.leg, layout.leg, None, layout.total, layout.mass, layout.mass / area,
+    ]  # fmt: skip
 
 
 def _row(position: Position, area: float) -> list[Cell]:

@@ -24,10 +24,10 @@ import numpy as np
 from groundslab.arrays import Array, Flags
 from groundslab.design.basis.detailing_rule import DetailingRule, EndingBar
 from groundslab.design.codes import code_of
-from groundslab.design.detailing.bar_layout import DENSITY, BarSet, bar_sets
+from groundslab.design.detailing.bar_layout import BarSet, bar_sets
 from groundslab.model.design.bars import Bars
 from groundslab.model.design.detailing import Detailing
-from groundslab.model.design.laid_bars import axis_of, bars_of, polygon_of
+from groundslab.model.design.laid_bars import DENSITY, axis_of, bars_of, polygon_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
 from groundslab.model.plates.region import get_plate_region

@@ -35,6 +35,8 @@ class Annex:
     k_max: float
     rho_strength: float
     links_alone: bool
+    link_rows: tuple[float, float, float]
+    thickest_link: float
     minimum: tuple[float, float]
     minimum_by_cracking: bool
     most_bars: float

@@ -9,6 +9,7 @@ from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks import (
     bars,
     bending_steps,
+    links,
     one_way_shear,
     punching,
     punching_columns,
@@ -44,6 +45,7 @@ EN1992 = DesignCode(
         extremes=(("v_Ed", "MPa"), ("v_Ed / v_Rd", ""), ("v_Ed at the face", "MPa")),
         with_errors=("V_Ed", "v_Ed", "v_Ed / v_Rd", "v_Ed at the face"),
         steps=punching_steps.STEPS,
+        links=links.links,
     ),
     beams=BeamRule(minimum=beams.minimum, links=beams.links, clauses="6.1, 6.2.3, 9.2.1.1(1), 9.2.2(5)"),
     bars=bars.checks,

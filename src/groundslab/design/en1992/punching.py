@@ -35,6 +35,8 @@ FORMULAS = {
 }
 #: The largest ratio of bars that counts for v_Rd,c (6.4.4(1)).
 MOST_BARS = 0.02
+#: Links per area over f_ck^(1/2) / f_yk, at least (formula 9.11).
+LEAST_LEG = 0.08
 
 
 def max_resistance(concrete: Concrete) -> float | None:
@@ -114,6 +116,14 @@ def links_alone(force: float, d: float, f_ywd: float) -> float:
 def effective_strength(d: float, f_ywd: float) -> float:
     """Return f_ywd,ef [Pa] of links in a slab of effective depth d [m], f_ywd [Pa] at most (6.4.5(1))."""
     return min((250 + 0.25 * d * 1e3) * _MPA, f_ywd)
+
+
+def widest_legs(leg: float, s_r: float, concrete: Concrete, steel: Steel) -> float:
+    """Return the largest distance s_t [m] of vertical legs of an area [m2] along perimeters s_r [m] apart, by 9.11.
+
+    1.5 A_sw,min / (s_r s_t) >= 0.08 f_ck^(1/2) / f_yk
+    """
+    return 1.5 * leg * steel.f_yk / (LEAST_LEG * math.sqrt(concrete.f_ck / _MPA) * _MPA * s_r)
 
 
 def outer_perimeter(v_Ed: float, v_Rd_c: float, u: float) -> float:

@@ -43,6 +43,7 @@ EN1992_2023 = DesignCode(
         extremes=(("tau_Ed", "MPa"), ("tau_Ed / tau_Rd,c", "")),
         with_errors=("V_Ed", "tau_Ed", "tau_Ed / tau_Rd,c"),
         steps=punching_steps.STEPS,
+        links=punching.links,
     ),
     beams=BeamRule(minimum=beams.minimum, links=beams.links, clauses="8.1, 8.2.3, 12.2(2), 12.2(4)"),
     bars=bars.checks,

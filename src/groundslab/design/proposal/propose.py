@@ -14,7 +14,9 @@ from groundslab.design.basis.design_code import DesignCode
 from groundslab.design.basis.detailing_rule import DetailingRule
 from groundslab.design.codes import code_of
 from groundslab.design.proposal.layer_bars import LayerProposal, LayerTask, propose_layer
+from groundslab.design.proposal.links import punching_links
 from groundslab.design.proposal.plan_grid import CellValues, PlanGrid, locate_cells, make_grid
+from groundslab.design.punching_links.layout import LinkLayout
 from groundslab.design.required_bars import largest_areas, required_areas
 from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.model.design.bars import BarZone
@@ -45,6 +47,8 @@ class BarProposal:
         tension [m3].
     laid : dict of str to float
         By layer, the steel of base and zones over the plan, anchorage of zones included, laps not [m3].
+    links : tuple of LinkLayout
+        Links against punching that these bars leave necessary; they are no part of the case.
     remarks : tuple of str
         What a proposal could not keep to, or what was not looked at.
     """
@@ -52,6 +56,7 @@ class BarProposal:
     model: Model
     required: dict[str, float]
     laid: dict[str, float]
+    links: tuple[LinkLayout, ...] = ()
     remarks: tuple[str, ...] = ()
 
     @property
@@ -276,7 +281,8 @@ def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], r
             if layer in zone.layers:
                 laid[layer] += bar_area(zone.bars) * float(polygon_of(zone.shape.ring()).intersection(region.area).area)
     required = {layer: float((needs[layer] * plate.area).sum()) for layer in LAYERS}
-    return BarProposal(model, required, laid, tuple(remarks))
+    links = punching_links(replace(results, model=model))
+    return BarProposal(model, required, laid, links, tuple(remarks))
 
 
 def _remarks(results: Results, rule: DetailingRule) -> Iterator[str]:

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.punching_columns import NO_COLUMNS, Heads, PunchingColumns
 from groundslab.design.basis.wall_ends import loaded_ends
 from groundslab.design.codes import code_of
 from groundslab.design.demands.perimeter_loads import punching_piles
+from groundslab.design.proposal.links import punching_links
+from groundslab.design.punching_links.layout import LinkLayout
 from groundslab.design.tables.table import Cell, Table, table_of
 from groundslab.results.results import Results
 
@@ -43,6 +47,45 @@ def pile_punching(combined: Results) -> Table:
     ]
     heads = [("combination", ""), ("pile", ""), ("force", "kN"), *punched.heads]
     return table_of("pile_punching", "Punching over piles", heads, rows, punched.notes)
+
+
+def shear_reinforcement(combined: Results) -> Table:
+    """Return the links around each column, pile and end of a wall that needs them, perimeter by perimeter."""
+    layouts = punching_links(combined)
+    heads = [
+        ("support", ""), ("name", ""), ("x", "m"), ("y", "m"), ("combination", ""), ("perimeter", ""),
+        ("distance from face", "m"), ("length", "m"), ("diameter", "mm"), ("legs", ""), ("spacing", "mm"),
+        ("largest spacing", "mm"), ("required area", "cm2"), ("provided area", "cm2"), ("length of a leg", "m"),
+        ("total length", "m"), ("mass", "kg"), ("remark", ""),
+    ]  # fmt: skip
+    rows: list[list[Cell]] = [row for layout in layouts for row in _link_rows(layout)]
+    laid = [layout for layout in layouts if layout.perimeters]
+    if len(laid) > 1:
+        number, total, mass = (sum(getattr(layout, name) for layout in laid) for name in ("number", "total", "mass"))
+        rows.append([None, "all", *[None] * 7, number, *[None] * 5, total, mass, None])
+    clauses = ", ".join(dict.fromkeys(layout.clauses for layout in layouts))
+    notes = [
+        f"Vertical legs in perimeters around what punches, by {clauses}, "
+        "of the diameter of reinforcement.proposal.link_diameters that needs the least steel. They are proposed: the "
+        "case has no links.",
+        "Legs are as long as the covers of both faces leave of the thickness, without hooks, and keep off edges and "
+        "openings by the larger cover. Steel of 7850 kg/m3 (EN 1992-1-1 3.2.7(3)).",
+    ]
+    return table_of("shear_reinforcement", "Links against punching", heads, rows, notes)
+
+
+def _link_rows(layout: LinkLayout) -> Iterator[list[Cell]]:
+    """Yield the rows of what links one column, pile or end of a wall has, or the one that says why it has none."""
+    start: list[Cell] = [layout.support, layout.name, *layout.place, layout.combination]
+    if not layout.perimeters:
+        yield [*start, *[None] * 12, layout.why]
+    for position, perimeter in enumerate(layout.perimeters, start=1):
+        number = len(perimeter.places)
+        yield [
+            *start, position, perimeter.distance, perimeter.length, layout.diameter * 1e3, number,
+            perimeter.spacing * 1e3, perimeter.most_spacing * 1e3, perimeter.required * 1e4, perimeter.provided * 1e4,
+            layout.leg, number * layout.leg, number * layout.leg_mass, None,
+        ]  # fmt: skip
 
 
 def wall_punching(combined: Results) -> Table:

@@ -50,4 +50,8 @@ class AllowedBars(Section):
     rounding: Annotated[
         float, Quantity("length", "", "zones' borders lie at multiples of it from the slab's lower left corner", STEP)
     ] = 0.25
+    link_diameters: Annotated[
+        tuple[float, ...],
+        ListOf(Quantity("length", "phi_w", "", BAR), "phi_w", "diameters of links against punching", rising=True),
+    ] = (0.008, 0.010, 0.012, 0.014, 0.016)
     least_size: Annotated[float, Quantity("length", "", "least length and width of a zone", STEP)] = 1.0

@@ -33,6 +33,8 @@ if TYPE_CHECKING:
 #: Width beside a column in which bars count for punching, on each side, and how far from its faces they must reach, in
 #: effective depths (EN 1992-1-1 6.4.4(1), 6.4.2(1)).
 BESIDE, BEYOND = 3.0, 2.0
+#: Density of steel [kg/m3] (EN 1992-1-1 3.2.7(3)).
+DENSITY = 7850.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from groundslab.design.proposal.links import punching_links
 from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
@@ -21,15 +22,16 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Pat
 
     One bar of each set stands for all of them, with a line across over which they are distributed, its marks, number,
     diameter, spacing and length. With `reinforcement.detailing` lengths have laps, and bars of U shape at edges are
-    drawn in the plan of the bottom.
+    drawn in the plan of the bottom. So are, of results, links against punching where they are needed, each leg a dot.
 
     Parameters
     ----------
     of : Model, Results or CombinationResult
-        The model, or results of it.
+        The model, or results of it; links are known from Results alone.
     path : str or pathlib.Path
         File to write: .dxf (in meters, on the layers OUTLINE, OPENINGS, COLUMNS, BAR_ZONES, BARS_BOTTOM_X, and so on,
-        BARS_EDGES, LABELS and TABLE), .svg, .pdf or .png. An existing file is replaced only if groundslab drew it.
+        BARS_EDGES, LINKS, LABELS and TABLE), .svg, .pdf or .png. An existing file is replaced only if groundslab drew
+        it.
 
     Returns
     -------
@@ -51,7 +53,7 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Pat
     if model.reinforcement is None or not model.reinforcement.laid:
         hint = "give bottom_x, bottom_y, top_x and top_y, or bottom_mesh and top_mesh, in [reinforcement]"
         raise InputError([Issue("reinforcement", "no bars provided", "bars in all four layers", hint)])
-    shapes = draw(model)
+    shapes = draw(model, punching_links(of) if isinstance(of, Results) else ())
     if _is_dxf(path):
         content = dxf.to_bytes(shapes)
         checksums.keep_file(target, dxf.is_unchanged)

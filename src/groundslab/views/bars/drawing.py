@@ -14,7 +14,10 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.design.detailing.bar_layout import BarSet, bar_sets
 from groundslab.design.detailing.bar_quantities import bars as bars_table
+from groundslab.design.detailing.bar_quantities import marked_links
 from groundslab.design.detailing.positions import U_SHAPE, Position, positions
+from groundslab.design.punching_links.layout import LinkLayout
+from groundslab.design.tables.table import Table
 from groundslab.geometry.plan import DRAWN_CHORD, Ring
 from groundslab.model.model import Model
 from groundslab.model.plates.region import get_plate_region
@@ -26,7 +29,7 @@ if TYPE_CHECKING:
 #: Layers of a drawing, with the color of each: a number of AutoCAD's palette, whose 7 is black on white.
 LAYERS = {
     "OUTLINE": 7, "OPENINGS": 8, "COLUMNS": 8, "WALLS": 8, "BEAMS": 8, "BAR_ZONES": 6, "BARS_BOTTOM_X": 5,
-    "BARS_BOTTOM_Y": 3, "BARS_TOP_X": 1, "BARS_TOP_Y": 30, "BARS_EDGES": 4, "LABELS": 7, "TABLE": 7,
+    "BARS_BOTTOM_Y": 3, "BARS_TOP_X": 1, "BARS_TOP_Y": 30, "BARS_EDGES": 4, "LINKS": 2, "LABELS": 7, "TABLE": 7,
 }  # fmt: skip
 #: The layer with broken lines.
 BROKEN = "BAR_ZONES"
@@ -38,6 +41,8 @@ WIDE = 0.85
 #: Where the bar that is drawn stands among its set, and where along it the line of distribution crosses: for the bars
 #: all over the slab, and for the zones in turn.
 PLACES = ((0.36, 0.7), (0.5, 0.35), (0.62, 0.55), (0.42, 0.45))
+#: Radius of the dot of a leg over the height of letters, and at most [m].
+DOT, MOST_DOT = 0.2, 0.025
 #: It is at least so long, over the longest.
 LONG = 0.6
 #: Columns of the table of quantities that the drawing has, and what stands above them.
@@ -84,8 +89,8 @@ class Text:
 Shape = Line | Circle | Text
 
 
-def draw(model: Model) -> list[Shape]:
-    """Return the drawing of the bars that a model lays."""
+def draw(model: Model, links: Sequence[LinkLayout] = ()) -> list[Shape]:
+    """Return the drawing of the bars that a model lays, and of links against punching in the plan of the bottom."""
     x0, x1, y0, y1 = model.bounds
     h = LETTERS * max(model.sides)
     flat = x1 - x0 > y1 - y0
@@ -95,8 +100,11 @@ def draw(model: Model) -> list[Shape]:
     for face, shift in (("bottom", (0.0, 0.0)), ("top", step)):
         shapes += [_moved(shape, shift) for shape in _face(model, face, h, listed)]
     shapes += [shape for position in listed if position.shape == U_SHAPE for shape in _edge_bars(model, position, h)]
+    shapes += [
+        shape for mark, layout in marked_links(links, listed).items() for shape in _links(layout, mark, (x0, x1), h)
+    ]
     low = y0 + min(step[1], 0.0) - GAP * h
-    return shapes + list(_table(model, (x0, low), h))
+    return shapes + list(_table(bars_table(model, links), model, (x0, low), h))
 
 
 def _face(model: Model, face: str, h: float, listed: Sequence[Position]) -> Iterator[Shape]:
@@ -219,9 +227,26 @@ def _across(bar_set: BarSet, place: Array) -> Array:
     return ends
 
 
-def _table(model: Model, corner: tuple[float, float], h: float) -> Iterator[Shape]:
+def _links(layout: LinkLayout, mark: int, within: tuple[float, float], h: float) -> Iterator[Shape]:
+    """Yield the legs of links as dots, with their label above them, within two places along x [m] if it fits."""
+    for place in (place for perimeter in layout.perimeters for place in perimeter.places):
+        yield Circle("LINKS", (float(place[0]), float(place[1])), min(DOT * h, MOST_DOT))
+    places = np.concatenate([perimeter.places for perimeter in layout.perimeters])
+    label = label_of_links(layout, mark)
+    left = max(within[0], min(float(places[:, 0].min()), within[1] - WIDE * h * len(label)))
+    yield Text("LINKS", (left, float(places[:, 1].max()) + 0.8 * h), h, label)
+
+
+def label_of_links(layout: LinkLayout, mark: int) -> str:
+    """Return the label of links: mark, legs by perimeters, diameter, and the perimeters' distance [mm]."""
+    phi = format_number(1e3 * layout.diameter, 4, trim=True)
+    radial = "" if layout.radial is None else f", s_r {format_number(1e3 * layout.radial, 4, trim=True)}"
+    first = format_number(1e3 * layout.perimeters[0].distance, 4, trim=True)
+    return f"({mark}) {layout.counts} links \N{LATIN SMALL LETTER O WITH STROKE}{phi}, s_0 {first}{radial}"
+
+
+def _table(table: Table, model: Model, corner: tuple[float, float], h: float) -> Iterator[Shape]:
     """Yield the table of quantities as texts, its upper left corner at a place [m]."""
-    table = bars_table(model)
     columns = [[head, *map(_cell, table[name])] for name, head in COLUMNS.items()]
     columns = [column for column in columns if any(column[1:])]
     x, y = corner

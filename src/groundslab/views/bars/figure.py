@@ -19,7 +19,8 @@ if TYPE_CHECKING:
 LOOKS = {
     "OUTLINE": (style.INK, 1.2), "OPENINGS": (style.INK, 0.8), "COLUMNS": (style.GREY, 0.8), "WALLS": (style.GREY, 0.8),
     "BEAMS": (style.GREY, 0.8),
-    BROKEN: (style.LOAD, 0.7), "BARS_EDGES": (style.GREY, 0.9), "LABELS": (style.INK, 0.5), "TABLE": (style.INK, 0.5),
+    BROKEN: (style.LOAD, 0.7), "BARS_EDGES": (style.GREY, 0.9), "LINKS": (style.INK, 0.6),
+    "LABELS": (style.INK, 0.5), "TABLE": (style.INK, 0.5),
 }  # fmt: skip
 ALONG_X, ALONG_Y = (style.ACCENT, 0.9), (style.SUPPORT, 0.9)
 #: Height of capitals over the size of letters, and the margin of the sheet [mm].

@@ -13,9 +13,11 @@ import groundslab
 from groundslab.analysis.driver import solve
 from groundslab.case import casefile
 from groundslab.cli import main
+from groundslab.cli.propose_bars import _words
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.checks import check_design
 from groundslab.design.codes import code_of
+from groundslab.design.proposal.links import punching_links
 from groundslab.design.proposal.propose import BarProposal, propose_bars
 from groundslab.design.required_bars import bar_fields, largest_areas, required_areas
 from groundslab.errors import InputError
@@ -46,6 +48,24 @@ def raft(steel: dict[str, Any], force: float = 900e3, **changes: Any) -> Model:
         "mesh": {"size": 0.4},
     }
     return Model(**given | changes)
+
+
+def test_links_that_proposed_bars_leave_necessary_are_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """In the proposal, for the bars that it has, and on the command line; they are no part of the case."""
+    model = raft(STEEL, 1400e3)
+    results = solve(model)
+    proposal = propose_bars(results)
+    assert {links.name for links in proposal.links} == {"A", "B"}
+    assert all(links.number > 0 for links in proposal.links)
+    with_bars = replace(results, model=proposal.model)
+    assert [links.mass for links in punching_links(with_bars)] == [links.mass for links in proposal.links]
+    case = tmp_path / "case.toml"
+    case.write_text(casefile.to_toml(model), encoding="utf-8")
+    main.main(["propose-bars", str(case)])
+    said = capsys.readouterr().err
+    assert f"links at column A: {proposal.links[0].counts} legs" in said
+    thin = replace(proposal.links[0], perimeters=(), why="too thin")
+    assert "no links at column A: too thin" in [*_words(replace(proposal, links=(thin,)))]
 
 
 def assert_enough(results: Results, proposal: BarProposal) -> None:

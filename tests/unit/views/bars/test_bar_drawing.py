@@ -12,11 +12,12 @@ from groundslab.cli import main
 from groundslab.design.detailing.bar_layout import BarSet, bar_sets
 from groundslab.design.detailing.bar_quantities import bars
 from groundslab.design.detailing.positions import Position, positions
+from groundslab.design.punching_links.layout import LinkLayout, LinkPerimeter
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.results.results import Results
 from groundslab.views.bars import write_bars
-from groundslab.views.bars.drawing import LAYERS, Line, Text, draw, label_of
+from groundslab.views.bars.drawing import LAYERS, Circle, Line, Text, draw, label_of
 from groundslab.views.files import results_folder
 from helpers import synthetic
 
@@ -40,6 +41,24 @@ def model(**changes: Any) -> Model:
                           "bottom_y": BASE, "top_mesh": "Q335A", "zones": [ZONE]},
     }  # fmt: skip
     return Model(**parts | changes)
+
+
+def test_legs_of_links_are_dots_with_a_label_on_a_layer_of_their_own() -> None:
+    """One dot for each leg in the plan of the bottom, the label within the slab, a row with the mark in the table."""
+    places = np.array([[3.4, 0.0], [3.6, 0.2]])
+    row = LinkPerimeter(0.15, 1.2, 1e-4, 1.01e-4, 0.6, 0.7, places)
+    end = LinkPerimeter(0.3, 1.2, 1e-4, 1.01e-4, 0.6, 0.7, places + 0.1)
+    links = LinkLayout("column", "C", (3.3, 0.0), "ULS", "by hand", 0.008, 0.12, (row, end))
+    shapes = draw(model(), [links, LinkLayout("column", "D", (0.0, 0.0), "ULS", "by hand", why="too thin")])
+    mark = len(positions(model())) + 1
+    dots = [shape for shape in shapes if isinstance(shape, Circle) and shape.layer == "LINKS"]
+    assert np.array([dot.center for dot in dots]) == pytest.approx(np.vstack([places, places + 0.1]))
+    (label,) = (shape for shape in shapes if isinstance(shape, Text) and shape.layer == "LINKS")
+    assert label.words == f"({mark}) 2 x 2 links \N{LATIN SMALL LETTER O WITH STROKE}8, s_0 150, s_r 150"
+    table = bars(model(), [links])
+    assert table.rows()[-2][:3] == (mark, "links", "column C")
+    assert any("shear_reinforcement" in note for note in table.notes)
+    assert {shape.layer for shape in draw(model())} <= set(LAYERS) - {"LINKS"}
 
 
 def test_dxf_read_back(tmp_path: Path) -> None:

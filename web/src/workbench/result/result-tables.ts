@@ -24,7 +24,11 @@ const GROUPS: readonly { name: string; label: string; tables: Record<string, str
     tables: { supports: "supports", pile_punching: "punching over piles", joints: "joints" },
   },
   { name: "strips", label: "Strips", tables: { strips: "design strips", lines: "section lines", points: "points" } },
-  { name: "reinforcement", label: "Reinforcement", tables: { reinforcement: "required", bars: "bar quantities" } },
+  {
+    name: "reinforcement",
+    label: "Reinforcement",
+    tables: { reinforcement: "required", shear_reinforcement: "links against punching", bars: "bar quantities" },
+  },
   {
     name: "ground",
     label: "Ground",

@@ -92,7 +92,7 @@ def _two_way(
             missing[punching.name] = section
             continue
         for result in pushing:
-            demands[result.combination, punching.name] = _demand(result, section, punching, steel)
+            demands[result.combination, punching.name] = demand_on(result, section, punching, steel)
     return demands, missing
 
 
@@ -100,12 +100,22 @@ def critical_section(
     results: CombinationResult, punching: PunchingForce, steel: Reinforcement
 ) -> CriticalSection | str:
     """Return the critical section at d / 2 from a column's or pile's faces, or why there is none."""
+    d = perimeter_loads.effective_depth(results, punching.footprint, steel, from_below=punching.from_below)
+    return section_at(results, punching, d, d / 2)
+
+
+def section_at(
+    results: CombinationResult, punching: PunchingForce, d: float, distance: float, *, square: bool = True
+) -> CriticalSection | str:
+    """Return the section at a distance from a column's or pile's faces, d deep [m], or why there is none.
+
+    Its corners are square (22.6.4.1), or those of the shortest one around legs of stirrups (22.6.4.2).
+    """
     footprint = punching.footprint
-    d = perimeter_loads.effective_depth(results, footprint, steel, from_below=punching.from_below)
-    openings = Openings(OPENING_REACH * perimeter_loads.thickness_at(results, footprint))
+    openings = openings_of(results, punching)
     try:
         plate = plate_under(results, *punching.place)
-        line = perimeter(plate, footprint, d / 2, openings, square=True, near=np.inf)
+        line = perimeter(plate, footprint, distance, openings, square=square, near=np.inf)
     except InputError as error:
         return str(error)
     shape = line_properties.shape_of(line.whole)
@@ -113,12 +123,17 @@ def critical_section(
         return "its critical section cuts the slab from edge to edge, which is one-way shear"
     column = punching.column
     sides = column.width_x or 1.0, column.width_y or 1.0  # a round column has none, and beta = 1
-    loads = perimeter_loads.loads_near(results, punching, d / 2).inside(results, line.inside)
+    loads = perimeter_loads.loads_near(results, punching, distance).inside(results, line.inside)
     center = line_properties.centroid(line.legs)
     return CriticalSection(d, line, center, max(sides) / min(sides), aci318.ALPHA_S[shape], loads)
 
 
-def _demand(
+def openings_of(results: CombinationResult, punching: PunchingForce) -> Openings:
+    """Return which openings shorten the sections around a column or pile (22.6.4.3)."""
+    return Openings(OPENING_REACH * perimeter_loads.thickness_at(results, punching.footprint))
+
+
+def demand_on(
     results: CombinationResult, section: CriticalSection, punching: PunchingForce, steel: Reinforcement
 ) -> TwoWay:
     """Return the demand on a critical section in a combination."""

@@ -12,6 +12,7 @@ from groundslab.design.basis.demand_errors import error_of_ratio, scaled
 from groundslab.design.basis.wall_ends import loaded_ends
 from groundslab.design.demands.perimeter_loads import punching_piles
 from groundslab.design.en1992 import punching as en1992
+from groundslab.design.en1992.annex import Annex
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
 from groundslab.design.en1992.checks.punching_demand import Demand, Demands, Stress
@@ -90,10 +91,8 @@ def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> DesignCh
     there: list[Judged] = []
     annex = materials(steel)[0].annex
     for demand in punched.found.values():
-        around = [(demand, stress, demand.resistance(stress)) for stress in demand.around]
-        there += around
-        limited = around[-1:] if annex.face and names.face else around
-        most += [(demand, stress, annex.k_max * resistance) for demand, stress, resistance in limited]
+        there += [(demand, stress, demand.resistance(stress)) for stress in demand.around]
+        most += limited_with_links(demand, annex, at_face=bool(names.face))
     limit = f"{annex.k_max:g} v_Rd,c with {which}"
     with_links = _punching(name, names, limit, most, punched, "fails", "6.4.5(1)")
     others = {demand.name for demand, stress, resistance in there if stress.v_Ed > resistance and not stress.supported}
@@ -111,8 +110,17 @@ def _within_2d(steel: Reinforcement, punched: Demands, names: Names) -> DesignCh
         return without
     worst = max(needing, key=lambda judged: judged[1].v_Ed / judged[2])
     links = _links(steel, worst)
-    reach = _outer(worst[0], [judged for judged in there if judged[0] is worst[0]], names)
+    reach = _outer(worst[0], names)
     return replace(without, words=f"punching reinforcement is needed at {without.words}; {links}, {reach}")
+
+
+def limited_with_links(demand: Demand, annex: Annex, *, at_face: bool) -> list[Judged]:
+    """Return the perimeters of a demand on which links are limited by k_max v_Rd,c, and this limit (6.4.5(1)).
+
+    That is the outermost one, or all of them where the face has no limit of its own, by the annex or at walls.
+    """
+    stresses = demand.around[-1:] if annex.face and at_face else demand.around
+    return [(demand, stress, annex.k_max * demand.resistance(stress)) for stress in stresses]
 
 
 def _without_bars(steel: Reinforcement, check: DesignCheck, judged: list[Judged]) -> DesignCheck:
@@ -148,20 +156,25 @@ def _links(steel: Reinforcement, worst: Judged) -> str:
     return f"there {A_sw * 1e4:.3g} cm2 of vertical links on each perimeter, {s_r:.2f} m apart (6.4.5(1), 9.4.3)"
 
 
-def _outer(demand: Demand, around: list[Judged], names: Names) -> str:
-    """Return in words where links are needed no more, of the perimeters of one demand from the inner to the outer one.
+def outer_perimeter(demand: Demand) -> tuple[float, float]:
+    """Return u_out and its distance from the face [m], where links are needed no more, of a demand that needs some.
 
-    Beyond the outermost one by 6.54, its length growing as it does between the two last ones.
+    Beyond the outermost perimeter by 6.54, its length growing as it does between the two last ones.
     """
-    last = max(number for number, (_, stress, resistance) in enumerate(around) if stress.v_Ed > resistance)
+    around = demand.around
+    last = max(number for number, stress in enumerate(around) if stress.v_Ed > demand.resistance(stress))
     if last + 1 < len(around):
-        u, distance = around[last + 1][1].u, around[last + 1][1].distance
-    else:
-        _, stress, resistance = around[-1]
-        u = en1992.outer_perimeter(stress.v_Ed, resistance * stress.distance / (2 * demand.d), stress.u)
-        inner = around[-2][1] if len(around) > 1 else None
-        grows = (stress.u - inner.u) / (stress.distance - inner.distance) if inner is not None else 2 * math.pi
-        distance = stress.distance + max(u - stress.u, 0.0) / max(grows, 1e-9)
+        return around[last + 1].u, around[last + 1].distance
+    stress = around[-1]
+    u = en1992.outer_perimeter(stress.v_Ed, demand.v_Rd_c, stress.u)
+    inner = around[-2] if len(around) > 1 else None
+    grows = (stress.u - inner.u) / (stress.distance - inner.distance) if inner is not None else 2 * math.pi
+    return u, stress.distance + max(u - stress.u, 0.0) / max(grows, 1e-9)
+
+
+def _outer(demand: Demand, names: Names) -> str:
+    """Return in words where links are needed no more."""
+    u, distance = outer_perimeter(demand)
     return (
         f"to within {LAST_LINKS * demand.d:.2f} m of the perimeter beyond which none are needed, u_out {u:.2f} m long, "
         f"{distance:.2f} m from the {names.one} (6.4.5(4), 6.54)"

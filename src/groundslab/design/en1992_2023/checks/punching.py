@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from groundslab.design.basis.check import DesignCheck, Status
@@ -14,11 +14,14 @@ from groundslab.design.en1992_2023 import punching as en1992
 from groundslab.design.en1992_2023.case_materials import materials
 from groundslab.design.en1992_2023.checks.punching_demand import Demands, Punching, column_demands, pile_demands
 from groundslab.design.en1992_2023.checks.wall_ends import wall_demands
+from groundslab.design.punching_links.demand import LinkDemand, Support
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
 #: A slab with links is at least so thick [m] (12.4.2(2)).
 LEAST_WITH_LINKS = 0.2
+#: Why no links are laid out.
+NO_LAYOUT = "not laid out: the rules of EN 1992-1-1:2023 12.5.1 for perimeters and legs are not known here"
 
 
 class LinksNeeded(NamedTuple):
@@ -63,6 +66,27 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         yield from _checks(steel, pile_demands(combined), "punching over piles", ("pile", "up"))
     if loaded_ends(combined.model):
         yield from _checks(steel, (wall_demands(combined), {}), "punching at walls' ends", ("wall end", "down"))
+
+
+def links(combined: Results, _: Reinforcement) -> Iterator[LinkDemand]:
+    """Yield the columns, piles and ends of walls that need links, with the reason why these are not laid out."""
+    if combined.model.columns:
+        yield from _needing("column", column_demands(combined)[0].values())
+    if punching_piles(combined.model):
+        yield from _needing("pile", pile_demands(combined)[0].values())
+    if loaded_ends(combined.model):
+        yield from _needing("wall end", wall_demands(combined).values())
+
+
+def _needing(support: Support, demands: Iterable[Punching]) -> Iterator[LinkDemand]:
+    """Yield those of some demands that need links, each by the combination that needs most."""
+    worst: dict[str, Punching] = {}
+    for demand in demands:
+        least = worst[demand.name].used if demand.name in worst else 1.0
+        if not demand.supported and demand.used > least:
+            worst[demand.name] = demand
+    for demand in worst.values():
+        yield LinkDemand(support, demand.name, demand.place, demand.combination, "EN 1992-1-1:2023 8.4.4", NO_LAYOUT)
 
 
 def _checks(steel: Reinforcement, demands: Demands, name: str, pushing: tuple[str, str]) -> Iterator[DesignCheck]:

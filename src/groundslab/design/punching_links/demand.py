@@ -1,0 +1,73 @@
+"""What a code asks of links where a slab is punched: perimeters around a column, pile or end of a wall."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+from groundslab.arrays import Array
+
+if TYPE_CHECKING:
+    from shapely.geometry.base import BaseGeometry
+
+#: Distances of perimeters are multiples of this [m].
+STEP = 0.005
+
+Support = Literal["column", "pile", "wall end"]
+
+
+@dataclass(frozen=True, slots=True)
+class LinkRow:
+    """What a code asks of one perimeter of links."""
+
+    distance: float  # from the face [m]
+    area: float  # of all its legs [m2]
+    spacing: float  # of its legs along it, at most [m]
+
+
+@dataclass(frozen=True, slots=True)
+class Arrangement:
+    """How links may be arranged around what punches.
+
+    Attributes
+    ----------
+    thickness : float
+        Of the slab [m].
+    options : callable
+        Of a diameter [m]: the perimeters, from the inner to the outer one, for each radial spacing; none where the
+        code does not allow the diameter.
+    lines : callable
+        Of a distance from the face [m]: the pieces (l, 2, 2) [m] of the perimeter there that count, not those that
+        openings take off. It raises InputError where there is no such perimeter.
+    plan : geometry
+        Where the slab is; legs keep off its edges and openings.
+    """
+
+    thickness: float
+    options: Callable[[float], Iterator[tuple[LinkRow, ...]]]
+    lines: Callable[[float], Array]
+    plan: BaseGeometry
+
+
+@dataclass(frozen=True, slots=True)
+class LinkDemand:
+    """A column, pile or end of a wall that needs links, and how they may be arranged, or why they may not."""
+
+    support: Support
+    name: str
+    place: tuple[float, float]  # [m]
+    combination: str  # that needs most
+    clauses: str
+    arrangement: Arrangement | str
+
+
+def rounded_down(distance: float) -> float:
+    """Return the largest multiple of STEP that is no more than a distance [m]."""
+    return round(math.floor(distance / STEP + 1e-9) * STEP, 6)
+
+
+def rounded_up(distance: float) -> float:
+    """Return the least multiple of STEP that is no less than a distance [m]."""
+    return round(math.ceil(distance / STEP - 1e-9) * STEP, 6)
