@@ -97,8 +97,8 @@ def describe_bars(bars: argparse.ArgumentParser) -> None:
     """Add what the command bars understands."""
     bars.epilog = (
         "A plan of each face with one bar of each set, and the bar list by marks, with lengths and masses; laps "
-        "and U-shaped bars at edges are in it if the case has [reinforcement.detailing]. An existing file is replaced "
-        "only if groundslab drew it."
+        "and U-shaped bars at edges are in it if the case has [reinforcement.detailing]; so are links against punching "
+        "where results need them. An existing file is replaced only if groundslab drew it."
     )
     bars.add_argument("results", metavar="RESULTS", help="results folder written by groundslab solve")
     bars.add_argument(

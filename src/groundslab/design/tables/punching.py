@@ -53,16 +53,16 @@ def shear_reinforcement(combined: Results) -> Table:
     """Return the links around each column, pile and end of a wall that needs them, perimeter by perimeter."""
     layouts = punching_links(combined)
     heads = [
-        ("support", ""), ("name", ""), ("x", "m"), ("y", "m"), ("combination", ""), ("perimeter", ""),
-        ("distance from face", "m"), ("length", "m"), ("diameter", "mm"), ("legs", ""), ("spacing", "mm"),
-        ("largest spacing", "mm"), ("required area", "cm2"), ("provided area", "cm2"), ("length of a leg", "m"),
-        ("total length", "m"), ("mass", "kg"), ("remark", ""),
+        ("support", ""), ("name", ""), ("perimeter", ""), ("distance from face", "m"), ("length", "m"), ("legs", ""),
+        ("diameter", "mm"), ("required area", "cm2"), ("provided area", "cm2"), ("spacing", "mm"),
+        ("largest spacing", "mm"), ("length of a leg", "m"), ("total length", "m"), ("mass", "kg"), ("x", "m"),
+        ("y", "m"), ("combination", ""), ("remark", ""),
     ]  # fmt: skip
     rows: list[list[Cell]] = [row for layout in layouts for row in _link_rows(layout)]
     laid = [layout for layout in layouts if layout.perimeters]
-    if len(laid) > 1:
+    if laid:
         number, total, mass = (sum(getattr(layout, name) for layout in laid) for name in ("number", "total", "mass"))
-        rows.append([None, "all", *[None] * 7, number, *[None] * 5, total, mass, None])
+        rows.append([None, "all", *[None] * 3, number, *[None] * 6, total, mass, *[None] * 4])
     clauses = ", ".join(dict.fromkeys(layout.clauses for layout in layouts))
     notes = [
         f"Vertical legs in perimeters around what punches, by {clauses}, "
@@ -76,15 +76,16 @@ def shear_reinforcement(combined: Results) -> Table:
 
 def _link_rows(layout: LinkLayout) -> Iterator[list[Cell]]:
     """Yield the rows of what links one column, pile or end of a wall has, or the one that says why it has none."""
-    start: list[Cell] = [layout.support, layout.name, *layout.place, layout.combination]
+    start: list[Cell] = [layout.support, layout.name]
+    end: list[Cell] = [*layout.place, layout.combination]
     if not layout.perimeters:
-        yield [*start, *[None] * 12, layout.why]
+        yield [*start, *[None] * 12, *end, layout.why]
     for position, perimeter in enumerate(layout.perimeters, start=1):
         number = len(perimeter.places)
         yield [
-            *start, position, perimeter.distance, perimeter.length, layout.diameter * 1e3, number,
-            perimeter.spacing * 1e3, perimeter.most_spacing * 1e3, perimeter.required * 1e4, perimeter.provided * 1e4,
-            layout.leg, number * layout.leg, number * layout.leg_mass, None,
+            *start, position, perimeter.distance, perimeter.length, number, layout.diameter * 1e3,
+            perimeter.required * 1e4, perimeter.provided * 1e4, perimeter.spacing * 1e3, perimeter.most_spacing * 1e3,
+            layout.leg, number * layout.leg, number * layout.leg_mass, *end, None,
         ]  # fmt: skip
 
 
