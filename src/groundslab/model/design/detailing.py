@@ -27,7 +27,7 @@ class Detailing(Section):
 
 
 class AllowedBars(Section):
-    """What bars may be proposed: a base over the slab in each layer, and zones of additional bars."""
+    """What bars may be proposed: a base over the slab in each layer, zones of additional bars, and links."""
 
     diameters: Annotated[
         tuple[float, ...],

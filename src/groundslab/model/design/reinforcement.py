@@ -279,7 +279,7 @@ class Reinforcement(Section):
     detailing: Annotated[
         Detailing | None, Table("how bars are cut and lapped, for quantities; without it bars have no laps")
     ] = None
-    proposal: Annotated[AllowedBars, Table("what bars `groundslab propose-bars` may propose")] = AllowedBars()
+    proposal: Annotated[AllowedBars, Table("what bars and links may be proposed")] = AllowedBars()
     w_max: Annotated[
         float | None,
         Quantity(

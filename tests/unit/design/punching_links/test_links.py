@@ -11,8 +11,10 @@ import pytest
 from shapely import Point, box
 
 from groundslab.analysis.driver import solve
+from groundslab.design.aci318.checks import links as aci318_links
 from groundslab.design.aci318.checks.two_way_demand import two_way
 from groundslab.design.checks import check_design
+from groundslab.design.en1992.checks import links as en1992_links
 from groundslab.design.en1992.checks.governing_perimeters import demands
 from groundslab.design.en1992.checks.punching_demand import Demand
 from groundslab.design.proposal.links import punching_links
@@ -266,3 +268,24 @@ def test_links_over_a_pile() -> None:
     for perimeter in layout.perimeters:
         assert np.hypot(*perimeter.places.T) == pytest.approx(0.2 + perimeter.distance, rel=1e-3)
         assert perimeter.provided >= perimeter.required
+
+
+def test_links_that_would_never_end_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where perimeters do not grow outwards, or no section beyond stirrups resists, no row after row is laid."""
+    monkeypatch.setattr(aci318_links, "MOST_ROWS", 1)
+    assert "would go on beyond" in punching_links(solve(raft(1700e3, ACI)))[0].why
+    monkeypatch.setattr(en1992_links, "FARTHEST", 0.5)
+    assert "would go on beyond" in punching_links(solve(raft(1500e3)))[0].why
+
+
+def test_column_at_a_corner_by_en1992() -> None:
+    """Perimeters of a quarter: legs keep off both edges and are enough."""
+    model = raft(1.0).replace(
+        columns=[{"name": "A", "x": 3.7, "y": 2.2, "width_x": 0.4, "width_y": 0.4}],
+        loads=[{"kind": "point", "P": 360e3, "column": "A", "case": "G"}],
+    )
+    results = solve(model)
+    (layout,) = punching_links(results)
+    assert_rules_of_en1992(results, layout)
+    for perimeter in layout.perimeters:
+        assert (perimeter.places <= np.array([4.0, 2.5]) - 0.043).all()

@@ -40,7 +40,7 @@ APART, ALONG = 0.5, 2.0
 #: The effective depth over the diameter, at least (22.6.7.1).
 LEAST_SLENDER = 16.0
 #: Perimeters at least and at most.
-LEAST_ROWS, MOST_ROWS = 2, 24
+LEAST_ROWS, MOST_ROWS = 2, 20
 CLAUSES = "ACI 318-19 22.6.7, 8.7.6"
 
 
@@ -75,26 +75,31 @@ def _of_forces(
     known: Mapping[tuple[str, str], TwoWay],
 ) -> Iterator[LinkDemand]:
     """Yield the columns or piles that need stirrups."""
-    concrete, bars = materials(steel)
     for punching in forces:
         found = {pair: demand for pair, demand in known.items() if pair[1] == punching.name and not demand.supported}
         needing = [demand for demand in found.values() if demand.v_u > strength(demand, steel)]
         if not needing:
             continue
-        worst, d = max(needing, key=lambda demand: demand.v_u * demand.b_o), needing[0].d
-        arrangement: Arrangement | str = _refused(steel, needing)
-        if not arrangement:
-            s = rounded_down(APART * d)
-            pushing = [result for result in results if punching.pushing(result)[0] > 0]
-            count = _rows(pushing, punching, steel, d, s)
-            per_meter = max(aci318.links(demand.v_u, d, demand.b_o, concrete, bars) for demand in needing)
-            within = (count + 1) * s
-            plate = plate_under(results[0], *punching.place)
-            around = surroundings(plate, punching.footprint, within, openings_of(results[0], punching))
-            thickness = thickness_at(results[0], punching.footprint)
-            options = _options([LinkRow((n + 1) * s, per_meter * s, ALONG * d) for n in range(count)], d)
-            arrangement = Arrangement(thickness, options, partial(_legs, around), around.plan)
+        worst = max(needing, key=lambda demand: demand.v_u)
+        arrangement = _refused(steel, needing) or _arrangement(results, steel, punching, worst)
         yield LinkDemand(support, punching.name, punching.place, worst.combination, CLAUSES, arrangement)
+
+
+def _arrangement(
+    results: Sequence[CombinationResult], steel: Reinforcement, punching: PunchingForce, worst: TwoWay
+) -> Arrangement | str:
+    """Return the perimeters around a column or pile, by the combination that needs most, or why there are none."""
+    d, first = worst.d, results[0]
+    s = rounded_down(APART * d)
+    pushing = [result for result in results if punching.pushing(result)[0] > 0]
+    count = _rows(pushing, punching, steel, d, s)
+    if count is None:
+        return f"stirrups would go on beyond {MOST_ROWS * APART:g} d from the face, as v_u hardly falls outwards"
+    area = aci318.links(worst.v_u, d, worst.b_o, *materials(steel)) * s
+    plate = plate_under(first, *punching.place)
+    around = surroundings(plate, punching.footprint, (count + 1) * s, openings_of(first, punching))
+    options = _options([LinkRow((n + 1) * s, area, ALONG * d) for n in range(count)], d)
+    return Arrangement(thickness_at(first, punching.footprint), options, partial(_legs, around), around.plan)
 
 
 def _legs(around: Surroundings, distance: float) -> Array:
@@ -113,16 +118,16 @@ def _refused(steel: Reinforcement, needing: Sequence[TwoWay]) -> str:
 
 def _rows(
     pushing: Sequence[CombinationResult], punching: PunchingForce, steel: Reinforcement, d: float, s: float
-) -> int:
-    """Return how many perimeters s apart [m] there are until concrete alone resists beyond them."""
+) -> int | None:
+    """Return how many perimeters s apart [m] there are until concrete alone resists beyond them, None if too many."""
     most = PHI_SHEAR * aci318.with_links(materials(steel)[0], d)
-    for count in range(LEAST_ROWS, MOST_ROWS):
+    for count in range(LEAST_ROWS, MOST_ROWS + 1):
         section = section_at(pushing[0], punching, d, count * s + APART * d, square=False)
         if isinstance(section, str):  # beyond it the slab is cut from edge to edge, or ends
             return count
         if all(demand_on(result, section, punching, steel).v_u <= most for result in pushing):
             return count
-    return MOST_ROWS
+    return None
 
 
 def _options(rows: list[LinkRow], d: float) -> Callable[[float], Iterator[tuple[LinkRow, ...]]]:

@@ -71,6 +71,8 @@ CROSSED = 1.5
 LEAST_ROWS = 2
 #: A slab with links is at least so thick [m] (9.3.2(1)).
 LEAST_THICKNESS = 0.2
+#: No perimeter is farther from the face than this over the effective depth.
+FARTHEST = 10.0
 CLAUSES = "EN 1992-1-1 6.4.5, 9.4.3"
 
 
@@ -109,7 +111,7 @@ def _of_forces(
         if required is None:
             continue
         d, thickness = found[0].d, thickness_at(first, punching.footprint)
-        arrangement: Arrangement | str = _refused(steel, found, thickness, at_face=True)
+        arrangement: Arrangement | str = _refused(steel, found, thickness, at_face=True) or _too_far(required, d)
         if not arrangement:
             plate = plate_under(first, *punching.place)
             around = surroundings(plate, punching.footprint, REACH * d, openings(d))
@@ -128,7 +130,7 @@ def _of_walls(combined: Results, steel: Reinforcement) -> Iterator[LinkDemand]:
             continue
         footprint = footprint_of(site.column)
         thickness = thickness_at(results, footprint)
-        arrangement: Arrangement | str = _refused(steel, found, thickness, at_face=False)
+        arrangement: Arrangement | str = _refused(steel, found, thickness, at_face=False) or _too_far(required, site.d)
         if not arrangement:
             plan, around = outline(plate_under(results, *site.end.place)), footprint.footprint()
             far = FAR * (required.last + 2 * REACH * site.d + math.sqrt(around.area))
@@ -190,6 +192,13 @@ def _refused(steel: Reinforcement, found: list[Demand], thickness: float, *, at_
     return "the slab is thinner than 200 mm, too thin for links (9.3.2(1))" if thickness < LEAST_THICKNESS else ""
 
 
+def _too_far(required: _Required, d: float) -> str:
+    """Return why links cannot end anywhere, as perimeters hardly grow outwards; empty if they can."""
+    if required.last <= FARTHEST * d:
+        return ""
+    return f"links would go on beyond {FARTHEST:g} d from the face, as perimeters hardly grow outwards"
+
+
 def _options(steel: Reinforcement, required: _Required, d: float) -> Callable[[float], Iterator[tuple[LinkRow, ...]]]:
     """Return the perimeters that a diameter may have, for each radial distance."""
     concrete, bars = materials(steel)
@@ -202,7 +211,8 @@ def _options(steel: Reinforcement, required: _Required, d: float) -> Callable[[f
             return
         for share in sorted({most_apart, min(CLOSER, most_apart)}, reverse=True):
             s_r = rounded_down(share * d)
-            count = max(LEAST_ROWS, round(CROSSED / share), 1 + math.ceil((required.last - start) / s_r - 1e-9))
+            counted = LEAST_ROWS if annex.links_alone else max(LEAST_ROWS, round(CROSSED / share))
+            count = max(counted, 1 + math.ceil((required.last - start) / s_r - 1e-9))
             widest = en1992.widest_legs(math.pi * diameter**2 / 4, s_r, concrete, bars)
             rows = []
             for number in range(count):
