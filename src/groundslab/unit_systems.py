@@ -173,13 +173,19 @@ def words_in(text: str, system: System) -> str:
 
 
 def bar_size(diameter: float, system: System) -> str:
-    """Return the name of bars of a diameter [m], such as "#5"; in SI units, and for other diameters, their diameter."""
-    if system == "US":
-        for name, known in BAR_SIZES.items():
-            if abs(known - diameter) < NEAR:
-                return name
+    """Return what bars of a diameter [m] are called: "ø16" in millimeters, "#5", or their diameter in inches."""
+    if system == "SI":
+        return f"\N{LATIN SMALL LETTER O WITH STROKE}{format_number(diameter * 1e3, 4, trim=True)}"
+    named = next((name for name, known in BAR_SIZES.items() if abs(known - diameter) < NEAR), None)
+    return named or f"{format_number(diameter / INCH, 4, trim=True)} in"
+
+
+def bars_at(diameter: float, spacing: float, system: System) -> str:
+    """Return what bars of a diameter at a spacing [m] are called, such as "ø16 / 150" and "#5 @ 6 in"."""
     unit = in_system(UNITS["mm"], system)
-    return f"{format_number(diameter * unit.scale, 4, trim=True)} {unit.name}"
+    distance = format_number(spacing * unit.scale, 4, trim=True)
+    size = bar_size(diameter, system)
+    return f"{size} / {distance}" if system == "SI" else f"{size} @ {distance} {unit.name}"
 
 
 def _converted(match: re.Match[str]) -> str:

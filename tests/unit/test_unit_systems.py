@@ -9,6 +9,7 @@ from groundslab.unit_systems import (
     CUSTOMARY,
     CUSTOMARY_STEPS,
     bar_size,
+    bars_at,
     in_system,
     together,
     unit_in,
@@ -97,4 +98,6 @@ def test_bars_are_called_by_their_number() -> None:
     assert bar_size(0.625 * 0.0254, "US") == "#5"
     assert bar_size(BAR_SIZES["#9"], "US") == "#9"
     assert bar_size(0.016, "US") == "0.6299 in"
-    assert bar_size(0.016, "SI") == "16 mm"
+    assert bar_size(0.016, "SI") == "ø16"
+    assert bars_at(0.016, 0.15, "SI") == "ø16 / 150"
+    assert bars_at(BAR_SIZES["#5"], 0.1524, "US") == "#5 @ 6 in"

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from groundslab.cli.case import write_or_print
 from groundslab.cli.console import EXIT_DESIGN_FAILS, EXIT_NO_RESULT, EXIT_OK, print_stderr
+from groundslab.unit_systems import bar_size, bars_at, words_in
 
 if TYPE_CHECKING:
     import argparse
@@ -16,8 +17,9 @@ if TYPE_CHECKING:
     from groundslab.design.punching_links.layout import LinkLayout
     from groundslab.model.design.bars import Bars, BarZone
     from groundslab.results.results import Results
+    from groundslab.unit_systems import System
 
-_MM, _KG = 1e3, 7850.0
+_KG = 7850.0
 
 
 def describe(command: argparse.ArgumentParser) -> None:
@@ -44,7 +46,8 @@ def run(options: argparse.Namespace) -> int:
         raise next(iter(results.refused.values()))
     proposal = propose_bars(results)
     write_or_print(casefile.with_reinforcement(text, proposal.model, _folder(path)), options.out)
-    print_stderr("\n".join(_words(proposal)))
+    units = proposal.model.units
+    print_stderr("\n".join(words_in(line, units) for line in _words(proposal, units)))
     checks = check_design(replace(results, model=proposal.model)).checks
     failing = [check for check in checks if check.status == "fails"]
     for check in failing:
@@ -75,7 +78,7 @@ def _results(path: Path) -> tuple[Results, str]:
     return solve(casefile.from_table(casefile.tables(text, str(path)), path.parent)), text
 
 
-def _words(proposal: BarProposal) -> Iterator[str]:
+def _words(proposal: BarProposal, units: System) -> Iterator[str]:
     """Yield what is proposed, a line for each layer and zone."""
     steel = proposal.reinforcement
     for layer, volume in proposal.laid.items():
@@ -83,32 +86,32 @@ def _words(proposal: BarProposal) -> Iterator[str]:
         assert base is not None
         zones = [zone for zone in steel.zones if layer in zone.layers]
         yield (
-            f"{layer.replace('_', ' ')}: {_bars(base)}, {len(zones)} zone{'s' * (len(zones) != 1)}; "
+            f"{layer.replace('_', ' ')}: {_bars(base, units)}, {len(zones)} zone{'s' * (len(zones) != 1)}; "
             f"{volume * _KG:.0f} kg without laps, required {proposal.required[layer] * _KG:.0f} kg"
         )
-        yield from map(_zone, zones)
-    yield from map(_links, proposal.links)
+        yield from (_zone(zone, units) for zone in zones)
+    yield from (_links(layout, units) for layout in proposal.links)
     yield from (f"note: {remark}" for remark in proposal.remarks)
 
 
-def _zone(zone: BarZone) -> str:
+def _zone(zone: BarZone, units: System) -> str:
     """Return a zone in words."""
     x0, x1, y0, y1 = zone.shape.ring().bounds
-    return f"  {zone.name}: {_bars(zone.bars)}, x {x0:g} to {x1:g} m, y {y0:g} to {y1:g} m"
+    return f"  {zone.name}: {_bars(zone.bars, units)}, x {x0:g} to {x1:g} m, y {y0:g} to {y1:g} m"
 
 
-def _links(layout: LinkLayout) -> str:
+def _links(layout: LinkLayout, units: System) -> str:
     """Return links against punching in words."""
     of = f"{layout.support} {layout.name}"
     if not layout.perimeters:
         return f"no links at {of}: {layout.why}"
     radial = "" if layout.radial is None else f", {layout.radial:g} m apart"
     return (
-        f"links at {of}: {layout.counts} legs {layout.diameter * _MM:g} mm, first perimeter "
+        f"links at {of}: {layout.counts} legs {bar_size(layout.diameter, units)}, first perimeter "
         f"{layout.perimeters[0].distance:g} m from the face{radial}; {layout.mass:.0f} kg"
     )
 
 
-def _bars(bars: Bars) -> str:
-    """Return diameter and spacing in millimeters."""
-    return f"{bars.diameter * _MM:g} / {bars.spacing * _MM:g} mm"
+def _bars(bars: Bars, units: System) -> str:
+    """Return diameter and spacing."""
+    return bars_at(bars.diameter, bars.spacing, units)

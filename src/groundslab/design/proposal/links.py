@@ -5,6 +5,7 @@ from __future__ import annotations
 from groundslab.arrays import Memo
 from groundslab.design.codes import code_of
 from groundslab.design.punching_links.layout import LinkLayout, lay_links
+from groundslab.model.design.detailing import allowed_bars
 from groundslab.model.design.laid_bars import axis_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
@@ -50,7 +51,8 @@ def _punching_links(combined: Results) -> tuple[LinkLayout, ...]:
     if steel is None or rule is None or rule.links is None:
         return ()
     covers = _cover(steel, "bottom"), _cover(steel, "top")
-    return tuple(lay_links(demand, steel.proposal.link_diameters, covers) for demand in rule.links(combined, steel))
+    diameters = allowed_bars(steel.proposal, combined.model.units).link_diameters
+    return tuple(lay_links(demand, diameters, covers) for demand in rule.links(combined, steel))
 
 
 def _cover(steel: Reinforcement, face: str) -> float:

@@ -20,7 +20,7 @@ from groundslab.design.punching_links.layout import LinkLayout
 from groundslab.design.required_bars import largest_areas, required_areas
 from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.model.design.bars import BarZone
-from groundslab.model.design.detailing import Detailing
+from groundslab.model.design.detailing import Detailing, allowed_bars
 from groundslab.model.design.laid_bars import axis_of, bar_area, laid_bars, polygon_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.model.model import Model
@@ -138,7 +138,7 @@ def _steel_and_code(results: Results) -> tuple[Reinforcement, DesignCode]:
     code = code_of(steel)
     if code.detailing is None:
         raise InputError([Issue("reinforcement.code", code.name, "a code with rules for anchorage")])
-    return steel, code
+    return steel.replace(proposal=allowed_bars(steel.proposal, results.model.units)), code
 
 
 def _requirements(results: Results, steel: Reinforcement) -> dict[str, Array]:
@@ -270,7 +270,9 @@ def _axes(steel: Reinforcement, face: str, thickest: list[float]) -> tuple[float
 def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], remarks: list[str]) -> BarProposal:
     """Return the proposal with its steel."""
     plate = ultimate_results(results)[0].plate
-    model = results.model.model_copy(update={"reinforcement": found})
+    steel = results.model.reinforcement
+    assert steel is not None
+    model = results.model.model_copy(update={"reinforcement": found.replace(proposal=steel.proposal)})
     region = get_plate_region(model.plate, model.plates)
     laid = {}
     for layer in LAYERS:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from groundslab.model.design.bars import APART, BAR
+from groundslab.model.design.bars import APART, Diameter
 from groundslab.schema.base import Section
 from groundslab.schema.fields import Boolean, Integer, ListOf, Number, Quantity
 from groundslab.schema.ranges import Range
+from groundslab.unit_systems import System
 
 #: Lengths that bars are delivered in, and by which zones are rounded [m].
 STOCK, STEP = Range(at_least=1.0, at_most=30.0), Range(at_least=0.01, at_most=10.0)
@@ -31,14 +32,19 @@ class AllowedBars(Section):
 
     diameters: Annotated[
         tuple[float, ...],
-        ListOf(Quantity("length", "phi", "", BAR), "phi", "diameters of the bars", rising=True),
+        ListOf(
+            Diameter(),
+            "phi",
+            "diameters of the bars; with US units by default #4 to #8",
+            rising=True,
+        ),
     ] = (0.010, 0.012, 0.014, 0.016, 0.020, 0.025)
     spacings: Annotated[
         tuple[float, ...],
         ListOf(
             Quantity("length", "s", "", APART),
             "s",
-            "spacings of the base; zones have the same, half or twice of it",
+            "spacings of the base; zones have the same, half or twice of it; with US units by default 4 in to 12 in",
             rising=True,
         ),
     ] = (0.100, 0.125, 0.150, 0.175, 0.200, 0.225, 0.250)
@@ -48,10 +54,40 @@ class AllowedBars(Section):
         Number("", "share of a layer's steel that each zone must save", Range(at_least=0, at_most=1)),
     ] = 0.02
     rounding: Annotated[
-        float, Quantity("length", "", "zones' borders lie at multiples of it from the slab's lower left corner", STEP)
+        float,
+        Quantity(
+            "length",
+            "",
+            "zones' borders lie at multiples of it from the slab's lower left corner; with US units by default 1 ft",
+            STEP,
+        ),
     ] = 0.25
     link_diameters: Annotated[
         tuple[float, ...],
-        ListOf(Quantity("length", "phi_w", "", BAR), "phi_w", "diameters of links against punching", rising=True),
+        ListOf(
+            Diameter(symbol="phi_w"),
+            "phi_w",
+            "diameters of links against punching; with US units by default #3 to #5",
+            rising=True,
+        ),
     ] = (0.008, 0.010, 0.012, 0.014, 0.016)
-    least_size: Annotated[float, Quantity("length", "", "least length and width of a zone", STEP)] = 1.0
+    least_size: Annotated[
+        float, Quantity("length", "", "least length and width of a zone; with US units by default 4 ft", STEP)
+    ] = 1.0
+
+
+#: What may be proposed by default where results are shown in US units.
+_US = AllowedBars(
+    diameters=("#4", "#5", "#6", "#7", "#8"),
+    spacings=("4 in", "5 in", "6 in", "8 in", "9 in", "10 in", "12 in"),
+    link_diameters=("#3", "#4", "#5"),
+    rounding="1 ft",
+    least_size="4 ft",
+)
+
+
+def allowed_bars(proposal: AllowedBars, units: System) -> AllowedBars:
+    """Return what may be proposed: as given, the rest by default in sizes that are usual where the units are."""
+    if units == "SI":
+        return proposal
+    return proposal.replace(**{name: getattr(_US, name) for name in _US.model_fields_set - proposal.model_fields_set})

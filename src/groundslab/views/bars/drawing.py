@@ -17,11 +17,12 @@ from groundslab.design.detailing.bar_quantities import bars as bars_table
 from groundslab.design.detailing.bar_quantities import marked_links
 from groundslab.design.detailing.positions import U_SHAPE, Position, positions
 from groundslab.design.punching_links.layout import LinkLayout
-from groundslab.design.tables.table import Table
+from groundslab.design.tables.table import Table, in_units
 from groundslab.geometry.plan import DRAWN_CHORD, Ring
 from groundslab.model.model import Model
 from groundslab.model.plates.region import get_plate_region
-from groundslab.units import format_number
+from groundslab.unit_systems import System, bar_size, bars_at, in_system, unit_in
+from groundslab.units import UNITS, format_number
 
 if TYPE_CHECKING:
     from shapely import LinearRing, Polygon
@@ -49,10 +50,14 @@ LONG = 0.6
 COLUMNS = {
     "mark": "mark", "layer": "layer", "zone": "zone", "mesh": "mesh", "shape": "shape", "diameter": "diameter",
     "spacing": "spacing", "number": "number", "least length": "length", "greatest length": "to", "lap": "lap",
-    "total length": "total", "mass": "kg", "mass per area": "kg/m2",
+    "total length": "total", "mass": "mass", "mass per area": "per area",
 }  # fmt: skip
 #: What is written below the table, and what of the quantities without detailing and with it.
-NOTE = "Lengths in meters, diameters and spacings in millimeters. Further bars of zones lie between those of the layer."
+NOTE = {
+    "SI": "Lengths in meters, diameters and spacings in millimeters, masses in kilograms. ",
+    "US": "Lengths in feet, diameters and spacings in inches, masses in pounds. ",
+}
+BETWEEN = "Further bars of zones lie between those of the layer."
 PLAIN = "Laps, hooks and edge bars are not in the quantities, and the cover at the ends of bars is not taken off."
 DETAILED = "Bars end the cover before edges; pieces lap, and bars of U shape at edges have legs, as long as lap says."
 
@@ -101,10 +106,12 @@ def draw(model: Model, links: Sequence[LinkLayout] = ()) -> list[Shape]:
         shapes += [_moved(shape, shift) for shape in _face(model, face, h, listed)]
     shapes += [shape for position in listed if position.shape == U_SHAPE for shape in _edge_bars(model, position, h)]
     shapes += [
-        shape for mark, layout in marked_links(links, listed).items() for shape in _links(layout, mark, (x0, x1), h)
+        shape
+        for mark, layout in marked_links(links, listed).items()
+        for shape in _links(layout, mark, (x0, x1), h, model.units)
     ]
     low = y0 + min(step[1], 0.0) - GAP * h
-    return shapes + list(_table(bars_table(model, links), model, (x0, low), h))
+    return shapes + list(_table(in_units(bars_table(model, links), model.units), model, (x0, low), h))
 
 
 def _face(model: Model, face: str, h: float, listed: Sequence[Position]) -> Iterator[Shape]:
@@ -134,7 +141,7 @@ def _face(model: Model, face: str, h: float, listed: Sequence[Position]) -> Iter
     for bar_set in sets:
         of_set = [one for one in listed if (one.layer, one.zone) == (bar_set.layer, bar_set.zone)]
         place = PLACES[min(turn[bar_set.zone], 1 + (turn[bar_set.zone] - 1) % (len(PLACES) - 1))]
-        yield from _bar_set(bar_set, place, h, label_of(of_set))
+        yield from _bar_set(bar_set, place, h, label_of(of_set, model.units))
 
 
 def _bar_set(bar_set: BarSet, place: tuple[float, float], h: float, label: str) -> Iterator[Shape]:
@@ -158,20 +165,21 @@ def _bar_set(bar_set: BarSet, place: tuple[float, float], h: float, label: str) 
     yield Text(layer, (float(start[0]), float(start[1])), h, label, 90.0 * axis)
 
 
-def label_of(of_set: Sequence[Position]) -> str:
+def label_of(of_set: Sequence[Position], units: System) -> str:
     """Return the label of a set of bars: marks, number, diameter, spacing, length and lap, or the welded mesh."""
     if not of_set:
         return ""
     first, last = of_set[0], of_set[-1]
     marks = f"{first.mark}" if first is last else f"{first.mark}-{last.mark}"
-    shortest, longest = (f"{find(find(one.lengths) for one in of_set):.2f}" for find in (min, max))
+    unit, per_meter = unit_in("m", units)
+    shortest, longest = (f"{find(find(one.lengths) for one in of_set) * per_meter:.2f}" for find in (min, max))
     long = longest if shortest == longest else f"{shortest} to {longest}"
-    phi, spacing = (format_number(1e3 * value, 4, trim=True) for value in (first.bars.diameter, first.bars.spacing))
     mesh = f"{first.mesh}: " if first.mesh else ""
-    lap = "" if first.lap is None or first.shape == U_SHAPE else f", lap {first.lap:.2f} m"
+    lap = "" if first.lap is None or first.shape == U_SHAPE else f", lap {first.lap * per_meter:.2f} {unit}"
     count = sum(len(one.lengths) for one in of_set)
     u = "U " if first.shape == U_SHAPE else ""
-    return f"({marks}) {mesh}{count} {u}\N{LATIN SMALL LETTER O WITH STROKE}{phi} / {spacing}, l = {long} m{lap}"
+    bars = bars_at(first.bars.diameter, first.bars.spacing, units)
+    return f"({marks}) {mesh}{count} {u}{bars}, l = {long} {unit}{lap}"
 
 
 def _edge_bars(model: Model, position: Position, h: float) -> Iterator[Shape]:
@@ -192,7 +200,9 @@ def _edge_bars(model: Model, position: Position, h: float) -> Iterator[Shape]:
         if number == 0:
             off = np.array([0.4 * h, -1.4 * h]) if axis == 0 else np.array([1.4 * h, 0.4 * h])
             start = np.minimum(place, end) + off
-            yield Text("BARS_EDGES", (float(start[0]), float(start[1])), h, label_of([position]), 90.0 * axis)
+            yield Text(
+                "BARS_EDGES", (float(start[0]), float(start[1])), h, label_of([position], model.units), 90.0 * axis
+            )
 
 
 def _inside_of(model: Model) -> Callable[[Array, int, float], bool]:
@@ -227,22 +237,22 @@ def _across(bar_set: BarSet, place: Array) -> Array:
     return ends
 
 
-def _links(layout: LinkLayout, mark: int, within: tuple[float, float], h: float) -> Iterator[Shape]:
+def _links(layout: LinkLayout, mark: int, within: tuple[float, float], h: float, units: System) -> Iterator[Shape]:
     """Yield the legs of links as dots, with their label above them, within two places along x [m] if it fits."""
     for place in (place for perimeter in layout.perimeters for place in perimeter.places):
         yield Circle("LINKS", (float(place[0]), float(place[1])), min(DOT * h, MOST_DOT))
     places = np.concatenate([perimeter.places for perimeter in layout.perimeters])
-    label = label_of_links(layout, mark)
+    label = label_of_links(layout, mark, units)
     left = max(within[0], min(float(places[:, 0].min()), within[1] - WIDE * h * len(label)))
     yield Text("LINKS", (left, float(places[:, 1].max()) + 0.8 * h), h, label)
 
 
-def label_of_links(layout: LinkLayout, mark: int) -> str:
-    """Return the label of links: mark, legs by perimeters, diameter, and the perimeters' distance [mm]."""
-    phi = format_number(1e3 * layout.diameter, 4, trim=True)
-    radial = "" if layout.radial is None else f", s_r {format_number(1e3 * layout.radial, 4, trim=True)}"
-    first = format_number(1e3 * layout.perimeters[0].distance, 4, trim=True)
-    return f"({mark}) {layout.counts} links \N{LATIN SMALL LETTER O WITH STROKE}{phi}, s_0 {first}{radial}"
+def label_of_links(layout: LinkLayout, mark: int, units: System) -> str:
+    """Return the label of links: mark, legs by perimeters, diameter, and the perimeters' distance [mm, in]."""
+    unit = in_system(UNITS["mm"], units)
+    radial = "" if layout.radial is None else f", s_r {format_number(unit.scale * layout.radial, 4, trim=True)}"
+    first = format_number(unit.scale * layout.perimeters[0].distance, 4, trim=True)
+    return f"({mark}) {layout.counts} links {bar_size(layout.diameter, units)}, s_0 {first}{radial}"
 
 
 def _table(table: Table, model: Model, corner: tuple[float, float], h: float) -> Iterator[Shape]:
@@ -257,7 +267,7 @@ def _table(table: Table, model: Model, corner: tuple[float, float], h: float) ->
         x += (max(map(len, column)) * WIDE + 2) * h
     below = y - (len(columns[0]) + 1.5) * LINE * h
     detailed = model.reinforcement is not None and model.reinforcement.detailing is not None
-    for number, words in enumerate((NOTE, DETAILED if detailed else PLAIN)):
+    for number, words in enumerate((NOTE[model.units] + BETWEEN, DETAILED if detailed else PLAIN)):
         yield Text("TABLE", (corner[0], below - number * LINE * h), h, words)
 
 

@@ -21,6 +21,7 @@ from groundslab.design.proposal.links import punching_links
 from groundslab.design.proposal.propose import BarProposal, propose_bars
 from groundslab.design.required_bars import bar_fields, largest_areas, required_areas
 from groundslab.errors import InputError
+from groundslab.model.design.detailing import AllowedBars, allowed_bars
 from groundslab.model.design.laid_bars import axis_of, bar_area, laid_bars
 from groundslab.model.model import Model
 from groundslab.results.fields import LAYERS
@@ -65,7 +66,7 @@ def test_links_that_proposed_bars_leave_necessary_are_said(tmp_path: Path, capsy
     said = capsys.readouterr().err
     assert f"links at column A: {proposal.links[0].counts} legs" in said
     thin = replace(proposal.links[0], perimeters=(), why="too thin")
-    assert "no links at column A: too thin" in [*_words(replace(proposal, links=(thin,)))]
+    assert "no links at column A: too thin" in [*_words(replace(proposal, links=(thin,)), "SI")]
 
 
 def assert_enough(results: Results, proposal: BarProposal) -> None:
@@ -231,3 +232,12 @@ def test_cases_that_get_no_bars() -> None:
         model = raft(STEEL | {"proposal": allowed})
         with pytest.raises(InputError, match=place):
             propose_bars(replace(results, model=model))
+
+
+def test_bars_of_customary_sizes_are_proposed() -> None:
+    """With US units what is not given is #4 to #8 at whole inches; what is given stays, also in the proposal."""
+    usual = allowed_bars(AllowedBars(), "US")
+    assert usual.diameters == tuple(pytest.approx(n / 8 * 0.0254) for n in (4, 5, 6, 7, 8))
+    assert all(round(spacing / 0.0254, 9) == round(spacing / 0.0254) for spacing in usual.spacings)
+    assert allowed_bars(AllowedBars(diameters=["#9"]), "US").diameters == (pytest.approx(1.128 * 0.0254),)
+    assert allowed_bars(AllowedBars(), "SI") == AllowedBars()

@@ -91,7 +91,7 @@ def test_dxf_read_back(tmp_path: Path) -> None:
         # a bar, a line across and its two ends, for each set
         assert len(lines(f"BARS_{layer.upper()}")) == 4 * len(own)
         words = [text.dxf.text for text in space.query(f'TEXT[layer=="BARS_{layer.upper()}"]')]
-        assert words == [label_of(of_set(each)) for each in own]
+        assert words == [label_of(of_set(each), "SI") for each in own]
 
 
 def of_set(one: BarSet) -> list[Position]:
@@ -102,7 +102,7 @@ def of_set(one: BarSet) -> list[Position]:
 def test_labels_and_table_say_what_the_table_of_results_says() -> None:
     """7.2 m hold 48 bars along x at 150 mm, 6 of them cut in two by the opening: 54 pieces; the sum stands below."""
     one = bar_sets(model())[0]
-    assert label_of(of_set(one)) == "(1-3) 54 ø12 / 150, l = 2.80 to 9.60 m"
+    assert label_of(of_set(one), "SI") == "(1-3) 54 ø12 / 150, l = 2.80 to 9.60 m"
     shapes = draw(model())
     written = [shape.words for shape in shapes if isinstance(shape, Text) and shape.layer == "TABLE"]
     table = bars(model())
@@ -110,7 +110,7 @@ def test_labels_and_table_say_what_the_table_of_results_says() -> None:
     assert any(number == pytest.approx(table["mass"][-1], rel=5e-4) for number in numbers)
     assert any("Laps" in words for words in written)
     mesh = of_set(bar_sets(model())[-1])
-    assert label_of(mesh).startswith(f"({mesh[0].mark}-{mesh[-1].mark}) Q335A: ")
+    assert label_of(mesh, "SI").startswith(f"({mesh[0].mark}-{mesh[-1].mark}) Q335A: ")
 
 
 def test_a_bar_that_is_drawn_is_one_of_its_set() -> None:
