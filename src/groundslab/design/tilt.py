@@ -43,9 +43,64 @@ class Tilt:
         return float(np.hypot(self.tilt_x, self.tilt_y))
 
     @property
+    def slope(self) -> tuple[float, float]:
+        """Return the plane's slopes along x and y."""
+        return self.tilt_x, self.tilt_y
+
+    @property
     def direction(self) -> float:
         """Return the direction in which the plane goes down [rad], counter-clockwise from x."""
         return float(np.arctan2(self.tilt_y, self.tilt_x))
+
+
+@dataclass(frozen=True, slots=True)
+class AreaMeans:
+    """Means over the area of a plate that its best plane follows from: S (slope) = s.
+
+    Attributes
+    ----------
+    center : Array
+        The area's centroid (2,) [m].
+    settlement : float
+        The mean settlement [m].
+    S : Array
+        Of products of places from the center (2, 2) [m2].
+    s : Array
+        Of settlements times places from the center (2,) [m2].
+    """
+
+    center: Array
+    settlement: float
+    S: Array
+    s: Array
+
+
+@dataclass(frozen=True, slots=True)
+class Sag:
+    """Between two points the place that is farthest from the straight line between both.
+
+    Attributes
+    ----------
+    names : tuple of str
+        Of the points.
+    length : float
+        Between both [m].
+    along : float
+        The place on the way from the first to the second point, 0 to 1.
+    settlements : tuple of float
+        At the points, and at the place [m].
+    """
+
+    names: tuple[str, str]
+    length: float
+    along: float
+    settlements: tuple[float, float, float]
+
+    @property
+    def ratio(self) -> float:
+        """Return the deflection ratio: the distance from the straight line over the length."""
+        first, second, between = self.settlements
+        return abs(between - (1 - self.along) * first - self.along * second) / self.length
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,22 +132,29 @@ def largest_tilt(results: CombinationResult) -> Tilt:
     return max(map(tilt, results_by_plate(results).values()), key=lambda plate_tilt: plate_tilt.tilt)
 
 
-def tilt(plate: PlateResult) -> Tilt:
-    """Return the plane that fits the settlement best: least squares, each node weighed by its share of the area."""
+def area_means(plate: PlateResult) -> AreaMeans:
+    """Return the means that the plane follows from which fits best, each node weighed by its share of the area."""
     area = plate.area / plate.area.sum()
     # places from one of the nodes, and settlements from their mean: the sums keep their digits far from x = y = 0
     near = plate.nodes - plate.nodes[0]
-    arm = near - area @ near
-    center = plate.nodes[0] + area @ near
+    middle = area @ near
+    arm = near - middle
     mean = float(area @ plate.settlement)
-    bent = plate.settlement - mean
-    slope = np.linalg.solve(arm.T @ (area[:, None] * arm), arm.T @ (area * bent))
-    off = bent - arm @ slope
+    return AreaMeans(
+        plate.nodes[0] + middle, mean, arm.T @ (area[:, None] * arm), arm.T @ (area * (plate.settlement - mean))
+    )
+
+
+def tilt(plate: PlateResult) -> Tilt:
+    """Return the plane that fits the settlement best: least squares, each node weighed by its share of the area."""
+    means = area_means(plate)
+    slope = np.linalg.solve(means.S, means.s)
+    off = plate.settlement - means.settlement - (plate.nodes - means.center) @ slope
     most = int(np.argmax(np.abs(off)))
     x, y = plate.nodes[most]
     return Tilt(
-        center=(float(center[0]), float(center[1])),
-        settlement=mean,
+        center=(float(means.center[0]), float(means.center[1])),
+        settlement=means.settlement,
         tilt_x=float(slope[0]),
         tilt_y=float(slope[1]),
         deflection=float(off[most]),
@@ -100,10 +162,10 @@ def tilt(plate: PlateResult) -> Tilt:
     )
 
 
-def deflections_between(plate: PlateResult, points: Mapping[str, tuple[float, float]]) -> list[tuple[str, str, float]]:
-    """Return names and deflection ratio of pairs of neighboring points (x, y) [m] of the plate, such as columns.
+def deflections_between(plate: PlateResult, points: Mapping[str, tuple[float, float]]) -> list[Sag]:
+    """Return the sag between pairs of neighboring points (x, y) [m] of the plate, such as columns.
 
-    The ratio is the largest distance of the settlement from the straight line between both, over their distance
+    Its ratio is the largest distance of the settlement from the straight line between both, over their distance
     (EN 1997-1 Annex H: relative deflection), at places that lie on the plate. Neighbors are pairs with no third point
     in the circle over the line between them (Gabriel and Sokal 1969); the diagonals of rectangles count.
     """
@@ -111,7 +173,7 @@ def deflections_between(plate: PlateResult, points: Mapping[str, tuple[float, fl
     places = np.array(list(points.values()), dtype=float)
     along = np.linspace(0, 1, CHORD_POINTS)[:, None]
     mesh = Mesh(plate.nodes, plate.elements)
-    ratios = []
+    sags = []
     for i, j in combinations(range(len(names)), 2):
         a, b = places[i], places[j]
         squared = float(((b - a) ** 2).sum())
@@ -119,9 +181,11 @@ def deflections_between(plate: PlateResult, points: Mapping[str, tuple[float, fl
             continue
         element, local = locate(mesh, (1 - along) * a + along * b)
         w = np.einsum("pa,pa->p", q9(local)[0], plate.settlement[mesh.elements[element]])
-        off = np.abs(w - (1 - along[:, 0]) * w[0] - along[:, 0] * w[-1])[element >= 0]
-        ratios.append((names[i], names[j], float(off.max() / np.sqrt(squared))))
-    return ratios
+        off = np.abs(w - (1 - along[:, 0]) * w[0] - along[:, 0] * w[-1])
+        most = int(np.argmax(np.where(element >= 0, off, -1.0)))
+        settlements = float(w[0]), float(w[-1]), float(w[most])
+        sags.append(Sag((names[i], names[j]), float(np.sqrt(squared)), float(along[most, 0]), settlements))
+    return sags
 
 
 def settlement_differences(plate: PlateResult, points: Mapping[str, tuple[float, float]]) -> Differences:

@@ -89,7 +89,7 @@ def test_deflection_between_neighbors_is_off_the_chord() -> None:
     """On w = c x^2 the middle of a pair along x is c L^2 / 4 off the chord; not so with a column between."""
     c, plate = 1e-3, plate_of(straight(), settlement=lambda x, y: 1e-3 * x**2 + 0.02 * y)
     found = deflections_between(plate, {"A": (0.0, 1.0), "B": (2.0, 1.0), "C": (6.0, 1.0), "D": (2.0, 3.0)})
-    ratios = {(first, second): ratio for first, second, ratio in found}
+    ratios = {sag.names: sag.ratio for sag in found}
     assert set(ratios) == {("A", "B"), ("B", "C"), ("B", "D"), ("A", "D"), ("C", "D")}
     assert ratios["A", "B"] == pytest.approx(c * 2 / 4, rel=1e-9)
     assert ratios["B", "C"] == pytest.approx(c * 4 / 4, rel=1e-9)

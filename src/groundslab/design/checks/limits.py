@@ -7,27 +7,37 @@ Annex H: an angular distortion (relative rotation) of 1/500 is acceptable for ma
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 
 from groundslab.accuracy.singularities import find_limits
 from groundslab.accuracy.values import error_of_contact_share
+from groundslab.design.basis.calculation import Step
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results, why_none
 from groundslab.design.basis.demand_errors import error_at_nodes, error_of, scaled
 from groundslab.design.by_plate import results_by_plate
+from groundslab.design.checks import limit_steps
 from groundslab.design.demands.edge_strip import spread_edge_force, strip_width
-from groundslab.design.tilt import deflections_between, settlement_differences, tilt
+from groundslab.design.tilt import area_means, deflections_between, settlement_differences, tilt
 from groundslab.model.loads.load_cases import SERVICEABILITY
 from groundslab.model.plates.region import PlateRegion
-from groundslab.results.fields import extreme
+from groundslab.results.fields import extreme, extreme_node, place_of
 from groundslab.results.mesh_results import PlateResult
 from groundslab.results.results import CombinationResult, Results
 
-#: What a combination demands: the value in SI units, what it is about, and its place [m].
-Demand = tuple[float, str, tuple[float, float] | None]
+
+class Demand(NamedTuple):
+    """What a combination demands: the value in SI units, what it is about, its place [m], and its calculation."""
+
+    value: float
+    of: str
+    place: tuple[float, float] | None
+    steps: Callable[[], Iterator[Step]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,57 +61,85 @@ class Limit:
         return error_of(results, lambda mesh: (self.demand(mesh) or (math.nan,))[0])
 
 
-def _extreme(field: str, sign: int) -> Callable[[CombinationResult], Demand]:
-    """Return a function that finds the largest value of a nodal field, or of its negative."""
+def _of_settlement(sign: int, steps: Callable[[float], Iterator[Step]]) -> Callable[[CombinationResult], Demand]:
+    """Return a function that finds the largest settlement, or the largest uplift, a negative one."""
 
     def find(results: CombinationResult) -> Demand:
-        value, place = extreme(results.plate.nodes, getattr(results.plate, field), sign)
-        return max(sign * value, 0.0), "", place
+        value, place = extreme(results.plate.nodes, results.plate.settlement, sign)
+        return Demand(max(sign * value, 0.0), "", place, partial(steps, value))
 
     return find
 
 
-def _error_of_extreme(field: str, sign: int) -> Callable[[CombinationResult], float | None]:
-    """Return a function that finds the error of the largest value of a nodal field, or of its negative."""
+def _error_of_settlement(sign: int) -> Callable[[CombinationResult], float | None]:
+    """Return a function that finds the error of the largest settlement, or uplift."""
 
     def find(results: CombinationResult) -> float | None:
-        error = error_at_nodes(results, field, lambda mesh: sign * getattr(mesh.plate, field))
+        error = error_at_nodes(results, "settlement", lambda mesh: sign * mesh.plate.settlement)
         # what is below zero is no demand
-        most = float((sign * getattr(results.plate, field)).max())
+        most = float((sign * results.plate.settlement).max())
         return None if error is None else max(most + error, 0.0) - max(most, 0.0)
 
     return find
 
 
-def _difference(results: CombinationResult) -> Demand:
+def _greatest(demands: Iterable[Demand]) -> Demand | None:
+    """Return the greatest of several plates' demands, None of none."""
+    return max(demands, key=lambda demand: (demand.value, demand.of), default=None)
+
+
+def _difference(results: CombinationResult) -> Demand | None:
     """Return the largest less the smallest settlement of a plate."""
-    return max((float(np.ptp(plate.settlement)), name, None) for name, plate in results_by_plate(results).items())
+    return _greatest(
+        Demand(float(np.ptp(plate.settlement)), name, None, partial(limit_steps.of_difference, plate))
+        for name, plate in results_by_plate(results).items()
+    )
 
 
-def _tilt(results: CombinationResult) -> Demand:
-    """Return the slope of the plane that fits the settlements best."""
-    return max((tilt(plate).tilt, name, None) for name, plate in results_by_plate(results).items())
+def _tilt(results: CombinationResult) -> Demand | None:
+    """Return the tilt of the plate that tilts most."""
+    return _greatest(
+        Demand(plane.tilt, name, None, partial(_tilt_steps, plate))
+        for name, plate in results_by_plate(results).items()
+        for plane in [tilt(plate)]
+    )
+
+
+def _tilt_steps(plate: PlateResult) -> Iterator[Step]:
+    """Return the calculation of a plate's tilt."""
+    return limit_steps.of_tilt(area_means(plate), tilt(plate).slope)
 
 
 def _distortion(results: CombinationResult) -> Demand | None:
     """Return the largest angular distortion without tilt between two columns on a plate, None of fewer."""
-    demands: list[Demand] = []
+    demands = []
     for plate, columns in _columns_by_plate(results):
         differences = settlement_differences(plate, columns)
         worst = int(np.argmax(differences.relative))
-        first, second = differences.names[differences.first[worst]], differences.names[differences.second[worst]]
-        demands.append((float(differences.relative[worst]), f"{first} - {second}", columns[second]))
-    return max(demands, key=lambda demand: demand[0], default=None)
+        ends = {
+            differences.names[end]: (*columns[differences.names[end]], float(differences.settlement[end]))
+            for end in (differences.first[worst], differences.second[worst])
+        }
+        first, second = ends
+        steps = partial(_distortion_steps, plate, ends)
+        demands.append(Demand(float(differences.relative[worst]), f"{first} - {second}", columns[second], steps))
+    return _greatest(demands)
+
+
+def _distortion_steps(plate: PlateResult, ends: dict[str, tuple[float, float, float]]) -> Iterator[Step]:
+    """Return the calculation of the angular distortion between two columns on a plate."""
+    return limit_steps.of_distortion(area_means(plate), tilt(plate).slope, ends)
 
 
 def _deflection(results: CombinationResult) -> Demand | None:
     """Return the largest sag between two neighboring columns over their distance, None of fewer."""
-    demands: list[Demand] = []
+    demands = []
     for plate, columns in _columns_by_plate(results):
-        first, second, ratio = max(deflections_between(plate, columns), key=lambda deflection: deflection[2])
-        (x0, y0), (x1, y1) = columns[first], columns[second]
-        demands.append((ratio, f"{first} - {second}", ((x0 + x1) / 2, (y0 + y1) / 2)))
-    return max(demands, key=lambda demand: demand[0], default=None)
+        sag = max(deflections_between(plate, columns), key=lambda each: each.ratio)
+        (x0, y0), (x1, y1) = (columns[name] for name in sag.names)
+        middle = (x0 + x1) / 2, (y0 + y1) / 2
+        demands.append(Demand(sag.ratio, " - ".join(sag.names), middle, partial(limit_steps.of_sag, sag)))
+    return _greatest(demands)
 
 
 def _columns_by_plate(results: CombinationResult) -> Iterator[tuple[PlateResult, dict[str, tuple[float, float]]]]:
@@ -119,12 +157,15 @@ def _columns_by_plate(results: CombinationResult) -> Iterator[tuple[PlateResult,
 def _pressure(results: CombinationResult) -> Demand:
     """Return the largest pressure, the line force along the plate's edge spread over a strip beside it."""
     spread = spread_edge_force(results)
-    value, place = extreme(spread.nodes, spread.pressure, 1)
-    node = int(np.argmax((spread.nodes == place).all(axis=1) & (spread.pressure == value)))
-    by_edge = spread.pressure[node] - results.plate.pressure[node]
+    node = extreme_node(spread.nodes, spread.pressure, 1)
+    value, place = float(spread.pressure[node]), place_of(spread.nodes, node)
+    alone = float(results.plate.pressure[node])
+    by_edge = value - alone
     if by_edge <= 0:
-        return value, "", place
-    return value, f"with {by_edge / 1e3:.4g} kPa of the edge's line force over {strip_width(results):.3g} m", place
+        return Demand(value, "", place, partial(limit_steps.of_pressure, value))
+    b = strip_width(results)
+    about = f"with {by_edge / 1e3:.4g} kPa of the edge's line force over {b:.3g} m"
+    return Demand(value, about, place, partial(limit_steps.of_pressure, alone, (by_edge * b, b)))
 
 
 def _error_of_pressure(results: CombinationResult) -> float | None:
@@ -135,18 +176,24 @@ def _error_of_pressure(results: CombinationResult) -> float | None:
     return error_at_nodes(results, "pressure", lambda mesh: spread_edge_force(mesh).pressure[judged], judged)
 
 
-def _mean_pressure(results: CombinationResult) -> Demand:
+def _mean_pressure(results: CombinationResult) -> Demand | None:
     """Return the ground's force over the area in contact, of several plates the largest."""
-    pressures = []
+    demands = []
     for name, plate in results_by_plate(results).items():
-        area = plate.contact_share * plate.area.sum()
-        pressures.append((float(plate.contact_force.sum() / area) if area else 0.0, name, None))
-    return max(pressures)
+        R, area, share = float(plate.contact_force.sum()), float(plate.area.sum()), plate.contact_share
+        steps = partial(limit_steps.of_mean_pressure, R, area, share)
+        demands.append(Demand(R / (share * area) if share else 0.0, name, None, steps))
+    return _greatest(demands)
 
 
 def _contact(results: CombinationResult) -> Demand:
     """Return the share of a plate's area that is in contact, of several plates the least."""
-    return min((plate.contact_share, name, None) for name, plate in results_by_plate(results).items())
+    demands = [
+        Demand(plate.contact_share, name, None, partial(limit_steps.of_contact, *areas))
+        for name, plate in results_by_plate(results).items()
+        for areas in [(float(plate.area.sum()), float(plate.contact_area.sum()))]
+    ]
+    return min(demands, key=lambda demand: (demand.value, demand.of))
 
 
 def _error_of_contact(results: CombinationResult) -> float | None:
@@ -157,8 +204,10 @@ def _error_of_contact(results: CombinationResult) -> float | None:
 
 #: By the keys of [limits].
 LIMITS = {
-    "settlement": Limit("settlement", "mm", 1e3, _extreme("settlement", 1), error=_error_of_extreme("settlement", 1)),
-    "uplift": Limit("uplift", "mm", 1e3, _extreme("settlement", -1), error=_error_of_extreme("settlement", -1)),
+    "settlement": Limit(
+        "settlement", "mm", 1e3, _of_settlement(1, limit_steps.of_settlement), error=_error_of_settlement(1)
+    ),
+    "uplift": Limit("uplift", "mm", 1e3, _of_settlement(-1, limit_steps.of_uplift), error=_error_of_settlement(-1)),
     "differential_settlement": Limit("differential settlement", "mm", 1e3, _difference),
     "tilt": Limit("tilt", "mm/m", 1e3, _tilt),
     "angular_distortion": Limit("angular distortion", "mm/m", 1e3, _distortion),
@@ -179,21 +228,24 @@ def checks(combined: Results) -> Iterator[DesignCheck]:
         allowed: float | None = getattr(limits, key)
         if allowed is not None:
             missing = why_none(combined, SERVICEABILITY, "serviceability combination")
-            yield _check(limit, allowed * limit.scale, results, missing)
+            yield _check(key, allowed * limit.scale, results, missing)
 
 
-def _check(limit: Limit, allowed: float, results: list[CombinationResult], missing: str) -> DesignCheck:
+def _check(key: str, allowed: float, results: list[CombinationResult], missing: str) -> DesignCheck:
     """Return the check of one limit in its unit of display; `missing` says why there are no results, if so."""
+    limit = LIMITS[key]
     demands = [(demand, result) for result in results if (demand := limit.demand(result)) is not None]
     if not demands:
         what = "there are no two columns" if results else missing
         return DesignCheck(limit.name, "attention", f"not checked: {what}", resistance=allowed, unit=limit.unit)
-    (value, of, place), governing = (min if limit.least else max)(demands, key=lambda entry: entry[0][0])
-    value *= limit.scale
+    demand, governing = (min if limit.least else max)(demands, key=lambda entry: entry[0].value)
+    value, of, place = demand.value * limit.scale, demand.of, demand.place
     holds = value >= allowed if limit.least else value <= allowed
     sign = (">=" if holds else "<") if limit.least else ("<=" if holds else ">")
     where = f" at ({place[0]:.3f}, {place[1]:.3f}) m" if place is not None else ""
     about = f"{of}: " if of else ""
+    error = scaled(limit.error_of(governing), limit.scale)
+    compared = limit_steps.against(key, value, (allowed, limit.unit), error, least=limit.least)
     return DesignCheck(
         limit.name,
         "no failure found" if holds else "fails",
@@ -206,5 +258,6 @@ def _check(limit: Limit, allowed: float, results: list[CombinationResult], missi
         clause="limits of the case",
         combination=governing.combination,
         place=place,
-        error=scaled(limit.error_of(governing), limit.scale),
+        error=error,
+        steps=(*demand.steps(), *compared),
     )

@@ -32,6 +32,8 @@ FORMULAS = {
     "s_r": "min(1.5 * c + k_fl * k_b / 7.2 * phi / rho, 1.3 * (h - x) / k_w)",
     "k_r": "(h - x) / (h - a_y - x)",
     "eps": "max(sigma_s - k_t * f_ctm / rho * (1 + E_s / E_cm * rho), (1 - k_t) * sigma_s) / E_s",
+    "k_h": "min(max(0.8 - 0.6 * (h - 0.3), 0.5), 0.8)",
+    "A_min": "0.2 * k_h * f_ctm * h / f_yk * 10000",
     "w_k,cal": "k_w * k_r * s_r * eps * 1000",
 }
 #: Good bond (formula 9.18), as bars of slabs cast horizontally have at the bottom; else POOR_BOND.
@@ -113,5 +115,9 @@ def minimum_area(h: Array, concrete: Concrete, sigma_s: float) -> Array:
     sigma_s [Pa] is the stress that is allowed right after a crack has formed, f_yk or less.
     """
     h = np.asarray(h, dtype=float)
-    k_h = np.clip(0.8 - 0.6 * (h - 0.3), 0.5, 0.8)
-    return np.asarray(0.2 * k_h * concrete.f_ctm * h / sigma_s)
+    return np.asarray(0.2 * thickness_factor(h) * concrete.f_ctm * h / sigma_s)
+
+
+def thickness_factor(h: Array) -> Array:
+    """Return k_h (n,) of thicknesses h (n,) [m] of wide sections (formula 9.5)."""
+    return np.asarray(np.clip(0.8 - 0.6 * (h - 0.3), 0.5, 0.8))

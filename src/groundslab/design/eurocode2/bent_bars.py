@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from groundslab.arrays import Array
-from groundslab.design.basis.calculation import Step
+from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results, why_none
 from groundslab.design.basis.demand_errors import greatest_moments, scaled
@@ -39,6 +40,13 @@ class Clauses:
     yielding: str
     crack: str
     width: str = "w_k"
+
+
+class BySteps(NamedTuple):
+    """Calculations of bent bars: of their stress in a cracked section up to sigma_s, and of the width of a crack."""
+
+    stress: Callable[[BentBars], Iterable[Step]]
+    width: Callable[[BentBars], Iterable[Step]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,18 +107,18 @@ def bars_at(combined: Results, steel: Reinforcement, laid: LaidBars, bent: BentB
 
 
 def check_stresses(
-    bent: list[BentBars],
-    f_yk: float,
-    clauses: Clauses,
-    steps: Callable[[BentBars], Iterable[Step]] = lambda _: (),
+    bent: list[BentBars], f_yk: float, clauses: Clauses, steps: Callable[[BentBars], Iterable[Step]]
 ) -> Iterator[DesignCheck]:
-    """Yield the largest stress of bars in characteristic combinations, which may be 0.8 f_yk."""
+    """Yield the largest stress of bars in characteristic combinations, which may be 0.8 f_yk.
+
+    The steps are those of the stress in a cracked section, up to sigma_s.
+    """
     if not bent:
         return
     worst = max(bent, key=lambda layer: layer.value)
     most = MOST_STRESS * f_yk
     if worst.value > f_yk:
-        yield _yields(worst, f_yk, "stress of the bars", clauses)
+        yield _yields(worst, f_yk, "stress of the bars", clauses, steps(worst))
         return
     holds = worst.value <= most
     yield DesignCheck(
@@ -126,11 +134,19 @@ def check_stresses(
         combination=worst.combination,
         place=worst.place,
         error=scaled(worst.error, 1e-6),
-        steps=tuple(steps(worst)),
+        steps=(*steps(worst), *_share(worst, f_yk, MOST_STRESS, clauses.stress)),
     )
 
 
-def _yields(bent: BentBars, f_yk: float, name: str, clauses: Clauses) -> DesignCheck:
+def _share(bent: BentBars, f_yk: float, most: float, clause: str) -> Iterator[Step]:
+    """Yield which share of most f_yk [Pa] the stress of bars uses."""
+    yield Step("yield strength", "f_yk", f_yk / MEGA, "MPa")
+    formula = "f_yk" if most == 1 else f"{most:g} * f_yk"
+    yield Step("largest stress of elastic bars", "sigma_max", most * f_yk / MEGA, "MPa", formula, clause)
+    yield Step("share used", "eta", bent.value / (most * f_yk), "", "sigma_s / sigma_max", clause)
+
+
+def _yields(bent: BentBars, f_yk: float, name: str, clauses: Clauses, steps: Iterable[Step]) -> DesignCheck:
     """Return the check of bars that yield in a combination of serviceability."""
     layer, limit = bent.layer.replace("_", " "), f"f_yk {f_yk / 1e6:.4g} MPa"
     return DesignCheck(
@@ -146,6 +162,7 @@ def _yields(bent: BentBars, f_yk: float, name: str, clauses: Clauses) -> DesignC
         combination=bent.combination,
         place=bent.place,
         error=scaled(bent.error, 1e-6),
+        steps=(*steps, *_share(bent, f_yk, 1.0, clauses.yielding)),
     )
 
 
@@ -154,7 +171,7 @@ def check_cracks(
     fields: tuple[list[BentBars], list[BentBars]],
     limits: tuple[float, float],
     clauses: Clauses,
-    steps: Callable[[BentBars], Iterator[Step]],
+    steps: BySteps,
 ) -> Iterator[DesignCheck]:
     """Yield the widest crack at each layer in the quasi-permanent combinations.
 
@@ -170,8 +187,8 @@ def check_cracks(
         f_yk [Pa] and the largest crack width [m].
     clauses : Clauses
         What checks cite.
-    steps : callable
-        Of the widest crack at a layer: its calculation.
+    steps : BySteps
+        The calculations of the widest crack at a layer, and of bars that yield.
     """
     (f_yk, w_max), (stresses, widths) = limits, fields
     if not stresses:
@@ -181,12 +198,12 @@ def check_cracks(
     for stress, crack in zip(stresses, widths, strict=True):
         name = f"crack width at the {crack.layer.replace('_', ' ')}"
         if stress.value > f_yk:
-            yield _yields(stress, f_yk, name, clauses)
+            yield _yields(stress, f_yk, name, clauses, steps.stress(stress))
         else:
-            yield _crack(crack, w_max, name, clauses, steps(crack))
+            yield _crack(crack, w_max, name, clauses, steps.width(crack))
 
 
-def _crack(crack: BentBars, w_max: float, name: str, clauses: Clauses, steps: Iterator[Step]) -> DesignCheck:
+def _crack(crack: BentBars, w_max: float, name: str, clauses: Clauses, steps: Iterable[Step]) -> DesignCheck:
     """Return the check of the widest crack at a layer."""
     value, most = crack.value * MM, w_max * MM
     holds = value <= most
@@ -203,5 +220,11 @@ def _crack(crack: BentBars, w_max: float, name: str, clauses: Clauses, steps: It
         combination=crack.combination,
         place=crack.place,
         error=scaled(crack.error, MM),
-        steps=tuple(steps),
+        steps=(*steps, *_width_share(clauses.width, value, most)),
     )
+
+
+def _width_share(symbol: str, value: float, most: float) -> Iterator[Step]:
+    """Yield which share of the largest width [mm] a crack has."""
+    yield Step("largest width", "w_max", most, "mm")
+    yield Step("share used", "eta", value / most, "", f"{symbol} / w_max")

@@ -8,17 +8,20 @@ from typing import Any
 import numpy as np
 import pytest
 
+import groundslab as gs
 from groundslab.design.checks import DesignCheck, check_design
+from groundslab.design.result_tables import table_makers
 from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.results.results import Results
 from helpers import synthetic
+from helpers.calculations import follow, follow_steps
 from helpers.synthetic import LENGTH_X, LENGTH_Y
 
 STATES = {"ULS": "ultimate", "SLS 1": "characteristic", "SLS 2": "quasi-permanent"}
 
 
-def model_with(**limits: float) -> Model:
+def model_with(loads: tuple[dict[str, Any], ...] = (), **limits: float) -> Model:
     """Return a slab with two columns along x, one ultimate and two other combinations, and limits."""
     half = LENGTH_X / 4
     return Model(
@@ -26,7 +29,7 @@ def model_with(**limits: float) -> Model:
         ground={"kind": "winkler", "k": 20e6},
         columns=[{"name": "A", "x": -half, "y": 0, "diameter": 0.3}, {"name": "B", "x": half, "y": 0, "diameter": 0.3}],
         cases=[{"name": "G"}],
-        loads=[{"kind": "uniform", "q": 1e4, "case": "G"}],
+        loads=[{"kind": "uniform", "q": 1e4, "case": "G"}, *loads],
         combinations=[{"name": name, "limit_state": state, "factors": {"G": 1.0}} for name, state in STATES.items()],
         limits=limits,
     )
@@ -88,6 +91,50 @@ def test_pressure_and_uplift() -> None:
     assert found["pressure"].place is not None
     assert found["pressure"].place[0] == pytest.approx(LENGTH_X / 2)
     assert found["uplift"].demand == pytest.approx(1.0)
+
+
+def test_the_plane_of_an_inclined_plate_by_hand() -> None:
+    """Over a rectangle S_xx is l_x^2 / 12, and S_xw of a slope of 2 mm/m twice that; across there is none."""
+    fields = {"SLS_1": {"settlement": lambda x: 0.02 + 0.002 * x}}
+    (check,) = check_design(solved(model_with(tilt=0.004), **fields)).checks
+    known = follow_steps(check.steps)
+    assert (known["omega_x"], known["omega_y"]) == pytest.approx((2.0, 0.0), abs=1e-9)
+    # nodes are weighed by their share of the area, whose quadrature of x^2 is exact on Q9
+    assert (known["S_xx"], known["S_xw"]) == pytest.approx((LENGTH_X**2 / 12, LENGTH_X**2 / 6), rel=0.03)
+    assert known["S_xw"] == pytest.approx(2.0 * known["S_xx"])
+    assert (known["omega_lim"], known["eta"]) == pytest.approx((4.0, 0.5))
+
+
+def test_two_columns_by_hand() -> None:
+    """On w = 0.02 + c x^2 columns at -l / 4 and l / 4 settle the same; the middle is c l^2 / 16 off their chord."""
+    c = 1e-4
+    fields = {"SLS_1": {"settlement": lambda x: 0.02 + c * x**2}}
+    combined = solved(model_with(deflection=0.01, angular_distortion=0.002, differential_settlement=0.1), **fields)
+    found = {each.name: follow_steps(each.steps) for each in check_design(combined).checks}
+    sag, ends = found["deflection between columns"], c * LENGTH_X**2 / 16 * 1e3
+    assert (sag["w_1"], sag["w_2"], sag["l"]) == pytest.approx((20 + ends, 20 + ends, LENGTH_X / 2))
+    assert (sag["xi"], sag["w"], sag["Delta_l"]) == pytest.approx((0.5, 20.0, 2 * ends / LENGTH_X))
+    apart = found["angular distortion"]
+    assert (apart["x_1"], apart["x_2"], apart["l"]) == pytest.approx((-LENGTH_X / 4, LENGTH_X / 4, LENGTH_X / 2))
+    assert (apart["w_1"], apart["beta"]) == pytest.approx((20 + ends, 0.0), abs=1e-9)
+    assert found["differential settlement"]["Delta_w"] == pytest.approx(4 * ends)
+
+
+def test_limits_are_followed() -> None:
+    """On a solved slab each value from those above it, the shares those of the checks, with the error where known."""
+    limits = {"settlement": 5e-3, "uplift": 1e-3, "differential_settlement": 5e-3, "tilt": 2e-3, "deflection": 1e-3,
+              "angular_distortion": 2e-3, "pressure": 2e5, "mean_pressure": 1e5, "contact_share": 0.9}  # fmt: skip
+    loads = {"kind": "point", "column": "B", "P": 400e3, "case": "G"}
+    combined = gs.solve(model_with(loads=(loads,), **limits))
+    checks = {each.name: each for each in check_design(combined).checks if each.clause == "limits of the case"}
+    assert len(checks) == len(limits)
+    for check in checks.values():
+        known = follow_steps(check.steps)
+        assert known["eta"] == pytest.approx(check.utilisation)
+        assert ("eta_e" in known) == (check.error is not None)
+        if check.between is not None:
+            assert known["eta_e"] == pytest.approx(check.between[1])
+    assert follow(table_makers(combined)["calculations"]()) > 10
 
 
 def test_what_must_not_be_less() -> None:

@@ -18,6 +18,7 @@ from groundslab.model.model import Model
 from groundslab.results.record import Constants
 from groundslab.results.results import Results
 from helpers import synthetic
+from helpers.calculations import follow_steps
 
 STEEL = {"f_ck": 30e6, "f_yk": 500e6, "bottom": (0.04, 0.05), "top": (0.04, 0.05)}
 D = 0.4 - 0.045
@@ -150,6 +151,10 @@ def test_the_line_force_is_pressure_for_limits_and_whole_for_bearing() -> None:
     assert pressure.demand == pytest.approx(spread.pressure.max() / 1e3)
     assert pressure.demand > 1.9 * plate.pressure.max() / 1e3
     assert "of the edge's line force over 2 m" in pressure.words
+    known = follow_steps(pressure.steps)
+    assert known["p_max"] == pytest.approx(known["p"] + known["f"] / 2.0)
+    assert known["p"] == pytest.approx(K0 * w / 1e3, rel=0.02)
+    assert known["p_max"] == pytest.approx(pressure.demand)
     assert found["bearing resistance"].demand == pytest.approx(2 * 16 * Q / 1e3, rel=1e-6)
 
 

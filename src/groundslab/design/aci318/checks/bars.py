@@ -10,7 +10,7 @@ import numpy as np
 from groundslab.arrays import Array
 from groundslab.design.aci318.bending import LEAST, minimum
 from groundslab.design.aci318.case_materials import materials
-from groundslab.design.basis.bar_checks import ROUNDING, check_clear, check_cover, check_spacing, covers
+from groundslab.design.basis.bar_checks import ROUNDING, check_clear, check_cover, check_spacing, cover_steps, covers
 from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import solved_results
@@ -113,12 +113,25 @@ def _cover(steel: Reinforcement) -> DesignCheck:
     """Return whether the cover is that of Table 20.5.1.3.1: at the bottom in contact with ground, at the top inside."""
     least = {layer: [least_cover(layer, bars.diameter) for bars in bars_of(steel, layer)] for layer in LAYERS}
     where = "formed or on blinding, the top not exposed (Table 20.5.1.3.1)"
-    check = check_cover(steel, least, where, "ACI 318-19 20.5.1.3.1")
-    bottom = min(cover for layer, cover, _ in covers(steel) if layer.startswith("bottom"))
+
+    def why(layer: str, diameter: float) -> Iterator[Step]:
+        where = "in contact with the ground" if layer.startswith("bottom") else "not exposed"
+        return _least_cover_step(least_cover(layer, diameter), where)
+
+    check = check_cover(steel, least, where, "ACI 318-19 20.5.1.3.1", why)
+    bottom, layer, position = min((c, layer, n) for layer, c, n in covers(steel) if layer.startswith("bottom"))
     if check.status == "fails" or bottom >= AGAINST_GROUND - ROUNDING:
         return check
+    diameter = bars_of(steel, layer)[position].diameter
+    why_more = _least_cover_step(AGAINST_GROUND, "cast against the ground")
     words = f"bottom: {bottom * _MM:.4g} mm; cast against the ground it needs {AGAINST_GROUND * _MM:.4g} mm"
     return replace(
         check, status="attention", words=f"{words} (Table 20.5.1.3.1)", of="bottom", demand=bottom * _MM,
         resistance=AGAINST_GROUND * _MM,
+        steps=tuple(cover_steps(bottom, diameter, AGAINST_GROUND, why_more)),
     )  # fmt: skip
+
+
+def _least_cover_step(cover: float, where: str) -> Iterator[Step]:
+    """Yield the cover [m] that the table asks for."""
+    yield Step(f"least cover, {where}", "c_nom", cover * _MM, "mm", clause="Table 20.5.1.3.1")

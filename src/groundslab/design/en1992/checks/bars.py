@@ -13,11 +13,13 @@ from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.annex import annex_of
 from groundslab.design.en1992.case_materials import least_cover, materials, strengths, widest_crack
 from groundslab.design.en1992.checks.bent_most import spacing_where_bent_most
+from groundslab.design.en1992.checks.cover_steps import cover_steps
 from groundslab.design.en1992.checks.cracks import crack_steps
 from groundslab.design.en1992.checks.cracks.restraint import check_restraint
 from groundslab.design.en1992.detailing import CLEAR
 from groundslab.design.eurocode2.bent_bars import (
     BentBars,
+    BySteps,
     Clauses,
     bars_at,
     bars_in_tension,
@@ -73,7 +75,7 @@ def checks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -
     state = "quasi-permanent"
     # the bars of a layer are stressed elastically, or no width is valid (7.3.4)
     stresses, widths = (bars_in_tension(combined, steel, laid, state, field) for field in (stress, width))
-    yield from check_cracks(combined, (stresses, widths), (f_yk, w_max), CLAUSES, steps)
+    yield from check_cracks(combined, (stresses, widths), (f_yk, w_max), CLAUSES, BySteps(steps_of_stress, steps))
 
 
 def _first_cracks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -> DesignCheck:
@@ -100,4 +102,8 @@ def _cover(steel: Reinforcement) -> DesignCheck:
         "in any exposure (bond, 4.4.1.2(3)); durability is not checked without exposure" if exposure is None
         else f"in {exposure}, structural class S4, not cast against the ground (4.4.1)"
     )  # fmt: skip
-    return check_cover(steel, least, where, clause)
+
+    def why(_: str, diameter: float) -> Iterator[Step]:
+        return cover_steps(diameter, exposure, annex)
+
+    return check_cover(steel, least, where, clause, why)

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from groundslab.arrays import Array
+from groundslab.design.basis.bar_checks import spacing_steps
 from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.demands.design_moments import design_moments
@@ -26,7 +27,7 @@ def spacing_where_bent_most(combined: Results, steel: Reinforcement, laid: dict[
     such an area reaches is up to the engineer, so that wider bars need attention.
     """
     results = ultimate_results(combined)
-    times, least, farthest = annex_of(steel.annex).spacing_bent_most
+    times, least, farthest = limits = annex_of(steel.annex).spacing_bent_most
     places = [*_places(combined, results)]
     if not places:
         return None
@@ -40,6 +41,7 @@ def spacing_where_bent_most(combined: Results, steel: Reinforcement, laid: dict[
         "distance of bars where bent most", "no failure found" if holds else "attention",
         f"{name}: {spacing:.4g} {'<=' if holds else '>'} {most:.4g} mm at ({x:.3f}, {y:.3f}) m, {where} (9.3.1.1(3))",
         of=name, demand=spacing, resistance=most, unit="mm", clause="EN 1992-1-1 9.3.1.1(3)", place=(x, y),
+        steps=tuple(spacing_steps(float(thickness[node]), spacing, most, limits, "9.3.1.1(3)")),
     )  # fmt: skip
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
 from groundslab.arrays import Array
 from groundslab.design.basis.bar_checks import check_cover, check_spacing
@@ -16,6 +17,7 @@ from groundslab.design.en1992_2023.checks import crack_steps
 from groundslab.design.eurocode2.bent_bars import (
     BarField,
     BentBars,
+    BySteps,
     Clauses,
     bars_at,
     bars_in_tension,
@@ -45,15 +47,27 @@ def checks(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars]) -
         return cracking.bar_stress(m, h, some, concrete, bars)
 
     f_yk = strengths(steel)[1]
-    yield from check_stresses(bars_in_tension(combined, steel, laid, "characteristic", stress), f_yk, CLAUSES)
-    assumed = "sigma_s = f_yk"
-    least = FirstCracks(lambda h: cracking.minimum_area(h, concrete, bars.f_yk), CODE, "9.2.2, 9.2", assumed)
+    bent = bars_in_tension(combined, steel, laid, "characteristic", stress)
+    yield from check_stresses(bent, f_yk, CLAUSES, partial(_stress_steps, combined, steel, laid))
+    least = FirstCracks(
+        lambda h: cracking.minimum_area(h, concrete, bars.f_yk),
+        CODE,
+        "9.2.2, 9.2",
+        "sigma_s = f_yk",
+        lambda h, area: crack_steps.least_bars(h, area, concrete, bars),
+    )
     if steel.w_max is None:
         words = "not checked: w_max is not given, and the limits of Table 9.1 were not read"
         yield DesignCheck("crack width", "attention", words, clause=f"{CODE} 9.2.1")
         return
     yield check_first_cracks(combined, laid, least)
     yield from _cracks(combined, steel, laid, stress)
+
+
+def _stress_steps(combined: Results, steel: Reinforcement, laid: dict[str, LaidBars], bent: BentBars) -> Iterator[Step]:
+    """Yield the stress of bars in a cracked section."""
+    h, there = bars_at(combined, steel, laid[bent.layer], bent)
+    return crack_steps.stress(bent.moment, h, there, *materials(steel))
 
 
 def _cover(steel: Reinforcement) -> DesignCheck:
@@ -64,7 +78,16 @@ def _cover(steel: Reinforcement) -> DesignCheck:
         for layer in LAYERS
     }
     where = "in any exposure (bond, 6.5.2); durability by exposure resistance classes is not checked"
-    return check_cover(steel, least, where, f"{CODE} 6.5")
+    return check_cover(steel, least, where, f"{CODE} 6.5", _why)
+
+
+def _why(_: str, diameter: float) -> Iterator[Step]:
+    """Yield the nominal cover [mm] of a bar [m]."""
+    phi, deviation = diameter * 1e3, RECOMMENDED.delta_c_dev * 1e3
+    c_min = max(phi, 10.0)
+    yield Step("least cover for bond", "c_min", c_min, "mm", "max(phi, 10)", "6.5.2")
+    yield Step("allowance for deviations", "Delta_c,dev", deviation, "mm", clause="6.5.3")
+    yield Step("nominal cover", "c_nom", c_min + deviation, "mm", "c_min + Delta_c,dev", "6.5.1")
 
 
 def _cracks(
@@ -87,4 +110,5 @@ def _cracks(
 
         widths += bars_in_tension(combined, steel, {layer: layer_bars}, "quasi-permanent", width)
     stresses = bars_in_tension(combined, steel, laid, "quasi-permanent", stress)
-    yield from check_cracks(combined, (stresses, widths), (strengths(steel)[1], steel.w_max), CLAUSES, steps)
+    by_steps = BySteps(partial(_stress_steps, combined, steel, laid), steps)
+    yield from check_cracks(combined, (stresses, widths), (strengths(steel)[1], steel.w_max), CLAUSES, by_steps)

@@ -1,4 +1,4 @@
-"""The width of a crack by EN 1992-1-1:2023 9.2.3, step by step, as it can be followed by hand."""
+"""The width of a crack and least bars by EN 1992-1-1:2023 9.2, step by step, as they can be followed by hand."""
 
 from __future__ import annotations
 
@@ -13,9 +13,8 @@ from groundslab.design.en1992_2023.materials import Concrete, Steel
 from groundslab.design.eurocode2.cracked_sections import Bars, neutral_axis
 
 
-def steps(m: float, h: float, bars: Bars, given: tuple[Concrete, Steel, float]) -> Iterator[Step]:
-    """Yield the calculation for a moment m [N m/m] at a place of thickness h [m], with the bars there and k_b."""
-    concrete, steel, k_b = given
+def stress(m: float, h: float, bars: Bars, concrete: Concrete, steel: Steel) -> Iterator[Step]:
+    """Yield the stress of bars under a moment m [N m/m] at a place of thickness h [m], of a section that is cracked."""
     area, phi, spacing, c = (float(np.asarray(each)) for each in (bars.area, bars.diameter, bars.spacing, bars.cover))
     d, at = h - c - phi / 2, np.array([h])
     alpha_e = steel.E_s / concrete.E_cm
@@ -34,6 +33,15 @@ def steps(m: float, h: float, bars: Bars, given: tuple[Concrete, Steel, float]) 
     yield Step("ratio of moduli", "alpha_e", alpha_e, "", "E_s / E_cm")
     yield Step("depth of the neutral axis, cracked", "x", float(x[0]), "m", FORMULAS["x"])
     yield Step("stress of the bars, cracked", "sigma_s", float(sigma_s[0]) / MEGA, "MPa", FORMULAS["sigma_s"])
+
+
+def steps(m: float, h: float, bars: Bars, given: tuple[Concrete, Steel, float]) -> Iterator[Step]:
+    """Yield the calculation for a moment m [N m/m] at a place of thickness h [m], with the bars there and k_b."""
+    concrete, steel, k_b = given
+    yield from stress(m, h, bars, concrete, steel)
+    at = np.array([h])
+    x = neutral_axis(at - cracking.axis(bars), np.asarray(bars.area), steel.E_s / concrete.E_cm)
+    sigma_s = cracking.bar_stress(np.array([m]), at, bars, concrete, steel)
     h_c = cracking.effective_depth(at, x, bars)
     rho = cracking.effective_ratio(h_c, bars)
     yield Step("depth of the concrete in tension", "h_c", float(h_c[0]), "m", FORMULAS["h_c"], "Figure 9.3")
@@ -52,3 +60,16 @@ def steps(m: float, h: float, bars: Bars, given: tuple[Concrete, Steel, float]) 
     yield Step("factor of curvature", "k_r", k_r, "", FORMULAS["k_r"], "9.2.3(2), 9.9")
     width = float(cracking.crack_width(np.array([m]), at, bars, concrete, steel, k_b)[0])
     yield Step("width of cracks", "w_k,cal", width * 1e3, "mm", FORMULAS["w_k,cal"], "9.2.3(2), 9.8")
+
+
+def least_bars(h: float, area: float, concrete: Concrete, steel: Steel) -> Iterator[Step]:
+    """Yield the least bars as a slab h [m] thick first cracks in bending, against an area [m2/m]."""
+    least = float(cracking.minimum_area(np.array(h), concrete, steel.f_yk)) * 1e4
+    yield Step("thickness", "h", h, "m")
+    yield Step("factor of the thickness", "k_h", float(cracking.thickness_factor(np.array(h))), "",
+               FORMULAS["k_h"], "9.5")  # fmt: skip
+    yield Step("mean tensile strength", "f_ctm", concrete.f_ctm / MEGA, "MPa", clause="Table 5.1")
+    yield Step("yield strength", "f_yk", steel.f_yk / MEGA, "MPa", clause="5.2.4")
+    yield Step("least area at one face", "A_min", least, "cm2/m", FORMULAS["A_min"], "9.2.2, 9.2")
+    yield Step("area of the bars that are laid", "A_s", area * 1e4, "cm2/m")
+    yield Step("share used", "eta", least / (area * 1e4), "", "A_min / A_s", "9.2.2")

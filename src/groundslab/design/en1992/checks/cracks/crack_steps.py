@@ -10,22 +10,11 @@ from groundslab.design.basis.calculation import MEGA, Step
 from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.cracking import FORMULAS, K_1, K_2, LONG_TERM
 from groundslab.design.en1992.materials import Concrete, Steel
-from groundslab.design.eurocode2.bent_bars import MOST_STRESS
 from groundslab.design.eurocode2.cracked_sections import Bars
 
 
 def stress(m: float, h: float, bars: Bars, concrete: Concrete, steel: Steel) -> Iterator[Step]:
-    """Yield the stress of bars under a moment m [N m/m] at a place of thickness h [m], over what 7.2(5) allows."""
-    yield from _cracked(m, h, bars, concrete, steel)
-    sigma_s = float(cracking.bar_stress(np.array([m]), np.array([h]), bars, concrete, steel)[0])
-    most = MOST_STRESS * steel.f_yk
-    yield Step("yield strength", "f_yk", steel.f_yk / MEGA, "MPa", clause="3.2.2(3)")
-    yield Step("largest stress", "sigma_max", most / MEGA, "MPa", f"{MOST_STRESS:g} * f_yk", "7.2(5)")
-    yield Step("share used", "eta", sigma_s / most, "", "sigma_s / sigma_max", "7.2(5)")
-
-
-def _cracked(m: float, h: float, bars: Bars, concrete: Concrete, steel: Steel) -> Iterator[Step]:
-    """Yield the stress of bars of a section that is cracked."""
+    """Yield the stress of bars under a moment m [N m/m] at a place of thickness h [m], of a section that is cracked."""
     area, phi, spacing, c = (float(np.asarray(each)) for each in (bars.area, bars.diameter, bars.spacing, bars.cover))
     d, alpha_e = h - c - phi / 2, steel.E_s / concrete.E_cm
     x = float(cracking.neutral_axis(np.array([d]), np.array([area]), alpha_e)[0])
@@ -46,7 +35,7 @@ def _cracked(m: float, h: float, bars: Bars, concrete: Concrete, steel: Steel) -
 
 def steps(m: float, h: float, bars: Bars, concrete: Concrete, steel: Steel) -> Iterator[Step]:
     """Yield the calculation of a crack for a moment m [N m/m] at a place of thickness h [m], with the bars there."""
-    yield from _cracked(m, h, bars, concrete, steel)
+    yield from stress(m, h, bars, concrete, steel)
     area, phi, c = (float(np.asarray(each)) for each in (bars.area, bars.diameter, bars.cover))
     d, at = h - c - phi / 2, np.array([h])
     x = cracking.neutral_axis(np.array([d]), np.array([area]), steel.E_s / concrete.E_cm)

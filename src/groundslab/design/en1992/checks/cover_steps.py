@@ -1,0 +1,25 @@
+"""The least cover of bars by EN 1992-1-1 4.4.1, step by step, as it can be followed by hand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from groundslab.design.basis.calculation import Step
+from groundslab.design.en1992.annex import Annex
+
+_MM = 1e3
+
+
+def cover_steps(diameter: float, exposure: str | None, annex: Annex) -> Iterator[Step]:
+    """Yield c_nom [mm] of a bar [m], of an exposure class or, without one, as bond asks for it."""
+    phi, durable = diameter * _MM, 0.0
+    yield Step("least cover for bond", "c_min,b", phi, "mm", "phi", "4.4.1.2(3)")
+    formula = "max(c_min,b, 10)"
+    if exposure is not None:
+        durable, formula = annex.c_min_dur[exposure] * _MM, "max(c_min,b, c_min,dur, 10)"
+        words = f"least cover for durability, {exposure}, structural class S4"
+        yield Step(words, "c_min,dur", durable, "mm", clause="4.4.1.2(5)")
+    c_min, deviation = max(phi, durable, 10.0), annex.delta_c_dev * _MM
+    yield Step("least cover", "c_min", c_min, "mm", formula, "4.4.1.2(2), 4.2")
+    yield Step("allowance for deviations", "Delta_c,dev", deviation, "mm", clause="4.4.1.3(1)")
+    yield Step("nominal cover", "c_nom", c_min + deviation, "mm", "c_min + Delta_c,dev", "4.4.1.1(2), 4.1")
