@@ -12,7 +12,7 @@ from groundslab.design.tables.table import Table
 
 #: What formulas call.
 NAMES = {"max": max, "min": min, "abs": abs} | {
-    name: getattr(math, name) for name in ("sqrt", "exp", "sin", "tan", "atan", "pi")
+    name: getattr(math, name) for name in ("sqrt", "ceil", "exp", "sin", "tan", "atan", "pi")
 }
 
 

@@ -28,12 +28,16 @@ FORMULAS = {
     "gamma_v2": "1 - 1 / (1 + 2 / 3 * sqrt(b_2 / b_1))",
     "v_u": "V_u / (b_o * d) + gamma_v1 * M_1 * c_1 / J_1 + gamma_v2 * M_2 * c_2 / J_2",
     "v_c": "min(0.33, 0.17 * (1 + 2 / beta), 0.083 * (2 + alpha_s * d / b_o)) * lambda_s * r",
-    "A_v / s": "(v_u / phi - 0.17 * lambda_s * r) * b_o / f_yt * 10000",
+    "v_max": "0.5 * r",
+    "v_cs": "0.17 * lambda_s * r",
+    "A_v / s": "(v_u / phi - v_cs) * b_o / f_yt * 10000",
 }
 #: alpha_s of columns inside, at an edge and at a corner (22.6.5.3), by how the critical section runs.
 ALPHA_S = {"closed": 40.0, "edge": 30.0, "corner": 20.0}
 #: A slab with stirrups as shear reinforcement is at least so deep [m] (22.6.7.1).
 LEAST_DEPTH = 0.15
+#: Stirrups of a slab are no farther apart, and from the face, than this over the effective depth (8.7.6.3).
+STIRRUP_SPACING = 0.5
 #: A mixed term of J_c is none below this share of the whole.
 MIXED = 1e-9
 

@@ -15,7 +15,7 @@ SAME = 1e-9
 #: A symbol in a formula, such as v_Rd,c: a comma that belongs to it is followed by no space.
 SYMBOL = re.compile(r"[A-Za-z]\w*(?:,\w+)*'?")
 #: What formulas call, angles being in radians, and numbers with a name; the rest are symbols.
-FUNCTIONS = ("max", "min", "sqrt", "abs", "exp", "sin", "tan", "atan")
+FUNCTIONS = ("max", "min", "sqrt", "abs", "ceil", "exp", "sin", "tan", "atan")
 CONSTANTS = ("pi",)
 
 

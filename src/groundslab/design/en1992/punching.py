@@ -31,6 +31,8 @@ FORMULAS = {
     "v_Ed": "beta * V_Ed / (u * d)",
     "v_Rd": "v_Rd,c * 2 * d / a",
     "A_sw": "(v_Ed - 0.75 * v_Rd) * u * s_r / (1.5 * f_ywd,ef) * 10000",
+    "A_sw alone": "v_Ed * u * d / f_ywd,ef * 10000",
+    "u_out": "v_l * u_l / v_Rd,c",
     "f_ywd,ef": "min(250 + 0.25 * 1000 * d, f_ywd)",
 }
 #: The largest ratio of bars that counts for v_Rd,c (6.4.4(1)).

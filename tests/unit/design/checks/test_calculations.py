@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 
 import groundslab as gs
 from groundslab.design.basis.calculation import CONSTANTS, FUNCTIONS, Step, with_numbers
+from groundslab.design.en1992.checks.punching_demand import Demand, Stress, outer
 from groundslab.design.result_tables import tables_of
 from groundslab.design.tables.calculations import perimeters
 from groundslab.design.tables.table import Table
@@ -142,6 +144,52 @@ def test_links_are_told_where_they_are_needed() -> None:
     assert found["eta"] > 1
     by_hand = (found["v_Ed"] - 0.75 * found["v_Rd"]) * found["u"] * 0.75 * found["d"] / (1.5 * found["f_ywd,ef"])
     assert found["A_sw"] == pytest.approx(1e4 * by_hand)
+
+
+def test_links_reach_to_the_outer_perimeter() -> None:
+    """By EN 1992-1-1 6.54 u_out = beta V_Ed / (v_Rd,c d) beyond 2 d, round a column (u_out - pi c) / (2 pi) off it.
+
+    Links reach to 1.5 d inside it, from d / 2 on, every 0.75 d.
+    """
+    columns, changes = CASES["thin, with links"]
+    found = of(sheets(*columns, **changes), "punching")
+    d = found["d"]
+    assert found["a_l"] == pytest.approx(2 * d)
+    assert found["u_out"] == pytest.approx(found["v_l"] * found["u_l"] / found["v_Rd,c"])
+    assert found["a_out"] == pytest.approx((found["u_out"] - np.pi * 0.4) / (2 * np.pi), rel=2e-3)
+    assert (found["a_L"], found["a_F"]) == pytest.approx((found["a_out"] - 1.5 * d, d / 2))
+    assert found["n_L"] == max(2, np.ceil((found["a_L"] - d / 2) / (0.75 * d)) + 1)
+
+
+def test_links_that_only_inner_perimeters_need() -> None:
+    """Where the outermost perimeter followed needs none, a perimeter of these is the outer one, if not 6.54."""
+    control = {"u": 3.0, "V_Ed": 1e6, "beta": 1.0, "supported": False, "pressure": 0.0, "edge": 0.0, "others": 0.0}
+    around = tuple(
+        Stress(distance=a, v_Ed=v, error=lambda: None, **control) for a, v in ((0.2, 2.2e6), (0.3, 1.4e6), (0.4, 0.9e6))
+    )
+    demand = Demand("C", "ULS", "ultimate", 1e6, 0.2, 1e6, None, around)  # v_Rd is 2, 1.33 and 1 MPa
+    assert outer(demand) == (3.0, 0.4, None, 0.0)
+    beyond = outer(replace(demand, v_Rd_c=0.8e6))
+    assert (beyond.u, beyond.last) == (pytest.approx(0.9 * 3.0 / 0.8), around[-1])
+
+
+def test_links_alone_by_the_german_annex() -> None:
+    """The two inner rows carry all of beta V_Ed with f_ywd,ef, and there is no u_out but by 1.4 v_Rd."""
+    columns, changes = CASES["thin, with links"]
+    found = of(sheets(*columns, **changes | {"steel": {"annex": "Germany"}, "P": 600e3}), "punching")
+    force = found["beta"] * found["V_Ed"]
+    assert found["A_sw"] == pytest.approx(1e4 * force / found["f_ywd,ef"])
+    assert found["v_Rd,m"] == pytest.approx(1.4 * found["v_Rd"])
+
+
+def test_stirrups_by_aci_318() -> None:
+    """They bear phi 0.5 f'c^(1/2) at most, beside 0.17 lambda_s f'c^(1/2) of concrete, d / 2 apart."""
+    columns, changes = CASES["ACI, with stirrups"]
+    found = of(sheets(*columns, **changes), "punching")
+    assert (found["v_max"], found["s"]) == pytest.approx((0.5 * found["r"], found["d"] / 2))
+    assert found["eta_m"] == pytest.approx(found["v_u"] / (0.75 * found["v_max"]))
+    A_vs = (found["v_u"] / 0.75 - 0.17 * found["lambda_s"] * found["r"]) * found["b_o"] / found["f_yt"]
+    assert (found["A_vs"], found["A_v"]) == pytest.approx((1e4 * A_vs, 1e4 * A_vs * found["s"]))
 
 
 def test_which_sheets_are_wanted() -> None:

@@ -14,7 +14,7 @@ from groundslab.design.aci318.case_materials import materials
 from groundslab.design.aci318.checks.concrete_steps import concrete_in_shear
 from groundslab.design.aci318.checks.two_way_demand import TwoWay, pile_two_way, strength, two_way
 from groundslab.design.aci318.checks.wall_ends import WALL_STRESS, wall_two_way
-from groundslab.design.aci318.materials import PHI_SHEAR
+from groundslab.design.aci318.materials import PHI_SHEAR, Concrete, Steel
 from groundslab.design.basis.calculation import MEGA, Pushing, Step, punching_force
 from groundslab.design.basis.design_code import Calculation
 from groundslab.design.demands.perimeters import SketchedPerimeter
@@ -81,9 +81,24 @@ def _steps(demand: TwoWay, steel: Reinforcement, one: Pushing | None) -> Iterato
     share = demand.v_u / strength(demand, steel)
     yield Step("share used", "eta", share, "", "v_u / (phi * v_c)", "8.5.1.1")
     if share > 1:
-        A_v = aci318.links(demand.v_u, demand.d, demand.b_o, concrete, bars)
-        yield Step("strength of stirrups that counts", "f_yt", bars.f_yt / MEGA, "MPa", clause="20.2.2.4")
-        yield Step("stirrups around it, A_v / s", "A_vs", A_v * 1e4, "cm2/m", aci318.FORMULAS["A_v / s"], "22.6.7.2")
+        yield from _stirrups(demand, concrete, bars)
+
+
+def _stirrups(demand: TwoWay, concrete: Concrete, bars: Steel) -> Iterator[Step]:
+    """Yield the most that stirrups can bear, and the stirrups that are needed."""
+    most = aci318.most_with_links(concrete)
+    yield Step("largest stress with stirrups", "v_max", most / MEGA, "MPa", aci318.FORMULAS["v_max"], "22.6.6.3")
+    share = demand.v_u / (PHI_SHEAR * most)
+    yield Step("share of it that is used", "eta_m", share, "", "v_u / (phi * v_max)", "22.6.6.3")
+    beside = aci318.with_links(concrete, demand.d) / MEGA
+    yield Step("stress of the concrete beside stirrups", "v_cs", beside, "MPa", aci318.FORMULAS["v_cs"], "22.6.6.1")
+    yield Step("strength of stirrups that counts", "f_yt", bars.f_yt / MEGA, "MPa", clause="20.2.2.4")
+    A_v = aci318.links(demand.v_u, demand.d, demand.b_o, concrete, bars)
+    yield Step("stirrups around it, A_v / s", "A_vs", A_v * 1e4, "cm2/m", aci318.FORMULAS["A_v / s"], "22.6.7.2")
+    s = aci318.STIRRUP_SPACING * demand.d
+    formula = f"{aci318.STIRRUP_SPACING:g} * d"
+    yield Step("largest distance of stirrups, and from the face", "s", s, "m", formula, "8.7.6.3")
+    yield Step("stirrups around it in each of their rows", "A_v", A_v * s * 1e4, "cm2", "A_vs * s", "22.6.7.2")
 
 
 def _transfer(transfer: aci318.Transfer) -> Iterator[Step]:

@@ -41,8 +41,8 @@ from groundslab.design.demands.wall_perimeters import LoadedArea, course
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
-from groundslab.design.en1992.checks.punching import LAST_LINKS, limited_with_links, outer_perimeter
-from groundslab.design.en1992.checks.punching_demand import REACH, Demand, Demands, Stress
+from groundslab.design.en1992.checks.punching import LAST_LINKS, limited_with_links
+from groundslab.design.en1992.checks.punching_demand import REACH, Demand, Demands, Stress, outer
 from groundslab.design.en1992.checks.wall_ends import STEPS, wall_demands
 from groundslab.design.en1992.perimeters import openings
 from groundslab.design.punching_links.demand import (
@@ -156,7 +156,7 @@ def _required(steel: Reinforcement, found: list[Demand]) -> _Required | None:
     if not some:
         return None
     area, combination = max((_area(steel, demand, needing), demand.combination) for demand, needing in some)
-    last = max(outer_perimeter(demand)[1] - LAST_LINKS * demand.d for demand, _ in some)
+    last = max(outer(demand).distance - LAST_LINKS * demand.d for demand, _ in some)
     return _Required(combination, area, last)
 
 

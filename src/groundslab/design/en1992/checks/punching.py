@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any, NamedTuple
@@ -15,7 +14,7 @@ from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.annex import Annex
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
-from groundslab.design.en1992.checks.punching_demand import Demand, Demands, Stress
+from groundslab.design.en1992.checks.punching_demand import Demand, Demands, Stress, outer
 from groundslab.design.en1992.checks.wall_ends import wall_demands
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
@@ -24,6 +23,10 @@ from groundslab.results.results import Results
 LINK_SPACING = 0.75
 #: How far inside the outer perimeter the outermost links are at most, over the effective depth (6.4.5(4)).
 LAST_LINKS = 1.5
+#: How far from the face the innermost links are at most, over the effective depth (9.4.3(4)).
+FIRST_LINKS = 0.5
+#: How many perimeters of links there are at least (9.4.3(1)).
+LEAST_PERIMETERS = 2
 
 #: A demand, the stress on one of its perimeters, and what resists it there [Pa].
 Judged = tuple[Demand, Stress, float]
@@ -156,28 +159,12 @@ def _links(steel: Reinforcement, worst: Judged) -> str:
     return f"there {A_sw * 1e4:.3g} cm2 of vertical links on each perimeter, {s_r:.2f} m apart (6.4.5(1), 9.4.3)"
 
 
-def outer_perimeter(demand: Demand) -> tuple[float, float]:
-    """Return u_out and its distance from the face [m], where links are needed no more, of a demand that needs some.
-
-    Beyond the outermost perimeter by 6.54, its length growing as it does between the two last ones.
-    """
-    around = demand.around
-    last = max(number for number, stress in enumerate(around) if stress.v_Ed > demand.resistance(stress))
-    if last + 1 < len(around):
-        return around[last + 1].u, around[last + 1].distance
-    stress = around[-1]
-    u = en1992.outer_perimeter(stress.v_Ed, demand.v_Rd_c, stress.u)
-    inner = around[-2] if len(around) > 1 else None
-    grows = (stress.u - inner.u) / (stress.distance - inner.distance) if inner is not None else 2 * math.pi
-    return u, stress.distance + max(u - stress.u, 0.0) / max(grows, 1e-9)
-
-
 def _outer(demand: Demand, names: Names) -> str:
     """Return in words where links are needed no more."""
-    u, distance = outer_perimeter(demand)
+    beyond = outer(demand)
     return (
-        f"to within {LAST_LINKS * demand.d:.2f} m of the perimeter beyond which none are needed, u_out {u:.2f} m long, "
-        f"{distance:.2f} m from the {names.one} (6.4.5(4), 6.54)"
+        f"to within {LAST_LINKS * demand.d:.2f} m of the perimeter beyond which none are needed, u_out "
+        f"{beyond.u:.2f} m long, {beyond.distance:.2f} m from the {names.one} (6.4.5(4), 6.54)"
     )
 
 

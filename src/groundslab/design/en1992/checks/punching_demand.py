@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from groundslab.arrays import Array
 from groundslab.design.demands.line_properties import Course
 from groundslab.design.demands.perimeter_loads import PerimeterLoads
 from groundslab.design.demands.perimeters import SketchedPerimeter
+from groundslab.design.en1992.punching import outer_perimeter
 
 #: How far from the face perimeters reach, over the effective depth.
 REACH = 2.0
 #: Distances closer than this are one, over the effective depth.
 SAME_DISTANCE = 1e-2
+#: Perimeters that do not grow with their distance are taken to do so by this, so that none is infinitely far.
+LEAST_GROWTH = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +88,31 @@ class Demand:
     def used(self, stress: Stress) -> float:
         """Return v_Ed / v_Rd on a perimeter around."""
         return stress.v_Ed / self.resistance(stress)
+
+
+class Outer(NamedTuple):
+    """The perimeter beyond which links are needed no more (6.4.5(4))."""
+
+    u: float  # its length [m]
+    distance: float  # from the face [m]
+    last: Stress | None = None  # the outermost perimeter that is followed where u is by 6.54, beyond it
+    grows: float = 0.0  # by how much perimeters are longer there, over their distance
+
+
+def outer(demand: Demand) -> Outer:
+    """Return the perimeter beyond which a demand needs no links; somewhere it must need some.
+
+    Beyond the outermost one that is followed it is by 6.54, its length growing as it does between the two last ones.
+    """
+    around = demand.around
+    needing = max(number for number, stress in enumerate(around) if demand.used(stress) > 1)
+    if needing + 1 < len(around):
+        return Outer(around[needing + 1].u, around[needing + 1].distance)
+    last, inner = around[-1], around[-2] if len(around) > 1 else None
+    u = outer_perimeter(last.v_Ed, demand.v_Rd_c, last.u)
+    grows = (last.u - inner.u) / (last.distance - inner.distance) if inner is not None else 2 * math.pi
+    grows = max(grows, LEAST_GROWTH)
+    return Outer(u, last.distance + max(u - last.u, 0.0) / grows, last, grows)
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,8 +13,16 @@ from groundslab.design.basis.design_code import Calculation
 from groundslab.design.en1992 import punching as en1992
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
-from groundslab.design.en1992.checks.punching import LINK_SPACING
-from groundslab.design.en1992.checks.punching_demand import REACH, ControlPerimeter, Demand, Demands, Stress
+from groundslab.design.en1992.checks.punching import FIRST_LINKS, LAST_LINKS, LEAST_PERIMETERS, LINK_SPACING
+from groundslab.design.en1992.checks.punching_demand import (
+    REACH,
+    ControlPerimeter,
+    Demand,
+    Demands,
+    Outer,
+    Stress,
+    outer,
+)
 from groundslab.design.en1992.checks.wall_ends import wall_demands
 from groundslab.design.en1992.materials import Concrete, Steel
 from groundslab.model.design.reinforcement import Reinforcement
@@ -72,12 +80,7 @@ def _steps(demand: Demand, stress: Stress, steel: Reinforcement, one: Pushing | 
     yield from _resistance(demand, stress, concrete)
     yield Step("share used", "eta", demand.used(stress), "", "v_Ed / v_Rd", "6.4.4(2)")
     if stress.v_Ed > demand.resistance(stress):
-        most = concrete.annex.k_max
-        v_m = most * demand.resistance(stress) / MEGA
-        yield Step("largest resistance with links", "v_Rd,m", v_m, "MPa", f"{most:g} * v_Rd", "6.4.5(1)")
-        yield Step("share of it that is used", "eta_m", stress.v_Ed / MEGA / v_m, "", "v_Ed / v_Rd,m", "6.4.5(1)")
-        if not concrete.annex.links_alone:
-            yield from _links(demand, stress, bars)
+        yield from _with_links(demand, stress, concrete, bars)
     if demand.face is not None and concrete.annex.face:
         yield from _face(demand.face, concrete)
 
@@ -119,18 +122,58 @@ def _resistance(demand: Demand, stress: Stress, concrete: Concrete) -> Iterator[
     yield Step("resistance at a", "v_Rd", resistance, "MPa", en1992.FORMULAS["v_Rd"], "6.4.4(2), 6.50")
 
 
-def _links(demand: Demand, stress: Stress, bars: Steel) -> Iterator[Step]:
-    """Yield the links that are needed on each perimeter."""
-    s_r = LINK_SPACING * demand.d
+def _with_links(demand: Demand, stress: Stress, concrete: Concrete, bars: Steel) -> Iterator[Step]:
+    """Yield the most that links can carry, the links on each perimeter, and how far out they are."""
+    most = concrete.annex.k_max
+    v_m = most * demand.resistance(stress) / MEGA
+    yield Step("largest resistance with links", "v_Rd,m", v_m, "MPa", f"{most:g} * v_Rd", "6.4.5(1)")
+    yield Step("share of it that is used", "eta_m", stress.v_Ed / MEGA / v_m, "", "v_Ed / v_Rd,m", "6.4.5(1)")
     f = en1992.effective_strength(demand.d, bars.f_yd)
-    resistance = demand.resistance(stress)
-    A_sw = en1992.links_per_perimeter(stress.v_Ed, resistance, stress.u, demand.d, s_r, bars.f_yd)
     yield Step("strength of links", "f_ywd", bars.f_yd / MEGA, "MPa", clause="3.2.7(2)")
     formula = en1992.FORMULAS["f_ywd,ef"]
     yield Step("strength of links that counts", "f_ywd,ef", f / MEGA, "MPa", formula, "6.4.5(1)")
+    s_r = LINK_SPACING * demand.d
     yield Step("radial distance of their perimeters", "s_r", s_r, "m", f"{LINK_SPACING:g} * d", "9.4.3(1)")
-    formula = en1992.FORMULAS["A_sw"]
-    yield Step("vertical links on each perimeter", "A_sw", A_sw * 1e4, "cm2", formula, "6.4.5(1), 6.52")
+    if concrete.annex.links_alone:
+        A_sw = en1992.links_alone(stress.v_Ed * stress.u * demand.d, demand.d, bars.f_yd)
+        words, formula = "vertical links of the two inner perimeters together", en1992.FORMULAS["A_sw alone"]
+        yield Step(words, "A_sw", A_sw * 1e4, "cm2", formula, "6.4.5(1) of the annex")
+    else:
+        A_sw = en1992.links_per_perimeter(stress.v_Ed, demand.resistance(stress), stress.u, demand.d, s_r, bars.f_yd)
+        formula = en1992.FORMULAS["A_sw"]
+        yield Step("vertical links on each perimeter", "A_sw", A_sw * 1e4, "cm2", formula, "6.4.5(1), 6.52")
+    yield from _reach(demand)
+
+
+def _reach(demand: Demand) -> Iterator[Step]:
+    """Yield the outer perimeter and the perimeters of links inside it."""
+    beyond, d = outer(demand), demand.d
+    if beyond.last is None:
+        words = "distance of the perimeter followed next, on which no links are needed"
+        yield Step(words, "a_out", beyond.distance, "m", clause="6.4.5(4)")
+        yield Step("its length", "u_out", beyond.u, "m", clause="6.4.5(4)")
+    else:
+        yield from _beyond(beyond, beyond.last)
+    last = beyond.distance - LAST_LINKS * d
+    words = "distance of the outermost links from the face, at least"
+    yield Step(words, "a_L", last, "m", f"a_out - {LAST_LINKS:g} * d", "6.4.5(4)")
+    first = FIRST_LINKS * d
+    words = "distance of the innermost links from the face, at most"
+    yield Step(words, "a_F", first, "m", f"{FIRST_LINKS:g} * d", "9.4.3(4)")
+    count = max(LEAST_PERIMETERS, math.ceil((last - first) / (LINK_SPACING * d)) + 1)
+    formula = f"max({LEAST_PERIMETERS}, ceil((a_L - a_F) / s_r) + 1)"
+    yield Step("perimeters of links, at least", "n_L", float(count), "", formula, "9.4.3(1)")
+
+
+def _beyond(beyond: Outer, last: Stress) -> Iterator[Step]:
+    """Yield the outer perimeter beyond the outermost one that is followed."""
+    yield Step("distance of the outermost perimeter that is followed", "a_l", last.distance, "m", clause="6.4.4(2)")
+    yield Step("its length, less edges and openings", "u_l", last.u, "m", clause="6.4.2")
+    yield Step("stress on it", "v_l", last.v_Ed / MEGA, "MPa", clause="6.4.3(3), 6.38")
+    formula = en1992.FORMULAS["u_out"]
+    yield Step("length of the perimeter beyond which no links are needed", "u_out", beyond.u, "m", formula, "6.54")
+    yield Step("how much longer perimeters are by their distance", "g", beyond.grows)
+    yield Step("its distance", "a_out", beyond.distance, "m", "a_l + max(u_out - u_l, 0) / g", "6.4.5(4)")
 
 
 def _face(face: Stress, concrete: Concrete) -> Iterator[Step]:

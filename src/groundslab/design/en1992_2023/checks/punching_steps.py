@@ -131,5 +131,6 @@ def _links(demand: Punching, steel: Reinforcement) -> Iterator[Step]:
         "factor of links", "eta_sys", eta_sys, "", f"max(1, {a:g} + {b:g} * (b_0 / d_v)^(1/4))", "8.4.4(5), 8.111"
     )
     yield Step("most with links", "tau_max", links.tau_max / MEGA, "MPa", F["tau_max"], "8.4.4(5), 8.109")
+    yield Step("share of it that is used", "eta_m", links.tau_Ed / links.tau_max, "", "tau_Ed / tau_max", "8.4.4(5)")
     yield Step("depth of the outermost links", "d_out", out, "m", clause="8.4.4(4), 8.108")
     yield Step("outer perimeter", "b_out", links.b_out, "m", F["b_out"], "8.4.4(7), 8.112")
