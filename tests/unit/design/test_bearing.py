@@ -11,6 +11,9 @@ import groundslab as gs
 from groundslab.case import casefile
 from groundslab.design.checks import check_design
 from groundslab.design.en1997.bearing import Soil, bearing_resistance, effective_area, sliding_resistance
+from groundslab.design.en1997.bearing_steps import bearing_steps
+from groundslab.model.design.limits import SoilStrength
+from helpers.calculations import follow_steps
 
 
 def soil(phi: float = 30.0, c: float = 0.0, c_u: float | None = None) -> Soil:
@@ -24,6 +27,23 @@ def test_the_effective_area_of_an_eccentric_rectangle_is_meyerhof_s() -> None:
     assert found is not None
     assert (found.area, found.width, found.length) == pytest.approx((2 * 1.6, 1.6, 2.0))
     assert effective_area(box(-1, -1, 1, 1), 1.1, 0.0) is None
+
+
+def test_an_opening_takes_off_itself_and_its_image() -> None:
+    """Of 4 m x 2 m with the resultant at x = 2.4 m the part 1.6 m wide either way counts, 6.4 m2.
+
+    An opening of 0.2 m x 0.5 m next to it takes off 0.1 m2 and as much opposite, one beyond the part nothing.
+    """
+    base = box(0, 0, 4, 2).difference(box(2.5, 0.5, 2.7, 1.0)).difference(box(0.1, 1.0, 0.3, 1.5))
+    found = effective_area(base, 2.4, 1.0)
+    assert found is not None
+    assert (found.area, found.openings) == pytest.approx((6.4 - 2 * 0.1, 0.2))
+    strength = SoilStrength(phi=30.0, unit_weight=18e3)
+    known = follow_steps(bearing_steps(strength, found, soil(), 1e6, 0.0))
+    assert (known["A_f"], known["A_o"], known["A'"]) == pytest.approx((6.4, 0.2, 6.2))
+    whole = effective_area(box(0, 0, 4, 2), 2.4, 1.0)
+    assert whole is not None
+    assert whole.openings == 0
 
 
 def test_the_effective_area_of_a_circle() -> None:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from shapely import MultiPolygon, Polygon
+    from shapely.geometry.base import BaseGeometry
 
 
 #: The most that resists sliding of an undrained soil, over the vertical force (6.5 of 6.5.3(12)).
@@ -44,11 +45,15 @@ FORMULAS = {
 
 @dataclass(frozen=True, slots=True)
 class EffectiveArea:
-    """The effective area A' [m2] with its sides B' <= L' [m]."""
+    """The effective area A' [m2] with its sides B' <= L' [m], and the openings that it is without [m2].
+
+    An opening takes off itself and its image about the resultant, as far as both lie inside.
+    """
 
     area: float
     width: float
     length: float
+    openings: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,16 +83,30 @@ class Soil:
 
 def effective_area(outline: Polygon | MultiPolygon, x: float, y: float) -> EffectiveArea | None:
     """Return the effective area of a base for a resultant at x, y [m], None if that lies beside it (annex D.2)."""
-    from shapely import affinity
-
-    common = outline.intersection(affinity.rotate(outline, 180, origin=(x, y)))
+    common = _turned_into_itself(outline, x, y)
     if common.area <= 0:
         return None
     corners = list(common.minimum_rotated_rectangle.exterior.coords)
     sides = sorted(math.dist(corners[i], corners[i + 1]) for i in range(2))
     slenderness = sides[1] / sides[0]
     width = math.sqrt(common.area / slenderness)
-    return EffectiveArea(common.area, width, width * slenderness)
+    openings = _turned_into_itself(_filled(outline), x, y).area - common.area
+    counts = openings > SAME_AREA * common.area
+    return EffectiveArea(common.area, width, width * slenderness, openings if counts else 0.0)
+
+
+def _turned_into_itself(outline: Polygon | MultiPolygon, x: float, y: float) -> BaseGeometry:
+    """Return the part of a base that half a turn about x, y [m] turns into itself."""
+    from shapely import affinity
+
+    return outline.intersection(affinity.rotate(outline, 180, origin=(x, y)))
+
+
+def _filled(outline: Polygon | MultiPolygon) -> BaseGeometry:
+    """Return a base without its openings."""
+    from shapely import Polygon, get_parts, union_all
+
+    return union_all([Polygon(part.exterior) for part in get_parts(outline)])
 
 
 @dataclass(frozen=True, slots=True)

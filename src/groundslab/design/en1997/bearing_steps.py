@@ -55,7 +55,7 @@ def sliding_steps(
         yield from _angle("friction under the base", "delta", strength.sliding_angle, strength.gamma_phi, delta)
         formula, clause = FORMULAS["sliding"], "6.5.3(8), 6.3a"
     else:
-        yield Step("effective area", "A'", base.area, "m2", clause="annex D.2")
+        yield from _area(base)
         yield from _undrained_strength(strength, c_u)
         formula, clause = FORMULAS["sliding undrained"], "6.5.3(11), 6.4a, 6.5"
     yield Step("partial factor of resistance", "gamma_Rh", strength.gamma_Rh, clause="2.4.7.3.4")
@@ -66,9 +66,21 @@ def sliding_steps(
 
 def _base(base: EffectiveArea) -> Iterator[Step]:
     """Yield the effective area and its sides."""
-    yield Step("effective area about the resultant", "A'", base.area, "m2", clause="annex D.2")
+    yield from _area(base)
     yield Step("its shorter side", "B'", base.width, "m", clause="annex D.2")
     yield Step("its longer side", "L'", base.length, "m", "A' / B'", "annex D.2")
+
+
+def _area(base: EffectiveArea) -> Iterator[Step]:
+    """Yield the effective area, and what openings take off it, if there are any."""
+    if not base.openings:
+        yield Step("effective area about the resultant", "A'", base.area, "m2", clause="annex D.2")
+        return
+    whole = base.area + base.openings
+    yield Step("effective area about the resultant, openings filled", "A_f", whole, "m2", clause="annex D.2")
+    words = "openings inside it, and their images about the resultant"
+    yield Step(words, "A_o", base.openings, "m2", clause="annex D.2")
+    yield Step("effective area", "A'", base.area, "m2", "A_f - A_o", "annex D.2")
 
 
 def _angle(words: str, symbol: str, degrees: float, factor: float, design: float) -> Iterator[Step]:

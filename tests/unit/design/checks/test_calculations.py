@@ -217,6 +217,24 @@ def test_one_way_shear_is_followed(steel: dict[str, Any]) -> None:
     assert found["eta"] == pytest.approx(used, rel=1e-9)
 
 
+@pytest.mark.parametrize("steel", [{}, ACI, SECOND])
+def test_the_ratio_of_bars_along_the_force_by_hand(steel: dict[str, Any]) -> None:
+    """Of 10 and 20 cm2/m over d at the face in tension: rho_x cos^4 + rho_y sin^4 (EN 1992-2 LL.123)."""
+    area = np.pi * 0.016**2 / 4
+    bars = {key: {"diameter": 0.016, "spacing": area / 1e-3 / (1 if key.endswith("x") else 2)}
+            for key in ("bottom_x", "bottom_y", "top_x", "top_y")}  # fmt: skip
+    table = sheets(ROUND, steel=steel | bars, thickness=0.25, P=450e3)
+    found = of(table, "one-way shear")
+    force, rho = ("v_u", "rho_w") if "v_u" in found else ("v_Ed", "rho_l")
+    angle = np.arctan2(found["q_y"], found["q_x"])
+    assert found[force] == pytest.approx(np.hypot(found["q_x"], found["q_y"]))
+    assert (found["rho_x"], found["rho_y"]) == pytest.approx((1e-3 / found["d"], 2e-3 / found["d"]))
+    assert found[rho] == pytest.approx((1e-3 * np.cos(angle) ** 4 + 2e-3 * np.sin(angle) ** 4) / found["d"])
+    direction = np.array([np.cos(angle), np.sin(angle)])
+    tensor = np.array([[found["m_x"], found["m_xy"]], [found["m_xy"], found["m_y"]]])
+    assert found["m_n"] == pytest.approx(direction @ tensor @ direction, rel=1e-6)
+
+
 @pytest.mark.parametrize("laid", [True, False])
 def test_means_over_a_cut_are_followed(laid: bool) -> None:
     """By ACI 318, beside a column: with the same bars all along the cut from their ratio, else the mean is given."""

@@ -48,3 +48,14 @@ def test_links_carry_what_is_missing() -> None:
 def test_outer_perimeter() -> None:
     """There v_Rd,c is enough: v_Ed u = v_Rd,c u_out."""
     assert outer_perimeter(0.9e6, 0.6e6, 4.0) == pytest.approx(6.0)
+
+
+def test_links_of_the_spreadsheet_of_the_concrete_centre() -> None:
+    """TCC13.xls v4.0, column B3 of 600 mm: beta V_Ed 2578.7 kN, d 355 mm, v_Ed 1.0550 MPa at 2 d, v_Rd,c 0.6267 MPa.
+
+    It has A_sw / s_r of 7.899 mm, and u_out of 11 592 mm.
+    """
+    u, d = 4 * 0.6 + 4 * math.pi * 0.355, 0.355
+    A_sw = links_per_perimeter(1.0550e6, 0.6267e6, u, d, 1.0, 435e6)
+    assert A_sw * 1e3 == pytest.approx(7.899, rel=5e-4)
+    assert outer_perimeter(2578.7e3 / (u * d), 0.6267e6, u) * 1e3 == pytest.approx(11592, rel=2e-4)

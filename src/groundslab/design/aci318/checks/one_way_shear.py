@@ -44,14 +44,14 @@ def _steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
     """Yield the calculation at a place."""
     concrete, bars = materials(steel)
     of_cut = ", mean over the cut" if demand.across else ""
-    yield Step(f"shear force{of_cut}", "v_u", demand.v / MEGA, "MN/m", clause="7.4.3.2" if demand.across else "")
+    yield from demand.force_steps("v_u", "7.4.3.2" if demand.across else "")
     yield Step(f"effective depth{of_cut}", "d", demand.d, "m")
     yield from concrete_in_shear(concrete, demand.d)
     v_c, clause = demand.without_links / PHI_SHEAR / MEGA, "Table 22.5.5.1 (c), 22.5.5.1.1"
     if demand.rho is None:
         yield Step("force that needs no links, mean over the cut", "v_c", v_c, "MN/m", clause=clause)
     else:
-        yield Step("ratio of bars in tension", "rho_w", demand.rho, clause="22.5.5.1")
+        yield from demand.ratio_steps("rho_w", "v_u", "22.5.5.1")
         yield Step("force that needs no links", "v_c", v_c, "MN/m", shear.FORMULAS["v_c"], clause)
     yield Step("strength reduction factor", "phi", PHI_SHEAR, clause="Table 21.2.1")
     yield Step("share used", "eta", demand.used, "", "v_u / (phi * v_c)", "7.6.3.1")

@@ -15,7 +15,7 @@ with it at the edge, and with it as pressure over a strip (`edge_strip`), unless
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from functools import partial
 
@@ -27,10 +27,10 @@ from groundslab.design.basis.check import DesignCheck
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.demand_errors import error_of_greatest, scaled
 from groundslab.design.basis.design_code import ShearRule, no_rule
-from groundslab.design.basis.shear_demand import ShearDemand
+from groundslab.design.basis.shear_demand import AlongForce, ShearDemand
 from groundslab.design.basis.wide_beam import Cut
 from groundslab.design.checks.one_way_shear.faces import bearers
-from groundslab.design.checks.one_way_shear.places import Places, ShearPlaces, near_forces, nodes_of
+from groundslab.design.checks.one_way_shear.places import FORCES, Places, ShearPlaces, near_forces, nodes_of
 from groundslab.design.codes import code_of
 from groundslab.design.demands.edge_strip import plates_that_count, spread_edge_force
 from groundslab.design.demands.principal_shear import principal_shear, ratio_along
@@ -78,7 +78,7 @@ def _worst(
     results: CombinationResult, plate: PlateResult, places: Places, steel: Reinforcement, rule: ShearRule
 ) -> Iterator[ShearDemand]:
     """Yield the place that counts with the largest share of what needs no links, if any counts."""
-    v, rho = _demand(results, plate, places)
+    v, rho, along = _demand(results, plate, places)
     without_links = rule.resistance(steel, results.limit_state, places.d, rho)
     counts = places.counts & ~near_forces(results, places.xy, places.d)
     if counts.any():
@@ -86,7 +86,9 @@ def _worst(
         sizes = float(v[k]), float(without_links[k]), float(places.d[k]), float(places.thickness[k])
         spread = plate is not results.plate
         error = partial(_error, results, places.of(counts), without_links, k, spread=spread)
-        yield ShearDemand(results, place_of(places.xy, k), *sizes, spread=spread, rho=float(rho[k]), error=error)
+        yield ShearDemand(
+            results, place_of(places.xy, k), *sizes, spread=spread, rho=float(rho[k]), along=along(k), error=error
+        )
 
 
 def _error(results: CombinationResult, places: Places, without_links: Array, k: int, *, spread: bool) -> float | None:
@@ -140,8 +142,13 @@ def _error_across(results: CombinationResult, cut: Cut, *, spread: bool) -> floa
     )
 
 
-def _demand(results: CombinationResult, plate: PlateResult, places: Places) -> tuple[Array, Array]:
-    """Return the largest shear force of any direction (k,) [N/m], and the ratio of bars in tension along it (k,)."""
+def _demand(
+    results: CombinationResult, plate: PlateResult, places: Places
+) -> tuple[Array, Array, Callable[[int], AlongForce]]:
+    """Return the largest shear force of any direction (k,) [N/m], and the ratio of bars in tension along it (k,).
+
+    And a function that tells of a place what makes both.
+    """
     f = places.forces(plate, results.elements)
     v, along = principal_shear(f["shear_x"], f["shear_y"])
     twist = 2 * np.sqrt(along * (1 - along)) * np.sign(f["shear_x"] * f["shear_y"])
@@ -149,4 +156,10 @@ def _demand(results: CombinationResult, plate: PlateResult, places: Places) -> t
     rho_x, rho_y = (
         np.where(bottom, places.ratios[f"bottom_{axis}"], places.ratios[f"top_{axis}"]) for axis in ("x", "y")
     )
-    return v, ratio_along(along, rho_x, rho_y)
+
+    def about(k: int) -> AlongForce:
+        m_x, m_y, m_xy, q_x, q_y = (float(f[name][k]) for name in FORCES)
+        ratios = float(rho_x[k]), float(rho_y[k])
+        return AlongForce((q_x, q_y), (m_x, m_y, m_xy), "bottom" if bottom[k] else "top", ratios)
+
+    return v, ratio_along(along, rho_x, rho_y), about

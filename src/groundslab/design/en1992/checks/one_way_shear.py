@@ -62,12 +62,12 @@ def check(steel: Reinforcement, demand: ShearDemand) -> DesignCheck:
 def _steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
     """Yield the calculation at a place."""
     concrete, bars = materials(steel, demand.results.limit_state)
-    d, rho = np.array([demand.d]), min(demand.rho or 0.0, shear.MOST_BARS)
-    yield Step("shear force", "v_Ed", demand.v / MEGA, "MN/m")
+    d = np.array([demand.d])
+    yield from demand.force_steps("v_Ed", "6.2.1(1)")
     yield Step("effective depth", "d", demand.d, "m")
     yield Step("strength of the concrete", "f_ck", concrete.f_ck / MEGA, "MPa", clause="Table 3.1")
     yield Step("partial factor", "gamma_C", concrete.gamma_c, clause="2.4.2.4")
-    yield Step("ratio of bars in tension that counts", "rho_l", rho, clause="6.2.2(1)")
+    yield from demand.ratio_steps("rho_l", "v_Ed", "6.2.2(1); EN 1992-2 LL.123")
     yield Step("factor of size", "k", float(shear.size_factor(d)[0]), "", shear.FORMULAS["k"], "6.2.2(1)")
     yield Step("C_Rd,c gamma_C of the annex", "C", concrete.annex.c_rd_c, clause="6.2.2(1)")
     least = float(shear.least_factor(concrete, d)[0])

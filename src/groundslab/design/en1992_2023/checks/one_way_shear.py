@@ -58,10 +58,10 @@ def _steps(steel: Reinforcement, demand: ShearDemand) -> Iterator[Step]:
     """Yield the calculation at a place."""
     concrete, bars = materials(steel, demand.results.limit_state)
     rho = min(demand.rho or 0.0, shear.MOST_BARS)
-    yield Step("shear force", "v_Ed", demand.v / MEGA, "MN/m", clause="8.2.1(5), 8.21")
+    yield from demand.force_steps("v_Ed", "8.2.1(5), 8.21")
     yield Step("effective depth", "d", demand.d, "m", clause="8.2.1(5)")
     yield from in_shear(concrete, bars, demand.d)
-    yield Step("ratio of bars in tension along the force", "rho_l", rho, clause="8.2.2(2), 8.28, 8.39")
+    yield from demand.ratio_steps("rho_l", "v_Ed", "8.2.2(2), 8.28, 8.39")
     stress = float(shear.stress_without_links(concrete, bars, demand.d, rho)) / MEGA
     yield Step("resistance without links", "tau_Rd,c", stress, "MPa", shear.FORMULAS["tau_Rd,c"], "8.2.2(2), 8.27")
     yield Step("lever arm", "z", LEVER * demand.d, "m", f"{LEVER:g} * d", "8.2.1(3)")
