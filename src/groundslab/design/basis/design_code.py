@@ -153,6 +153,8 @@ class DesignCode:
         Of all combinations, materials and laid bars by layer: the checks of these bars besides their area.
     detailing : DetailingRule or None
         How bars end and lap, and what else a proposal of bars keeps to.
+    fire : callable or None
+        Of results and materials: the checks of the case's class of resistance to fire, none without one.
     remarks : callable or None
         Of all combinations and materials: what puts a verdict by the code in doubt.
     """
@@ -166,6 +168,7 @@ class DesignCode:
     beams: BeamRule | None = None
     bars: Callable[[Results, Reinforcement, dict[str, LaidBars]], Iterator[DesignCheck]] | None = None
     detailing: DetailingRule | None = None
+    fire: Callable[[CombinationResult, Reinforcement], Iterator[DesignCheck]] | None = None
     remarks: Callable[[Results, Reinforcement], Iterator[DesignCheck]] | None = None
 
 

@@ -16,6 +16,7 @@ from groundslab.design.en1992.checks import (
     punching_steps,
     wall_ends,
 )
+from groundslab.design.en1992.checks.covers import fire
 from groundslab.design.en1992.checks.remarks import remarks
 from groundslab.model.design.reinforcement import Reinforcement
 
@@ -50,5 +51,6 @@ EN1992 = DesignCode(
     beams=BeamRule(minimum=beams.minimum, links=beams.links, clauses="6.1, 6.2.3, 9.2.1.1(1), 9.2.2(5)"),
     bars=bars.checks,
     detailing=detailing.RULE,
+    fire=fire.checks,
     remarks=remarks,
 )

@@ -7,6 +7,7 @@ from typing import Annotated, ClassVar, Literal, get_args
 
 from groundslab.model.design.bars import OTHER_MESH, Bars, BarZone, Layer, MeshName, bars_of_mesh
 from groundslab.model.design.detailing import AllowedBars, Detailing
+from groundslab.model.design.fire import FireClass, FireFrom
 from groundslab.model.design.restraint import Restraint
 from groundslab.model.ground import POSITIVE
 from groundslab.model.plate import Plate
@@ -47,7 +48,7 @@ SteelChoice = Choice(SteelClass, "class of the steel", "give the yield strength 
 KEYS_OF_CODES: dict[str, tuple[str, ...]] = {
     "EN 1992-1-1": (
         "concrete", "steel", "annex", "gamma_c", "gamma_s", "accidental", "alpha_cc", "w_max", "exposure",
-        "restraint", "detailing", "proposal",
+        "fire", "fire_from", "restraint", "detailing", "proposal",
     ),
     "ACI 318": ("size_effect", "detailing", "proposal"),
     "EN 1992-1-1:2023": (
@@ -134,6 +135,8 @@ _HINTS = {
     ("EN 1992-1-1:2023", "alpha_cc"): "k_tc is the factor of long-term effects",
     ("EN 1992-1-1:2023", "annex"): "no annex to it is known; gamma_c, gamma_s, gamma_v and k_tc can be given",
     ("EN 1992-1-1:2023", "exposure"): "its limits are not known here; w_max is the largest crack width",
+    ("ACI 318", "fire"): "ACI 216.1 is not known here",
+    ("EN 1992-1-1:2023", "fire"): "EN 1992-1-2:2023 is not known here",
     ("EN 1992-1-1:2023", "detailing"): "its rules for anchorage and laps are not known here",
     ("EN 1992-1-1:2023", "proposal"): "its rules for anchorage and laps are not known here",
     ("EN 1992-1-1", "k_tc"): "alpha_cc is the factor of long-term effects",
@@ -159,12 +162,19 @@ def _check_steel(steel: str | None, f_yk: float | None) -> Iterator[RelativeIssu
         yield RelativeIssue(("steel",), found, "one of them", 'such as steel = "B500B"')
 
 
+def _check_fire(fire: str | None, given: set[str]) -> Iterator[RelativeIssue]:
+    if fire is None and "fire_from" in given:
+        yield RelativeIssue(
+            ("fire_from",), "fire_from without fire", "a class of resistance to fire, too", 'such as "REI 60"'
+        )
+
+
 class Reinforcement(Section):
     """Concrete, steel and where the bars lie, for reinforcement by EN 1992-1-1, both generations, or ACI 318."""
 
     checks: ClassVar[tuple[Check, ...]] = (
         _check_code, check_concrete, _check_steel, _check_all_layers, _check_axes, _check_cover, _check_meshes,
-        _check_zones,
+        _check_zones, _check_fire,
     )  # fmt: skip
 
     code: Annotated[Code, Choice(Code, "code for the strength checks", "")] = "EN 1992-1-1"
@@ -237,6 +247,11 @@ class Reinforcement(Section):
         Exposure | None,
         Choice(Exposure, "exposure class, for the cover and, if bars are provided, the crack width", ""),
     ] = None
+    fire: Annotated[
+        FireClass | None,
+        Choice(FireClass, "class of resistance to fire: R is for carrying, REI for separating besides", ""),
+    ] = None
+    fire_from: Annotated[FireFrom, Choice(FireFrom, "where the fire is, above or below the slab", "")] = "above"
     cover: Annotated[
         tuple[float, float] | None,
         list_quantities("length", "c_nom", "nominal cover of the outer bars at the bottom, at the top", 2, POSITIVE),

@@ -13,7 +13,7 @@ from groundslab.design.en1992 import cracking
 from groundslab.design.en1992.annex import annex_of
 from groundslab.design.en1992.case_materials import least_cover, materials, strengths, widest_crack
 from groundslab.design.en1992.checks.bent_most import spacing_where_bent_most
-from groundslab.design.en1992.checks.cover_steps import cover_steps
+from groundslab.design.en1992.checks.covers.cover_steps import cover_steps
 from groundslab.design.en1992.checks.cracks import crack_steps
 from groundslab.design.en1992.checks.cracks.restraint import check_restraint
 from groundslab.design.en1992.detailing import CLEAR
