@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from groundslab.design.aci318 import development
 from groundslab.design.aci318.case_materials import materials
-from groundslab.design.aci318.checks.bars import CLEAR, SPACING, least_cover
+from groundslab.design.aci318.checks.bars import CLEAR, SPACING, crack_spacing, crack_stress, least_cover
 from groundslab.design.basis.detailing_rule import DetailingRule, EndingBar
 from groundslab.model.design.reinforcement import Reinforcement
 
@@ -25,6 +27,11 @@ def _spacing(_: Reinforcement, thickness: float) -> float:
     return min(max(times * thickness, least), most)
 
 
+def _crack_spacing(steel: Reinforcement, cover: float) -> float:
+    """Return the largest spacing [m] for cracks, at two thirds of f_y (24.3.2)."""
+    return float(crack_spacing(crack_stress(steel), np.array(cover)))
+
+
 RULE = DetailingRule(
     anchorage=lambda steel, bar: _length(steel, bar, splice=False),
     lap=lambda steel, bar: _length(steel, bar, splice=True),
@@ -34,5 +41,6 @@ RULE = DetailingRule(
     spacing=_spacing,
     edge_leg=2.0,  # as EN 1992-1-1 Figure 9.8: ACI 318 has no rule
     crack_area=None,
+    crack_spacing=_crack_spacing,
     clauses={"anchorage": "25.4.2", "laps": "25.5.2", "shift": "7.7.3.3", "edges": ""},
 )

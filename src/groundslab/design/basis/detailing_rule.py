@@ -55,6 +55,8 @@ class DetailingRule:
     crack_area : callable or None
         Of all combinations, materials, a layer, a diameter and a spacing [m]: the areas (n,) [m2/m] that such bars need
         at the plate's nodes so that cracks keep their limit, 0 where there is none; inf where no area does.
+    crack_spacing : callable or None
+        Of materials and a cover [m]: the largest distance of bars for cracks [m], whatever bends the slab.
     clauses : dict
         Where the code rules anchorage, laps, the shift of moments and edges, by these names.
     """
@@ -67,4 +69,5 @@ class DetailingRule:
     spacing: Callable[[Reinforcement, float], float]
     edge_leg: float
     crack_area: Callable[[Results, Reinforcement, str, float, float], Array] | None
+    crack_spacing: Callable[[Reinforcement, float], float] | None
     clauses: dict[str, str]

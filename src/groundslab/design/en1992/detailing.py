@@ -98,5 +98,6 @@ RULE = DetailingRule(
     spacing=_spacing,
     edge_leg=2.0,  # Figure 9.8
     crack_area=crack_area,
+    crack_spacing=None,
     clauses={"anchorage": "8.4.4", "laps": "8.7.3", "shift": "9.2.1.3(2)", "edges": "9.3.1.4"},
 )

@@ -43,6 +43,8 @@ class LayerTask:
         The least and the greatest of the slab [m].
     diameters, spacings : tuple of float
         That are allowed, of the base [m].
+    farthest : callable
+        Of a diameter: the largest distance of bars for cracks [m].
     """
 
     needs: Callable[[float, float], Array]
@@ -52,6 +54,7 @@ class LayerTask:
     thickness: tuple[float, float]
     diameters: tuple[float, ...]
     spacings: tuple[float, ...]
+    farthest: Callable[[float], float] = lambda _: math.inf
 
     def bar(self, diameter: float, spacing: float) -> EndingBar:
         """Return a bar of the layer as it is anchored, where the slab is thickest, with most fresh concrete below."""
@@ -186,7 +189,8 @@ def _bases(task: LayerTask, steel: Reinforcement, rule: DetailingRule) -> Iterat
     """Yield what bars the base may have."""
     for diameter in task.diameters:
         for spacing in task.spacings:
-            if spacing - diameter >= rule.least_clear(steel, diameter) - ROUNDING:
+            clear = spacing - diameter >= rule.least_clear(steel, diameter) - ROUNDING
+            if clear and spacing <= task.farthest(diameter) + ROUNDING:
                 yield Bars(diameter=diameter, spacing=spacing)
 
 
@@ -199,8 +203,10 @@ def _additions(task: LayerTask, base: Bars, rule: DetailingRule, steel: Reinforc
             # bars of a gap divide it evenly; where another zone lies within, there is one more
             apart = [base.spacing / (in_gap + further) for further in (1, 2)]
             room, more_room = (each - thickest >= rule.least_clear(steel, thickest) - ROUNDING for each in apart)
-            if room:
-                bars = Bars(diameter=diameter, spacing=round(multiple * base.spacing, 6))
+            bars = Bars(diameter=diameter, spacing=round(multiple * base.spacing, 6))
+            # thinner bars than those of the base have more cover
+            near = min(base.spacing, bars.spacing) <= task.farthest(min(diameter, base.diameter)) + ROUNDING
+            if room and near:
                 additions.append(_Addition(bars, apart[more_room], more_room))
     return additions
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 
@@ -108,23 +109,65 @@ def propose_bars(results: Results) -> BarProposal:
     needs = _requirements(results, steel)
     thickness = ultimate_results(results)[0].elements.at_nodes(plate)[0]
     between = float(thickness.min()), float(thickness.max())
+    axes = {layer: axis_of(steel, layer) for layer in LAYERS}
     for _ in range(MOST_ROUNDS):
         layers, remarks = dict[str, LayerProposal](), []
         for layer in LAYERS:
             task = _task(results, steel, layer, needs[layer], between, rule, cells)
-            proposed = propose_layer(task, grid, steel, rule)
-            if proposed is None and task.diameters != (every := _diameters(steel, layer, rule, crossing=True)):
-                proposed = propose_layer(replace(task, diameters=every), grid, steel, rule)
-                remarks.append(f"{layer.replace('_', ' ')}: the axes leave no room for bars so thick to cross others")
+            task = replace(task, farthest=partial(_farthest, steel, rule, axes[layer]))
+            proposed, missed = _propose(task, layer, grid, steel, rule)
+            remarks += missed
             layers[layer] = proposed or _refuse(layer, needs[layer], plate.nodes, steel, rule)
         found = _with_bars(steel, layers, grid)
         more = _requirements(results, found)
-        laid = {layer: laid_bars(found, layer, plate.nodes) for layer in LAYERS}
-        if not any((more[layer] > laid[layer].area * (1 + ROUNDING)).any() for layer in LAYERS):
+        deeper = {layer: max(axes[layer], axis_of(found, layer)) for layer in LAYERS}
+        if _enough(found, more, plate.nodes) and (_near(found, rule) or deeper == axes):
             return _proposal(results, found, more, [*remarks, *_remarks(results, rule)])
         # bars lie deeper than those whose depths were counted on
-        needs = {layer: np.maximum(needs[layer], more[layer]) for layer in LAYERS}
+        needs, axes = {layer: np.maximum(needs[layer], more[layer]) for layer in LAYERS}, deeper
     raise GroundslabError(f"no bars were found whose depths are those counted on, in {MOST_ROUNDS} proposals")
+
+
+def _propose(
+    task: LayerTask, layer: str, grid: PlanGrid, steel: Reinforcement, rule: DetailingRule
+) -> tuple[LayerProposal | None, list[str]]:
+    """Return the bars of a layer, None if none are enough, and what they could not keep to."""
+    name, every = layer.replace("_", " "), _diameters(steel, layer, rule, crossing=True)
+    thick, far = replace(task, diameters=every), replace(task, farthest=_no_limit)
+    crossing = f"{name}: the axes leave no room for bars so thick to cross others"
+    apart = f"{name}: bars are farther apart than cracks allow, as none of those that may be proposed are near enough"
+    for attempt, missed in (
+        (task, []), (thick, [crossing]), (far, [apart]), (replace(far, diameters=every), [crossing, apart])
+    ):  # fmt: skip
+        proposed = propose_layer(attempt, grid, steel, rule)
+        if proposed is not None:
+            return proposed, missed
+    return None, []
+
+
+def _farthest(steel: Reinforcement, rule: DetailingRule, axis: float, diameter: float) -> float:
+    """Return the largest distance of bars for cracks [m], their axis [m] being that far from the face."""
+    return math.inf if rule.crack_spacing is None else rule.crack_spacing(steel, axis - diameter / 2)
+
+
+def _no_limit(_: float) -> float:
+    """Return that bars may be as far apart as they like."""
+    return math.inf
+
+
+def _enough(found: Reinforcement, needs: dict[str, Array], nodes: Array) -> bool:
+    """Return whether bars are as much as is needed (n,) [m2/m] by layer."""
+    laid = {layer: laid_bars(found, layer, nodes) for layer in LAYERS}
+    return all((needs[layer] <= laid[layer].area * (1 + ROUNDING)).all() for layer in LAYERS)
+
+
+def _near(found: Reinforcement, rule: DetailingRule) -> bool:
+    """Return whether the bars of all bases are near enough for cracks where they lie."""
+    bases = {layer: found.base_bars(layer) for layer in LAYERS}
+    return all(
+        bars is None or bars.spacing <= _farthest(found, rule, axis_of(found, layer), bars.diameter) + ROUNDING
+        for layer, bars in bases.items()
+    )
 
 
 def _steel_and_code(results: Results) -> tuple[Reinforcement, DesignCode]:
@@ -290,7 +333,8 @@ def _proposal(results: Results, found: Reinforcement, needs: dict[str, Array], r
 def _remarks(results: Results, rule: DetailingRule) -> Iterator[str]:
     """Yield what was not looked at."""
     if rule.crack_area is None:
-        yield "crack widths are not looked at: the code of the case has no rule of them here"
+        alone = "" if rule.crack_spacing is None else ", how far apart bars may be for cracks alone"
+        yield f"crack widths are not looked at: the code of the case has no rule of them here{alone}"
     steel = results.model.reinforcement
     if steel is not None and steel.detailing is not None and not steel.detailing.edge_bars:
         yield "bars at edges of the slab count as held there, though detailing.edge_bars is false: hook them"

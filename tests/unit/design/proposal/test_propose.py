@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -81,6 +82,25 @@ def assert_enough(results: Results, proposal: BarProposal) -> None:
     assert len(checks) >= 6
     assert {check.status for check in checks} <= {"no failure found", "attention"}
     assert not [check for check in checks if check.name.startswith(("bars", "crack")) and check.status == "attention"]
+
+
+COVERS: dict[str, Any] = {"code": "ACI 318", "f_ck": 28e6, "f_yk": 420e6, "cover": (0.06, 0.04)}
+
+
+@pytest.mark.parametrize(("steel", "holds"), [(ACI, True), (ACI | {"f_yk": 550e6}, False), (COVERS | BARS, True)])
+def test_bars_by_aci_318_are_near_enough_for_cracks(steel: dict[str, Any], holds: bool) -> None:
+    """24.3.2 of 420 MPa: 380 mm - 2.5 c_c, 132.5 mm of 12 mm bars at 105 mm; of 550 MPa 43 mm, which a note tells."""
+    results = solve(raft(steel, force=300e3, mesh={"size": 0.5}))
+    proposal = propose_bars(results)
+    checks = {each.name: each for each in check_design(replace(results, model=proposal.model)).checks}
+    check = checks["distance of bars for cracks"]
+    assert check.status == ("no failure found" if holds else "attention")
+    assert any("bottom y: bars are farther apart than cracks allow" in each for each in proposal.remarks) != holds
+    base = proposal.reinforcement.base_bars("bottom_y")
+    assert base is not None
+    axis = axis_of(proposal.reinforcement, "bottom_y")
+    most = 0.38 - 2.5 * (axis - base.diameter / 2) if holds else math.inf
+    assert base.spacing <= most + 1e-9
 
 
 @pytest.mark.slow

@@ -47,7 +47,7 @@ def _cracks(steel: Reinforcement, laid: dict[str, LaidBars]) -> DesignCheck:
 
     ACI 318 asks it of slabs that are reinforced in one direction (24.3.1), so that others need attention only.
     """
-    f_s = 2 / 3 * materials(steel)[1].f_y
+    f_s = crack_stress(steel)
     allowed = {layer: crack_spacing(f_s, axis_of(steel, layer) - bars.diameter / 2) for layer, bars in laid.items()}
     layer = max(laid, key=lambda name: float((laid[name].spacing / allowed[name]).max()))
     node = int(np.argmax(laid[layer].spacing / allowed[layer]))
@@ -68,6 +68,11 @@ def _cracks(steel: Reinforcement, laid: dict[str, LaidBars]) -> DesignCheck:
             Step("share used", "eta", spacing / most, "", "s / s_max"),
         ),
     )  # fmt: skip
+
+
+def crack_stress(steel: Reinforcement) -> float:
+    """Return f_s [Pa] that distances of bars are for, two thirds of f_y (24.3.2.1)."""
+    return 2 / 3 * materials(steel)[1].f_y
 
 
 def crack_spacing(f_s: float, cover: Array) -> Array:
