@@ -249,7 +249,7 @@ class Reinforcement(Section):
     ] = None
     fire: Annotated[
         FireClass | None,
-        Choice(FireClass, "class of resistance to fire: R is for carrying, REI for separating besides", ""),
+        Choice(FireClass, "fire class by EN 1992-1-2 Table 5.8: R to carry, REI to separate rooms, too", ""),
     ] = None
     fire_from: Annotated[FireFrom, Choice(FireFrom, "where the fire is, above or below the slab", "")] = "above"
     cover: Annotated[
