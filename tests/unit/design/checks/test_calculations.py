@@ -168,7 +168,7 @@ def test_links_that_only_inner_perimeters_need() -> None:
         Stress(distance=a, v_Ed=v, error=lambda: None, **control) for a, v in ((0.2, 2.2e6), (0.3, 1.4e6), (0.4, 0.9e6))
     )
     demand = Demand("C", "ULS", "ultimate", 1e6, 0.2, 1e6, None, around)  # v_Rd is 2, 1.33 and 1 MPa
-    assert outer(demand) == (3.0, 0.4, None, 0.0)
+    assert outer(demand) == (3.0, 0.4, None, None, 0.0)
     beyond = outer(replace(demand, v_Rd_c=0.8e6))
     assert (beyond.u, beyond.last) == (pytest.approx(0.9 * 3.0 / 0.8), around[-1])
 

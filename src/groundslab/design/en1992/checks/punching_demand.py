@@ -18,7 +18,7 @@ REACH = 2.0
 #: Distances closer than this are one, over the effective depth.
 SAME_DISTANCE = 1e-2
 #: Perimeters that do not grow with their distance are taken to do so by this, so that none is infinitely far.
-LEAST_GROWTH = 1e-9
+LEAST_GROWTH = 1e-3
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,6 +96,7 @@ class Outer(NamedTuple):
     u: float  # its length [m]
     distance: float  # from the face [m]
     last: Stress | None = None  # the outermost perimeter that is followed where u is by 6.54, beyond it
+    inner: Stress | None = None  # the one before it, if there is one
     grows: float = 0.0  # by how much perimeters are longer there, over their distance
 
 
@@ -112,7 +113,7 @@ def outer(demand: Demand) -> Outer:
     u = outer_perimeter(last.v_Ed, demand.v_Rd_c, last.u)
     grows = (last.u - inner.u) / (last.distance - inner.distance) if inner is not None else 2 * math.pi
     grows = max(grows, LEAST_GROWTH)
-    return Outer(u, last.distance + max(u - last.u, 0.0) / grows, last, grows)
+    return Outer(u, last.distance + max(u - last.u, 0.0) / grows, last, inner, grows)
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,6 +15,7 @@ from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
 from groundslab.design.en1992.checks.punching import FIRST_LINKS, LAST_LINKS, LEAST_PERIMETERS, LINK_SPACING
 from groundslab.design.en1992.checks.punching_demand import (
+    LEAST_GROWTH,
     REACH,
     ControlPerimeter,
     Demand,
@@ -172,7 +173,12 @@ def _beyond(beyond: Outer, last: Stress) -> Iterator[Step]:
     yield Step("stress on it", "v_l", last.v_Ed / MEGA, "MPa", clause="6.4.3(3), 6.38")
     formula = en1992.FORMULAS["u_out"]
     yield Step("length of the perimeter beyond which no links are needed", "u_out", beyond.u, "m", formula, "6.54")
-    yield Step("how much longer perimeters are by their distance", "g", beyond.grows)
+    formula, inner = "2 * pi", beyond.inner
+    if inner is not None:
+        yield Step("distance of the perimeter inside it", "a_i", inner.distance, "m", clause="6.4.4(2)")
+        yield Step("its length, less edges and openings", "u_i", inner.u, "m", clause="6.4.2")
+        formula = f"max((u_l - u_i) / (a_l - a_i), {LEAST_GROWTH:g})"
+    yield Step("how much longer perimeters are by their distance", "g", beyond.grows, "", formula)
     yield Step("its distance", "a_out", beyond.distance, "m", "a_l + max(u_out - u_l, 0) / g", "6.4.5(4)")
 
 
