@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import importlib.util
 import sys
 import weakref
@@ -16,6 +17,7 @@ Integers = NDArray[np.int64]
 Indices = NDArray[np.int32]
 Flags = NDArray[np.bool_]
 
+Of = TypeVar("Of")
 T = TypeVar("T")
 
 
@@ -39,6 +41,17 @@ class Memo(Generic[T]):
             kept = beside, make()
             self._kept[key] = kept
         return kept[1]
+
+
+def made_once(make: Callable[[Of], T]) -> Callable[[Of], T]:
+    """Return a function of one object that makes its value once for each, for as long as the object lives (`Memo`)."""
+    known: Memo[T] = Memo()
+
+    @functools.wraps(make)
+    def get(of: Of) -> T:
+        return known.get(of, None, lambda: make(of))
+
+    return get
 
 
 def _defer_import(package: str, name: str) -> None:

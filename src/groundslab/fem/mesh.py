@@ -181,7 +181,7 @@ def local_coordinates(mesh: Mesh, element: Integers, points: Array) -> Array:
     Points far outside their element are only followed to its neighborhood.
     """
     used, which = unique_integers(element)
-    xy = mesh.xy[used]
+    xy = mesh.nodes[mesh.elements[used]]
     # from the element's middle x = sum of C[i, j] xi^i eta^j; with straight sides that are halved, powers end at 1
     C = np.einsum("ia,jb,mbax->xijm", MONOMIALS, MONOMIALS, (xy - xy[:, 8:])[:, GRID])
     curved = np.maximum(abs(C[:, 2]), abs(C[:, :, 2])).max(axis=(0, 1)) > 1e-14 * abs(xy).max(axis=(1, 2))

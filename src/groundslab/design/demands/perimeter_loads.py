@@ -307,13 +307,14 @@ def edge_inside(plate: PlateResult, part: Polygon) -> tuple[Integers, Array]:
     sides = _EDGE_SIDES.get(plate.nodes, plate.elements, lambda: _edge_sides(plate))
     places = plate.nodes[sides]
     x0, y0, x1, y1 = part.bounds
-    (low_x, low_y), (high_x, high_y) = plate.nodes.min(axis=0), plate.nodes.max(axis=0)
-    grown = part.buffer(ON_EDGE * same_place(low_x, high_x, low_y, high_y))
     near = ((places.min(axis=1) <= (x1, y1)) & (places.max(axis=1) >= (x0, y0))).all(axis=1)
+    sides, places = sides[near], places[near]
     total = np.zeros(len(plate.nodes))
-    for side, x in zip(sides[near], places[near], strict=True):
-        for low, high in _intervals(x, grown):
-            np.add.at(total, side, _shares(x, low, high))
+    if len(sides):
+        (low_x, low_y), (high_x, high_y) = plate.nodes.min(axis=0), plate.nodes.max(axis=0)
+        grown = part.buffer(ON_EDGE * same_place(low_x, high_x, low_y, high_y))
+        side, low, high = _intervals(places, grown)
+        np.add.at(total, sides[side], _shares(places[side], low, high))
     nodes = np.flatnonzero(total)
     return nodes, total[nodes]
 
@@ -327,26 +328,40 @@ def _edge_sides(plate: PlateResult) -> Integers:
     return sides
 
 
-def _intervals(x: Array, part: Polygon) -> Iterator[tuple[float, float]]:
-    """Yield the intervals of t in -1 to 1 in which a side (3, 2) lies inside a polygon."""
-    from shapely import get_coordinates, get_parts, intersection, linestrings
+def _intervals(x: Array, part: Polygon) -> tuple[Integers, Array, Array]:
+    """Return which of the sides (s, 3, 2) lie inside a polygon (k,), and from where to where in t of -1 to 1 (k,)."""
+    off = np.abs(x[:, 1] - (x[:, 0] + x[:, 2]) / 2).max(axis=1)
+    curved = off > CURVED * np.ptp(x, axis=1).max(axis=1)
+    chords = ((1, np.flatnonzero(~curved)), (SIDE_CHORDS, np.flatnonzero(curved)))
+    found = [(some, *_intervals_of_chords(x[some], part, n)) for n, some in chords if len(some)]
+    side = np.concatenate([some[which] for some, which, _, _ in found])
+    low, high = (np.concatenate([each[i] for each in found]) for i in (2, 3))
+    return side, low, high
 
-    off = np.abs(x[1] - (x[0] + x[2]) / 2).max()
-    t = np.linspace(-1, 1, SIDE_CHORDS + 1 if off > CURVED * np.ptp(x, axis=0).max() else 2)
+
+def _intervals_of_chords(x: Array, part: Polygon, n: int) -> tuple[Integers, Array, Array]:
+    """Return the intervals of sides (s, 3, 2), each followed by n chords, as `_intervals` does."""
+    from shapely import get_coordinates, get_num_coordinates, get_parts, intersection, length, linestrings
+
+    t = np.linspace(-1, 1, n + 1)
     points = lagrange(t)[0] @ x
-    ends = np.stack([points[:-1], points[1:]], axis=1)
+    ends = np.stack([points[:, :-1], points[:, 1:]], axis=2).reshape(-1, 2, 2)
     pieces, chord = get_parts(intersection(linestrings(ends), part), return_index=True)
-    for piece, i in zip(pieces, chord, strict=True):
-        if piece.length > 0:
-            a, b = ends[i]
-            along = (get_coordinates(piece)[[0, -1]] - a) @ (b - a) / ((b - a) @ (b - a))
-            low, high = t[i] + (t[i + 1] - t[i]) * np.sort(along)
-            yield float(low), float(high)
+    solid = length(pieces) > 0
+    pieces, chord = pieces[solid], chord[solid]
+    last = np.cumsum(get_num_coordinates(pieces)) - 1
+    first = np.concatenate([[0], last[:-1] + 1])[: len(last)]
+    a, run = ends[chord, 0], ends[chord, 1] - ends[chord, 0]
+    offsets = get_coordinates(pieces)[np.stack([first, last])] - a
+    low, high = np.sort((offsets * run).sum(axis=2) / (run * run).sum(axis=1), axis=0)
+    start, step = t[chord % n], 2 / n
+    return chord // n, start + step * low, start + step * high
 
 
-def _shares(x: Array, low: float, high: float) -> Array:
-    """Return int N ds (3,) [m] of a side (3, 2) from t = low to t = high."""
+def _shares(x: Array, low: Array, high: Array) -> Array:
+    """Return int N ds (k, 3) [m] of sides (k, 3, 2) from t = low (k,) to t = high (k,)."""
     t, weights = gauss_line(3)
-    N, dN = lagrange((low + high) / 2 + (high - low) / 2 * t)
-    ds = np.linalg.norm(dN @ x, axis=1) * weights * (high - low) / 2
-    return np.asarray(ds @ N)
+    half = (high - low)[:, None] / 2
+    N, dN = lagrange((low + high)[:, None] / 2 + half * t)
+    ds = np.linalg.norm(dN @ x, axis=2) * weights * half
+    return np.asarray(np.einsum("kp,kpa->ka", ds, N))

@@ -8,7 +8,7 @@ and second moments (`line_properties`) are those of the legs that are left, not 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, pairwise
 from typing import TYPE_CHECKING, Literal, NamedTuple
@@ -210,10 +210,11 @@ def perimeter_at(
     """
     join: Literal["mitre", "round"] = "mitre" if square else "round"
     corner = distance * (2.0 if square else np.pi / 2)
+    setback = distance if near is None else near
     stretched = [
-        way
-        for way in stretched_over(around, list(around.edges), distance)
-        if _may_be_shorter(around, way[0], corner, distance if near is None else near)
+        (edges, stretch(around, edges, distance))
+        for edges in choose(around.edges)
+        if _may_be_shorter(around, edges, corner, setback)
     ]
     regions = [polygon.buffer(distance, quad_segs=QUARTER_CHORDS, join_style=join) for _, polygon in stretched]
     ways = [_cut_off(around, region) for region in regions]
@@ -242,19 +243,21 @@ def _may_be_shorter(around: Surroundings, edges: tuple[NearEdge, ...], corner: f
     return not edges or (max(setbacks) <= near and sum(setbacks) < most)
 
 
-def stretched_over(
-    around: Surroundings, edges: list[NearEdge], distance: float = 0.0, at_most: int = NEAREST_EDGES
-) -> Iterator[tuple[tuple[NearEdge, ...], Polygon]]:
-    """Yield the footprint itself, then stretched at a right angle over edges, one and several, with these edges."""
-    from shapely import MultiPoint, get_coordinates
-
+def choose(edges: Sequence[NearEdge], at_most: int = NEAREST_EDGES) -> Iterator[tuple[NearEdge, ...]]:
+    """Yield none of the nearest edges, then each of them, then several."""
     nearest = edges[:NEAREST_EDGES]
     for count in range(min(len(nearest), at_most) + 1):
-        for chosen in combinations(nearest, count):
-            points = get_coordinates(around.footprint)
-            for edge in chosen:
-                points = np.vstack([points, points + (edge.depth + distance) * edge.outward])
-            yield chosen, MultiPoint(points).convex_hull
+        yield from combinations(nearest, count)
+
+
+def stretch(around: Surroundings, edges: Sequence[NearEdge], distance: float = 0.0) -> Polygon:
+    """Return the footprint stretched at a right angle over edges, and by a distance [m] beyond them."""
+    from shapely import convex_hull, get_coordinates, multipoints
+
+    points = get_coordinates(around.footprint)
+    for edge in edges:
+        points = np.vstack([points, points + (edge.depth + distance) * edge.outward])
+    return convex_hull(multipoints(points))
 
 
 def way_around(around: Surroundings, region: Polygon) -> Array:

@@ -17,7 +17,15 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.design.demands.line_properties import total_length
-from groundslab.design.demands.perimeters import NearEdge, Openings, Surroundings, outside, stretched_over, way_around
+from groundslab.design.demands.perimeters import (
+    NearEdge,
+    Openings,
+    Surroundings,
+    choose,
+    outside,
+    stretch,
+    way_around,
+)
 
 #: An opening counts up to this distance from the column, in effective depths (6.4.2(3)).
 OPENING_REACH = 6.0
@@ -40,8 +48,8 @@ def face_length(around: Surroundings, d: float) -> float:
     # an edge farther away than half the periphery cannot shorten it
     near = [edge for edge in around.edges if edge.setback <= around.footprint.length / 2]
     ways = []
-    for edges, region in stretched_over(around, near, at_most=CORNER_EDGES):
-        legs = way_around(around, region)
+    for edges in choose(near, at_most=CORNER_EDGES):
+        legs = way_around(around, stretch(around, edges))
         whole = total_length(legs)
         if whole > 0:
             counted = total_length(outside(legs, around.shadow))

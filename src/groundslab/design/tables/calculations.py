@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from groundslab.arrays import made_once
 from groundslab.design.basis.bending_steps import BarsNeeded
 from groundslab.design.basis.calculation import Step, with_numbers
 from groundslab.design.basis.combinations import ultimate_results
@@ -56,7 +57,13 @@ def perimeters(combined: Results) -> dict[tuple[str, str, str], SketchedPerimete
     }
 
 
-def _calculations(combined: Results) -> Iterator[tuple[str, Calculation]]:
+@made_once
+def _calculations(combined: Results) -> tuple[tuple[str, Calculation], ...]:
+    """Return the name of each check that is followed by hand, and its calculation."""
+    return tuple(_followed(combined))
+
+
+def _followed(combined: Results) -> Iterator[tuple[str, Calculation]]:
     """Yield the name of a check, and its calculation."""
     for check in check_design(combined).checks:
         if check.steps:

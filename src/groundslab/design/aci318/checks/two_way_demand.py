@@ -8,7 +8,7 @@ from functools import partial
 
 import numpy as np
 
-from groundslab.arrays import Array, Memo
+from groundslab.arrays import Array, Memo, made_once
 from groundslab.design.aci318 import punching as aci318
 from groundslab.design.aci318.case_materials import materials
 from groundslab.design.aci318.materials import PHI_SHEAR
@@ -66,11 +66,13 @@ class CriticalSection:
 _SECTIONS: Memo[dict[tuple[bool, str], CriticalSection | str]] = Memo()
 
 
+@made_once
 def two_way(combined: Results) -> tuple[dict[tuple[str, str], TwoWay], Mapping[str, str]]:
     """Return the demands by combination and column, at columns that push down, and why columns have none."""
     return _two_way(combined, perimeter_loads.punching_columns(combined.model))
 
 
+@made_once
 def pile_two_way(combined: Results) -> tuple[dict[tuple[str, str], TwoWay], Mapping[str, str]]:
     """Return the demands by combination and pile, at piles that push up, and why piles have none."""
     return _two_way(combined, perimeter_loads.punching_piles(combined.model))

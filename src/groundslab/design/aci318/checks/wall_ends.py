@@ -12,7 +12,7 @@ from functools import partial
 
 import numpy as np
 
-from groundslab.arrays import Array
+from groundslab.arrays import Array, made_once
 from groundslab.design.aci318 import punching as aci318
 from groundslab.design.aci318.checks.two_way_demand import OPENING_REACH, TwoWay, strength
 from groundslab.design.basis.punching_columns import Heads, PunchingColumns
@@ -33,6 +33,7 @@ _HEADS: Heads = (
 )  # fmt: skip
 
 
+@made_once
 def wall_two_way(combined: Results) -> dict[tuple[str, str], TwoWay]:
     """Return the demands by combination and end or corner of walls, if bars are given."""
     steel = combined.model.reinforcement

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache, partial
 from typing import TYPE_CHECKING, assert_never
 
 import numpy as np
@@ -67,16 +68,34 @@ def sum_of_others(results: CombinationResult, part: Polygon, column: str | None)
 
 def shapes_around(model: Model, part: Polygon, column: str | None) -> Shapes:
     """Return the loads that may act on a part of the plate, without those that name a column if one is given."""
+    stands_near = cache(partial(_stands_near, model=model, part=part))
     shapes: list[tuple[str, Acting]] = []
     for load in model.loads:
         on_column = getattr(load, "column", "")
-        if on_column and (on_column == column or not _stands_near(on_column, model, part)):
+        if on_column and (on_column == column or not stands_near(on_column)):
             continue
         shapes += [(load.case, shape) for shape in model.shapes(load)]
     for name, units in unit_loads(model).items():
         if name != column and units[0][1].to_shapely().intersects(part):
             shapes += units
-    return [(case, shape) for case, shape in shapes if getattr(shape, "on", "plate") == "plate"]
+    chord = FLAT * max(model.sides)
+    return [
+        (case, shape)
+        for case, shape in shapes
+        if getattr(shape, "on", "plate") == "plate" and _may_press(shape, part, chord)
+    ]
+
+
+def _may_press(shape: Acting, part: Polygon, chord: float) -> bool:
+    """Return whether a shape may press a part of the plate; arcs are chords at most so far off [m]."""
+    from shapely import box
+
+    if isinstance(shape, PlateAction):
+        return True
+    if isinstance(shape, SupportSettlement):
+        return False
+    reach = shape.width if isinstance(shape, LineForce) else 0.0
+    return bool(shape.to_shapely(chord).distance(box(*part.bounds)) <= reach + chord)
 
 
 def acting_inside(

@@ -15,7 +15,7 @@ from typing import Literal
 
 import numpy as np
 
-from groundslab.arrays import Array, Memo
+from groundslab.arrays import Array, Memo, made_once
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.demand_errors import error_of
 from groundslab.design.by_plate import plate_under
@@ -50,11 +50,13 @@ MOST_TRIALS, GAIN = 10, 1e-4
 NO_ECCENTRICITY = 1e-9
 
 
+@made_once
 def demands(combined: Results) -> Demands:
     """Return the demands of punching in all ultimate combinations, if bars are given; at columns that push down."""
     return _demands(combined, perimeter_loads.punching_columns(combined.model))
 
 
+@made_once
 def pile_demands(combined: Results) -> Demands:
     """Return the demands of punching in all ultimate combinations, if bars are given; at piles that push up."""
     return _demands(combined, perimeter_loads.punching_piles(combined.model))

@@ -10,6 +10,7 @@ from functools import partial
 
 import numpy as np
 
+from groundslab.arrays import made_once
 from groundslab.design.basis.punching_columns import Heads, PunchingColumns
 from groundslab.design.basis.wall_ends import WallPunching, punching_walls
 from groundslab.design.en1992 import punching as en1992
@@ -30,6 +31,7 @@ _HEADS: Heads = (
 )  # fmt: skip
 
 
+@made_once
 def wall_demands(combined: Results) -> Demands:
     """Return the demands of punching at ends and corners of walls in all ultimate combinations, if bars are given."""
     steel = combined.model.reinforcement

@@ -8,7 +8,7 @@ from functools import partial
 
 import numpy as np
 
-from groundslab.arrays import Memo
+from groundslab.arrays import Memo, made_once
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.basis.demand_errors import error_of, scaled
 from groundslab.design.by_plate import plate_under
@@ -83,11 +83,13 @@ _SECTIONS: Memo[dict[tuple[bool, str], CriticalSection | str]] = Memo()
 Demands = tuple[dict[tuple[str, str], Punching], Mapping[str, str]]
 
 
+@made_once
 def column_demands(combined: Results) -> Demands:
     """Return the demands at columns that push down."""
     return _demands(combined, perimeter_loads.punching_columns(combined.model))
 
 
+@made_once
 def pile_demands(combined: Results) -> Demands:
     """Return the demands over piles that push up."""
     return _demands(combined, perimeter_loads.punching_piles(combined.model))

@@ -10,6 +10,7 @@ from functools import partial
 
 import numpy as np
 
+from groundslab.arrays import made_once
 from groundslab.design.basis.punching_columns import Heads, PunchingColumns
 from groundslab.design.basis.wall_ends import WallPunching, punching_walls
 from groundslab.design.demands.line_properties import total_length
@@ -31,6 +32,7 @@ _HEADS: Heads = (
 )  # fmt: skip
 
 
+@made_once
 def wall_demands(combined: Results) -> dict[tuple[str, str], Punching]:
     """Return the demands by combination and end or corner of walls, if bars are given."""
     steel = combined.model.reinforcement
