@@ -11,7 +11,7 @@ import numpy as np
 from groundslab.arrays import Array, Integers
 from groundslab.design.by_plate import results_by_plate
 from groundslab.errors import InputError, Issue
-from groundslab.fem.mesh import Mesh, locate
+from groundslab.fem.mesh import Mesh, boxes_of, locate
 from groundslab.fem.shape_functions import q9
 from groundslab.geometry.plan import format_place
 from groundslab.results.mesh_results import PlateResult
@@ -179,7 +179,7 @@ def deflections_between(plate: PlateResult, points: Mapping[str, tuple[float, fl
         squared = float(((b - a) ** 2).sum())
         if (((places - a) * (places - b)).sum(axis=1) < -ON_CIRCLE * squared).any():
             continue
-        element, local = locate(mesh, (1 - along) * a + along * b)
+        element, local = locate(mesh, (1 - along) * a + along * b, boxes=boxes_of(mesh))
         w = np.einsum("pa,pa->p", q9(local)[0], plate.settlement[mesh.elements[element]])
         off = np.abs(w - (1 - along[:, 0]) * w[0] - along[:, 0] * w[-1])
         most = int(np.argmax(np.where(element >= 0, off, -1.0)))
@@ -195,7 +195,7 @@ def settlement_differences(plate: PlateResult, points: Mapping[str, tuple[float,
         raise InputError([Issue("points", f"{len(names)}", "at least two points")])
     places = np.array([points[name] for name in names], dtype=float)
     mesh = Mesh(plate.nodes, plate.elements)
-    element, local = locate(mesh, places)
+    element, local = locate(mesh, places, boxes=boxes_of(mesh))
     issues = [
         Issue(f"points[{name!r}]", f"{format_place((x, y))} m", "a point on the plate")
         for name, (x, y), where in zip(names, places, element, strict=True)

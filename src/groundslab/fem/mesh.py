@@ -150,11 +150,17 @@ def bounding_boxes(mesh: Mesh, reach: float = NEAR) -> STRtree:
     return shapely.STRtree(shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1]))
 
 
+def boxes_of(mesh: Mesh) -> STRtree:
+    """Return the mesh's `bounding_boxes`, which are made once of the same nodes and elements."""
+    return _BOXES.get(mesh.elements, mesh.nodes, lambda: bounding_boxes(mesh))
+
+
 def locate(mesh: Mesh, points: Array, reach: float = NEAR, boxes: STRtree | None = None) -> tuple[Integers, Array]:
     """Return the element that holds each point (p, 2) and the point's place in it, (p, 2) on the reference square.
 
     A point on a common side belongs to one of the elements. A point that lies outside the mesh by more than `reach`
-    times an element's size gets the element -1. For repeated calls pass the mesh's `bounding_boxes` of that reach.
+    times an element's size gets the element -1. For repeated calls pass the mesh's `bounding_boxes` of that reach, as
+    `boxes_of` keeps them.
     """
     import shapely
 
@@ -233,8 +239,7 @@ def in_space(nodes: Array) -> Array:
 
 def locate_within(mesh: Mesh, points: Array, region: str) -> MeshLocations:
     """Return the elements that hold points (..., 2) and where in them; InputError names points outside."""
-    boxes = _BOXES.get(mesh.elements, mesh.nodes, lambda: bounding_boxes(mesh))
-    where = locate(mesh, points.reshape(-1, 2), boxes=boxes)
+    where = locate(mesh, points.reshape(-1, 2), boxes=boxes_of(mesh))
     outside = np.argwhere(where[0].reshape(points.shape[:-1]) < 0)
     issues = []
     for index in outside[:MOST_NAMED]:

@@ -206,5 +206,10 @@ def extreme(nodes: Array, values: Array, sign: int) -> tuple[float, tuple[float,
 
 def place_of(nodes: Array, node: int) -> tuple[float, float]:
     """Return where a node is [m], rounded to nanometers."""
-    x, y = np.round(nodes[node], 9) + 0.0
+    x, y = places_of(nodes[node])
     return float(x), float(y)
+
+
+def places_of(nodes: Array) -> Array:
+    """Return where nodes (..., 2) are [m], rounded to nanometers."""
+    return np.round(nodes, 9) + 0.0

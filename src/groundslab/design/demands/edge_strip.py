@@ -13,11 +13,13 @@ Only a force that presses on the plate counts, and each side of an element by it
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
-from groundslab.arrays import Array, Integers
+from groundslab.arrays import Array, Integers, Memo
 from groundslab.design.by_plate import farthest_from_edges, results_by_plate
 from groundslab.fem.foundation import decay_length, interface_stack
 from groundslab.fem.mesh import sides_on_boundary
@@ -30,6 +32,13 @@ from groundslab.results.results import CombinationResult
 LEAST_SHEAR = 1e-9
 #: A place this near to the end of a side, as a share of its length, lies at the end.
 ON_SIDE = 1e-6
+#: Places are looked for in strips as wide as a power of this [m], which combinations have in common.
+WIDER = 1.25
+
+#: The sides of elements along a plate's edge (k, 3: start, middle, end), by its nodes.
+_SIDES: Memo[Integers] = Memo()
+#: Pairs of sides and nodes that may lie in a strip beside them, by its width and the nodes.
+_PAIRS: Memo[dict[tuple[float, bytes], tuple[Integers, Integers]]] = Memo()
 
 
 def line_force_share(results: CombinationResult) -> float:
@@ -69,8 +78,13 @@ def spread_edge_force(results: CombinationResult, nodes: Integers | None = None)
     if not has_line_force(results):
         return plate
     some = np.arange(len(plate.nodes)) if nodes is None else nodes
+    (sides, f), b = _sides(results), strip_width(results)
+    places, known = plate.nodes[some], _PAIRS.get(plate.nodes, plate.elements, dict)
+    width = WIDER ** math.ceil(math.log(b, WIDER))
+    key = width, some.tobytes()
+    pairs = known[key] if key in known else known.setdefault(key, _pairs(places, sides, width))
     pressure, shear = np.zeros(len(plate.nodes)), np.zeros((len(plate.nodes), 2))
-    pressure[some], shear[some] = _spread(plate.nodes[some], *_sides(results), strip_width(results))
+    pressure[some], shear[some] = _spread(places, sides, f, b, pairs)
     return replace(
         plate,
         pressure=plate.pressure + pressure,
@@ -86,17 +100,27 @@ def _sides(results: CombinationResult) -> tuple[Array, Array]:
     """
     ends, f = [], []
     for plate in results_by_plate(results).values():
-        # the border of two sections is no edge: its nodes stand once for each section, at exactly the same place
-        _, first, same = np.unique(plate.nodes + 0.0, axis=0, return_index=True, return_inverse=True)
-        sides = first[sides_on_boundary(same.reshape(-1)[plate.elements])][:, [0, 2, 1]]
+        sides = _SIDES.get(plate.nodes, plate.elements, partial(_along_edge, plate))
         ends.append(plate.nodes[sides])
         f.append(np.maximum(plate.line_force[sides], 0.0))
     return np.concatenate(ends), np.concatenate(f)
 
 
-def _spread(places: Array, sides: Array, f: Array, b: float) -> tuple[Array, Array]:
-    """Return pressure (n,) [Pa] and change of the shear force (n, 2) [N/m] at places (n, 2) [m] by elements' sides."""
-    side, place = _pairs(places, sides, b)
+def _along_edge(plate: PlateResult) -> Integers:
+    # the border of two sections is no edge: its nodes stand once for each section, at exactly the same place
+    _, first, same = np.unique(plate.nodes + 0.0, axis=0, return_index=True, return_inverse=True)
+    sides: Integers = first[sides_on_boundary(same.reshape(-1)[plate.elements])][:, [0, 2, 1]]
+    return sides
+
+
+def _spread(
+    places: Array, sides: Array, f: Array, b: float, pairs: tuple[Integers, Integers]
+) -> tuple[Array, Array]:
+    """Return pressure (n,) [Pa] and change of the shear force (n, 2) [N/m] at places (n, 2) [m] by elements' sides.
+
+    Pairs of sides and places are those that may lie in the strip of width b [m].
+    """
+    side, place = pairs
     start, length = sides[:, 0], np.linalg.norm(sides[:, 2] - sides[:, 0], axis=1)
     along = (sides[:, 2] - start) / length[:, None]
     outwards = np.stack([along[:, 1], -along[:, 0]], axis=1)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.arrays import Array, Flags
+from groundslab.arrays import Array, Flags, made_once
 from groundslab.geometry.plan import FLAT, Place, Ring, numbers_within
 from groundslab.model.loads.acting import LineForce, PointForce
 
@@ -48,6 +48,7 @@ def notes_on_singular_places(model: Model, mark: str = "") -> tuple[str, ...]:
     return (SINGULAR.format(mark, what),) if places else ()
 
 
+@made_once
 def singular_places(model: Model) -> dict[str, list[Place]]:
     """Return the places at which moments have no limit, by what is there.
 

@@ -12,7 +12,7 @@ from groundslab.accuracy.mesh_statistics import POOR, mesh_statistics
 from groundslab.arrays import Memo
 from groundslab.model.remarks.singular_places import near_singular, notes_on_singular_places
 from groundslab.results.contact_zone import CELLS_NOTE, EDGE_NOTE, goes_below_zero, has_line_force, require_finite
-from groundslab.results.fields import PLATE_FIELDS, extreme, place_of
+from groundslab.results.fields import PLATE_FIELDS, extreme, places_of
 from groundslab.units import UNITS
 from groundslab.views.summary.cracking import cracking_sections
 from groundslab.views.summary.discretization import discretization_section, largest_error, unknown_words, with_error
@@ -330,7 +330,7 @@ def _section_forces(results: CombinationResult) -> SummarySection:
     if notes := notes_on_singular_places(results.solved_model, " (*)"):
         thickness = results.elements.at_nodes(plate)[0]
         nodes = near_singular(results.solved_model, plate.nodes, thickness).nonzero()[0]
-        singular = {place_of(plate.nodes, int(node)) for node in nodes}
+        singular = {(x, y) for x, y in places_of(plate.nodes[nodes]).tolist()}
         rows = [replace(row, singular=row.place in singular) for row in rows]
     return SummarySection("section_forces", "Moments and shear forces", tuple(rows), notes)
 
