@@ -7,7 +7,7 @@ loads. Parts need not follow the mesh: elements that a part cuts are cut as well
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -71,15 +71,16 @@ _BOXES: Memo[tuple[Array, Array]] = Memo()
 
 def _meets_box(mesh: Mesh, bounds: tuple[float, float, float, float]) -> Flags:
     """Return which elements of a mesh (m,) may meet a box x0, y0, x1, y1."""
-    low, high = _BOXES.get(mesh.elements, mesh.nodes, lambda: _boxes(mesh))
-    return np.asarray(((low <= bounds[2:]) & (high >= bounds[:2])).all(axis=1))
+    x0, y0, x1, y1 = bounds
+    (low_x, low_y), (high_x, high_y) = _BOXES.get(mesh.elements, mesh.nodes, lambda: _boxes(mesh))
+    return np.asarray((low_x <= x1) & (low_y <= y1) & (high_x >= x0) & (high_y >= y0))
 
 
 def _boxes(mesh: Mesh) -> tuple[Array, Array]:
-    """Return the lower left and upper right corners (m, 2) of boxes around elements, however their sides curve."""
+    """Return the lower left and upper right corners (2, m) of boxes around elements, however their sides curve."""
     low, high = mesh.xy.min(axis=1), mesh.xy.max(axis=1)
     reach = (high - low) / 8
-    return low - reach, high + reach
+    return np.ascontiguousarray((low - reach).T), np.ascontiguousarray((high + reach).T)
 
 
 def integrate_over_polygon(
@@ -89,29 +90,57 @@ def integrate_over_polygon(
 
     Pieces of elements have a rule of so many points each way.
     """
+    (shares,) = integrate_over_polygons(mesh, elements, [part], pressure, rule)
+    return shares
+
+
+def integrate_over_polygons(
+    mesh: Mesh, elements: Integers, parts: Sequence[Polygon], pressure: Pressure = one, rule: int = PIECE_POINTS
+) -> list[Array]:
+    """Return the integrals (m, 9) of `integrate_over_polygon` over each of several polygons, which may overlap."""
     from shapely import contains, intersection, intersects, polygons, prepare
 
-    total = np.zeros((len(elements), 9))
-    near = np.flatnonzero(_meets_box(mesh, part.bounds)[elements])
-    elements, shares = elements[near], total[near]
-    outlines = polygons(_outlines(mesh.nodes[mesh.elements[elements]]))
-    prepare(part)
-    touched = intersects(outlines, part)
-    inside = touched & contains(part, outlines)
-    shares[inside] = integrate_over_elements(mesh, elements[inside], pressure)
-    cut = np.flatnonzero(touched & ~inside)
-    pieces = intersection(outlines[cut], part)
+    met = np.array([_meets_box(mesh, part.bounds)[elements] for part in parts])
+    near = np.flatnonzero(met.any(axis=0))
+    outlines = polygons(_outlines(mesh.nodes[mesh.elements[elements[near]]]))
+    shares = np.zeros((len(parts), len(near), 9))
+    cut, pieces = [], []
+    wholly = np.zeros((len(parts), len(near)), dtype=bool)
+    for number, part in enumerate(parts):
+        prepare(part)
+        some = np.flatnonzero(met[number, near])
+        some = some[intersects(outlines[some], part)]
+        inside = contains(part, outlines[some])
+        wholly[number, some[inside]] = True
+        cut.append(number * len(near) + some[~inside])
+        pieces.append(intersection(outlines[some[~inside]], part))
+    whole = np.flatnonzero(wholly.any(axis=0))
+    of_whole = np.zeros((len(near), 9))
+    of_whole[whole] = integrate_over_elements(mesh, elements[near[whole]], pressure)
+    shares[wholly] = np.broadcast_to(of_whole, shares.shape)[wholly]
+    _add_pieces(
+        shares.reshape(-1, 9), np.concatenate(cut), np.concatenate(pieces), (mesh, elements[near]), pressure, rule
+    )
+    totals = np.zeros((len(parts), len(elements), 9))
+    totals[:, near] = shares
+    return [*totals]
+
+
+def _add_pieces(
+    shares: Array, cut: Integers, pieces: Array, of: tuple[Mesh, Integers], pressure: Pressure, rule: int
+) -> None:
+    """Add int q N dA over pieces (p,) of elements (e,) of a mesh to rows (p,) of shares (k e, 9)."""
+    mesh, elements = of
     triangles, owner = _triangles(pieces)
-    if len(triangles):
-        points, weights = _triangle_rule(rule)
-        a, b, c = triangles[:, 0], triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]
-        x = a[:, None] + points[:, :1] * b[:, None] + points[:, 1:] * c[:, None]
-        dA = np.abs(b[:, 0] * c[:, 1] - b[:, 1] * c[:, 0])[:, None] * weights * pressure(x)
-        element = np.repeat(elements[cut[owner]], len(weights))
-        N, _ = q9(local_coordinates(mesh, element, x.reshape(-1, 2)))
-        np.add.at(shares, cut[owner], np.einsum("tp,tpa->ta", dA, N.reshape(*dA.shape, 9)))
-    total[near] = shares
-    return total
+    if not len(triangles):
+        return
+    points, weights = _triangle_rule(rule)
+    a, b, c = triangles[:, 0], triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]
+    x = a[:, None] + points[:, :1] * b[:, None] + points[:, 1:] * c[:, None]
+    dA = np.abs(b[:, 0] * c[:, 1] - b[:, 1] * c[:, 0])[:, None] * weights * pressure(x)
+    element = np.repeat(elements[cut[owner] % len(elements)], len(weights))
+    N, _ = q9(local_coordinates(mesh, element, x.reshape(-1, 2)))
+    np.add.at(shares, cut[owner], np.einsum("tp,tpa->ta", dA, N.reshape(*dA.shape, 9)))
 
 
 def integrate_along_line(mesh: Mesh, elements: Integers, edge: Segment, q: tuple[float, float] = (1.0, 1.0)) -> Array:

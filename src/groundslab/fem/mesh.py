@@ -262,7 +262,7 @@ def locate_nearest(mesh: Mesh, points: Array, elements: Integers | None = None) 
     import shapely
 
     part = mesh if elements is None else Mesh(mesh.nodes, mesh.elements[elements])
-    element, place = locate(part, points)
+    element, place = locate(part, points, boxes=boxes_of(mesh) if elements is None else None)
     outside = element < 0
     if outside.any():
         low, high = part.xy.min(axis=1), part.xy.max(axis=1)

@@ -113,9 +113,7 @@ def _along_edge(plate: PlateResult) -> Integers:
     return sides
 
 
-def _spread(
-    places: Array, sides: Array, f: Array, b: float, pairs: tuple[Integers, Integers]
-) -> tuple[Array, Array]:
+def _spread(places: Array, sides: Array, f: Array, b: float, pairs: tuple[Integers, Integers]) -> tuple[Array, Array]:
     """Return pressure (n,) [Pa] and change of the shear force (n, 2) [N/m] at places (n, 2) [m] by elements' sides.
 
     Pairs of sides and places are those that may lie in the strip of width b [m].

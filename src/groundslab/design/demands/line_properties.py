@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from groundslab.arrays import Array
+from groundslab.arrays import Array, made_once
 
 #: Places [m] and directions closer than this are the same.
 SAME = 1e-6
@@ -90,20 +90,27 @@ def limited_straights(legs: Array, most: float) -> Array:
     return np.concatenate(counted)
 
 
+@made_once
 def shape_of(legs: Array) -> Shape:
     """Return how a perimeter of legs (l, 2, 2) runs.
 
     It is told by the angle that it turns: all around the column, half around at an edge, a quarter at a corner. One
     that hardly turns cuts the slab from edge to edge, which is one-way shear and no punching.
     """
-    return _shape(chains(legs))
+    turned = 0.0
+    for chain in chains(legs):
+        steps = np.diff(chain, axis=0)
+        if (chain[0] == chain[-1]).all():
+            steps = np.vstack([steps, steps[:1]])
+        angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
+        turned += abs(float(np.degrees(angles[-1] - angles[0])))
+    return next(name for name, least in TURNED.items() if turned > least)
 
 
 def course(legs: Array) -> Course:
     """Return how a perimeter of legs (l, 2, 2) runs, with its directions."""
-    parts = chains(legs)
-    shape = _shape(parts)
-    longest = max(parts, key=len)
+    shape = shape_of(legs)
+    longest = max(chains(legs), key=len)
     chord = longest[-1] - longest[0]
     if shape == "closed" or not chord.any():
         return Course(shape, np.eye(2), np.empty((0, 2)))
@@ -113,20 +120,9 @@ def course(legs: Array) -> Course:
     return Course(shape, np.array([along, [-along[1], along[0]]]), inward)
 
 
+@made_once
 def chains(legs: Array) -> list[Array]:
     """Return the places (k, 2) along each connected part of legs (l, 2, 2)."""
     from shapely import get_coordinates, get_parts, line_merge, linestrings, multilinestrings
 
     return [get_coordinates(chain) for chain in get_parts(line_merge(multilinestrings(linestrings(legs))))]
-
-
-def _shape(chains: list[Array]) -> Shape:
-    """Return the shape by the angle that all parts turn together."""
-    turned = 0.0
-    for chain in chains:
-        steps = np.diff(chain, axis=0)
-        if (chain[0] == chain[-1]).all():
-            steps = np.vstack([steps, steps[:1]])
-        angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
-        turned += abs(float(np.degrees(angles[-1] - angles[0])))
-    return next(name for name, least in TURNED.items() if turned > least)

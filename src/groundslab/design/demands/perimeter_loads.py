@@ -11,7 +11,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -208,8 +208,17 @@ class LoadsNear:
 
     def inside(self, results: CombinationResult, part: Polygon) -> PerimeterLoads:
         """Return the loads inside a perimeter that cuts off a part of the plate."""
+        (loads,) = self.inside_each(results, [part])
+        return loads
+
+    def inside_each(self, results: CombinationResult, parts: Sequence[Polygon]) -> list[PerimeterLoads]:
+        """Return the loads inside each of several perimeters."""
         mesh = Mesh(results.plate.nodes, results.plate.elements)
-        shares = load_vectors.integrate_over_polygon(mesh, self.elements, part, rule=load_vectors.SHAPE_POINTS)
+        shares = load_vectors.integrate_over_polygons(mesh, self.elements, parts, rule=load_vectors.SHAPE_POINTS)
+        return [self._inside(results, mesh, part, each) for part, each in zip(parts, shares, strict=True)]
+
+    def _inside(self, results: CombinationResult, mesh: Mesh, part: Polygon, shares: Array) -> PerimeterLoads:
+        """Return the loads inside a perimeter by the elements' shares int N dA (k, 9) [m2] of its area."""
         area = scatter(mesh.elements[self.elements], shares, len(mesh.nodes))
         nodes = np.flatnonzero(area)
         others = column_loads.acting_inside(results, part, None, self.shapes, (self.elements, shares))
@@ -298,25 +307,39 @@ def _with_moments(forces: Array, places: Array) -> Array:
     return np.array([forces.sum(), *(forces @ places)])
 
 
-#: The sides (s, 3: end, middle, end) along the plate's edge, by its nodes.
-_EDGE_SIDES: Memo[Integers] = Memo()
+class _Edge(NamedTuple):
+    """The sides of elements along a plate's edge, and boxes around them."""
+
+    sides: Integers  # (s, 3): end, middle, end
+    low: Array  # (s, 2) [m]
+    high: Array  # (s, 2) [m]
+    rounding: float  # places closer than this are one [m]
+
+
+#: Those of plates, by their nodes.
+_EDGES: Memo[_Edge] = Memo()
 
 
 def edge_inside(plate: PlateResult, part: Polygon) -> tuple[Integers, Array]:
     """Return the nodes (e,) on the plate's edge inside a polygon, and int N ds (e,) [m] over the edge there."""
-    sides = _EDGE_SIDES.get(plate.nodes, plate.elements, lambda: _edge_sides(plate))
-    places = plate.nodes[sides]
+    edge = _EDGES.get(plate.nodes, plate.elements, lambda: _edge(plate))
     x0, y0, x1, y1 = part.bounds
-    near = ((places.min(axis=1) <= (x1, y1)) & (places.max(axis=1) >= (x0, y0))).all(axis=1)
-    sides, places = sides[near], places[near]
+    (low_x, low_y), (high_x, high_y) = edge.low.T, edge.high.T
+    sides = edge.sides[(low_x <= x1) & (low_y <= y1) & (high_x >= x0) & (high_y >= y0)]
     total = np.zeros(len(plate.nodes))
     if len(sides):
-        (low_x, low_y), (high_x, high_y) = plate.nodes.min(axis=0), plate.nodes.max(axis=0)
-        grown = part.buffer(ON_EDGE * same_place(low_x, high_x, low_y, high_y))
-        side, low, high = _intervals(places, grown)
+        places = plate.nodes[sides]
+        side, low, high = _intervals(places, part.buffer(ON_EDGE * edge.rounding))
         np.add.at(total, sides[side], _shares(places[side], low, high))
     nodes = np.flatnonzero(total)
     return nodes, total[nodes]
+
+
+def _edge(plate: PlateResult) -> _Edge:
+    sides = _edge_sides(plate)
+    places = plate.nodes[sides]
+    (low_x, low_y), (high_x, high_y) = plate.nodes.min(axis=0), plate.nodes.max(axis=0)
+    return _Edge(sides, places.min(axis=1), places.max(axis=1), same_place(low_x, high_x, low_y, high_y))
 
 
 def _edge_sides(plate: PlateResult) -> Integers:

@@ -12,7 +12,7 @@ from groundslab.errors import InputError, Issue
 from groundslab.optional import import_optional
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Playwright
+    from playwright.sync_api import Browser, Page, Playwright
 
 #: Browsers by the names of their programs, and by those that Playwright knows installed ones by.
 PROGRAMS, CHANNELS = ("chromium", "chromium-browser", "google-chrome", "microsoft-edge"), ("msedge", "chrome")
@@ -22,7 +22,7 @@ INSTEAD = "a report without the ending .pdf opens in any browser, which can prin
 
 
 class Printer:
-    """A browser that starts while the page is made; it prints in a thread of its own.
+    """A browser that starts, and opens an empty page, while the report is made; it prints in a thread of its own.
 
     Playwright refuses to wait where an event loop runs, such as in a notebook, and is used by the thread that started
     it.
@@ -33,6 +33,7 @@ class Printer:
         self._thread = ThreadPoolExecutor(1)
         self._open = ExitStack()
         self._browser = self._thread.submit(self._start, started_by)
+        self._page = self._thread.submit(self._open_page)
 
     def __enter__(self) -> Printer:
         """Return the printer."""
@@ -49,11 +50,14 @@ class Printer:
 
     def print_page(self, html: str) -> bytes:
         """Return a page as PDF, its headings as bookmarks."""
-        return self._thread.submit(_print, self._browser.result(), html).result()
+        return self._thread.submit(_print, self._page.result(), html).result()
 
     def _start(self, started_by: Callable[[], AbstractContextManager[Playwright]]) -> Browser:
         playwright = self._open.enter_context(started_by())
         return self._open.enter_context(_launch(playwright))
+
+    def _open_page(self) -> Page:
+        return self._browser.result().new_page(java_script_enabled=False, offline=True)
 
 
 def unfold(html: str) -> str:
@@ -61,9 +65,8 @@ def unfold(html: str) -> str:
     return html.replace(FOLDED, f"{FOLDED} open")
 
 
-def _print(browser: Browser, html: str) -> bytes:
-    """Return a page as PDF."""
-    page = browser.new_page(java_script_enabled=False, offline=True)
+def _print(page: Page, html: str) -> bytes:
+    """Return a page as PDF, written into one of the browser."""
     page.set_content(unfold(html))
     return page.pdf(prefer_css_page_size=True, print_background=True, outline=True, tagged=True)
 

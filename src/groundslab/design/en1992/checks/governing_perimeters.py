@@ -115,16 +115,24 @@ class _Site:
 
     def control(self, results: CombinationResult, distance: float) -> ControlPerimeter | str:
         """Return the perimeter at a distance [m] from the face with what is inside, or why there is none."""
-        if distance not in self.controls:
-            self.controls[distance] = self._control(results, distance)
-        return self.controls[distance]
+        (control,) = self.controls_at(results, [distance])
+        return control
 
-    def _control(self, results: CombinationResult, distance: float) -> ControlPerimeter | str:
-        line = self.line(distance)
-        if isinstance(line, str) or self.around is None or self.near is None:
-            return self.why or str(line)
-        control = _control(line, distance, self.d, self.around, self.near.inside(results, line.inside))
-        return control if distance > 0 else replace(control, u=self.u_0)
+    def controls_at(self, results: CombinationResult, distances: list[float]) -> list[ControlPerimeter | str]:
+        """Return the perimeters at distances [m] from the face with what is inside, or why there are none."""
+        lines: dict[float, Perimeter] = {}
+        for distance in (each for each in distances if each not in self.controls):
+            line = self.line(distance)
+            if isinstance(line, str):
+                self.controls[distance] = line
+            else:
+                lines[distance] = line
+        if lines and self.around is not None and self.near is not None:
+            loads = self.near.inside_each(results, [line.inside for line in lines.values()])
+            for (distance, line), inside in zip(lines.items(), loads, strict=True):
+                control = _control(line, distance, self.d, self.around, inside)
+                self.controls[distance] = control if distance > 0 else replace(control, u=self.u_0)
+        return [self.controls[distance] for distance in distances]
 
 
 #: Why there is no perimeter at some distance.
@@ -282,7 +290,7 @@ def _top(a: Array, y: Array) -> tuple[float, float]:
 
 def _demand(results: CombinationResult, site: _Site, face: ControlPerimeter | str, distances: list[float]) -> Demand:
     """Return the demand of a combination on perimeters at distances [m] and at the face."""
-    controls = [control for a in distances if not isinstance(control := site.control(results, a), str)]
+    controls = [control for control in site.controls_at(results, distances) if not isinstance(control, str)]
     stresses = tuple(_stress(results, site, control) for control in controls)
     concrete, bars = materials(site.steel, results.limit_state)
     ratio = min(site.ratio, en1992.most_bars(concrete, bars))
