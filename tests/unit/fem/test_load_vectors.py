@@ -61,6 +61,19 @@ def test_forces_and_moments_of_an_area_load(polygon: Polygon, mesh: Mesh) -> Non
     np.testing.assert_allclose(moments(mesh, shares), wanted, atol=1e-12)
 
 
+@pytest.mark.parametrize("mesh", [SQUARE, crooked()], ids=["rectangles", "crooked"])
+def test_polygons_that_overlap_are_integrated_together(mesh: Mesh) -> None:
+    """Each has the shares that it has alone, under a pressure that varies and for some of the elements."""
+    elements = np.array([5, 0, 3, 2])
+    together = load_vectors.integrate_over_polygons(mesh, elements, [*POLYGONS.values()], lambda x: 1 + x[..., 0])
+    for polygon, shares in zip(POLYGONS.values(), together, strict=True):
+        alone = load_vectors.integrate_over_polygon(mesh, elements, polygon, lambda x: 1 + x[..., 0])
+        np.testing.assert_allclose(shares, alone, rtol=0, atol=1e-14)
+        one_by_one = [load_vectors.integrate_over_polygon(mesh, elements[i : i + 1], polygon)[0] for i in range(4)]
+        whole = load_vectors.integrate_over_polygon(mesh, elements, polygon)
+        np.testing.assert_allclose(whole, one_by_one, rtol=0, atol=1e-14)
+
+
 def test_parts_of_an_area_load_add_up() -> None:
     """The nodal forces of a whole are those of its halves together, node by node, however they are cut."""
     mesh, whole = crooked(), box(0.2, 0.1, 1.9, 1.45)

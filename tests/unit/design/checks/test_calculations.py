@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -9,8 +10,12 @@ import numpy as np
 import pytest
 
 import groundslab as gs
+from groundslab.design.aci318.checks.two_way_demand import two_way
 from groundslab.design.basis.calculation import CONSTANTS, FUNCTIONS, Step, with_numbers
+from groundslab.design.checks import check_design
+from groundslab.design.en1992.checks.governing_perimeters import demands
 from groundslab.design.en1992.checks.punching_demand import Demand, Stress, outer
+from groundslab.design.en1992_2023.checks.punching_demand import column_demands
 from groundslab.design.result_tables import tables_of
 from groundslab.design.tables.calculations import perimeters
 from groundslab.design.tables.table import Table
@@ -294,3 +299,25 @@ def test_a_formula_with_its_numbers() -> None:
     known = {"v_Rd,c": 0.5, "v_Rd": -1.25, "v": 4.0, "d_1": 1e-3}
     assert with_numbers(step, known) == "max(0.5 * 2, (-1.25) - abs(4)^(1/2), 0.001)"
     assert {*FUNCTIONS, *CONSTANTS} == NAMES.keys()
+
+
+@pytest.mark.parametrize(
+    ("steel", "find"),
+    [({}, lambda of: demands(of).found), (ACI, lambda of: two_way(of)[0]), (SECOND, lambda of: column_demands(of)[0])],
+    ids=["EN 1992-1-1", "ACI 318", "EN 1992-1-1:2023"],
+)
+def test_demands_are_found_once_of_the_same_results(
+    steel: dict[str, Any], find: Callable[[gs.Results], dict[tuple[str, str], Any]]
+) -> None:
+    """Checks, tables and calculations share them; with bars that lie elsewhere they are others."""
+    results = solved(MIDDLE, steel=steel, thickness=0.4, wanted="all", openings=(), M_y=0.0, P=900e3)
+    check_design(results)
+    found = find(results)
+    tables_of(results)
+    assert find(results) is found
+    deeper = results.model.model_copy(
+        update={"reinforcement": results.model.reinforcement.model_copy(update={"bottom": (0.06, 0.07)})}
+    )
+    other = find(replace(results, model=deeper))
+    assert found["high", "M"].d == pytest.approx(0.355)
+    assert other["high", "M"].d == pytest.approx(0.335)

@@ -9,6 +9,7 @@ import pytest
 from shapely import box
 
 import groundslab as gs
+from groundslab.design.demands.loads.column_loads import acting_inside, shapes_around
 from groundslab.design.demands.perimeter_loads import edge_inside
 from groundslab.design.punching import RectangularColumn, demand
 from groundslab.fem.mesh import Mesh
@@ -91,3 +92,29 @@ def test_the_edge_force_relieves_only_if_it_is_said_to(line_force: float, taken_
     assert free.edge_inside == pytest.approx(line_force * reach)
     assert free.V_Ed == pytest.approx(1e6 - taken_off * reach)
     assert relieved.V_Ed == pytest.approx(1e6 - line_force * reach)
+
+
+def test_loads_beside_a_part_are_left_out() -> None:
+    """Of what acts on a part by hand nothing is lost; loads that do not reach it are not looked at."""
+    model = gs.Model(
+        plate={"length_x": 8, "length_y": 6, "thickness": 0.4, "E": 30e9, "nu": 0.2},
+        ground={"kind": "winkler", "k": 20e6},
+        cases=[{"name": name} for name in ("G", "Q", "far")],
+        loads=[
+            {"kind": "uniform", "case": "G", "q": 2e3},
+            {"kind": "line", "case": "G", "points": [[-2, 0.4], [3, 0.4]], "q": 30e3, "width": 0.6},
+            {"kind": "point", "case": "Q", "x": 0.5, "y": -0.5, "P": 7e3},
+            {"kind": "patch", "case": "Q", "x": [0.8, 2], "y": [-1, 1], "q": 1e3},
+            {"kind": "line", "case": "far", "points": [[-3, 2], [3, 2]], "q": 40e3, "width": 0.6},
+            {"kind": "patch", "case": "far", "x": [2, 3], "y": [-1, 1], "q": 1e3},
+            {"kind": "point", "case": "far", "x": -2, "y": 0, "P": 9e3},
+        ],
+        combinations=[{"name": "all", "limit_state": "ultimate", "factors": {"G": 1, "Q": 1, "far": 1}}],
+    )
+    results, part = gs.solve(model)["all"], box(-1, -1, 1, 0.2)
+    shapes = shapes_around(model, part, None)
+    assert [case for case, _ in shapes] == ["G", "G", "Q", "Q"]
+    inside = acting_inside(results, part, None, shapes)
+    # of the line's width 0.1 m is in the part
+    assert inside["G"] == pytest.approx([2e3 * 2.4 + 30e3 * 2 * 0.1 / 0.6, 0, 2e3 * 2.4 * -0.4 + 30e3 * 2 / 6 * 0.15])
+    assert inside["Q"] == pytest.approx([7e3 + 240, 3.5e3 + 240 * 0.9, -3.5e3 + 240 * -0.4])
