@@ -191,7 +191,9 @@ def extreme_node(nodes: Array, values: Array, sign: int) -> int:
     these the one with the largest x, then y.
     """
     signed = sign * values
-    finite = np.abs(values[np.isfinite(values)]).max(initial=0)
+    finite = np.abs(values).max(initial=0)
+    if not np.isfinite(finite):
+        finite = np.abs(values[np.isfinite(values)]).max(initial=0)
     equal = np.flatnonzero(signed >= signed.max() - SAME_VALUE * finite)
     # rounded to nanometers, so that mirrored points are equally far
     x, y = np.round(nodes[equal], 9).T

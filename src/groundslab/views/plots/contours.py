@@ -116,17 +116,17 @@ def draw_contours(axes: Axes, triangles: Triangulation, values: Array, scale: Co
         ).set_rasterized(many)
 
 
-def bands(triangles: Triangulation, values: Array, levels: Sequence[float] | Array) -> list[Path]:
+def bands(axes: Axes, triangles: Triangulation, values: Array, levels: Sequence[float] | Array) -> list[Path]:
     """Return the polygons between each level and the next one; those of one band are one path.
 
-    What lies beyond the levels counts as on the first or the last one.
+    What lies beyond the levels counts as on the first or the last one. Nothing is left in the axes.
     """
-    from matplotlib.figure import Figure
-
     # what lies on the last level would leave a hole
     shown = np.clip(values, levels[0], levels[-1] - 1e-9 * (levels[-1] - levels[0]))
-    axes = Figure().add_axes((0.0, 0.0, 1.0, 1.0))
-    return list(axes.tricontourf(triangles, shown, levels=levels).get_paths())
+    drawn = axes.tricontourf(triangles, shown, levels=levels)
+    paths = list(drawn.get_paths())
+    drawn.remove()
+    return paths
 
 
 def draw_color_bar(

@@ -21,6 +21,7 @@ from groundslab.views.plots.style import INK, PAGE_COLORS, PT, SMALL, apply_styl
 
 if TYPE_CHECKING:
     from markupsafe import Markup
+    from matplotlib.axes import Axes
     from matplotlib.path import Path
 
     from groundslab.arrays import Array, Integers
@@ -39,9 +40,11 @@ def draw_maps(
 ) -> Iterator[Markup]:
     """Yield each panel as an SVG element for an HTML page; its label is its title for screen readers."""
     from markupsafe import Markup, escape
+    from matplotlib.figure import Figure
 
     with apply_style():
         frame = draw_frame(model, WIDTH, HEIGHT)
+    axes = Figure().add_axes((0.0, 0.0, 1.0, 1.0))
     width, height = (25.4 * float(inches) for inches in frame.figure.get_size_inches())
     drawn = to_inline_svg(lambda: frame.figure, FRAME, "frame")
     for first, (panel, label) in enumerate(zip(panels, labels, strict=True)):
@@ -50,7 +53,7 @@ def draw_maps(
         yield Markup(
             f'<svg class="drawing" viewBox="0 0 {width:.2f} {height:.2f}" width="{width / 25.4 * 96:.0f}" '
             f'height="{height / 25.4 * 96:.0f}" role="img" aria-label="{words}"><title>{words}</title>'
-            f"{''.join(_fields(panel, scales[panel.quantity.name], frame))}{shared}"
+            f"{''.join(_fields(axes, panel, scales[panel.quantity.name], frame))}{shared}"
             f"{''.join(_labels(model, panel, frame))}</svg>"
         )
 
@@ -63,8 +66,8 @@ def _nested(drawn: str, width: float, height: float) -> str:
     return f'<svg width="{width:.2f}" height="{height:.2f}" {size} stroke-linejoin="round">{inner}'
 
 
-def _fields(panel: Panel, scale: ColorScale, frame: MapFrame) -> Iterator[str]:
-    """Yield the colors of a panel, the border of the contact and the color bar."""
+def _fields(axes: Axes, panel: Panel, scale: ColorScale, frame: MapFrame) -> Iterator[str]:
+    """Yield the colors of a panel, found in some axes, the border of the contact and the color bar."""
     from matplotlib.colors import to_hex
 
     levels = scale.levels
@@ -80,12 +83,12 @@ def _fields(panel: Panel, scale: ColorScale, frame: MapFrame) -> Iterator[str]:
 
     small = f'transform="scale({1 / FINENESS:g})" stroke-width="{0.07 * FINENESS:g}"'
     yield f'<g {small} stroke="{_color(INK)}" stroke-opacity="0.55" fill-rule="evenodd">'
-    for color, path in zip(colors, bands(triangles, panel.values, levels), strict=True):
+    for color, path in zip(colors, bands(axes, triangles, panel.values, levels), strict=True):
         if data := d(path):
             yield f'<path fill="{color}" d="{data}"/>'
     yield "</g>"
     if panel.contact is not None and (panel.contact > 0).any():
-        _, path = bands(triangles, panel.contact, np.array([-1.0, 0.0, 1.0]) * np.abs(panel.contact).max())
+        _, path = bands(axes, triangles, panel.contact, np.array([-1.0, 0.0, 1.0]) * np.abs(panel.contact).max())
         yield f'<path {small} fill="none" stroke="{_color(INK)}" stroke-dasharray="40 20" d="{d(path)}"/>'
     yield from _color_bar(levels, colors, frame)
 
