@@ -82,18 +82,16 @@ def shapes_around(model: Model, part: Polygon, column: str | None) -> Shapes:
     return [
         (case, shape)
         for case, shape in shapes
-        if getattr(shape, "on", "plate") == "plate" and _may_press(shape, part, chord)
+        if getattr(shape, "on", "plate") == "plate" and _may_act(shape, part, chord)
     ]
 
 
-def _may_press(shape: Acting, part: Polygon, chord: float) -> bool:
-    """Return whether a shape may press a part of the plate; arcs are chords at most so far off [m]."""
+def _may_act(shape: Acting, part: Polygon, chord: float) -> bool:
+    """Return whether a shape may act on a part of the plate; arcs are chords at most so far off [m]."""
     from shapely import box
 
-    if isinstance(shape, PlateAction):
-        return True
-    if isinstance(shape, SupportSettlement):
-        return False
+    if isinstance(shape, PlateAction | SupportSettlement):
+        return True  # they have no place
     reach = shape.width if isinstance(shape, LineForce) else 0.0
     return bool(shape.to_shapely(chord).distance(box(*part.bounds)) <= reach + chord)
 
