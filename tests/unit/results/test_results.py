@@ -206,7 +206,7 @@ def test_table_for_notebooks() -> None:
     root = ElementTree.fromstring(found._repr_html_())
     assert root.findtext("caption") == "<b>slab</b>"
     rows = [[cell.text for cell in row] for row in root.iter("tr")]
-    assert rows[2] == ["NUL", "ultimate", "56", "100", "certified"]
+    assert rows[2] == ["NUL", "ultimate", "56 mm", "100", "certified"]
     assert rows[4][4] == "FOUNDATION FAILS: the loads pull the plate off"
 
 

@@ -32,12 +32,13 @@ from groundslab.results.results import CombinationResult, Results
 
 
 class Demand(NamedTuple):
-    """What a combination demands: the value in SI units, what it is about, its place [m], and its calculation."""
+    """What a combination demands: the value in SI units, what it is about, its place [m], its calculation, an aside."""
 
     value: float
     of: str
     place: tuple[float, float] | None
     steps: Callable[[], Iterator[Step]]
+    aside: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,8 +165,8 @@ def _pressure(results: CombinationResult) -> Demand:
     if by_edge <= 0:
         return Demand(value, "", place, partial(limit_steps.of_pressure, value))
     b = strip_width(results)
-    about = f"with {by_edge / 1e3:.4g} kPa of the edge's line force over {b:.3g} m"
-    return Demand(value, about, place, partial(limit_steps.of_pressure, alone, (by_edge * b, b)))
+    aside = f"with {by_edge / 1e3:.4g} kPa of the edge's line force over {b:.3g} m"
+    return Demand(value, "", place, partial(limit_steps.of_pressure, alone, (by_edge * b, b)), aside)
 
 
 def _error_of_pressure(results: CombinationResult) -> float | None:
@@ -243,7 +244,7 @@ def _check(key: str, allowed: float, results: list[CombinationResult], missing: 
     holds = value >= allowed if limit.least else value <= allowed
     sign = (">=" if holds else "<") if limit.least else ("<=" if holds else ">")
     where = f" at ({place[0]:.3f}, {place[1]:.3f}) m" if place is not None else ""
-    about = f"{of}: " if of else ""
+    about = f"{of or demand.aside}: " if of or demand.aside else ""
     error = scaled(limit.error_of(governing), limit.scale)
     compared = limit_steps.against(key, value, (allowed, limit.unit), error, least=limit.least)
     return DesignCheck(
