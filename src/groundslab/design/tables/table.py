@@ -21,7 +21,7 @@ Cell = str | float | int | None
 Head = tuple[str, str]
 
 #: Columns of sentences, in which quantities may stand.
-WORDS = ("in words", "outcome", "reason")
+WORDS = ("in words", "outcome", "remark")
 #: Significant digits of numbers in CSV files.
 DIGITS = 7
 #: Decimals of lengths in meters, at least.
