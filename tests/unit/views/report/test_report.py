@@ -369,7 +369,7 @@ class TestNumbers:
         found = [row for _, rows in grids(page(render_report(results)).one("section", id="extremes")) for row in rows]
         for section in sections.figures(results):
             for row in section.rows:
-                shown = shown_row(row)
+                shown = shown_row(row, "SI")
                 symbol = row.symbol.replace("_", "")
                 cells = next(each for each in found if each[0] == row.label and symbol in each[1])
                 assert shown.figure in cells
