@@ -24,7 +24,7 @@ LONG = {
     "wall_punching", "shear_reinforcement",
 }  # fmt: skip
 #: Tables that have no extremes, or whose extremes are in other parts of the report.
-ELSEWHERE = {"acting", "extremes", "envelope", "columns"}
+ELSEWHERE = {"acting", "extremes", "envelope", "columns", "shear_reinforcement"}
 #: Rows of a grid that are printed into a file at all; a table of more is read from its CSV file.
 MOST_IN_FILE = 3000
 
