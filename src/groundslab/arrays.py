@@ -21,24 +21,43 @@ Of = TypeVar("Of")
 T = TypeVar("T")
 
 
+class _Companion:
+    """An object that is known again; it is held only if nothing can refer to it weakly, as to numbers and tuples."""
+
+    def __init__(self, known: object) -> None:
+        self._weak: weakref.ref[object] | None = None
+        self._held: object = None
+        try:
+            self._weak = weakref.ref(known)
+        except TypeError:
+            self._held = known
+
+    def is_still(self, other: object) -> bool:
+        """Return whether an object is this one."""
+        if self._weak is None:
+            return self._held is other
+        return other is not None and self._weak() is other
+
+
 class Memo(Generic[T]):
     """Cache of values by the identity of an object and of a companion, for as long as the object lives.
 
     Results are immutable and hold arrays, which have no hash: functools.cache cannot hold what is derived from them.
-    Neither the companion nor the value may hold the object.
+    The value may not hold the object. A companion is not held if it need not be, as it may be an object of another
+    cache whose companion is this one's object: both would live forever.
     """
 
     def __init__(self) -> None:
-        self._kept: dict[int, tuple[object, T]] = {}
+        self._kept: dict[int, tuple[_Companion, T]] = {}
 
     def get(self, of: object, beside: object, make: Callable[[], T]) -> T:
         """Return the cached value of an object and its companion; compute it first if there is none."""
         key = id(of)
         kept = self._kept.get(key)
-        if kept is None or kept[0] is not beside:
+        if kept is None or not kept[0].is_still(beside):
             if kept is None:
                 weakref.finalize(of, self._kept.pop, key, None)
-            kept = beside, make()
+            kept = _Companion(beside), make()
             self._kept[key] = kept
         return kept[1]
 

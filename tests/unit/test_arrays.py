@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from groundslab.arrays import Array, made_once
+from groundslab.arrays import Array, Memo, made_once
 
 
 @dataclass(frozen=True, slots=True, weakref_slot=True, eq=False)
@@ -54,3 +54,25 @@ def test_a_value_is_forgotten_with_its_object() -> None:
     del of
     gc.collect()
     assert kept() is None
+
+
+def test_two_caches_that_cross_hold_nothing() -> None:
+    """Nodes with elements as their companion in one cache and the other way around in another are both forgotten."""
+    by_nodes, by_elements = Memo[float](), Memo[float]()
+    nodes, elements = np.ones(2), np.ones(3)
+    by_nodes.get(nodes, elements, lambda: 1.0)
+    by_elements.get(elements, nodes, lambda: 2.0)
+    kept = weakref.ref(nodes), weakref.ref(elements)
+    del nodes, elements
+    gc.collect()
+    assert [each() for each in kept] == [None, None]
+
+
+def test_another_companion_makes_another_value() -> None:
+    """The value is made again for another companion, also for None after one that nobody holds any more."""
+    memo, nodes = Memo[str](), np.ones(2)
+    for beside in (np.ones(3), None, (1, 2), np.ones(3)):
+        name = f"{type(beside).__name__}"
+        assert memo.get(nodes, beside, lambda name=name: name) == name  # type: ignore[misc]
+    memo.get(nodes, np.ones(4), lambda: "gone")
+    assert memo.get(nodes, None, lambda: "none") == "none"
