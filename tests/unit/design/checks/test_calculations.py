@@ -179,12 +179,18 @@ def test_links_that_only_inner_perimeters_need() -> None:
 
 
 def test_links_alone_by_the_german_annex() -> None:
-    """The two inner rows carry all of beta V_Ed with f_ywd,ef, and there is no u_out but by 1.4 v_Rd."""
+    """The two inner rows carry all of beta V_Ed with f_ywd,ef, and there is no u_out but by 1.4 v_Rd.
+
+    Rows of foundations are 0.3 d from the face and 0.5 d apart, as `link_rows` of the annex says.
+    """
     columns, changes = CASES["thin, with links"]
     found = of(sheets(*columns, **changes | {"steel": {"annex": "Germany"}, "P": 600e3}), "punching")
     force = found["beta"] * found["V_Ed"]
     assert found["A_sw"] == pytest.approx(1e4 * force / found["f_ywd,ef"])
     assert found["v_Rd,m"] == pytest.approx(1.4 * found["v_Rd"])
+    d = found["d"]
+    assert (found["a_F"], found["s_r"]) == pytest.approx((0.3 * d, 0.5 * d))
+    assert found["n_L"] == max(2, np.ceil((found["a_L"] - 0.3 * d) / (0.5 * d)) + 1)
 
 
 def test_stirrups_by_aci_318() -> None:

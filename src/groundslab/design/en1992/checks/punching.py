@@ -19,12 +19,8 @@ from groundslab.design.en1992.checks.wall_ends import wall_demands
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
-#: Radial distance of the perimeters of links over the effective depth, the largest that 9.4.3(1) allows.
-LINK_SPACING = 0.75
 #: How far inside the outer perimeter the outermost links are at most, over the effective depth (6.4.5(4)).
 LAST_LINKS = 1.5
-#: How far from the face the innermost links are at most, over the effective depth (9.4.3(4)).
-FIRST_LINKS = 0.5
 #: How many perimeters of links there are at least (9.4.3(1)).
 LEAST_PERIMETERS = 2
 
@@ -154,7 +150,7 @@ def _links(steel: Reinforcement, worst: Judged) -> str:
     if concrete.annex.links_alone:
         A_sw = en1992.links_alone(stress.v_Ed * stress.u * demand.d, demand.d, bars.f_yd)
         return f"there {A_sw * 1e4:.3g} cm2 of vertical links in the two inner rows together (6.4.5(1) of the annex)"
-    s_r = LINK_SPACING * demand.d
+    s_r = concrete.annex.link_rows[1] * demand.d
     A_sw = en1992.links_per_perimeter(stress.v_Ed, resistance, stress.u, demand.d, s_r, bars.f_yd)
     return f"there {A_sw * 1e4:.3g} cm2 of vertical links on each perimeter, {s_r:.2f} m apart (6.4.5(1), 9.4.3)"
 

@@ -11,9 +11,10 @@ from collections.abc import Iterator
 from groundslab.design.basis.calculation import MEGA, SAME, Pushing, Step, punching_force
 from groundslab.design.basis.design_code import Calculation
 from groundslab.design.en1992 import punching as en1992
+from groundslab.design.en1992.annex import Annex
 from groundslab.design.en1992.case_materials import materials
 from groundslab.design.en1992.checks.governing_perimeters import demands, pile_demands
-from groundslab.design.en1992.checks.punching import FIRST_LINKS, LAST_LINKS, LEAST_PERIMETERS, LINK_SPACING
+from groundslab.design.en1992.checks.punching import LAST_LINKS, LEAST_PERIMETERS
 from groundslab.design.en1992.checks.punching_demand import (
     LEAST_GROWTH,
     REACH,
@@ -133,8 +134,9 @@ def _with_links(demand: Demand, stress: Stress, concrete: Concrete, bars: Steel)
     yield Step("strength of links", "f_ywd", bars.f_yd / MEGA, "MPa", clause="3.2.7(2)")
     formula = en1992.FORMULAS["f_ywd,ef"]
     yield Step("strength of links that counts", "f_ywd,ef", f / MEGA, "MPa", formula, "6.4.5(1)")
-    s_r = LINK_SPACING * demand.d
-    yield Step("radial distance of their perimeters", "s_r", s_r, "m", f"{LINK_SPACING:g} * d", "9.4.3(1)")
+    apart = concrete.annex.link_rows[1]
+    s_r = apart * demand.d
+    yield Step("radial distance of their perimeters", "s_r", s_r, "m", f"{apart:g} * d", "9.4.3(1)")
     if concrete.annex.links_alone:
         A_sw = en1992.links_alone(stress.v_Ed * stress.u * demand.d, demand.d, bars.f_yd)
         words, formula = "vertical links of the two inner perimeters together", en1992.FORMULAS["A_sw alone"]
@@ -143,10 +145,10 @@ def _with_links(demand: Demand, stress: Stress, concrete: Concrete, bars: Steel)
         A_sw = en1992.links_per_perimeter(stress.v_Ed, demand.resistance(stress), stress.u, demand.d, s_r, bars.f_yd)
         formula = en1992.FORMULAS["A_sw"]
         yield Step("vertical links on each perimeter", "A_sw", A_sw * 1e4, "cm2", formula, "6.4.5(1), 6.52")
-    yield from _reach(demand)
+    yield from _reach(demand, concrete.annex)
 
 
-def _reach(demand: Demand) -> Iterator[Step]:
+def _reach(demand: Demand, annex: Annex) -> Iterator[Step]:
     """Yield the outer perimeter and the perimeters of links inside it."""
     beyond, d = outer(demand), demand.d
     if beyond.last is None:
@@ -158,10 +160,11 @@ def _reach(demand: Demand) -> Iterator[Step]:
     last = beyond.distance - LAST_LINKS * d
     words = "distance of the outermost links from the face, at least"
     yield Step(words, "a_L", last, "m", f"a_out - {LAST_LINKS:g} * d", "6.4.5(4)")
-    first = FIRST_LINKS * d
+    nearest, apart, _ = annex.link_rows
+    first = nearest * d
     words = "distance of the innermost links from the face, at most"
-    yield Step(words, "a_F", first, "m", f"{FIRST_LINKS:g} * d", "9.4.3(4)")
-    count = max(LEAST_PERIMETERS, math.ceil((last - first) / (LINK_SPACING * d)) + 1)
+    yield Step(words, "a_F", first, "m", f"{nearest:g} * d", "9.4.3(4)")
+    count = max(LEAST_PERIMETERS, math.ceil((last - first) / (apart * d)) + 1)
     formula = f"max({LEAST_PERIMETERS}, ceil((a_L - a_F) / s_r) + 1)"
     yield Step("perimeters of links, at least", "n_L", float(count), "", formula, "9.4.3(1)")
 
