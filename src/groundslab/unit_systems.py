@@ -106,6 +106,7 @@ _MINUS, _TO = "\N{MINUS SIGN}", "\N{EN DASH}"
 _ONE = NUMBER.replace("[+-]", f"[+{_MINUS}-]")
 _SHARED = rf" (?:x|<=|>=|<|>|to|\.\.|/|and|{_TO}) "  # between numbers that share a unit
 _PLACE = rf"[(\[]{_ONE}(?:, {_ONE})*[)\]]"
+_STATION = rf"(?<= at ){_ONE} m\b"  # of a load on its path, a part of a name
 _RAISED = str.maketrans("234", "²³⁴")
 #: The same with powers as they are written elsewhere, such as m^2 and m².
 _AS_WRITTEN = {
@@ -117,7 +118,7 @@ _UNITS = "|".join(sorted(map(re.escape, _AS_WRITTEN), key=len, reverse=True))
 #: A name in quotes, or a quantity.
 _QUANTITY = re.compile(
     rf'"[^"]*"|'
-    rf"(?P<numbers>(?:{_PLACE}|(?<![\w.^])(?<! at ){_ONE})(?:{_SHARED}(?:{_PLACE}|{_ONE}))*) "
+    rf"(?P<numbers>(?:{_PLACE}|(?<![\w.^])(?!{_STATION}){_ONE})(?:{_SHARED}(?:{_PLACE}|{_ONE}))*) "
     rf"(?P<unit>{_UNITS})(?![\w^*²³⁴]|/[a-zA-Z])"
 )
 _NUMBER = re.compile(_ONE)

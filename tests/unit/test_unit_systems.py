@@ -75,6 +75,7 @@ def test_si_units_stay() -> None:
         ("6.8948 MPa (6.2.2)", "1000.0 psi (6.2.2)"),
         ("10 cm2/m2 of links", "0.144 in2/ft2 of links"),
         ("truck at 3.05 m (ultimate)", "truck at 3.05 m (ultimate)"),
+        ("the ground yields at 143.64 kPa under 3 %", "the ground yields at 3000.0 psf under 3 %"),
         ('in "truck at 3.05 m" with 4.448 kN', 'in "truck at 3.05 m" with 1.000 kip'),
         ("on A' = 9.29 m2 (3.048 x 3.048 m)", "on A' = 100 ft2 (10.00 x 10.00 ft)"),
         ("M15 m, 2 d, 3 meters, x_1 m", "M15 m, 2 d, 3 meters, x_1 m"),
