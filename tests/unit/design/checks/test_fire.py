@@ -45,6 +45,14 @@ def test_less_than_the_table_needs_attention() -> None:
     assert AXES not in checks(1e3)
 
 
+def test_high_strength_concrete_needs_more() -> None:
+    """EN 1992-1-2 section 6 asks for more above C50/60, which is not known: the table alone never shows enough."""
+    for f_ck, status in ((50e6, "no failure found"), (55e6, "attention")):
+        found = checks(1e3, fire="REI 60", f_ck=f_ck)
+        assert [found[name].status for name in (AXES, THICKNESS)] == [status, status]
+        assert ("C50/60" in found[AXES].words) == (status == "attention")
+
+
 def test_bars_that_are_assumed_count_too() -> None:
     """Without bars that are laid, the distances of their axes are those of the case."""
     none: dict[str, Any] = dict.fromkeys(("bottom_x", "bottom_y", "top_x", "top_y"))
