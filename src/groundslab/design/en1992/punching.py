@@ -30,7 +30,7 @@ FORMULAS = {
     "beta at an edge": "1 / s + k_1 * abs(M_1) * u / (V_Ed * W_1)",
     "v_Ed": "beta * V_Ed / (u * d)",
     "v_Rd": "v_Rd,c * 2 * d / a",
-    "A_sw": "(v_Ed - 0.75 * v_Rd) * u * s_r / (1.5 * f_ywd,ef) * 10000",
+    "A_sw": "(v_Ed - 0.75 * v_Rd) * u * d / (n_s * f_ywd,ef) * 10000",
     "A_sw alone": "v_Ed * u * d / f_ywd,ef * 10000",
     "u_out": "v_l * u_l / v_Rd,c",
     "f_ywd,ef": "min(250 + 0.25 * 1000 * d, f_ywd)",
@@ -102,9 +102,18 @@ def beta_at_an_edge(reduced: float, moment: float, share: float, force: float, u
     return 1 / reduced + share * abs(moment) * u / (force * W)
 
 
-def links_per_perimeter(v_Ed: float, v_Rd_c: float, u: float, d: float, s_r: float, f_ywd: float) -> float:
-    """Return A_sw [m2] of one perimeter of vertical links, s_r [m] apart radially, by 6.52; f_ywd [Pa] at most."""
-    return max(0.0, (v_Ed - 0.75 * v_Rd_c) * u * s_r / (1.5 * effective_strength(d, f_ywd)))
+def links_that_count(a: float, first: float, s_r: float, d: float) -> float:
+    """Return how many perimeters of links a section a [m] from the face counts on, the first one nearer to it.
+
+    6.52 counts on 1.5 d / s_r; of a section closer than 2 d, as footings have, not more than lie within it.
+    """
+    within = 1 + math.floor((a - first) / s_r + 1e-6)
+    return min(1.5 * d / s_r, float(max(1, within)))
+
+
+def links_per_perimeter(v_Ed: float, v_Rd_c: float, u: float, d: float, count: float, f_ywd: float) -> float:
+    """Return A_sw [m2] of each of the perimeters of vertical links that count, by 6.52; f_ywd [Pa] at most."""
+    return max(0.0, (v_Ed - 0.75 * v_Rd_c) * u * d / (count * effective_strength(d, f_ywd)))
 
 
 def links_alone(force: float, d: float, f_ywd: float) -> float:

@@ -9,6 +9,7 @@ import pytest
 from groundslab.design.en1992.materials import Concrete
 from groundslab.design.en1992.punching import (
     links_per_perimeter,
+    links_that_count,
     max_resistance,
     outer_perimeter,
     resistance_without_links,
@@ -38,11 +39,18 @@ def test_table_6_1(ratio: float, k: float) -> None:
 def test_links_carry_what_is_missing() -> None:
     """With the links of 6.52 the resistance is the demand; where 3/4 of the concrete's is enough, none are needed."""
     v_Ed, v_Rd_c, u, d, s_r = 0.9e6, 0.6e6, 4.0, 0.3, 0.225
-    A_sw = links_per_perimeter(v_Ed, v_Rd_c, u, d, s_r, 435e6)
+    A_sw = links_per_perimeter(v_Ed, v_Rd_c, u, d, 1.5 * d / s_r, 435e6)
     f_ywd_ef = (250 + 0.25 * 300) * 1e6
     assert 0.75 * v_Rd_c + 1.5 * d / s_r * A_sw * f_ywd_ef / (u * d) == pytest.approx(v_Ed)
-    assert links_per_perimeter(0.4e6, v_Rd_c, u, d, s_r, 435e6) == 0.0
-    assert links_per_perimeter(v_Ed, v_Rd_c, u, d, s_r, 300e6) == pytest.approx(A_sw * 325 / 300)
+    assert links_per_perimeter(0.4e6, v_Rd_c, u, d, 2.0, 435e6) == 0.0
+    assert links_per_perimeter(v_Ed, v_Rd_c, u, d, 2.0, 300e6) == pytest.approx(A_sw * 325 / 300)
+
+
+@pytest.mark.parametrize(("a", "count"), [(0.4, 1), (0.5, 1), (1.2, 1), (1.25, 2), (2.0, 2)])
+def test_links_beyond_a_section_do_not_count(a: float, count: float) -> None:
+    """Of links at 0.5 d, 1.25 d and 2 d a section counts on those within it, and on 1.5 d / s_r = 2 at most."""
+    d = 0.4
+    assert links_that_count(a * d, 0.5 * d, 0.75 * d, d) == pytest.approx(count)
 
 
 def test_outer_perimeter() -> None:
@@ -56,6 +64,7 @@ def test_links_of_the_spreadsheet_of_the_concrete_centre() -> None:
     It has A_sw / s_r of 7.899 mm, and u_out of 11 592 mm.
     """
     u, d = 4 * 0.6 + 4 * math.pi * 0.355, 0.355
-    A_sw = links_per_perimeter(1.0550e6, 0.6267e6, u, d, 1.0, 435e6)
-    assert A_sw * 1e3 == pytest.approx(7.899, rel=5e-4)
+    s_r = 0.75 * d
+    A_sw = links_per_perimeter(1.0550e6, 0.6267e6, u, d, 1.5 * d / s_r, 435e6)
+    assert A_sw / s_r * 1e3 == pytest.approx(7.899, rel=5e-4)
     assert outer_perimeter(2578.7e3 / (u * d), 0.6267e6, u) * 1e3 == pytest.approx(11592, rel=2e-4)

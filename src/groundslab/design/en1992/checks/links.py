@@ -1,12 +1,13 @@
 """Links that punching by EN 1992-1-1 takes at columns, piles and ends of walls: their perimeters (6.4.5, 9.4.3).
 
-    A_sw = (v_Ed - 0.75 v_Rd) u s_r / (1.5 f_ywd,ef)     on each perimeter, the largest of all where v_Ed > v_Rd, 6.52
+    A_sw = (v_Ed - 0.75 v_Rd) u d / (n_s f_ywd,ef)       on each perimeter, the largest of all where v_Ed > v_Rd, 6.52
     0.3 d <= s_0 <= 0.5 d, s_r <= 0.75 d                 from the face, and from one to the next, Figure 9.10
     s_t <= 1.5 d within 2 d, 2 d beyond                  of legs along a perimeter, 9.4.3(1), and by 9.11
     a_out - 1.5 d                                        as far as the last one lies at least, 6.4.5(4)
 
-with two perimeters at least (9.4.3(1)), and no fewer than the 1.5 d / s_r that 6.52 counts on. By DIN EN 1992-1-1/NA
-the first two carry all of the force, each a half, and each further one has 33 % of both.
+with two perimeters at least (9.4.3(1)), and no fewer than the n_s = 1.5 d / s_r that 6.52 counts on; of a section
+closer than 2 d only those within it count. By DIN EN 1992-1-1/NA the first two carry all of the force, each a half, and
+each further one has 33 % of both.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
+from itertools import chain
 from typing import TYPE_CHECKING
 
 from groundslab.arrays import Array
@@ -81,7 +83,7 @@ class _Required:
     """The links that all combinations need around one column, pile or end of a wall."""
 
     combination: str  # that needs most
-    area: float  # of a perimeter [m2] over the radial distance [m]; of the first two [m2] where these carry all
+    needs: tuple[tuple[float, float], ...]  # areas of all links that count [m2], and the sections' distances [m]
     last: float  # how far from the face the last one is at least [m]
 
 
@@ -155,9 +157,10 @@ def _required(steel: Reinforcement, found: list[Demand]) -> _Required | None:
     some = [(demand, needing) for demand in found if (needing := _needing(demand))]
     if not some:
         return None
-    area, combination = max((_area(steel, demand, needing), demand.combination) for demand, needing in some)
+    needs = {demand.combination: _needs(steel, demand, needing) for demand, needing in some}
+    combination = max(needs, key=lambda name: max(area for area, _ in needs[name]))
     last = max(outer(demand).distance - LAST_LINKS * demand.d for demand, _ in some)
-    return _Required(combination, area, last)
+    return _Required(combination, tuple(chain.from_iterable(needs.values())), last)
 
 
 def _needing(demand: Demand) -> list[Stress]:
@@ -165,16 +168,19 @@ def _needing(demand: Demand) -> list[Stress]:
     return [stress for stress in demand.around if stress.v_Ed > demand.resistance(stress) and not stress.supported]
 
 
-def _area(steel: Reinforcement, demand: Demand, needing: list[Stress]) -> float:
-    """Return the area of a perimeter of links over their radial distance [m], or that of the first two [m2]."""
+def _needs(steel: Reinforcement, demand: Demand, needing: list[Stress]) -> list[tuple[float, float]]:
+    """Return what each section needs of all links that count [m2], and its distance [m]; alone, the worst does."""
     concrete, bars = materials(steel, demand.limit_state)
     if concrete.annex.links_alone:
         worst = max(needing, key=demand.used)
-        return en1992.links_alone(worst.v_Ed * worst.u * demand.d, demand.d, bars.f_yd)
-    return max(
-        en1992.links_per_perimeter(stress.v_Ed, demand.resistance(stress), stress.u, demand.d, 1.0, bars.f_yd)
+        return [(en1992.links_alone(worst.v_Ed * worst.u * demand.d, demand.d, bars.f_yd), worst.distance)]
+    return [
+        (
+            en1992.links_per_perimeter(stress.v_Ed, demand.resistance(stress), stress.u, demand.d, 1.0, bars.f_yd),
+            stress.distance,
+        )
         for stress in needing
-    )
+    ]
 
 
 def _refused(steel: Reinforcement, found: list[Demand], thickness: float, *, at_face: bool) -> str:
@@ -215,13 +221,12 @@ def _options(steel: Reinforcement, required: _Required, d: float) -> Callable[[f
             count = max(counted, 1 + math.ceil((required.last - start) / s_r - 1e-9))
             widest = en1992.widest_legs(math.pi * diameter**2 / 4, s_r, concrete, bars)
             rows = []
+            alone = max(area for area, _ in required.needs)
+            shared = max(area / en1992.links_that_count(a, start, s_r, d) for area, a in required.needs)
             for number in range(count):
                 distance = start + number * s_r
                 along = (ALONG if distance <= REACH * d else ALONG_BEYOND) * d
-                if annex.links_alone:
-                    area = required.area * (0.5 if number < LEAST_ROWS else further)
-                else:
-                    area = required.area * s_r
+                area = alone * (0.5 if number < LEAST_ROWS else further) if annex.links_alone else shared
                 rows.append(LinkRow(distance, area, min(along, widest)))
             yield tuple(rows)
 

@@ -151,7 +151,9 @@ def _links(steel: Reinforcement, worst: Judged) -> str:
         A_sw = en1992.links_alone(stress.v_Ed * stress.u * demand.d, demand.d, bars.f_yd)
         return f"there {A_sw * 1e4:.3g} cm2 of vertical links in the two inner rows together (6.4.5(1) of the annex)"
     s_r = concrete.annex.link_rows[1] * demand.d
-    A_sw = en1992.links_per_perimeter(stress.v_Ed, resistance, stress.u, demand.d, s_r, bars.f_yd)
+    first = concrete.annex.link_rows[0] * demand.d
+    count = en1992.links_that_count(stress.distance, first, s_r, demand.d)
+    A_sw = en1992.links_per_perimeter(stress.v_Ed, resistance, stress.u, demand.d, count, bars.f_yd)
     return f"there {A_sw * 1e4:.3g} cm2 of vertical links on each perimeter, {s_r:.2f} m apart (6.4.5(1), 9.4.3)"
 
 

@@ -142,7 +142,11 @@ def _with_links(demand: Demand, stress: Stress, concrete: Concrete, bars: Steel)
         words, formula = "vertical links of the two inner perimeters together", en1992.FORMULAS["A_sw alone"]
         yield Step(words, "A_sw", A_sw * 1e4, "cm2", formula, "6.4.5(1) of the annex")
     else:
-        A_sw = en1992.links_per_perimeter(stress.v_Ed, demand.resistance(stress), stress.u, demand.d, s_r, bars.f_yd)
+        first = concrete.annex.link_rows[0] * demand.d
+        count = en1992.links_that_count(stress.distance, first, s_r, demand.d)
+        words = "perimeters of links that count, at most 1.5 d / s_r and not beyond a"
+        yield Step(words, "n_s", count, clause="6.4.5(1)")
+        A_sw = en1992.links_per_perimeter(stress.v_Ed, demand.resistance(stress), stress.u, demand.d, count, bars.f_yd)
         formula = en1992.FORMULAS["A_sw"]
         yield Step("vertical links on each perimeter", "A_sw", A_sw * 1e4, "cm2", formula, "6.4.5(1), 6.52")
     yield from _reach(demand, concrete.annex)
