@@ -7,6 +7,11 @@ from .analysis.ground_comparison.comparison import ComparedGround as ComparedGro
 from .analysis.ground_comparison.comparison import GroundComparison as GroundComparison
 from .analysis.ground_comparison.comparison import compare_grounds as compare_grounds
 from .case.casefile import load as load
+from .case.reactions import ImportedReactions as ImportedReactions
+from .case.reactions import read_reactions as read_reactions
+from .case.reactions.changes import CaseSum as CaseSum
+from .case.reactions.changes import ReactionChange as ReactionChange
+from .case.reactions.forces import Resultant as Resultant
 from .design.checks import Design as Design
 from .design.checks import DesignCheck as DesignCheck
 from .design.checks import check_design as check_design
@@ -77,6 +82,10 @@ from .model.plates.further import FurtherPlate as FurtherPlate
 from .model.plates.joints import Dowels as Dowels
 from .model.plates.joints import ElasticJoint as ElasticJoint
 from .model.plates.joints import HingeJoint as HingeJoint
+from .model.reactions import ReactionCase as ReactionCase
+from .model.reactions import ReactionHeadings as ReactionHeadings
+from .model.reactions import Reactions as Reactions
+from .model.reactions import ReactionSupport as ReactionSupport
 from .model.remarks.remarks import Remark as Remark
 from .model.remarks.remarks import find_remarks as find_remarks
 from .model.serviceability.cracking import Cracking as Cracking

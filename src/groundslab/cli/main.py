@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
-from groundslab.cli import case, compare_ground, console, plot, propose_bars, solve, study
+from groundslab.cli import case, compare_ground, console, import_reactions, plot, propose_bars, solve, study
 from groundslab.errors import EditedFilesKept, GroundslabError, InputError, Issue, NoEquilibrium, NotConverged
 
 if TYPE_CHECKING:
@@ -132,6 +132,9 @@ def _parser() -> argparse.ArgumentParser:
 
     dxf = _command(commands, "dxf", case.convert_drawing, "make a case file from a drawing and report what was read")
     case.describe_dxf(dxf)
+
+    meaning = "take column and wall reactions of another program as loads, and show what they change"
+    import_reactions.describe(_command(commands, "import-reactions", import_reactions.run, meaning))
 
     _describe_report(_command(commands, "report", _report, "make a report of results: one HTML file, or a PDF"))
 

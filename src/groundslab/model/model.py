@@ -27,6 +27,7 @@ from groundslab.model.outputs import Output, Project, Report, check_output, chec
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import AnyPlate, FurtherPlate, bounds_of, check_plates, list_plates
 from groundslab.model.plates.joints import Joint, check_joints
+from groundslab.model.reactions import Reactions, check_reactions
 from groundslab.model.serviceability.cracking import Cracking, check_cracking
 from groundslab.model.serviceability.long_term import LongTerm, scale_stiffnesses
 from groundslab.model.settings import Analysis, Beyond, Contact, Mesh
@@ -90,6 +91,7 @@ class Model(Section):
         check_cracking,
         check_design_combinations,
         check_floor,
+        check_reactions,
     )
 
     title: Annotated[str, Text("title of the problem")] = ""
@@ -123,6 +125,9 @@ class Model(Section):
         tuple[LoadCase, ...], Table("load cases; without any, all loads act together, without factors")
     ] = ()
     loads: Annotated[tuple[Load, ...], Table("the loads, at least one", 200_000)]
+    reactions: Annotated[
+        Reactions | None, Table("how loads were read from another program's table of reactions; kept for the next one")
+    ] = None
     patterns: Annotated[tuple[Pattern, ...], Table("vehicles and racks, which moves place or take along paths")] = ()
     moves: Annotated[
         tuple[Move, ...], Table("where patterns are placed, and paths along which cases are solved at each position")

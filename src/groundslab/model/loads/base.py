@@ -10,6 +10,14 @@ from groundslab.schema.fields import Text
 #: How large a load is: symbol, value in SI units without factors, dimension.
 Magnitude = tuple[str, float, str]
 
+Source = Annotated[
+    str,
+    Text(
+        "support in the table of reactions from which it was imported; the next import replaces it, and leaves loads "
+        "without a source alone"
+    ),
+]
+
 
 class _Load(Section):
     """What all loads have."""

@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar, Literal, TypeVar
 
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.acting import LineForce
-from groundslab.model.loads.base import Magnitude, _Load
+from groundslab.model.loads.base import Magnitude, Source, _Load
 from groundslab.model.shapes import AnyShape
 from groundslab.model.structure.lines import (
     LineBulges,
@@ -113,6 +113,7 @@ class LineLoad(_Load):
     shape: LineShape = None
     width: LineWidth = None
     wall: OnWall = ""
+    source: Source = ""
 
     @property
     def magnitudes(self) -> tuple[Magnitude, ...]:
@@ -156,6 +157,7 @@ class LineMoment(_Load):
     shape: LineShape = None
     width: LineWidth = None
     wall: OnWall = ""
+    source: Source = ""
 
     @property
     def magnitudes(self) -> tuple[Magnitude, ...]:

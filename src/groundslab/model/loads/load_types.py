@@ -17,7 +17,7 @@ from groundslab.model.loads.acting import (
     Surface,
     loaded_parts,
 )
-from groundslab.model.loads.base import Magnitude, _Load
+from groundslab.model.loads.base import Magnitude, Source, _Load
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Shape
 from groundslab.model.structure.columns import Column, check_footprint, footprint
@@ -205,6 +205,7 @@ class PointLoad(_Load):
         Quantity("length", "d", "diameter of the area over which it is spread, instead of both widths", POSITIVE),
     ] = None
     column: Annotated[str, Text("column on which it acts and over which it is spread, one of [[columns]]")] = ""
+    source: Source = ""
 
     @property
     def magnitudes(self) -> tuple[Magnitude, ...]:

@@ -8,11 +8,11 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
+from groundslab.case.editing.toml_layout import TomlLayout
+from groundslab.case.editing.toml_values import Path
 from groundslab.errors import Issue
 from groundslab.model.remarks.remarks import Remark
 from groundslab.schema.issues import RelativeIssue
-from groundslab.workbench.editing.toml_layout import TomlLayout
-from groundslab.workbench.editing.toml_values import Path
 
 #: What the text is called in messages.
 NAME = "the text"

@@ -10,15 +10,15 @@ from functools import cached_property
 from typing import Any
 
 from groundslab.case import casefile
+from groundslab.case.editing.toml_edits import TomlEditor
+from groundslab.case.editing.toml_inline import Replacement, apply_replacements
+from groundslab.case.editing.toml_layout import TomlLayout
+from groundslab.case.editing.toml_values import MISSING, Path, equal_values, get_value, replace_value
 from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
 from groundslab.schema.wording import describe
 from groundslab.workbench.editing import lengths
 from groundslab.workbench.editing.diagnostics import format_path
-from groundslab.workbench.editing.toml_edits import TomlEditor
-from groundslab.workbench.editing.toml_inline import Replacement, apply_replacements
-from groundslab.workbench.editing.toml_layout import TomlLayout
-from groundslab.workbench.editing.toml_values import MISSING, Path, equal_values, get_value, replace_value
 
 Edit = Mapping[str, Any]
 BOM = b"\xef\xbb\xbf"

@@ -12,7 +12,7 @@ from groundslab.case import casefile
 from groundslab.errors import InputError, Issue
 from groundslab.workbench.editing import diagnostics, lengths
 from groundslab.workbench.editing.document import Document
-from groundslab.workbench.editing.toml_positions import read_statements
+from groundslab.case.editing.toml_positions import read_statements
 from groundslab.workbench.editing.undo import MAX_LENGTH, MAX_STEPS, History
 from helpers.paths import EXAMPLES
 

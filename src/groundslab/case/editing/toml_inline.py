@@ -7,9 +7,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from groundslab.case.editing.toml_positions import Value
+from groundslab.case.editing.toml_values import equal_values
 from groundslab.schema import toml_writer
-from groundslab.workbench.editing.toml_positions import Value
-from groundslab.workbench.editing.toml_values import equal_values
 
 _COMMENT = re.compile(r"#[^\n]*")
 

@@ -11,7 +11,7 @@ import tomllib
 from dataclasses import dataclass
 from typing import Literal
 
-from groundslab.workbench.editing.toml_values import Path
+from groundslab.case.editing.toml_values import Path
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 _SPACE = re.compile(r"[ \t]*")

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from groundslab.workbench.editing.toml_positions import Statement, Value, read_statements
-from groundslab.workbench.editing.toml_values import Path
+from groundslab.case.editing.toml_positions import Statement, Value, read_statements
+from groundslab.case.editing.toml_values import Path
 
 _COMMENT = re.compile(r"[ \t]*#[^\n]*(?:\n|\Z)")
 _BLANK_LINE = re.compile(r"[ \t\r]*\n")

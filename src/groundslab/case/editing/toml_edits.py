@@ -10,10 +10,10 @@ from collections.abc import Mapping, Sequence
 from itertools import groupby
 from typing import Any
 
+from groundslab.case.editing.toml_inline import Replacement, count_equal_at_start, revise_value, rewrite_list
+from groundslab.case.editing.toml_layout import TomlLayout
+from groundslab.case.editing.toml_values import MISSING, Path, equal_values, get_value, replace_value
 from groundslab.schema import toml_writer
-from groundslab.workbench.editing.toml_inline import Replacement, count_equal_at_start, revise_value, rewrite_list
-from groundslab.workbench.editing.toml_layout import TomlLayout
-from groundslab.workbench.editing.toml_values import MISSING, Path, equal_values, get_value, replace_value
 
 
 class TomlEditor:

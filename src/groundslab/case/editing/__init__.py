@@ -1,0 +1,1 @@
+"""Edits of a TOML text in place, which keep comments and layout."""

@@ -1,0 +1,113 @@
+"""What changes when a table of reactions is imported again."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from groundslab.case.reactions.forces import Resultant
+from groundslab.case.reactions.matching import Moved
+from groundslab.geometry.plan import Place, format_place
+from groundslab.units import together
+
+#: Share of a force or moment by which it must change to be listed.
+THRESHOLD = 0.01
+
+
+@dataclass(frozen=True, slots=True)
+class ReactionChange:
+    """A difference between the loads of a case and a table of reactions.
+
+    Attributes
+    ----------
+    kind : str
+        "new" or "gone" for loads, "changed" for those that change by more than the threshold, "less" for those that
+        change by less, "moved" for columns and walls that the table has elsewhere.
+    name : str
+        Column or wall.
+    case : str
+        Load case; empty if moved.
+    before, after : Resultant or None
+        Force [N] and moments [N m] on it; None if there are none.
+    places : tuple
+        Where a moved one is in the case and in the table [m]; empty for loads.
+    """
+
+    kind: Literal["new", "gone", "changed", "less", "moved"]
+    name: str
+    case: str = ""
+    before: Resultant | None = None
+    after: Resultant | None = None
+    places: tuple[Place, ...] = ()
+
+    def __str__(self) -> str:
+        """Return the change on one line."""
+        if self.places:
+            return f"moved: {self.name} from {format_place(self.places[0])} m to {format_place(self.places[1])} m"
+        values = [_words(self.before, self.after, "P", "force")]
+        values += [_words(self.before, self.after, name, "moment") for name in ("M_x", "M_y")]
+        return f"{self.kind}: {self.name} in {self.case}: {', '.join(filter(None, values))}"
+
+
+def _words(before: Resultant | None, after: Resultant | None, name: str, dimension: str) -> str:
+    """Return a value before and after; nothing if both are 0."""
+    values = [getattr(each, name) for each in (before, after) if each is not None]
+    if not any(values):
+        return ""
+    texts, unit = together(values, dimension)
+    return f"{name} {' -> '.join(dict.fromkeys(texts))} {unit}"
+
+
+@dataclass(frozen=True, slots=True)
+class CaseSum:
+    """Sums of the imported loads of one case, before and after: forces [N], moments about x = y = 0 [N m]."""
+
+    case: str
+    before: Resultant
+    after: Resultant
+
+    def __str__(self) -> str:
+        """Return the sums on one line."""
+        values = (_words(self.before, self.after, name, unit) for name, unit in SUMMED)
+        return f"{self.case}: {', '.join(filter(None, values)) or 'nothing'}"
+
+
+SUMMED = (("P", "force"), ("M_x", "moment"), ("M_y", "moment"))
+Resultants = Mapping[tuple[str, str], Resultant]
+
+
+def find_changes(
+    before: Resultants, after: Resultants, moved: Iterable[Moved], threshold: float = THRESHOLD
+) -> Iterator[ReactionChange]:
+    """Yield the differences between two states of imported loads, and what has moved."""
+    for each in moved:
+        yield ReactionChange("moved", each.name, places=(each.before, each.after))
+    for key in dict.fromkeys((*after, *before)):
+        old, new = before.get(key), after.get(key)
+        if old is None or new is None:
+            yield ReactionChange("gone" if new is None else "new", *key, old, new)
+        elif old != new:
+            large = any(
+                abs(getattr(new, name) - getattr(old, name)) > threshold * abs(getattr(old, name)) for name, _ in SUMMED
+            )
+            yield ReactionChange("changed" if large else "less", *key, old, new)
+
+
+def sum_cases(
+    before: Resultants, after: Resultants, old: Mapping[str, Place], new: Mapping[str, Place]
+) -> tuple[CaseSum, ...]:
+    """Return the sums by case, of loads on columns and walls with their middles before and after [m]."""
+    cases = dict.fromkeys(case for _, case in (*after, *before))
+    return tuple(CaseSum(case, _sum(before, case, old), _sum(after, case, new)) for case in cases)
+
+
+def _sum(forces: Resultants, case: str, places: Mapping[str, Place]) -> Resultant:
+    """Return force and moments about x = y = 0 of what acts in a case."""
+    own = [(force, places.get(name, (0.0, 0.0))) for (name, each), force in forces.items() if each == case]
+    return Resultant(
+        math.fsum(force.P for force, _ in own),
+        math.fsum(force.M_x + force.P * x for force, (x, _) in own),
+        math.fsum(force.M_y + force.P * y for force, (_, y) in own),
+    )

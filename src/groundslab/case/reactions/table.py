@@ -1,0 +1,262 @@
+"""Reactions as a table states them: by support and load case, in the table's own units, signs and axes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from decimal import Decimal
+from pathlib import Path
+
+from groundslab.case.reactions.cells import Cell, Grid, read_grids
+from groundslab.case.reactions.headings import BY_CASE, DIMENSIONS, Heading, Headings, Role, find_headings, unit_of
+from groundslab.case.reactions.numbers import find_decimals, parse_number
+from groundslab.errors import InputError, Issue
+from groundslab.model.reactions import Decimals, Reactions
+from groundslab.schema.fields import MOST_ISSUES
+from groundslab.schema.wording import describe, listed, quote
+
+#: What the first cell of a row with sums begins with.
+_SUMS = re.compile(r"\s*(?:sum|total|check|precision|minimum|maximum|max|min|summe|somme|σ|Σ)\b", re.IGNORECASE)
+#: Kinds of cases that are combinations or envelopes of others, by the column that says so or by their usual names.
+_COMBINED = re.compile(r".*comb|.*envelope|.*spec(?:trum)?\b", re.IGNORECASE)
+_COMBINED_NAME = re.compile(
+    r"(?:comb\w*|envelope|env|uls|sls|gzt|gzg|co|rc|lk|ek)[\s_:.-]*[0-9]*(?:[\s_:.-].*)?", re.IGNORECASE
+)
+ZERO = Decimal(0)
+
+
+@dataclass(frozen=True, slots=True)
+class Reaction:
+    """What a table states of one support in one load case, 0 where it states nothing.
+
+    Attributes
+    ----------
+    row : int
+        Its row in the file, from 1.
+    place : tuple of Decimal or None
+        Coordinates in the table's unit, if it has any.
+    F_z, M_x, M_y : Decimal
+        Vertical force and moments in the table's units, with its signs and names.
+    F_x, F_y : Decimal
+        Horizontal forces, for a remark.
+    """
+
+    row: int
+    support: str
+    case: str
+    place: tuple[Decimal, Decimal] | None
+    F_z: Decimal
+    M_x: Decimal = ZERO
+    M_y: Decimal = ZERO
+    F_x: Decimal = ZERO
+    F_y: Decimal = ZERO
+
+
+@dataclass(frozen=True, slots=True)
+class ReactionTable:
+    """A table of reactions.
+
+    Attributes
+    ----------
+    reactions : tuple of Reaction
+        In the order of the file.
+    combined : frozenset of str
+        Cases that are combinations or envelopes of others, which are not loads.
+    force, moment, length : str
+        The units as they are written here; of what the table does not have, nothing.
+    name, sheet : str
+        File and sheet, the first one for messages.
+    remarks : tuple of str
+        What was passed over.
+    """
+
+    reactions: tuple[Reaction, ...]
+    combined: frozenset[str]
+    force: str
+    moment: str
+    length: str
+    name: str
+    sheet: str
+    remarks: tuple[str, ...]
+
+
+def read_table(path: str | Path, reading: Reactions) -> ReactionTable:
+    """Return the reactions in a file.
+
+    Parameters
+    ----------
+    path : str or pathlib.Path
+        A CSV file or a workbook, one row for each support and case, or one column for each case.
+    reading : Reactions
+        What the table itself leaves open: sheet, headings, units, the case of a table that names none.
+
+    Raises
+    ------
+    InputError
+        If there is no such table, or if a number in it cannot be read; it lists all issues.
+    """
+    grids = read_grids(path)
+    if reading.sheet and len(grids) > 1:
+        known = [grid.sheet for grid in grids]
+        grids = tuple(grid for grid in grids if grid.sheet == reading.sheet)
+        if not grids:
+            raise InputError(
+                [Issue("sheet", describe(reading.sheet), f"a sheet of {path}: {listed(map(quote, known))}")]
+            )
+    found = [(grid, headings) for grid in grids if (headings := find_headings(grid, reading.headings, reading.case))]
+    if not found:
+        expected = "headings of supports, of load cases and of vertical forces, such as Joint, Case, FZ"
+        hint = 'name them: headings = {support = "...", case = "...", F_z = "..."}'
+        raise InputError([Issue(str(path), "no table of reactions", expected, hint)])
+    if len(found) > 1:
+        names = listed((quote(grid.sheet) for grid, _ in found), "and")
+        raise InputError(
+            [Issue(str(path), f"reactions on the sheets {names}", "one of them", 'name it: sheet = "..."')]
+        )
+    return _read(*found[0], reading)
+
+
+def _read(grid: Grid, headings: Headings, reading: Reactions) -> ReactionTable:
+    """Return the reactions below headings."""
+    used = _units(grid, headings, reading)
+    body = [(number, row) for number, row in enumerate(grid.rows, start=1) if number > headings.first and any(row)]
+    numeric = [heading.column for heading in headings.columns if heading.role in DIMENSIONS]
+    cells = (row[column] for _, row in body for column in numeric if column < len(row))
+    decimals = reading.decimals or find_decimals(cells, grid.commas)
+    if decimals is None:
+        found, hint = "numbers whose commas or points may group digits", 'say it: decimals = "point" or "comma"'
+        raise InputError([Issue(grid.name, found, "one way to read them", hint)])
+    reader = _RowReader(grid, headings, decimals, reading.case, [], [])
+    reactions = tuple(reaction for number, row in body for reaction in reader.read(number, row))
+    if reader.issues:
+        raise InputError(reader.issues[:MOST_ISSUES])
+    if not reactions:
+        raise InputError([Issue(grid.name, "headings without reactions below", "at least one")])
+    remarks = [f"rows {_numbers(reader.passed)} are sums or have no support, and are left out"] if reader.passed else []
+    combined = frozenset(reader.combined)
+    return ReactionTable(reactions, combined, *used, grid.name, grid.sheet, tuple(remarks))
+
+
+def _numbers(rows: Sequence[int]) -> str:
+    """Return the first numbers of rows."""
+    return ", ".join(map(str, rows[:10])) + (f" and {len(rows) - 10} more" if len(rows) > 10 else "")
+
+
+def _units(grid: Grid, headings: Headings, reading: Reactions) -> tuple[str, str, str]:
+    """Return the units of forces, moments and coordinates: those of the table, or those given."""
+    found, issues = [], []
+    for dimension, given in (("force", reading.force), ("moment", reading.moment), ("length", reading.length)):
+        own = [each for each in headings.columns if DIMENSIONS.get(each.role) == dimension]
+        if dimension == "force":
+            own = list(headings.of("F_z"))
+        stated = list(dict.fromkeys(each.unit for each in own if each.unit))
+        if len(stated) > 1:
+            issues.append(Issue(grid.name, f"{dimension}s in {listed(stated, 'and')}", "one unit"))
+        elif own and not stated and not given:
+            expected = f"units in the headings or below them, such as {headings_example(dimension)}"
+            issues.append(Issue(grid.name, f"no unit of {dimension}s", expected, f'give it: {dimension} = "..."'))
+        found.append((stated or [unit_of(given, dimension)])[0] if own else "")
+    if issues:
+        raise InputError(issues)
+    return found[0], found[1], found[2]
+
+
+def headings_example(dimension: str) -> str:
+    """Return what a heading with a unit looks like."""
+    return {"force": "Fz [kN]", "moment": "Mx [kNm]"}.get(dimension, "x [m]")
+
+
+@dataclass
+class _RowReader:
+    """Reads row after row; collects issues, rows that were passed over, and cases that are combinations."""
+
+    grid: Grid
+    headings: Headings
+    decimals: Decimals
+    single: str
+    issues: list[Issue]
+    passed: list[int]
+
+    def __post_init__(self) -> None:
+        """Begin above the first row."""
+        self.combined: set[str] = set()
+        self._support = ""
+
+    def read(self, number: int, row: Sequence[Cell]) -> Iterator[Reaction]:
+        """Yield the reactions of a row, several if cases are in columns."""
+        support, case = self._names(row)
+        values = [heading for heading in self.headings.of(*BY_CASE) if self._cell(row, heading) != ""]
+        if not support or any(_SUMS.match(str(cell)) for cell in row[:2]) or not (values or case):
+            self.passed.append(number)
+            return
+        place = self._place(number, row)
+        for name in dict.fromkeys(heading.case for heading in self.headings.of(*BY_CASE)):
+            if not (whole := name or case):
+                where, hint = f"{self.grid.name}, row {number}", 'name the case of the table: case = "..."'
+                self.issues.append(Issue(where, "no load case", "a column with load cases", hint))
+                return
+            numbers = {
+                heading.role: self._number(number, row, heading)
+                for heading in self.headings.of(*BY_CASE, "F_x", "F_y")
+                if heading.case == name or heading.role in ("F_x", "F_y")
+            }
+            forces = {role: value for role, value in numbers.items() if value is not None}
+            if "F_z" not in numbers or not (name or values):
+                where = f"{self.grid.name}, row {number}"
+                self.issues.append(Issue(where, f"no vertical force of {quote(whole)}", "a number"))
+            self._note_combined(row, whole)
+            yield Reaction(number, support, whole, place, forces.pop("F_z", ZERO), **forces)
+
+    def _names(self, row: Sequence[Cell]) -> tuple[str, str]:
+        """Return support and case; a blank support is that of the row above, as in joined cells."""
+        both = self.headings.one("support and case")
+        if both is not None:
+            support, slash, case = _name(self._cell(row, both)).partition("/")
+            return (support.strip(), case.strip()) if slash else ("", "")
+        support = _name(self._text(row, "support"))
+        self._support = support or self._support
+        case = _name(self._text(row, "case"))
+        return (self._support if support or case else ""), (case or self.single)
+
+    def _place(self, number: int, row: Sequence[Cell]) -> tuple[Decimal, Decimal] | None:
+        x, y = self.headings.one("x"), self.headings.one("y")
+        if x is None or y is None or self._cell(row, x) == "" or self._cell(row, y) == "":
+            return None
+        return self._number(number, row, x) or ZERO, self._number(number, row, y) or ZERO
+
+    def _number(self, number: int, row: Sequence[Cell], heading: Heading) -> Decimal | None:
+        cell = self._cell(row, heading)
+        if cell in ("", "-", "—"):
+            return ZERO
+        value = parse_number(cell, self.decimals)
+        if value is None or abs(value) > Decimal("1e15"):
+            where = f"{self.grid.name}, row {number}, column {heading.column + 1}"
+            self.issues.append(Issue(where, describe(cell), "a number"))
+        return value
+
+    def _note_combined(self, row: Sequence[Cell], case: str) -> None:
+        kind = str(self._text(row, "type"))
+        # envelopes have a step, the largest or the smallest value, of each of which the others are unknown
+        stepped = str(self._text(row, "step")).strip().lower() in ("max", "min")
+        if stepped or _COMBINED.match(kind) or (not kind and _COMBINED_NAME.fullmatch(case)):
+            self.combined.add(case)
+
+    def _text(self, row: Sequence[Cell], role: Role) -> Cell:
+        heading = self.headings.one(role)
+        return "" if heading is None else self._cell(row, heading)
+
+    def _cell(self, row: Sequence[Cell], heading: Heading) -> Cell:
+        return row[heading.column] if heading.column < len(row) else ""
+
+
+def _name(cell: Cell) -> str:
+    """Return a name, of a number in a workbook as it is shown, without repeated spaces."""
+    if isinstance(cell, float):
+        return f"{cell:.12g}"
+    return " ".join(cell.split())
+
+
+def cases_of(reactions: Iterable[Reaction]) -> tuple[str, ...]:
+    """Return the load cases of reactions in their order."""
+    return tuple(dict.fromkeys(reaction.case for reaction in reactions))
