@@ -14,6 +14,7 @@ from groundslab.errors import InputError
 from groundslab.views.files import results_folder
 from groundslab.views.report import html, pdf
 from helpers import synthetic
+from helpers.reactions import write_case
 from helpers.studies import write
 
 
@@ -55,6 +56,19 @@ def test_a_missing_package_is_named_before_results_are_read(
     forget(package, monkeypatch)
     assert main.main(arguments) == 2
     assert f"pip install groundslab[{extra}]" in capsys.readouterr().err
+
+
+def test_a_workbook_of_reactions_needs_its_package(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The message names the extra, and that CSV does without it."""
+    forget("openpyxl", monkeypatch)
+    (tmp_path / "reactions.xlsx").write_bytes(b"")
+    case = write_case(tmp_path)
+    assert main.main(["import-reactions", str(tmp_path / "reactions.xlsx"), str(case)]) == 2
+    told = capsys.readouterr().err
+    assert "pip install groundslab[exchange]" in told
+    assert "CSV" in told
 
 
 def test_a_missing_browser_is_reported_before_the_page_is_made(

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import csv
 import io
+import warnings
 import zipfile
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -134,25 +135,29 @@ def _read_workbook(content: bytes, name: str) -> tuple[Grid, ...]:
     openpyxl = import_optional("openpyxl", "to read workbooks", "exchange", "or save the table as CSV")
     _require_small(content, name)
     try:
-        # without links, and with the values that were saved in place of formulas
-        books = [
-            openpyxl.load_workbook(io.BytesIO(content), read_only=True, data_only=data_only, keep_links=False)
-            for data_only in (True, False)
-        ]
-        if len(books[0].worksheets) > MOST_SHEETS:
-            raise _too_large(name, f"{len(books[0].worksheets)} sheets")
-        grids = []
-        for saved, written in zip(*(book.worksheets for book in books), strict=True):
-            where = f"{name}, sheet {saved.title}"
-            both = zip(saved.iter_rows(values_only=True), written.iter_rows(values_only=True), strict=False)
-            grids.append(Grid(_rows(both, where), where, sheet=saved.title))
-        return tuple(grids)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of styles and extensions that are of no use here
+            return tuple(_read_sheets(openpyxl, content, name))
     except InputError:
         raise
     except Exception as error:  # of any kind, as what is damaged may be anything
         found = f"a damaged workbook ({type(error).__name__})"
         hint = "save it again in the program that made it, or as CSV"
         raise InputError([Issue(name, found, "a workbook (XLSX)", hint)]) from None
+
+
+def _read_sheets(openpyxl: Any, content: bytes, name: str) -> Iterator[Grid]:
+    """Yield the cells of each sheet, without links, and with the values that were saved in place of formulas."""
+    saved, written = (
+        openpyxl.load_workbook(io.BytesIO(content), read_only=True, data_only=data_only, keep_links=False)
+        for data_only in (True, False)
+    )
+    if len(saved.worksheets) > MOST_SHEETS:
+        raise _too_large(name, f"{len(saved.worksheets)} sheets")
+    for values, formulas in zip(saved.worksheets, written.worksheets, strict=True):
+        where = f"{name}, sheet {values.title}"
+        both = zip(values.iter_rows(values_only=True), formulas.iter_rows(values_only=True), strict=False)
+        yield Grid(_rows(both, where), where, sheet=values.title)
 
 
 def _require_small(content: bytes, name: str) -> None:

@@ -123,10 +123,13 @@ def find_headings(grid: Grid, given: ReactionHeadings, single: str = "") -> Head
     stated = _unit_row(rows[top + 1]) if top + 1 < len(rows) else {}
     upper = _fill(rows[top - 1], len(rows[top])) if top else [""] * len(rows[top])
     first = top + 1 + bool(stated)
-    named = {_role(cell, ours) for cell in rows[top]} & {"case", "support and case"}
-    columns = tuple(_columns(rows[top], upper, stated, ours, not (named or single)))
-    headings = Headings(tuple(_preferred(columns, rows[top], grid, first)), first)
-    _require_headings(headings, grid, rows[top], top)
+    # a heading may stand above, if the cell below it is blank
+    above = [*(rows[top - 1] if top else []), *[""] * len(rows[top])]
+    names = [cell or (up if _role(up, ours) else "") for cell, up in zip(rows[top], above, strict=False)]
+    named = {_role(cell, ours) for cell in names} & {"case", "support and case"}
+    columns = tuple(_columns(names, upper, stated, ours, not (named or single)))
+    headings = Headings(tuple(_preferred(columns, names, grid, first)), first)
+    _require_headings(headings, grid, names, top)
     return headings if headings.of("F_z") and headings.of("support", "support and case") else None
 
 

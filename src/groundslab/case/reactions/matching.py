@@ -18,7 +18,7 @@ from groundslab.model.model import Model
 from groundslab.model.reactions import Reactions
 from groundslab.model.structure.columns import Column
 from groundslab.model.structure.walls import Wall
-from groundslab.schema.wording import describe, listed, quote
+from groundslab.schema.wording import describe, listed, quote, suggestion
 
 #: Digits of places that are computed: nanometers [m].
 DIGITS = 9
@@ -122,6 +122,10 @@ def match_supports(reactions: Sequence[Reaction], table: ReactionTable, model: M
             off = 0.0 if place is None else _distance(place, bases[name])
             if place is not None and off > _reach(bases[name], reading):
                 moved.append(Moved(support, name, _middle(bases[name]), place, frame.texts(reaction)))
+            continue
+        if support in said:
+            found = f"{quote(said[support])} for support {quote(support)}"
+            issues.append(Issue("supports", found, "a column or wall", suggestion(said[support], bases)))
             continue
         near = _nearest(place, bases.values())
         if near is not None and near[1] <= _reach(near[0], reading):

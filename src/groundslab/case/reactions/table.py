@@ -9,7 +9,7 @@ from decimal import Decimal
 from pathlib import Path
 
 from groundslab.case.reactions.cells import Cell, Grid, read_grids
-from groundslab.case.reactions.headings import BY_CASE, DIMENSIONS, Heading, Headings, Role, find_headings, unit_of
+from groundslab.case.reactions.headings import BY_CASE, DIMENSIONS, Headings, Role, find_headings, unit_of
 from groundslab.case.reactions.numbers import find_decimals, parse_number
 from groundslab.errors import InputError, Issue
 from groundslab.model.reactions import Decimals, Reactions
@@ -24,6 +24,8 @@ _COMBINED_NAME = re.compile(
     r"(?:comb\w*|envelope|env|uls|sls|gzt|gzg|co|rc|lk|ek)[\s_:.-]*[0-9]*(?:[\s_:.-].*)?", re.IGNORECASE
 )
 ZERO = Decimal(0)
+#: No force or moment has more.
+LARGEST = Decimal("1e15")
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,7 +129,7 @@ def _read(grid: Grid, headings: Headings, reading: Reactions) -> ReactionTable:
     if decimals is None:
         found, hint = "numbers whose commas or points may group digits", 'say it: decimals = "point" or "comma"'
         raise InputError([Issue(grid.name, found, "one way to read them", hint)])
-    reader = _RowReader(grid, headings, decimals, reading.case, [], [])
+    reader = _RowReader(grid, headings, decimals, reading.case)
     reactions = tuple(reaction for number, row in body for reaction in reader.read(number, row))
     if reader.issues:
         raise InputError(reader.issues[:MOST_ISSUES])
@@ -167,87 +169,83 @@ def headings_example(dimension: str) -> str:
     return {"force": "Fz [kN]", "moment": "Mx [kNm]"}.get(dimension, "x [m]")
 
 
-@dataclass
 class _RowReader:
     """Reads row after row; collects issues, rows that were passed over, and cases that are combinations."""
 
-    grid: Grid
-    headings: Headings
-    decimals: Decimals
-    single: str
-    issues: list[Issue]
-    passed: list[int]
-
-    def __post_init__(self) -> None:
-        """Begin above the first row."""
+    def __init__(self, grid: Grid, headings: Headings, decimals: Decimals, single: str) -> None:
+        """Begin above the first row, of a table of a single case perhaps."""
+        self.name, self.decimals, self.single = grid.name, decimals, single
+        self.issues: list[Issue] = []
+        self.passed: list[int] = []
         self.combined: set[str] = set()
         self._support = ""
+        self._columns = {heading.role: heading.column for heading in headings.columns}
+        self._values = headings.of(*BY_CASE)
+        cases = dict.fromkeys(heading.case for heading in self._values)
+        sideways = headings.of("F_x", "F_y")
+        self._of_case = {
+            case: [*(heading for heading in self._values if heading.case == case), *sideways] for case in cases
+        }
 
     def read(self, number: int, row: Sequence[Cell]) -> Iterator[Reaction]:
         """Yield the reactions of a row, several if cases are in columns."""
         support, case = self._names(row)
-        values = [heading for heading in self.headings.of(*BY_CASE) if self._cell(row, heading) != ""]
-        if not support or any(_SUMS.match(str(cell)) for cell in row[:2]) or not (values or case):
+        filled = any(heading.column < len(row) and row[heading.column] != "" for heading in self._values)
+        if not support or any(_SUMS.match(str(cell)) for cell in row[:2]) or not (filled or case):
             self.passed.append(number)
             return
         place = self._place(number, row)
-        for name in dict.fromkeys(heading.case for heading in self.headings.of(*BY_CASE)):
+        for name, columns in self._of_case.items():
             if not (whole := name or case):
-                where, hint = f"{self.grid.name}, row {number}", 'name the case of the table: case = "..."'
-                self.issues.append(Issue(where, "no load case", "a column with load cases", hint))
+                hint = 'name the case of the table: case = "..."'
+                self._refuse(number, "no load case", "a column with load cases", hint)
                 return
-            numbers = {
-                heading.role: self._number(number, row, heading)
-                for heading in self.headings.of(*BY_CASE, "F_x", "F_y")
-                if heading.case == name or heading.role in ("F_x", "F_y")
-            }
-            forces = {role: value for role, value in numbers.items() if value is not None}
-            if "F_z" not in numbers or not (name or values):
-                where = f"{self.grid.name}, row {number}"
-                self.issues.append(Issue(where, f"no vertical force of {quote(whole)}", "a number"))
+            numbers = {heading.role: self._number(number, row, heading.column) for heading in columns}
+            if "F_z" not in numbers or not (name or filled):
+                self._refuse(number, f"no vertical force of {quote(whole)}", "a number")
             self._note_combined(row, whole)
-            yield Reaction(number, support, whole, place, forces.pop("F_z", ZERO), **forces)
+            yield Reaction(number, support, whole, place, numbers.pop("F_z", ZERO), **numbers)
 
     def _names(self, row: Sequence[Cell]) -> tuple[str, str]:
         """Return support and case; a blank support is that of the row above, as in joined cells."""
-        both = self.headings.one("support and case")
-        if both is not None:
-            support, slash, case = _name(self._cell(row, both)).partition("/")
+        if "support and case" in self._columns:
+            support, slash, case = _name(self._cell(row, "support and case")).partition("/")
             return (support.strip(), case.strip()) if slash else ("", "")
-        support = _name(self._text(row, "support"))
+        support = _name(self._cell(row, "support"))
         self._support = support or self._support
-        case = _name(self._text(row, "case"))
+        case = _name(self._cell(row, "case"))
         return (self._support if support or case else ""), (case or self.single)
 
     def _place(self, number: int, row: Sequence[Cell]) -> tuple[Decimal, Decimal] | None:
-        x, y = self.headings.one("x"), self.headings.one("y")
-        if x is None or y is None or self._cell(row, x) == "" or self._cell(row, y) == "":
+        if self._cell(row, "x") == "" or self._cell(row, "y") == "":
             return None
-        return self._number(number, row, x) or ZERO, self._number(number, row, y) or ZERO
+        return self._number(number, row, self._columns["x"]), self._number(number, row, self._columns["y"])
 
-    def _number(self, number: int, row: Sequence[Cell], heading: Heading) -> Decimal | None:
-        cell = self._cell(row, heading)
+    def _number(self, number: int, row: Sequence[Cell], column: int) -> Decimal:
+        """Return the number in a cell, 0 if there is none, which is an issue unless the cell is blank."""
+        cell = row[column] if column < len(row) else ""
         if cell in ("", "-", "—"):
             return ZERO
         value = parse_number(cell, self.decimals)
-        if value is None or abs(value) > Decimal("1e15"):
-            where = f"{self.grid.name}, row {number}, column {heading.column + 1}"
-            self.issues.append(Issue(where, describe(cell), "a number"))
+        if value is None or abs(value) > LARGEST:
+            self._refuse(number, describe(cell), "a number", column=column)
+            return ZERO
         return value
 
+    def _refuse(self, number: int, found: str, expected: str, hint: str = "", column: int | None = None) -> None:
+        where = f"{self.name}, row {number}" + ("" if column is None else f", column {column + 1}")
+        self.issues.append(Issue(where, found, expected, hint))
+
     def _note_combined(self, row: Sequence[Cell], case: str) -> None:
-        kind = str(self._text(row, "type"))
+        kind = str(self._cell(row, "type"))
         # envelopes have a step, the largest or the smallest value, of each of which the others are unknown
-        stepped = str(self._text(row, "step")).strip().lower() in ("max", "min")
+        stepped = str(self._cell(row, "step")).strip().lower() in ("max", "min")
         if stepped or _COMBINED.match(kind) or (not kind and _COMBINED_NAME.fullmatch(case)):
             self.combined.add(case)
 
-    def _text(self, row: Sequence[Cell], role: Role) -> Cell:
-        heading = self.headings.one(role)
-        return "" if heading is None else self._cell(row, heading)
-
-    def _cell(self, row: Sequence[Cell], heading: Heading) -> Cell:
-        return row[heading.column] if heading.column < len(row) else ""
+    def _cell(self, row: Sequence[Cell], role: Role) -> Cell:
+        column = self._columns.get(role, len(row))
+        return row[column] if column < len(row) else ""
 
 
 def _name(cell: Cell) -> str:

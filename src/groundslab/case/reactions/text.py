@@ -73,6 +73,8 @@ class CaseText:
     def _replace_loads(self, old: list[Any], changed: Mapping[int, Any], gone: Sequence[int], kept: list[Any]) -> bool:
         """Change some loads and remove others, all at once; return whether the text then means that."""
         editor = self._editor()
+        if editor.layout.is_inline(("loads",)):
+            return False
         replacements = [each for n, load in changed.items() for each in editor.set(("loads", n), load)]
         rest = [load for n, load in enumerate(old) if n not in set(gone)]
         replacements += [each for n in gone for each in editor.remove(("loads", n), rest)]
