@@ -14,6 +14,7 @@ from groundslab.case import casefile
 from groundslab.cli import main
 from groundslab.model.combinations import list_combinations
 from groundslab.model.loads.acting import LineForce
+from groundslab.model.reactions import Reactions
 from helpers.paths import DOCS, EXAMPLES
 
 
@@ -43,8 +44,8 @@ def run(text: str, **names: object) -> dict[str, object]:
 def test_cases_of_the_page_on_input_load(tmp_path: Path) -> None:
     """The smallest case loads, and with each of the other blocks put behind it."""
     smallest, *others = blocks("input.md", "toml")
-    assert len(others) == 13
-    shapes, wall, outer, stiff, beams, frame, matrix, checks, aci, cracks, combinations, moves, floor = others
+    assert len(others) == 14
+    shapes, wall, outer, stiff, beams, frame, matrix, checks, aci, cracks, combinations, moves, floor, table = others
     assert len(casefile.loads(f"{smallest}\n{shapes}").loads) == 5
     core = casefile.loads(f"{smallest}\n{wall}")
     assert core.acting[-1][1] == LineForce(core.walls[0].edges, q=(250e3, 250e3), width=0.3)
@@ -71,6 +72,16 @@ def test_cases_of_the_page_on_input_load(tmp_path: Path) -> None:
     cases = "".join(f'[[cases]]\nname = "{name}"\n' for name in ("rack", "truck"))
     in_case = smallest.replace('q = "10 kPa"', 'q = "10 kPa"\ncase = "rack"')
     assert len(list_combinations(casefile.loads(f"{in_case}\n{cases}\n{moves}"))) == 1 + 14
+    column = columns[: columns.index("[[columns]]", 1)].replace("A1", "A")
+    read = casefile.loads(f"{in_case}\n{column}\n{cases.replace('truck', 'G')}\n{table}").reactions
+    assert read is not None
+    assert read == Reactions(
+        file="reactions.csv",
+        footprint=(0.4, 0.4),
+        without_cases=("Wind",),
+        cases=({"table": "DEAD", "case": "G"},),
+        supports=({"table": "101", "on": "A"},),
+    )
 
 
 def test_python_of_the_page_on_input_is_its_case() -> None:

@@ -62,7 +62,15 @@ def _words(before: Resultant | None, after: Resultant | None, name: str, dimensi
 
 @dataclass(frozen=True, slots=True)
 class CaseSum:
-    """Sums of the imported loads of one case, before and after: forces [N], moments about x = y = 0 [N m]."""
+    """Sums of the imported loads of one load case.
+
+    Attributes
+    ----------
+    case : str
+        Load case.
+    before, after : Resultant
+        Force [N] and moments about x = y = 0 [N m], before and after.
+    """
 
     case: str
     before: Resultant

@@ -187,15 +187,24 @@ def _per_length(values: Iterable[float], table: ReactionTable, dimension: str) -
 
 @dataclass(frozen=True, slots=True)
 class Resultant:
-    """Force [N] and moments [N m] of what was imported onto a column or wall in one case, about its middle."""
+    """What was imported onto a column or wall in one load case, about its middle; or the sum of a case.
+
+    Attributes
+    ----------
+    P : float
+        Force, downwards positive [N].
+    M_x, M_y : float
+        Moments that press the side of larger x, or of larger y, down [N m].
+    """
 
     P: float = 0.0
     M_x: float = 0.0
     M_y: float = 0.0
 
-    def plus(self, P: float, M_x: float, M_y: float) -> Resultant:
-        """Return the sum with another force and its moments."""
-        return Resultant(self.P + P, self.M_x + M_x, self.M_y + M_y)
+
+def _add(one: Resultant, P: float, M_x: float, M_y: float) -> Resultant:
+    """Return the sum with another force and its moments."""
+    return Resultant(one.P + P, one.M_x + M_x, one.M_y + M_y)
 
 
 def resultants(model: Model) -> dict[tuple[str, str], Resultant]:
@@ -219,7 +228,7 @@ def resultants(model: Model) -> dict[tuple[str, str], Resultant]:
             else:
                 force = (0.0, -load.m * L * ty, load.m * L * tx)
         key = (name, load.case)
-        found[key] = found.get(key, Resultant()).plus(*force)
+        found[key] = _add(found.get(key, Resultant()), *force)
     return found
 
 
