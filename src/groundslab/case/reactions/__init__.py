@@ -90,17 +90,34 @@ def read_reactions(
     InputError
         If the table cannot be read, or a support or load case stands for nothing; it lists all issues.
     """
-    path = None if isinstance(case, Model) else Path(case)
     text = casefile.to_toml(case) if isinstance(case, Model) else casefile.read(case)
+    folder = None if isinstance(case, Model) else Path(case).parent
+    choices = Choices(new_cases or {}, cases or {}, supports or {}, move_columns, reading)
+    return import_into(text, folder, Path(table), choices, threshold)
+
+
+@dataclass(frozen=True, slots=True)
+class Choices:
+    """What is said of an import: new load cases, names that differ, columns that move, keys of [reactions]."""
+
+    new_cases: Mapping[str, str]
+    cases: Mapping[str, str]
+    supports: Mapping[str, str]
+    move_columns: bool
+    reading: Mapping[str, Any]
+
+
+def import_into(
+    text: str, folder: Path | None, table: Path, choices: Choices, threshold: float = THRESHOLD
+) -> ImportedReactions:
+    """Return the case of a text, whose folder may be known, with the loads of a table; raises InputError."""
     # line ends of Windows come back afterwards
     windows = "\r\n" in text and text.count("\r\n") == text.count("\n")
     text = text.replace("\r\n", "\n") if windows else text
-    data = casefile.tables(text, "the case" if path is None else str(path))
-    folder = None if path is None else path.parent
+    data = casefile.tables(text, "the case")
     before = _model_before(data, folder)
-    chosen = _reading(before, Path(table).name, cases, supports, reading)
     document = CaseText(text, data)
-    remarks, moved = _take(document, Path(table), before, chosen, new_cases or {}, move_columns)
+    remarks, moved = _take(document, table, before, _reading(before, table.name, choices), choices)
     after = casefile.from_table(document.data, folder)
     old, new = resultants(before), resultants(after)
     return ImportedReactions(
@@ -121,21 +138,15 @@ def _model_before(data: dict[str, Any], folder: Path | None) -> Model:
     return casefile.from_table({**data, "loads": [{"kind": "uniform", "q": "1 kPa", **named}]}, folder)
 
 
-def _reading(
-    model: Model,
-    file: str,
-    cases: Mapping[str, str] | None,
-    supports: Mapping[str, str] | None,
-    reading: Mapping[str, Any],
-) -> Reactions:
+def _reading(model: Model, file: str, choices: Choices) -> Reactions:
     """Return how a table is to be read: as the last one, but for what is given now."""
-    last = model.reactions or Reactions()
+    last, reading = model.reactions or Reactions(), choices.reading
     unknown = [key for key in reading if key not in Reactions.model_fields]
     if unknown:
         known = ", ".join(Reactions.model_fields)
         raise InputError([Issue("reactions", f"{describe(key)}", f"one of {known}") for key in unknown])
-    pairs = {pair.table: pair.case for pair in last.cases} | dict(cases or {})
-    named = {pair.table: pair.on for pair in last.supports} | dict(supports or {})
+    pairs = {pair.table: pair.case for pair in last.cases} | dict(choices.cases)
+    named = {pair.table: pair.on for pair in last.supports} | dict(choices.supports)
     headings = reading.get("headings", {})
     if isinstance(headings, Mapping):
         reading = {**reading, "headings": last.headings.replace(**headings)}
@@ -149,16 +160,11 @@ def _reading(
 
 
 def _take(
-    document: CaseText,
-    path: Path,
-    model: Model,
-    reading: Reactions,
-    new_cases: Mapping[str, str],
-    move_columns: bool,
+    document: CaseText, path: Path, model: Model, reading: Reactions, choices: Choices
 ) -> tuple[list[str], tuple[Moved, ...]]:
     """Put the loads of a table into a case; return remarks, and what the table has elsewhere."""
     table = read_table(path, reading)
-    cases = match_cases(table, model, reading, new_cases)
+    cases = match_cases(table, model, reading, choices.new_cases)
     left = {*cases.left, *reading.without_cases}
     taken = [each for each in table.reactions if each.case not in left and each.support not in reading.without_supports]
     matched = match_supports(taken, table, model, reading)
@@ -173,7 +179,7 @@ def _take(
         document.set(("cases",), [*document.data.get("cases", []), *cases.new])
     if matched.new_columns:
         document.set(("columns",), [*document.data.get("columns", []), *matched.new_columns])
-    if move_columns:
+    if choices.move_columns:
         _move(document, matched.moved)
     document.set_loads(loads)
     document.set_reactions(reading, model.reactions)

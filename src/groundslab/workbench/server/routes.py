@@ -15,6 +15,7 @@ from fastapi.responses import JSONResponse, RedirectResponse, Response, Streamin
 from fastapi.staticfiles import StaticFiles
 from pydantic import BaseModel, ConfigDict, Field
 
+from groundslab.case.reactions import Choices
 from groundslab.errors import InputError, Issue
 from groundslab.model.model import json_schema
 from groundslab.workbench.editing import diagnostics
@@ -67,6 +68,18 @@ class OpenDrawing(_Body):
     unit: Annotated[str, Field(max_length=100)] | None = None
     centered: bool = False
     gap: Annotated[str, Field(max_length=100)] = "1 mm"
+
+
+class ImportReactions(_Body):
+    """A table of reactions, what is said of it, keys of [reactions]; with the version to take it into, else to look."""
+
+    file: Annotated[str, Field(min_length=1)]
+    new_cases: Annotated[dict[str, str], Field(max_length=1000)] = {}
+    cases: Annotated[dict[str, str], Field(max_length=1000)] = {}
+    supports: Annotated[dict[str, str], Field(max_length=10_000)] = {}
+    move_columns: bool = False
+    reading: Annotated[dict[str, Any], Field(max_length=100)] = {}
+    base: int | None = None
 
 
 class Restore(_Body):
@@ -208,6 +221,13 @@ def _add_document_routes(app: FastAPI, session: Session) -> None:
     def open_drawing(body: OpenDrawing) -> dict[str, Any]:
         made = session.open_drawing(body.file, body.layers, body.unit, body.centered, body.gap)
         return {"state": session.get_state(), "report": made.report, "origin": made.origin}
+
+    @app.post("/api/reactions")
+    def import_reactions(body: ImportReactions) -> dict[str, Any]:
+        choices = Choices(body.new_cases, body.cases, body.supports, body.move_columns, body.reading)
+        found = session.import_reactions(body.file, choices, body.base)
+        state = {} if body.base is None else {"state": session.get_state()}
+        return {"changes": found.changes, "sums": found.sums, "remarks": found.remarks, **state}
 
 
 def add_schema_route(app: FastAPI) -> None:

@@ -9,9 +9,11 @@ from pathlib import Path
 from typing import Any
 
 from groundslab.case import casefile
+from groundslab.case.reactions import Choices
 from groundslab.errors import InputError, Issue
 from groundslab.workbench.checking.bounded_process import BoundedProcess
 from groundslab.workbench.checking.drawings import ConvertedDrawing, DrawingReader
+from groundslab.workbench.checking.reactions import ReactionPreview, ReactionReader
 from groundslab.workbench.editing.document import Document
 from groundslab.workbench.events import Event, Hub
 from groundslab.workbench.persistence import files
@@ -35,6 +37,7 @@ class Session:
         self._lock = threading.RLock()
         self.analyses = Analyses(self._lock, hub, solver)
         self._drawings = DrawingReader()
+        self._reactions = ReactionReader()
         self._state = state
         self._lock_file = partial(case_file.lock_file, state=state, url=url)
         document = Document(casefile.starter())
@@ -110,6 +113,22 @@ class Session:
         made = self._drawings.convert(path, layers, unit, centered, gap)
         self._begin(Document(made.text), CaseFile(None, None))
         return made
+
+    def import_reactions(self, name: str, choices: Choices, base: int | None) -> ReactionPreview:
+        """Return what a table of reactions changes; take it as a step of undo into the version that is given, if any.
+
+        Raises InputError, and Conflict if there is a newer version.
+        """
+        revision = self.editor.revision
+        if base not in (None, revision.version):
+            raise case_file.Conflict("version")
+        folder = None if self.file.path is None else self.file.folder
+        preview = self._reactions.read(
+            case_file.resolve_path(name, self.file.folder), revision.document.text, folder, choices
+        )
+        if base is not None:
+            self.editor.edit([{"op": "text", "value": preview.text}], "Import reactions", base)
+        return preview
 
     def solve(self) -> int:
         """Solve the document at once and return the run; raises InputError with its issues if it has any."""

@@ -3,6 +3,7 @@
 import type { Change } from "../model/edits";
 import { type Issue, issueLine, type Remark } from "../model/issues";
 import { isTable, type Json, type Table, tableAt } from "../model/paths";
+import type { ReactionChanges, ReactionChoice } from "../model/reactions";
 import type { DrawingChoice, Survey } from "../model/survey";
 
 /** Unsaved work that an earlier run of the server has kept. */
@@ -48,6 +49,7 @@ export interface Folder {
   folders: string[];
   files: string[];
   drawings?: string[];
+  tables?: string[];
 }
 
 /** A case made from a drawing: the report of what was read, and the place of the drawing [m] that is the origin. */
@@ -154,7 +156,7 @@ export class Refused extends Error {
 }
 
 const PATIENCE = 15_000; // ms until a server that does not answer counts as gone
-const READING = 120_000; // the same while it reads a drawing
+const READING = 120_000; // the same while it reads a drawing or a table
 
 /** The interface over HTTP, every call with the token. */
 export class HttpApi {
@@ -175,6 +177,12 @@ export class HttpApi {
   surveyDrawing = (file: string) => this.json<Survey>(`drawing?file=${encodeURIComponent(file)}`, undefined, READING);
   openDrawing = (file: string, choice: DrawingChoice) =>
     this.json<OpenedDrawing>("drawing", { file, ...choice }, READING);
+  /** What a table of reactions changes. */
+  reactions = (file: string, choice: ReactionChoice) =>
+    this.json<ReactionChanges>("reactions", { file, ...choice }, READING);
+  /** Take a table of reactions into a version of the document. */
+  takeReactions = (file: string, choice: ReactionChoice, base: number) =>
+    this.json<ReactionChanges & { state: DocState }>("reactions", { file, ...choice, base }, READING);
   createCase = () => this.json<DocState>("new", {});
   examples = () => this.json<Example[]>("examples");
   openExample = (name: string) => this.json<DocState>("examples", { name });

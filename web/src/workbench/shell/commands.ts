@@ -6,6 +6,8 @@ import type { Store } from "../client/store";
 import { ask } from "../controls/dialogs";
 import { isDrawing, openDrawing } from "../drawing/open-drawing";
 import { chooseStart } from "../help/examples";
+import { isTableFile } from "../model/reactions";
+import { importReactions } from "../reactions/import-reactions";
 import { chooseFile } from "./file-dialog";
 
 export class Commands {
@@ -60,6 +62,7 @@ export class Commands {
   open = async (): Promise<void> => {
     const chosen = await chooseFile(this.api, "open", this.store.doc?.file ?? null);
     if (!chosen) return;
+    if (isTableFile(chosen.file)) return this.importReactions(chosen.file);
     await (isDrawing(chosen.file) ? this.openDrawing(chosen.file) : this.openFile(chosen.file));
   };
 
@@ -82,6 +85,11 @@ export class Commands {
         return isDone;
       },
     });
+  }
+
+  /** Take a table of reactions as loads of the present case. */
+  private importReactions(file: string): Promise<void> {
+    return importReactions(file, { api: this.api, store: this.store, run: (run, known) => this.run(run, known) });
   }
 
   /** Begin a new case, empty or from an example. */

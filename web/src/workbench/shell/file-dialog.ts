@@ -45,7 +45,7 @@ class FileDialog {
     private readonly resolve: (chosen: ChosenFile | null) => void,
   ) {
     const words = purpose === "open" ? "Open" : "Save";
-    const title = purpose === "open" ? "Open a case file or a drawing" : "Save the case file as";
+    const title = purpose === "open" ? "Open a case file, a drawing or a table of reactions" : "Save the case file as";
     const goUp = () => this.folder?.parent && void this.show(this.folder.parent);
     const answers = [
       button("Cancel", "", () => this.close(null)),
@@ -105,7 +105,8 @@ class FileDialog {
     this.place.value = this.folder.folder;
     const { folders } = this.folder;
     const drawings = this.purpose === "open" ? (this.folder.drawings ?? []) : [];
-    const files = [...this.folder.files, ...drawings];
+    const tables = this.purpose === "open" ? (this.folder.tables ?? []) : [];
+    const files = [...this.folder.files, ...drawings, ...tables];
     fill(
       this.list,
       ...folders.map((name) => this.entry(name, true)),
@@ -115,7 +116,7 @@ class FileDialog {
             "p",
             { class: "empty" },
             this.purpose === "open"
-              ? "No case files (*.toml) or drawings (*.dxf) in this folder."
+              ? "No case files (*.toml), drawings (*.dxf) or tables (*.csv, *.xlsx) in this folder."
               : "No case files (*.toml) in this folder.",
           )
         : null,
