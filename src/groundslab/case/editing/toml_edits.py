@@ -107,8 +107,8 @@ class TomlEditor:
             replacements += self._change((*path, index), a, b)
         for index in range(first + len(after), first + len(before)):
             replacements += self._remove_statements((*path, index))
-        for table in after[len(before) :]:
-            replacements.append(self._insert_table(path, first + len(before), table))
+        if new_tables := after[len(before) :]:
+            replacements.append(self._insert_tables(path, first + len(before), new_tables))
         return replacements
 
     def _rewrite_enclosing(self, path: Path, new: Any) -> list[Replacement]:
@@ -122,9 +122,9 @@ class TomlEditor:
 
     def _remove_statements(self, path: Path) -> list[Replacement]:
         """Remove all statements at and below a path, with the comments that belong to them."""
-        statements = enumerate(self.layout.statements)
-        runs = groupby(statements, lambda numbered: numbered[1].path[: len(path)] == path)
-        inside = [[index for index, _ in run] for below, run in runs if below]
+        # indices that follow each other have the same distance to their positions
+        runs = groupby(enumerate(self.layout.find_indices(path)), lambda pair: pair[1] - pair[0])
+        inside = [[index for _, index in run] for _, run in runs]
         return [self._delete_statements(indices[0], indices[-1], path) for indices in inside]
 
     def _delete_statements(self, first: int, last: int, path: Path) -> Replacement:
@@ -199,9 +199,9 @@ class TomlEditor:
                 return self.layout.skip_comments_down(statements[last].end)
         return len(self.text)
 
-    def _insert_table(self, path: Path, index: int, table: Mapping[str, Any]) -> Replacement:
-        """Insert a table into a list of tables with headers, before the one with an index, or at the end."""
-        section = toml_writer.section(_select_keys(path), [table])
+    def _insert_tables(self, path: Path, index: int, tables: list[Any]) -> Replacement:
+        """Insert tables into a list of tables with headers, before the one with an index, or at the end."""
+        section = toml_writer.section(_select_keys(path), tables)
         following = self.layout.find_statements((*path, index))
         if following:
             start = self.layout.skip_comments_up(following[0].start) if index > 0 else following[0].start

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections import defaultdict
+from functools import cached_property
 from typing import Any
 
 from groundslab.case.editing.toml_positions import Statement, Value, read_statements
@@ -33,9 +35,22 @@ class TomlLayout:
         """Whether a path lies within the value of one pair."""
         return any(path[:length] in self.pairs for length in range(1, len(path) + 1))
 
+    @cached_property
+    def _by_item(self) -> dict[Path, list[int]]:
+        """The indices of statements by the first two steps of their paths, such as a load in the list of loads."""
+        indices: dict[Path, list[int]] = defaultdict(list)
+        for index, statement in enumerate(self.statements):
+            indices[statement.path[:2]].append(index)
+        return indices
+
+    def find_indices(self, path: Path) -> list[int]:
+        """Return the indices of the statements at and below a path, from top to bottom."""
+        near = self._by_item.get(path[:2], ()) if len(path) > 1 else range(len(self.statements))
+        return [index for index in near if self.statements[index].path[: len(path)] == path]
+
     def find_statements(self, path: Path) -> list[Statement]:
         """Return the statements at and below a path, from top to bottom."""
-        return [statement for statement in self.statements if statement.path[: len(path)] == path]
+        return [self.statements[index] for index in self.find_indices(path)]
 
     def find_line(self, path: Path) -> int | None:
         """Return the line, from 1, of the value at a path or of the nearest table around it."""
