@@ -50,6 +50,7 @@ SECTIONS = {
     "supports": "Supports",
     "cases": "Load cases",
     "loads": "Loads",
+    "reactions": "Table of reactions",
     "patterns": "Vehicles and racks",
     "moves": "Places and paths",
     "combinations": "Combinations",
