@@ -12,6 +12,8 @@ from .case.reactions import read_reactions as read_reactions
 from .case.reactions.changes import CaseSum as CaseSum
 from .case.reactions.changes import ReactionChange as ReactionChange
 from .case.reactions.forces import Resultant as Resultant
+from .case.saf.reading.reader import SafCase as SafCase
+from .case.saf.reading.reader import read_saf as read_saf
 from .design.checks import Design as Design
 from .design.checks import DesignCheck as DesignCheck
 from .design.checks import check_design as check_design
@@ -124,6 +126,7 @@ from .study.evaluation.study import open_study as open_study
 from .views.bars import write_bars as write_bars
 from .views.files.results_folder import load_results as load_results
 from .views.files.results_folder import save_results as save_results
+from .views.files.saf import write_saf as write_saf
 from .views.files.xlsx import write_workbook as write_workbook
 from .views.ground_comparison.figure import plot_comparison as plot_comparison
 from .views.ground_comparison.files import save_comparison as save_comparison

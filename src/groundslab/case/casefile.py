@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -13,6 +13,7 @@ from groundslab.case.building_file import with_matrix
 from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
 from groundslab.schema.base import Section
+from groundslab.schema.section_fields import Field
 from groundslab.schema.wording import describe, quote
 
 LARGEST = 10_000_000  # bytes of a file
@@ -117,6 +118,14 @@ def to_toml(part: Section) -> str:
     return "\n".join(_lines(part, "")).strip() + "\n"
 
 
+def lines_of(parts: Mapping[str, Any], kind: type[Section]) -> list[str]:
+    """Return the lines of a file with some parts of a section of a kind, such as a Model; others are left out."""
+    part = object.__new__(kind)
+    vars(part).update(kind.field_defaults, **parts)
+    fields = {name: field for name, field in kind.model_fields.items() if name in parts}
+    return list(_lines(part, "", fields))
+
+
 def with_reinforcement(text: str, model: Model, folder: Path) -> str:
     """Return a case's text with the reinforcement of a model in place of its own, all else with its comments.
 
@@ -156,10 +165,10 @@ def _syntax(text: str, name: str, message: str) -> Issue:
     return Issue(f"{name}, line {line}, column {column}", describe(content) if content else "nothing", "TOML", hint)
 
 
-def _lines(part: Section, path: str) -> Iterator[str]:
-    """Yield the lines of a part: its values, then the parts in it."""
+def _lines(part: Section, path: str, fields: Mapping[str, Field] | None = None) -> Iterator[str]:
+    """Yield the lines of a part: its values, then the parts in it; all of its fields, or some."""
     tables: list[tuple[str, Section]] = []
-    for name, field in type(part).model_fields.items():
+    for name, field in (fields or type(part).model_fields).items():
         value: Any = getattr(part, name)
         key = field.type
         inner = field.sections

@@ -1,0 +1,1 @@
+"""Slabs from files in the Structural Analysis Format."""

@@ -1,0 +1,150 @@
+"""The workbook of a file: opened with limits on what it may unfold to, its sheets as rows of named cells."""
+
+from __future__ import annotations
+
+import os
+import re
+import zipfile
+import zlib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from groundslab.case.saf.units import heading_key, heading_unit
+from groundslab.errors import InputError, Issue
+from groundslab.optional import import_optional
+from groundslab.schema.wording import describe
+
+#: The largest file that is read, what its parts may unfold to [bytes], and how many parts it may have.
+LARGEST_FILE, LARGEST_CONTENT, MOST_PARTS = 64_000_000, 256_000_000, 2000
+#: Rows and columns of a sheet, and cells of all sheets, at most.
+MOST_ROWS, MOST_COLUMNS, MOST_CELLS = 200_000, 400, 5_000_000
+#: Letters of a cell, at most.
+LONGEST_TEXT = 32_767
+#: Letters of a sheet's name that Excel keeps.
+LONGEST_NAME = 31
+
+_EXPECTED = "an Excel workbook in the Structural Analysis Format (XLSX)"
+#: Definitions of entities, which XML of a workbook has no need of and which may unfold without end.
+_DEFINITION = re.compile("|".join(("<!DOCTYPE", "<!\0D\0O\0C", "<\0!\0D\0O")).encode())
+_PIECE = 1 << 20
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A row of a sheet: its cells by the keys of their columns' headings, and the units in these headings."""
+
+    sheet: str
+    number: int
+    cells: Mapping[str, Any]
+    units: Mapping[str, str]
+
+    @property
+    def name(self) -> str:
+        """Return the name of the object in the row."""
+        return cell_text(self.cells.get("name"))
+
+
+def cell_text(value: object) -> str:
+    """Return what a cell says, numbers as they are written."""
+    if isinstance(value, float) and value.is_integer() and abs(value) < 1e15:
+        value = int(value)
+    return "" if value is None else str(value).strip()
+
+
+def read_sheets(path: str, names: frozenset[str]) -> tuple[dict[str, list[Row]], dict[str, int]]:
+    """Return the rows of the sheets with some names, and how many rows each of the others has; raises InputError."""
+    reader = import_optional("openpyxl", "which reads and writes workbooks", "saf")
+    _require_harmless(path)
+    shortened = {name[:LONGEST_NAME].lower(): name for name in names}
+    sheets: dict[str, list[Row]] = {}
+    others: dict[str, int] = {}
+    cells = 0
+    try:
+        book = reader.load_workbook(path, read_only=True, data_only=True, keep_links=False)
+        try:
+            for sheet in book.worksheets:
+                name = shortened.get(sheet.title.strip().lower())
+                if name is None:
+                    others[sheet.title.strip()] = max((sheet.max_row or 1) - 1, 0)
+                    continue
+                rows = sheets.setdefault(name, [])
+                for row in _rows_of(sheet, name, path):
+                    cells += len(row.cells)
+                    if cells > MOST_CELLS:
+                        raise InputError([Issue(path, f"more than {MOST_CELLS:,} cells", "fewer")])
+                    rows.append(row)
+        finally:
+            book.close()
+    except (InputError, MemoryError):
+        raise
+    except Exception as error:  # of any kind, as what is damaged may be anything
+        found = f"a damaged workbook ({type(error).__name__}: {str(error)[:100]})"
+        raise InputError([Issue(path, found, _EXPECTED, "open it in Excel and save it again")]) from None
+    return sheets, others
+
+
+def _require_harmless(path: str) -> None:
+    """Raise InputError for anything that is no workbook, or one that would unfold to far more than it says."""
+    try:
+        if Path(path).exists() and not Path(path).is_file():
+            raise InputError([Issue(path, "no plain file", _EXPECTED)])
+        with Path(path).open("rb") as file:
+            size = os.fstat(file.fileno()).st_size
+            if size > LARGEST_FILE:
+                raise InputError([Issue(path, f"a file of {size:,} bytes", f"at most {LARGEST_FILE:,}")])
+            with zipfile.ZipFile(file) as parts:
+                _require_limits(path, parts)
+    except FileNotFoundError:
+        raise InputError([Issue(path, "no file of that name", _EXPECTED)]) from None
+    except (zipfile.BadZipFile, zipfile.LargeZipFile, zlib.error, RuntimeError, EOFError) as error:
+        raise InputError([Issue(path, f"no workbook ({str(error)[:100]})", _EXPECTED)]) from None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise InputError([Issue(path, f"a file that cannot be read ({reason})", _EXPECTED)]) from None
+
+
+def _require_limits(path: str, parts: zipfile.ZipFile) -> None:
+    """Raise InputError for too many or too large parts, and for XML that defines entities."""
+    infos = parts.infolist()
+    content = sum(info.file_size for info in infos)
+    if len(infos) > MOST_PARTS or content > LARGEST_CONTENT:
+        found = f"{len(infos):,} parts that unfold to {content:,} bytes"
+        raise InputError([Issue(path, found, f"at most {MOST_PARTS:,} parts and {LARGEST_CONTENT:,} bytes")])
+    for info in infos:
+        if info.filename.lower().endswith((".xml", ".rels")):
+            with parts.open(info) as part:
+                before = b""
+                while piece := part.read(_PIECE):
+                    if _DEFINITION.search(before + piece):
+                        raise InputError([Issue(f"{path}, {info.filename}", "a document type definition", "none")])
+                    before = piece[-32:]
+
+
+def _rows_of(sheet: Any, name: str, path: str) -> Iterator[Row]:
+    """Yield the rows of a sheet; of several tables side by side those of one after the other."""
+    sheet.reset_dimensions()
+    lines = sheet.iter_rows(max_row=MOST_ROWS + 1, max_col=MOST_COLUMNS, values_only=True)
+    if name in ("Project", "Model"):  # these have their headings in the first column
+        cells = {heading_key(line[0]): line[1] for line in lines if len(line) > 1 and line[0] is not None}
+        yield Row(name, 1, cells, {})
+        return
+    headings: tuple[Any, ...] = next(lines, ())
+    keys = [heading_key(heading) if heading is not None else "" for heading in headings]
+    units = {key: heading_unit(heading) for key, heading in zip(keys, headings, strict=True) if key}
+    # a table starts where the first heading comes again
+    starts = [position for position, key in enumerate(keys) if key and key == keys[0]] or [0]
+    for number, line in enumerate(lines, start=2):
+        if number > MOST_ROWS and any(value is not None for value in line):
+            raise InputError([Issue(f"{path}, sheet {name}", f"more than {MOST_ROWS:,} rows", "fewer")])
+        for start, end in zip(starts, [*starts[1:], len(keys)], strict=True):
+            cells = {}
+            for key, value in zip(keys[start:end], line[start:end], strict=False):
+                if key and value is not None and value != "":
+                    if isinstance(value, str) and len(value) > LONGEST_TEXT:
+                        found = f"a text of {len(value):,} letters: {describe(value)}"
+                        raise InputError([Issue(f"{path}, sheet {name}, row {number}", found, "a shorter one")])
+                    cells.setdefault(key, value)
+            if cells:
+                yield Row(name, number, cells, units)

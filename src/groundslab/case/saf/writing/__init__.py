@@ -1,0 +1,1 @@
+"""Cases as files in the Structural Analysis Format."""

@@ -1,0 +1,131 @@
+"""A case as a file in the Structural Analysis Format, version 2.2."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from groundslab._version import __version__
+from groundslab.case.saf.writing.cases import write_cases, write_combinations
+from groundslab.case.saf.writing.loads import Placed, write_loads
+from groundslab.case.saf.writing.sheets import Sheets
+from groundslab.case.saf.writing.structure import (
+    plate_names,
+    write_beams,
+    write_columns,
+    write_ground,
+    write_materials,
+    write_plate,
+    write_supports,
+    write_walls,
+)
+from groundslab.errors import InputError, Issue
+from groundslab.model.combinations import list_combinations, place_patterns
+from groundslab.storage import atomic
+
+if TYPE_CHECKING:
+    from groundslab.model.model import Model
+
+VERSION = "2.2.0"
+
+#: Parts of a model that are written, or need not be.
+_WRITTEN = {"title", "project", "report", "plate", "plates", "ground", "soil_zones", "supports", "columns", "walls",
+            "beams", "cases", "loads", "combinations", "combine", "patterns", "moves"}  # fmt: skip
+
+
+def write_model(model: Model, path: str | Path, stiffness: tuple[float, float] | None = None) -> tuple[str, ...]:
+    """Write a case to a new file; return what is not in it, or there in another way.
+
+    ``stiffness`` is k0 [Pa/m] and k1 [Pa m] of ground that is not given by them. Raises InputError if the file exists.
+    """
+    sheets = Sheets()
+    placed = place_patterns(model)
+    if model.moves:
+        sheets.leave("moves", "vehicles and racks are written as forces, each position as a case")
+    names = plate_names(placed.every_plate)
+    materials = write_materials(sheets, placed)
+    for plate, name in zip(placed.every_plate, names, strict=True):
+        write_plate(sheets, plate, name, materials)
+    first = materials[placed.plate.E, placed.plate.nu]
+    feet = write_columns(sheets, placed, first)
+    walls = write_walls(sheets, placed.placed_walls, first)
+    write_beams(sheets, placed, names[0], materials)
+    write_supports(sheets, placed, names[0])
+    write_ground(sheets, placed, names, first, stiffness)
+    weights = write_cases(sheets, placed)
+    if placed.combinations or placed.combine is not None:
+        write_combinations(sheets, list_combinations(placed), weights)
+        if placed.combine is not None:
+            sheets.leave("combine", "its combinations are written with their factors")
+    plates = {plate.name or name: name for plate, name in zip(placed.every_plate, names, strict=True)}
+    rings = {name: plate.ring() for plate, name in zip(placed.every_plate, names, strict=True)}
+    write_loads(sheets, placed, Placed(plates, rings, feet, walls))
+    _add_internal_nodes(sheets, names[0])
+    if len(names) > 1:
+        sheets.leave("plates", "one at a time is read back; joints are not written")
+    _leave_others(sheets, model)
+    content = sheets.to_bytes(_project(model), _model(model))
+    try:
+        atomic.write(Path(path), content, new=True)
+    except FileExistsError:
+        raise InputError(
+            [Issue(str(path), "a file that exists", "a name that is free", "choose another name")]
+        ) from None
+    except OSError as error:
+        raise InputError([Issue(str(path), error.strerror or str(error), "a file that can be written")]) from None
+    return tuple(dict.fromkeys(sheets.left))
+
+
+def _add_internal_nodes(sheets: Sheets, plate: str) -> None:
+    """Name the nodes at which columns stand and loads and supports act as internal ones of the first plate."""
+    used = [row["nodes"].split("; ")[0] for row in sheets.rows["StructuralCurveMember"]]
+    used += [row["node"] for row in sheets.rows["StructuralPointSupport"]]
+    used += [
+        row["referencenode"]
+        for sheet in ("StructuralPointAction", "StructuralPointMoment")
+        for row in sheets.rows[sheet]
+    ]
+    member = next(row for row in sheets.rows["StructuralSurfaceMember"] if row["name"] == plate)
+    corners = set(member["nodes"].split("; "))
+    member["internalnodes"] = "; ".join(node for node in dict.fromkeys(used) if node not in corners)
+
+
+def _leave_others(sheets: Sheets, model: Model) -> None:
+    """Note the parts of a model that the format has no place for."""
+    for name, part in model:
+        if name not in _WRITTEN and part != type(model).field_defaults[name]:
+            sheets.leave(name, "the format has no place for it")
+    plain = type(model.plate).field_defaults
+    for key in ("shear_factor", "element"):
+        if getattr(model.plate, key) != plain[key]:
+            sheets.leave(f"plate.{key}", "the format has no place for it")
+    if model.ground.kind not in ("winkler", "pasternak"):
+        sheets.leave("ground", f"layers of {model.ground.kind} ground have no place in the format")
+
+
+def _project(model: Model) -> dict[str, str]:
+    """Return the lines of the sheet Project."""
+    project = model.project
+    return {
+        "Name": project.name if project is not None else "",
+        "Project nr": project.number if project is not None else "",
+        "Project type": "Building construction",
+    }
+
+
+def _model(model: Model) -> dict[str, str]:
+    """Return the lines of the sheet Model."""
+    project, american = model.project, model.reinforcement is not None and "ACI" in model.reinforcement.code
+    return {
+        "Name": model.title,
+        "Discipline": "Load-bearing structure",
+        "Owner": project.author if project is not None else "",
+        "Revision number": project.revision if project is not None else "",
+        "Source type": "Structural analysis model",
+        "Source application": f"groundslab {__version__}",
+        "SAF Version": VERSION,
+        "Global coordinate system": "Z vertical",
+        "LCS of cross-section": "ZYX",
+        "System of units": "Metric",
+        "National code": "IBC" if american else "EC-Standard-EN",
+    }
