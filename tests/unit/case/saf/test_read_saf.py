@@ -155,7 +155,7 @@ def test_everything_is_reported(tmp_path: Path, sheets: saf_files.Sheets) -> Non
 
 
 def test_results_give_the_loads_of_columns_and_walls(tmp_path: Path, sheets: saf_files.Sheets) -> None:
-    """N at the feet, of a member that ends there at its length; n across the lower edge of a wall; by load case only."""
+    """N at the feet, of a member that ends there at its length; n across the foot of a wall; by load case only."""
     sheets["ResultInternalForce1D"] = [
         ["Result on", "Member", "Result for", "Load case", "Load combination", "Section at [m]", "Index", "N [kN]",
          "Vy [kN]", "Vz [kN]", "Mx [kNm]", "My [kNm]", "Mz [kNm]"],
@@ -191,7 +191,8 @@ def test_results_give_the_loads_of_columns_and_walls(tmp_path: Path, sheets: saf
 def test_imperial_files_are_the_same_in_si(tmp_path: Path, sheets: saf_files.Sheets) -> None:
     """A spring of 1 kip/ft3 is 157.087 kN/m3, a force of 1 kip 4.4482 kN, 1 ksi 6.8948 MPa, 1 lb/ft3 16.018 kg/m3."""
     names = {"[m]": "[ft]", "[mm]": "[in]", "[MPa]": "[ksi]", "[kg/m3]": "[lb/ft3]",
-             "[kN]": "[kip]", "[MN/m3]": "[kip/ft3]", "[MN/m]": "[kip/ft]", "[MN/m2]": "[kip/ft2]", "[kN/m]": "[kip/ft]", "[kNm]": "[kipft]",
+             "[kN]": "[kip]", "[MN/m3]": "[kip/ft3]", "[MN/m]": "[kip/ft]",
+             "[MN/m2]": "[kip/ft2]", "[kN/m]": "[kip/ft]", "[kNm]": "[kipft]",
              "[kNm/m]": "[kipft/ft]", "[kN/m2]": "[kip/ft2]", "[°C]": "[°F]"}  # fmt: skip
     for lines in sheets.values():
         for column, heading in enumerate(lines[0]):
@@ -234,7 +235,8 @@ def test_other_vertical_axes_turn_the_same_house(tmp_path: Path, sheets: saf_fil
         plan, height = list(row[1:3]), row[3]
         plan.insert(axis, sign * height)
         row[1:4] = plan
-    sheets["StructuralPointAction"] = [sheets["StructuralPointAction"][0], ["F1", "Standard", "XYZ"[axis], "In node", "O1", None,
+    head = sheets["StructuralPointAction"][0]
+    sheets["StructuralPointAction"] = [head, ["F1", "Standard", "XYZ"[axis], "In node", "N3", None,
                                        -100 * sign, None, "LC2", "Global"]]  # fmt: skip
     for sheet in ("StructuralPointActionFree", "StructuralCurveActionFree", "StructuralSurfaceActionFree",
                   "StructuralCurveAction", "StructuralPointMoment", "StructuralCurveMoment", "StructuralSurfaceAction",
@@ -242,7 +244,6 @@ def test_other_vertical_axes_turn_the_same_house(tmp_path: Path, sheets: saf_fil
         del sheets[sheet]
     for row in sheets["StructuralSurfaceMember"][1:]:
         row[9:12] = [axis != 0, axis == 0, 0]
-    sheets["StructuralPointAction"][1][4] = "N3"
     model = read(tmp_path, sheets).model
     assert sorted(model.plate.sides) == [5, 12]
     assert len(model.walls) == 4

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from groundslab.case.saf.reading.context import RowFault, Vector
-from groundslab.geometry.plan import LARGEST_BULGE, Place, Ring
+from groundslab.geometry.plan import LARGEST_BULGE, Place, Ring, make_segments
 from groundslab.model.shapes import AnyShape, Circle, Polygon, Rectangle
 from groundslab.schema.wording import describe
 
@@ -19,6 +19,8 @@ CLOSE = 1e-4
 PIECES = 16
 #: Arcs that rise less than this over their chords are straight.
 FLATTEST = 1e-6
+#: Arcs whose centers and radii differ by less than this, relative to the radius, are of one circle.
+ROUNDING = 1e-9
 MOST_NODES = 10_000  # of one curve
 
 _NODES = {"line": 2, "circular arc": 3, "circle arc": 3, "parabolic arc": 3, "bezier": 4}
@@ -64,6 +66,8 @@ def make_edges(places: Sequence[Vector], kinds: Sequence[str], closed: bool) -> 
     for kind, count in zip(words, counts, strict=True):
         edges.append(_make_edge(kind, around[first : first + count]))
         first += count - 1
+    if closed and sum(len(edge.bulges) for edge in edges) < 3 and not any(any(edge.bulges) for edge in edges):
+        raise RowFault("nodes", f"{len(corners)} nodes on a line", "a closed curve")
     return tuple(edges)
 
 
@@ -161,9 +165,8 @@ def to_shape(edges: Sequence[Edge]) -> AnyShape:
     """Return the shape that a closed curve is: a rectangle along x and y, a circle, or a polygon."""
     points, bulges = join(edges)
     corners = points[:-1]
-    if len(corners) == 2 and bulges in ((1.0, 1.0), (-1.0, -1.0)):
-        (ax, ay), (bx, by) = corners
-        return Circle(centre=(_tidy((ax + bx) / 2), _tidy((ay + by) / 2)), radius=_tidy(math.dist(*corners) / 2))
+    if (circle := to_circle(points, bulges)) is not None:
+        return circle
     if len(corners) == 4 and not bulges:
         xs, ys = sorted({x for x, _ in corners}), sorted({y for _, y in corners})
         if (
@@ -175,6 +178,19 @@ def to_shape(edges: Sequence[Edge]) -> AnyShape:
     return Polygon(points=corners, bulges=bulges)
 
 
+def to_circle(points: Sequence[Place], bulges: Sequence[float]) -> Circle | None:
+    """Return the circle that closed arcs make up, None if they don't."""
+    edges = make_segments(points, bulges)
+    if points[0] != points[-1] or len(edges) < 2 or len(edges) > len(bulges) or any(edge.straight for edge in edges):
+        return None
+    radius, sweep = edges[0].radius, sum(edge.sweep for edge in edges)
+    apart = max(math.dist(edges[0].centre, edge.centre) + abs(edge.radius - radius) for edge in edges)
+    if apart > ROUNDING * radius or abs(abs(sweep) - 2 * math.pi) > ROUNDING:
+        return None
+    x, y = (sum(edge.centre[axis] for edge in edges) / len(edges) for axis in (0, 1))
+    return Circle(centre=(_tidy(x), _tidy(y)), radius=_tidy(radius))
+
+
 def to_ring(edges: Sequence[Edge]) -> Ring:
     """Return a closed curve."""
     points, bulges = join(edges)
@@ -182,4 +198,5 @@ def to_ring(edges: Sequence[Edge]) -> Ring:
 
 
 def _tidy(value: float) -> float:
-    return float(f"{value:.12g}") + 0.0
+    """Return a coordinate freed of what rounding has left."""
+    return round(float(f"{value:.11g}"), 12) + 0.0

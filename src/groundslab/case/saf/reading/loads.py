@@ -10,7 +10,7 @@ from itertools import pairwise
 from typing import Any
 
 from groundslab.case.saf.reading.context import ReadContext, RowFault, Vector, text, texts, word
-from groundslab.case.saf.reading.geometry import CLOSE, Edge, join, make_edges, to_ring, to_shape
+from groundslab.case.saf.reading.geometry import CLOSE, Edge, join, make_edges, to_circle, to_ring, to_shape
 from groundslab.case.saf.reading.ground import Path, find_edges, loaded_part
 from groundslab.case.saf.reading.slab import Slab, slab_axes
 from groundslab.case.saf.reading.workbook import Row
@@ -212,8 +212,8 @@ def _add_line(found: Loads, row: Row, path: Path, start: Vector, end: Vector, wa
         return
     varies = {"q_end": -end[2]} if end[2] != start[2] else {}
     where: dict[str, Any] = {"wall": wall} if wall else {"points": points, "bulges": bulges}
-    if not wall and not varies and len(points) == 3 and points[0] == points[2] and bulges in ((1.0, 1.0), (-1.0, -1.0)):
-        where = {"shape": to_shape([Edge(tuple((*point, 0.0) for point in points), bulges)])}
+    if not wall and not varies and (circle := to_circle(points, bulges)) is not None:
+        where = {"shape": circle}
     found.loads.append(LineLoad(name=row.name, case=case, q=-start[2], **varies, **where))
 
 

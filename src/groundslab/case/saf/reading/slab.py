@@ -61,12 +61,15 @@ class Slab:
     @property
     def area(self) -> BaseGeometry:
         """Return the slab without its openings, arcs as chords; kept once all openings are known."""
+        from shapely import make_valid
+
         if self.plan is None:
             size = max(max(abs(x), abs(y)) for edge in self.edges for x, y in edge.points)
             chord = FLAT * max(size, 1.0)
-            self.plan = to_ring(self.edges).polygon(chord)
+            # curves that cross themselves are issues of the plate
+            self.plan = make_valid(to_ring(self.edges).polygon(chord))
             for opening in self.openings.values():
-                self.plan = self.plan.difference(to_ring(opening).polygon(chord))
+                self.plan = self.plan.difference(make_valid(to_ring(opening).polygon(chord)))
         return self.plan
 
     def holds(self, place: Place) -> bool:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import os
+import io
 import re
+import warnings
 import zipfile
-import zlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -56,53 +56,66 @@ def cell_text(value: object) -> str:
 def read_sheets(path: str, names: frozenset[str]) -> tuple[dict[str, list[Row]], dict[str, int]]:
     """Return the rows of the sheets with some names, and how many rows each of the others has; raises InputError."""
     reader = import_optional("openpyxl", "which reads and writes workbooks", "saf")
-    _require_harmless(path)
-    shortened = {name[:LONGEST_NAME].lower(): name for name in names}
-    sheets: dict[str, list[Row]] = {}
-    others: dict[str, int] = {}
-    cells = 0
+    content = _read_file(path)
+    _require_harmless(path, content)
     try:
-        book = reader.load_workbook(path, read_only=True, data_only=True, keep_links=False)
-        try:
-            for sheet in book.worksheets:
-                name = shortened.get(sheet.title.strip().lower())
-                if name is None:
-                    others[sheet.title.strip()] = max((sheet.max_row or 1) - 1, 0)
-                    continue
-                rows = sheets.setdefault(name, [])
-                for row in _rows_of(sheet, name, path):
-                    cells += len(row.cells)
-                    if cells > MOST_CELLS:
-                        raise InputError([Issue(path, f"more than {MOST_CELLS:,} cells", "fewer")])
-                    rows.append(row)
-        finally:
-            book.close()
+        # openpyxl warns of styles and validations that it leaves out
+        with warnings.catch_warnings(action="ignore"):
+            book = reader.load_workbook(io.BytesIO(content), read_only=True, data_only=True, keep_links=False)
+            return _sheets_of(book, path, names)
     except (InputError, MemoryError):
         raise
     except Exception as error:  # of any kind, as what is damaged may be anything
         found = f"a damaged workbook ({type(error).__name__}: {str(error)[:100]})"
         raise InputError([Issue(path, found, _EXPECTED, "open it in Excel and save it again")]) from None
+
+
+def _sheets_of(book: Any, path: str, names: frozenset[str]) -> tuple[dict[str, list[Row]], dict[str, int]]:
+    """Return the rows of the sheets with some names, and how many rows each of the others has."""
+    shortened = {name[:LONGEST_NAME].lower(): name for name in names}
+    sheets: dict[str, list[Row]] = {}
+    others: dict[str, int] = {}
+    cells = 0
+    for sheet in book.worksheets:
+        name = shortened.get(sheet.title.strip().lower())
+        if name is None:
+            others[sheet.title.strip()] = max((sheet.max_row or 1) - 1, 0)
+            continue
+        rows = sheets.setdefault(name, [])
+        for row in _rows_of(sheet, name, path):
+            cells += len(row.cells)
+            if cells > MOST_CELLS:
+                raise InputError([Issue(path, f"more than {MOST_CELLS:,} cells", "fewer")])
+            rows.append(row)
     return sheets, others
 
 
-def _require_harmless(path: str) -> None:
-    """Raise InputError for anything that is no workbook, or one that would unfold to far more than it says."""
+def _read_file(path: str) -> bytes:
+    """Return the bytes of a file; raises InputError for what is none, or too large."""
     try:
         if Path(path).exists() and not Path(path).is_file():
             raise InputError([Issue(path, "no plain file", _EXPECTED)])
         with Path(path).open("rb") as file:
-            size = os.fstat(file.fileno()).st_size
-            if size > LARGEST_FILE:
-                raise InputError([Issue(path, f"a file of {size:,} bytes", f"at most {LARGEST_FILE:,}")])
-            with zipfile.ZipFile(file) as parts:
-                _require_limits(path, parts)
+            content = file.read(LARGEST_FILE + 1)
     except FileNotFoundError:
         raise InputError([Issue(path, "no file of that name", _EXPECTED)]) from None
-    except (zipfile.BadZipFile, zipfile.LargeZipFile, zlib.error, RuntimeError, EOFError) as error:
-        raise InputError([Issue(path, f"no workbook ({str(error)[:100]})", _EXPECTED)]) from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise InputError([Issue(path, f"a file that cannot be read ({reason})", _EXPECTED)]) from None
+    if len(content) > LARGEST_FILE:
+        raise InputError([Issue(path, "a larger file", f"at most {LARGEST_FILE:,} bytes")])
+    return content
+
+
+def _require_harmless(path: str, content: bytes) -> None:
+    """Raise InputError for anything that is no workbook, or one that would unfold to far more than it says."""
+    try:
+        with zipfile.ZipFile(io.BytesIO(content)) as parts:
+            _require_limits(path, parts)
+    except (InputError, MemoryError):
+        raise
+    except Exception as error:  # of any kind, as above
+        raise InputError([Issue(path, f"no workbook ({str(error)[:100]})", _EXPECTED)]) from None
 
 
 def _require_limits(path: str, parts: zipfile.ZipFile) -> None:
