@@ -41,6 +41,8 @@ def no_work(monkeypatch: pytest.MonkeyPatch) -> None:
         ("playwright", ["report", "slab-results", "--pdf"], "pdf"),
         ("xlsxwriter", ["tables", "slab-results"], "tables"),
         ("ezdxf", ["bars", "slab-results"], "dxf"),
+        ("openpyxl", ["import-saf", "house.xlsx"], "saf"),
+        ("openpyxl", ["export-saf", "slab-results"], "saf"),
     ],
 )
 def test_a_missing_package_is_named_before_results_are_read(

@@ -246,6 +246,8 @@ def test_other_vertical_axes_turn_the_same_house(tmp_path: Path, sheets: saf_fil
         row[9:12] = [axis != 0, axis == 0, 0]
     model = read(tmp_path, sheets).model
     assert sorted(model.plate.sides) == [5, 12]
+    # the local z axis of the slab is that of the file: bottom is above where it points down
+    assert [getattr(beam.section, "side", "") for beam in model.beams] == ["below" if sign > 0 else "above"]
     assert len(model.walls) == 4
     (load,) = (load for load in model.loads if isinstance(load, gs.PointLoad))
     assert load.P == 100e3
@@ -336,6 +338,12 @@ def test_curves_of_all_kinds_make_outlines(tmp_path: Path, sheets: saf_files.She
     angle = 2 * math.asin(6 / R)
     assert model.plate.ring().area == pytest.approx(60 + R**2 / 2 * (angle - math.sin(angle)), rel=1e-9)
     assert model.plate.openings[1].ring().bounds == pytest.approx((1.5, 2.5, 2.5, 3.5))
+
+
+def test_another_version_is_a_note(tmp_path: Path, sheets: saf_files.Sheets) -> None:
+    """Version 1.0 is read as far as it has the same headings."""
+    sheets["Model"][1] = ["SAF Version", "1.0.8"]
+    assert "version 1.0.8, read as one of 2.0 to 2.2" in read(tmp_path, sheets).report_text()
 
 
 def test_tables_side_by_side_are_read_one_after_the_other(tmp_path: Path, sheets: saf_files.Sheets) -> None:

@@ -89,7 +89,13 @@ class SafCase:
         return "\n".join([*head, "", *casefile.lines_of(self.parts, Model), *lacking]) + "\n"
 
     def report_text(self) -> str:
-        """Return the report on the file: counts by sheet, then what was taken and left out, with the reasons."""
+        """Return the report on the file: counts by sheet, then what was taken and left out, with the reasons.
+
+        Returns
+        -------
+        str
+            The report, line by line, for people.
+        """
         return "\n".join([f"slab: {describe(self.slab)}", *report_lines(self.report)]) + "\n"
 
 
@@ -136,6 +142,8 @@ def _read_model_sheet(context: ReadContext) -> None:
         raise InputError([Issue(context.path, found, expected, "its sheet Model states units and axes")])
     with context.reading(rows[0]):
         context.imperial = word(rows[0], "systemofunits", ("metric", "imperial"), "metric") == "imperial"
+        if not (version := text(rows[0], "safversion")).startswith(("2.0", "2.1", "2.2")):
+            context.note(None, f"version {version or 'not given'}, read as one of 2.0 to 2.2", "Model")
         vertical = " ".join(text(rows[0], "globalcoordinatesystem").lower().replace("-", "minus ").split())
         if vertical not in AXES:
             expected = "one of " + ", ".join(AXES)

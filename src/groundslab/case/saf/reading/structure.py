@@ -135,7 +135,9 @@ def _read_rib_section(context: ReadContext, row: Row, slab: Slab) -> BeamSection
     if "axial" in word(row, "behaviourinanalysis"):
         context.note(row, "axial force only, taken as a beam that bends")
     height, width = cross_section.sizes
-    side = {"bottom": "below", "top": "above"}.get(word(row, "alignment"))
+    # bottom and top by the local z axis of the slab, which is that of the file's vertical axis
+    lower, upper = ("bottom", "top") if context.upwards > 0 else ("top", "bottom")
+    side = {lower: "below", upper: "above"}.get(word(row, "alignment"))
     connection = word(row, "typeofconnection")
     if context.number(row, "eccentricityez", "size", 0.0):
         context.note(row, "its eccentricity ez, left out: it adjoins the plate, or lies about its middle plane")

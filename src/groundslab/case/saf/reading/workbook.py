@@ -25,6 +25,9 @@ LONGEST_TEXT = 32_767
 #: Letters of a sheet's name that Excel keeps.
 LONGEST_NAME = 31
 
+#: Sheets that have their headings in the first column.
+UPRIGHT = ("Project", "Model")
+
 _EXPECTED = "an Excel workbook in the Structural Analysis Format (XLSX)"
 #: Definitions of entities, which XML of a workbook has no need of and which may unfold without end.
 _DEFINITION = re.compile("|".join(("<!DOCTYPE", "<!\0D\0O\0C", "<\0!\0D\0O")).encode())
@@ -138,16 +141,19 @@ def _require_limits(path: str, parts: zipfile.ZipFile) -> None:
 def _rows_of(sheet: Any, name: str, path: str) -> Iterator[Row]:
     """Yield the rows of a sheet; of several tables side by side those of one after the other."""
     sheet.reset_dimensions()
-    lines = sheet.iter_rows(max_row=MOST_ROWS + 1, max_col=MOST_COLUMNS, values_only=True)
-    if name in ("Project", "Model"):  # these have their headings in the first column
+    lines = sheet.iter_rows(max_row=1 if name not in UPRIGHT else MOST_ROWS, max_col=MOST_COLUMNS, values_only=True)
+    if name in UPRIGHT:
         cells = {heading_key(line[0]): line[1] for line in lines if len(line) > 1 and line[0] is not None}
         yield Row(name, 1, cells, {})
         return
     headings: tuple[Any, ...] = next(lines, ())
+    while headings and headings[-1] is None:
+        headings = headings[:-1]
     keys = [heading_key(heading) if heading is not None else "" for heading in headings]
     units = {key: heading_unit(heading) for key, heading in zip(keys, headings, strict=True) if key}
     # a table starts where the first heading comes again
     starts = [position for position, key in enumerate(keys) if key and key == keys[0]] or [0]
+    lines = sheet.iter_rows(min_row=2, max_row=MOST_ROWS + 1, max_col=max(len(keys), 1), values_only=True)
     for number, line in enumerate(lines, start=2):
         if number > MOST_ROWS and any(value is not None for value in line):
             raise InputError([Issue(f"{path}, sheet {name}", f"more than {MOST_ROWS:,} rows", "fewer")])

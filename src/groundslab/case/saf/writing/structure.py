@@ -231,7 +231,8 @@ def write_ground(
     """
     under = _stiffness_of(model.ground, max(model.plate.sides)) or stiffness
     if under is None:
-        sheets.leave("ground", f"{model.ground.kind} has no k0 and k1 of its own; results have, solve it first")
+        solved = "; results have, solve it first" if model.ground.kind == "vlasov" else ""
+        sheets.leave("ground", f"{model.ground.kind} has no k0 and k1 of its own{solved}")
         return
     for name in names:
         _write_connection(sheets, name, None, under, model.ground.kind)
