@@ -285,6 +285,31 @@ def test_what_cannot_be_written_is_said(tmp_path: Path) -> None:
     assert edge == gs.LineSupport(name="Sle1", points=((-4, 3), (-4, -3)), rotation="fixed")
 
 
+def test_each_of_several_plates_has_what_stands_on_it(tmp_path: Path) -> None:
+    """A column, a rib and a load on the second plate are read with it, those of the first one are not."""
+    model = gs.Model(
+        plate=gs.Plate(name="a", length_x=4, length_y=4, thickness=0.3, E=30e9, nu=0.2),
+        plates=[gs.FurtherPlate(name="b", outline={"kind": "rectangle", "x": (2.5, 6), "y": (-2, 2)}, thickness=0.4,
+                                E=30e9, nu=0.2)],
+        ground=gs.Winkler(k=20e6),
+        columns=[gs.Column(name="A", x=0, y=0, diameter=0.3), gs.Column(name="B", x=4, y=0, diameter=0.3)],
+        beams=[Beam(name="r", points=((3, -1), (5, -1)), section=RectangularSection(width=0.3, height=0.8))],
+        cases=[gs.LoadCase(name="G")],
+        loads=[
+            gs.PointLoad(case="G", name="on A", P=10e3, column="A"),
+            gs.PointLoad(case="G", name="on B", P=20e3, column="B"),
+            gs.UniformLoad(case="G", name="of b", q=1e3, plate="b"),
+            gs.LineMoment(case="G", name="m", m=2e3, points=((3, 1), (5, 1))),
+        ],
+    )  # fmt: skip
+    write_model(model, tmp_path / "two.xlsx")
+    first, second = (gs.read_saf(tmp_path / "two.xlsx", name).model for name in "ab")
+    assert ([column.name for column in first.columns], first.beams) == (["A"], ())
+    assert [load.name for load in first.loads] == ["on A"]
+    assert ([column.name for column in second.columns], second.beams) == (["B"], model.beams)
+    assert sorted(load.name for load in second.loads) == ["m", "of b", "on B"]
+
+
 def test_texts_are_never_formulas(tmp_path: Path) -> None:
     """A name such as =1+1 stands in the file as a text."""
     model = gs.Model(

@@ -11,7 +11,7 @@ import numpy as np
 from groundslab.case.saf.units import from_si
 from groundslab.case.saf.writing.cases import ALL_LOADS, by_material
 from groundslab.case.saf.writing.sheets import Sheets
-from groundslab.case.saf.writing.structure import middle
+from groundslab.case.saf.writing.structure import middle, plate_at
 from groundslab.geometry.plan import Ring, Segment
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_types import (
@@ -251,8 +251,8 @@ def _write_line(
 
 
 def _inner(sheets: Sheets, edges: Sequence[Segment], placed: Placed) -> dict[str, Any]:
-    """Return where a load acts on an internal edge of the first plate, which is written."""
-    plate = next(iter(placed.plates.values()))
+    """Return where a load acts on an internal edge, which is written in the plate on which it starts."""
+    plate = plate_at(placed.rings, edges[0].start)
     nodes = [sheets.node(edges[0].start)]
     for edge in edges:
         nodes += [] if edge.straight else [sheets.node(middle(edge))]

@@ -9,7 +9,7 @@ import numpy as np
 
 from groundslab.case.saf.units import GRAVITY, from_si
 from groundslab.case.saf.writing.sheets import Sheets
-from groundslab.geometry.plan import FLAT, Ring, Segment
+from groundslab.geometry.plan import FLAT, Place, Ring, Segment
 from groundslab.model.ground import AnyGround, Pasternak, Winkler
 from groundslab.model.loads.load_types import SelfWeight
 from groundslab.model.plate import Plate
@@ -34,6 +34,17 @@ _WAYS = {"both ways": ("Rigid", "Flexible"), "in compression": ("Compression onl
 def plate_names(plates: Sequence[AnyPlate]) -> list[str]:
     """Return the names under which plates are written."""
     return [plate.name or f"S{number}" for number, plate in enumerate(plates, start=1)]
+
+
+def plate_at(plates: Mapping[str, Ring], place: Place) -> str:
+    """Return the name of the plate on which a place lies, the first one where it lies on none."""
+    from shapely import Point
+
+    from groundslab.geometry.areas import equal_area_polygon
+
+    first, *others = plates
+    on = (name for name in others if equal_area_polygon(plates[name]).intersects(Point(place)))
+    return next(on, first)
 
 
 def middle(edge: Segment) -> tuple[float, float]:
@@ -186,8 +197,10 @@ def _places(edge: Segment) -> list[tuple[float, float]]:
     return [edge.start, *([] if edge.straight else [middle(edge)]), edge.end]
 
 
-def write_beams(sheets: Sheets, model: Model, plate: str, materials: Mapping[tuple[float, float], str]) -> None:
-    """Write the beams as ribs of the first plate."""
+def write_beams(
+    sheets: Sheets, model: Model, plates: Mapping[str, Ring], materials: Mapping[tuple[float, float], str]
+) -> None:
+    """Write the beams as ribs of the plates on which they start."""
     for beam in model.beams:
         if isinstance(beam.section, GivenSection):
             sheets.leave(f"beam {beam.name}", "a section by its properties is not written")
@@ -198,7 +211,9 @@ def write_beams(sheets: Sheets, model: Model, plate: str, materials: Mapping[tup
         many = len(beam.edges) > 1
         geometry = "Polyline" if many else "Line" if beam.edges[0].straight else "Circular Arc"
         sheets.add(
-            "StructuralCurveMemberRib", beam.name, "RIB", **{"2dmember": plate}, crosssection=section,
+            "StructuralCurveMemberRib", beam.name, "RIB",
+            **{"2dmember": plate_at(plates, beam.edges[0].start)},
+            crosssection=section,
             **_curve(sheets, beam.edges, closed=False), geometricalshape=geometry, eccentricityez=0,
             shapeoftherib="T Symmetric", behaviourinanalysis="Standard", effectivewidth="Width", **_rib(sheets, beam),
         )  # fmt: skip
@@ -272,7 +287,7 @@ def _write_connection(
     )  # fmt: skip
 
 
-def write_supports(sheets: Sheets, model: Model, plate: str) -> None:
+def write_supports(sheets: Sheets, model: Model, plates: Mapping[str, Ring]) -> None:
     """Write supports at points and along lines, and those of the plate's edges."""
     for number, support in enumerate(model.supports, start=1):
         what = f"support {support.name or number}"
@@ -288,6 +303,7 @@ def write_supports(sheets: Sheets, model: Model, plate: str) -> None:
                 stiffnessz=from_si(support.stiffness, "point stiffness") if support.stiffness else None,
             )  # fmt: skip
         elif isinstance(support, LineSupport):
+            plate = plate_at(plates, support.points[0])
             edge = sheets.add(
                 "StructuralCurveEdge", "", "ES", **{"2dmember": plate}, **_curve(sheets, support.edges, closed=False)
             )
@@ -299,7 +315,7 @@ def write_supports(sheets: Sheets, model: Model, plate: str) -> None:
             continue
         if support.gap or support.limit is not None or getattr(support, "diameter", None) is not None:
             sheets.leave(what, "its gap, limit and diameter are not written")
-    _write_edges(sheets, model.plate, plate)
+    _write_edges(sheets, model.plate, next(iter(plates)))
 
 
 def _way(support: PointSupport | LineSupport) -> str:

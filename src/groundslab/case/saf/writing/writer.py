@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -10,6 +11,7 @@ from groundslab.case.saf.writing.cases import write_cases, write_combinations
 from groundslab.case.saf.writing.loads import Placed, write_loads
 from groundslab.case.saf.writing.sheets import Sheets
 from groundslab.case.saf.writing.structure import (
+    plate_at,
     plate_names,
     write_beams,
     write_columns,
@@ -20,6 +22,7 @@ from groundslab.case.saf.writing.structure import (
     write_walls,
 )
 from groundslab.errors import InputError, Issue
+from groundslab.geometry.plan import Ring
 from groundslab.model.combinations import list_combinations, place_patterns
 from groundslab.storage import atomic
 
@@ -43,14 +46,15 @@ def write_model(model: Model, path: str | Path, stiffness: tuple[float, float] |
     if model.moves:
         sheets.leave("moves", "vehicles and racks are written as forces, each position as a case")
     names = plate_names(placed.every_plate)
+    rings = {name: plate.ring() for plate, name in zip(placed.every_plate, names, strict=True)}
     materials = write_materials(sheets, placed)
     for plate, name in zip(placed.every_plate, names, strict=True):
         write_plate(sheets, plate, name, materials)
     first = materials[placed.plate.E, placed.plate.nu]
     feet = write_columns(sheets, placed, first)
     walls = write_walls(sheets, placed.placed_walls, first)
-    write_beams(sheets, placed, names[0], materials)
-    write_supports(sheets, placed, names[0])
+    write_beams(sheets, placed, rings, materials)
+    write_supports(sheets, placed, rings)
     write_ground(sheets, placed, names, first, stiffness)
     weights = write_cases(sheets, placed)
     if placed.combinations or placed.combine is not None:
@@ -58,9 +62,8 @@ def write_model(model: Model, path: str | Path, stiffness: tuple[float, float] |
         if placed.combine is not None:
             sheets.leave("combine", "its combinations are written with their factors")
     plates = {plate.name or name: name for plate, name in zip(placed.every_plate, names, strict=True)}
-    rings = {name: plate.ring() for plate, name in zip(placed.every_plate, names, strict=True)}
     write_loads(sheets, placed, Placed(plates, rings, feet, walls))
-    _add_internal_nodes(sheets, names[0])
+    _add_internal_nodes(sheets, rings)
     if len(names) > 1:
         sheets.leave("plates", "one at a time is read back; joints are not written")
     _leave_others(sheets, model)
@@ -76,18 +79,20 @@ def write_model(model: Model, path: str | Path, stiffness: tuple[float, float] |
     return tuple(dict.fromkeys(sheets.left))
 
 
-def _add_internal_nodes(sheets: Sheets, plate: str) -> None:
-    """Name the nodes at which columns stand and loads and supports act as internal ones of the first plate."""
+def _add_internal_nodes(sheets: Sheets, plates: Mapping[str, Ring]) -> None:
+    """Name the nodes at which columns stand and loads and supports act as internal ones of their plates."""
     used = [row["nodes"].split("; ")[0] for row in sheets.rows["StructuralCurveMember"]]
     used += [row["node"] for row in sheets.rows["StructuralPointSupport"]]
-    used += [
-        row["referencenode"]
-        for sheet in ("StructuralPointAction", "StructuralPointMoment")
-        for row in sheets.rows[sheet]
-    ]
-    member = next(row for row in sheets.rows["StructuralSurfaceMember"] if row["name"] == plate)
-    corners = set(member["nodes"].split("; "))
-    member["internalnodes"] = "; ".join(node for node in dict.fromkeys(used) if node not in corners)
+    for sheet in ("StructuralPointAction", "StructuralPointMoment"):
+        used += [row["referencenode"] for row in sheets.rows[sheet]]
+    places = {name: (x, y) for (x, y, _), name in sheets.nodes.items()}
+    inside: dict[str, list[str]] = {name: [] for name in plates}
+    for node in dict.fromkeys(used):
+        inside[plate_at(plates, places[node])].append(node)
+    for member in sheets.rows["StructuralSurfaceMember"]:
+        if member["name"] in inside:
+            corners = set(member["nodes"].split("; "))
+            member["internalnodes"] = "; ".join(node for node in inside[member["name"]] if node not in corners)
 
 
 def _leave_others(sheets: Sheets, model: Model) -> None:
