@@ -54,7 +54,7 @@ def export_file(options: argparse.Namespace) -> int:
     from groundslab.views.files import results_folder
     from groundslab.views.files.saf import write_saf
 
-    import_optional("openpyxl", "which reads and writes workbooks", "saf")
+    import_optional("openpyxl", "which reads and writes workbooks", "exchange")
     source = Path(options.case)
     target = Path(options.out) if options.out is not None else source.with_name(f"{source.stem}-saf.xlsx")
     left = write_saf(results_folder.load_results(source) if source.is_dir() else casefile.load(source), target)

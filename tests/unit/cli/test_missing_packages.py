@@ -42,7 +42,7 @@ def no_work(monkeypatch: pytest.MonkeyPatch) -> None:
         ("xlsxwriter", ["tables", "slab-results"], "tables"),
         ("ezdxf", ["bars", "slab-results"], "dxf"),
         ("openpyxl", ["import-saf", "house.xlsx"], "saf"),
-        ("openpyxl", ["export-saf", "slab-results"], "saf"),
+        ("openpyxl", ["export-saf", "slab-results"], "exchange"),
     ],
 )
 def test_a_missing_package_is_named_before_results_are_read(

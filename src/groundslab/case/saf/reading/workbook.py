@@ -58,7 +58,7 @@ def cell_text(value: object) -> str:
 
 def read_sheets(path: str, names: frozenset[str]) -> tuple[dict[str, list[Row]], dict[str, int]]:
     """Return the rows of the sheets with some names, and how many rows each of the others has; raises InputError."""
-    reader = import_optional("openpyxl", "which reads and writes workbooks", "saf")
+    reader = import_optional("openpyxl", "which reads and writes workbooks", "exchange")
     content = _read_file(path)
     _require_harmless(path, content)
     try:

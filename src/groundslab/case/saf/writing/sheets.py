@@ -116,7 +116,7 @@ class Sheets:
 
     def to_bytes(self, project: Mapping[str, str], model: Mapping[str, str]) -> bytes:
         """Return the file."""
-        writer = import_optional("openpyxl", "which reads and writes workbooks", "saf")
+        writer = import_optional("openpyxl", "which reads and writes workbooks", "exchange")
         book = writer.Workbook()
         book.remove(book.active)
         for name in ORDER:
