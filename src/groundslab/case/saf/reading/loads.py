@@ -244,7 +244,7 @@ def _read_free_curve_action(context: ReadContext, row: Row, slab: Slab, found: L
 
 
 def _read_curve_moment(context: ReadContext, row: Row, slab: Slab, found: Loads) -> None:
-    """Add a moment about a line: about its own direction, with its sign reversed (docs/howto/saf.md)."""
+    """Add a moment about a line: about its own direction, with its sign reversed (docs/howto/exchange_saf.md)."""
     edges = find_edges(row, slab, text(row, "forceaction"))
     if not edges:
         context.leave(row, "it does not act on the slab")
