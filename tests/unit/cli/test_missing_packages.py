@@ -41,7 +41,7 @@ def no_work(monkeypatch: pytest.MonkeyPatch) -> None:
         ("playwright", ["report", "slab-results", "--pdf"], "pdf"),
         ("xlsxwriter", ["tables", "slab-results"], "tables"),
         ("ezdxf", ["bars", "slab-results"], "dxf"),
-        ("openpyxl", ["import-saf", "house.xlsx"], "saf"),
+        ("openpyxl", ["import-saf", "house.xlsx"], "exchange"),
         ("openpyxl", ["export-saf", "slab-results"], "exchange"),
     ],
 )

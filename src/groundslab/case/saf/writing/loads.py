@@ -200,54 +200,34 @@ def _write_line(
         length = sum(edge.length for edge in group)
         values = tuple(ends[0] + (ends[1] - ends[0]) * way / total for way in (done, done + length))
         done += length
+        on = {"forceaction": "On edge", "2dmember": pieces[position][0], "edge": 1} if pieces else None
         if isinstance(load, LineMoment):
-            edge = (
-                {"forceaction": "On edge", "2dmember": pieces[position][0], "edge": 1}
-                if pieces
-                else _inner(sheets, group, placed)
-            )
-            moment = [from_si(-value, "line moment") + 0.0 for value in values]
-            sheets.add(
-                "StructuralCurveMoment",
-                load.name,
-                "LM",
-                direction="Mx",
-                coordinatesystem="Local",
-                **edge,
-                **_extent(),
-                **_values(moment),
-                **common,
-            )
-            continue
-        force = [from_si(-value, "line force") + 0.0 for value in values]
-        if pieces:
-            on = {"forceaction": "On edge", "2dmember": pieces[position][0], "edge": 1}
-            sheets.add(
-                "StructuralCurveAction",
-                load.name,
-                "LF",
-                direction="Z",
-                coordinatesystem="Global",
-                **on,
-                **_extent(),
-                eccentricityey=0,
-                eccentricityez=0,
-                **_values(force),
-                **common,
-            )
+            _write_moment(sheets, load.name, values, on or _inner(sheets, group, placed), common)
         else:
-            sheets.add(
-                "StructuralCurveActionFree",
-                load.name,
-                "LF",
-                type="Standard",
-                direction="Z",
-                coordinatesystem="Global",
-                location="Length",
-                **_places(group, closed=False),
-                **_values(force),
-                **common,
-            )
+            _write_force(sheets, load.name, values, on or _places(group, closed=False), common)
+
+
+def _write_moment(
+    sheets: Sheets, name: str, values: tuple[float, float], edge: Mapping[str, Any], common: Mapping[str, Any]
+) -> None:
+    """Write a moment about an edge of a wall or of the slab [N m/m]."""
+    moment = [from_si(-value, "line moment") + 0.0 for value in values]
+    where = {"direction": "Mx", "coordinatesystem": "Local", **edge, **_extent()}
+    sheets.add("StructuralCurveMoment", name, "LM", **where, **_values(moment), **common)
+
+
+def _write_force(
+    sheets: Sheets, name: str, values: tuple[float, float], where: Mapping[str, Any], common: Mapping[str, Any]
+) -> None:
+    """Write a force per length along an edge of a wall, or a free one through places of its own [N/m]."""
+    force = [from_si(-value, "line force") + 0.0 for value in values]
+    axis = {"direction": "Z", "coordinatesystem": "Global"}
+    if "forceaction" in where:
+        at_edge = {**_extent(), "eccentricityey": 0, "eccentricityez": 0}
+        sheets.add("StructuralCurveAction", name, "LF", **axis, **where, **at_edge, **_values(force), **common)
+    else:
+        free = {"type": "Standard", **axis, "location": "Length"}
+        sheets.add("StructuralCurveActionFree", name, "LF", **free, **where, **_values(force), **common)
 
 
 def _inner(sheets: Sheets, edges: Sequence[Segment], placed: Placed) -> dict[str, Any]:
