@@ -133,13 +133,7 @@ def _parser() -> argparse.ArgumentParser:
     dxf = _command(commands, "dxf", case.convert_drawing, "make a case file from a drawing and report what was read")
     case.describe_dxf(dxf)
 
-    meaning = "take column and wall reactions of another program as loads, and show what they change"
-    import_reactions.describe(_command(commands, "import-reactions", import_reactions.run, meaning))
-    meaning = "make a case file from a slab in a file of the Structural Analysis Format (XLSX) and report what was read"
-    saf.describe_import(_command(commands, "import-saf", saf.import_file, meaning))
-    meaning = "write a case to a file of the Structural Analysis Format (XLSX)"
-    saf.describe_export(_command(commands, "export-saf", saf.export_file, meaning))
-
+    _add_exchange(commands)
     _describe_report(_command(commands, "report", _report, "make a report of results: one HTML file, or a PDF"))
 
     tables = _command(commands, "tables", _tables, "write all tables of results into one workbook (XLSX)")
@@ -159,6 +153,16 @@ def _parser() -> argparse.ArgumentParser:
 
     _command(commands, "schema", case.print_schema, "print the JSON schema of a case file")
     return parser
+
+
+def _add_exchange(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Add the commands that read and write workbooks of other programs."""
+    meaning = "take column and wall reactions of another program as loads, and show what they change"
+    import_reactions.describe(_command(commands, "import-reactions", import_reactions.run, meaning))
+    meaning = "make a case file from a slab in a file of the Structural Analysis Format (XLSX) and report what was read"
+    saf.describe_import(_command(commands, "import-saf", saf.import_file, meaning))
+    meaning = "write a case to a file of the Structural Analysis Format (XLSX)"
+    saf.describe_export(_command(commands, "export-saf", saf.export_file, meaning))
 
 
 def _describe_report(report: argparse.ArgumentParser) -> None:

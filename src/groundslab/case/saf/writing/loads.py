@@ -208,7 +208,7 @@ def _write_line(
 
 
 def _write_moment(
-    sheets: Sheets, name: str, values: tuple[float, float], edge: Mapping[str, Any], common: Mapping[str, Any]
+    sheets: Sheets, name: str, values: Sequence[float], edge: Mapping[str, Any], common: Mapping[str, Any]
 ) -> None:
     """Write a moment about an edge of a wall or of the slab [N m/m]."""
     moment = [from_si(-value, "line moment") + 0.0 for value in values]
@@ -217,7 +217,7 @@ def _write_moment(
 
 
 def _write_force(
-    sheets: Sheets, name: str, values: tuple[float, float], where: Mapping[str, Any], common: Mapping[str, Any]
+    sheets: Sheets, name: str, values: Sequence[float], where: Mapping[str, Any], common: Mapping[str, Any]
 ) -> None:
     """Write a force per length along an edge of a wall, or a free one through places of its own [N/m]."""
     force = [from_si(-value, "line force") + 0.0 for value in values]
