@@ -39,6 +39,8 @@ def run_parallel(
             reports.put(item)
 
         try:
+            if stop.is_set():  # the one before has ended because nobody waits, and this one is not canceled yet
+                raise Cancelled
             return task(report)
         finally:
             reports.put(None)
