@@ -8,7 +8,7 @@ from groundslab.model.design.bars import APART, Diameter
 from groundslab.schema.base import Section
 from groundslab.schema.fields import Boolean, Integer, ListOf, Number, Quantity
 from groundslab.schema.ranges import Range
-from groundslab.unit_systems import System
+from groundslab.unit_systems import FOOT, INCH, System
 
 #: Lengths that bars are delivered in, and by which zones are rounded [m].
 STOCK, STEP = Range(at_least=1.0, at_most=30.0), Range(at_least=0.01, at_most=10.0)
@@ -79,10 +79,10 @@ class AllowedBars(Section):
 #: What may be proposed by default where results are shown in US units.
 _US = AllowedBars(
     diameters=("#4", "#5", "#6", "#7", "#8"),
-    spacings=("4 in", "5 in", "6 in", "8 in", "9 in", "10 in", "12 in"),
+    spacings=tuple(round(inches * INCH, 6) for inches in (4, 5, 6, 8, 9, 10, 12)),
     link_diameters=("#3", "#4", "#5"),
-    rounding="1 ft",
-    least_size="4 ft",
+    rounding=FOOT,
+    least_size=4 * FOOT,
 )
 
 
