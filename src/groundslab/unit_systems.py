@@ -161,12 +161,12 @@ def words_in(text: str, system: System) -> str:
     Returns
     -------
     str
-        The same text; numbers have as many digits as before, but three at least.
+        The same text; numbers have one digit less than before, as the last one may be rounding, but three at least.
 
     Examples
     --------
     >>> words_in("v_Ed 120.5 kN/m at (1.250, 3.000) m is 0.8 times v_Rd,c", "US")
-    'v_Ed 8.257 kip/ft at (4.101, 9.843) ft is 0.8 times v_Rd,c'
+    'v_Ed 8.26 kip/ft at (4.1, 9.84) ft is 0.8 times v_Rd,c'
     """
     if system == "SI":
         return text
@@ -199,7 +199,10 @@ def _converted(match: re.Match[str]) -> str:
 
 
 def _scaled(number: str, factor: float) -> str:
-    """Return a number times a factor, with as many digits as it has, but three at least, and its kind of minus sign."""
+    """Return a number times a factor, with its kind of minus sign.
+
+    It has one digit less than before, as the last one may be rounding, but three at least.
+    """
     minus, plain = (_MINUS, number.replace(_MINUS, "-")) if _MINUS in number else ("-", number)
     mantissa = plain.lower().partition("e")[0].lstrip("+-").replace(".", "").lstrip("0")
-    return format_number(float(plain) * factor, max(3, len(mantissa)), fixed=(1e-4, 1e7), minus=minus)
+    return format_number(float(plain) * factor, max(3, len(mantissa) - 1), trim=True, fixed=(1e-4, 1e7), minus=minus)

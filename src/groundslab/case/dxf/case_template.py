@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from groundslab import units
+from groundslab.case import blanks
 from groundslab.case.dxf.classify import SAME, Footprint, circle_of, footprint_of
 from groundslab.case.dxf.drawing import AreaMark, Drawing, LineMark, PointMark
 from groundslab.geometry.plan import Place, Ring
@@ -22,21 +23,6 @@ if TYPE_CHECKING:
 _ZONE = (
     "# [[plate.zones]]",
     '# thickness = "400 mm"        # fill in; E and nu may differ too',
-)
-_GROUND = (
-    "# The ground under the plate; groundslab new shows other kinds.",
-    "# [ground]",
-    '# kind = "vlasov"',
-    "# [[ground.layers]]            # from the top downwards, as many as there are",
-    '# E = "20 MPa"                # fill in',
-    "# nu = 0.3                    # fill in",
-    '# thickness = "2 m"           # fill in',
-)
-_LOADS = (
-    "# The loads, as many as there are.",
-    "# [[loads]]",
-    '# kind = "uniform"',
-    '# q = "6.25 kPa"              # fill in',
 )
 
 #: Width and height of a beam, as in "B1 40x80 cm" or "300/600 mm".
@@ -78,7 +64,7 @@ def to_case(drawing: Drawing, title: str = "") -> str:
         text += _wall_lines(wall, number)
     for number, beam in enumerate(drawing.beams, 1):
         text += _beam_lines(beam, number)
-    text += ["", *_GROUND]
+    text += ["", "# The ground under the plate; groundslab new shows other kinds.", *blanks.GROUND]
     under = _column_tree(columns)
     others = _other_shapes(drawing)
     for mark in drawing.point_loads:
@@ -93,7 +79,7 @@ def to_case(drawing: Drawing, title: str = "") -> str:
         text += _load_lines("area", area, value, [*_shape_lines("[loads.shape]", area.curve), *holes])
     marks: list[PointMark | LineMark | AreaMark] = [*drawing.point_loads, *drawing.line_loads, *drawing.area_loads]
     if all(mark.value is None for mark in marks):
-        text += ["", *_LOADS]
+        text += ["", "# The loads, as many as there are.", *blanks.LOADS]
     return "\n".join(text) + "\n"
 
 

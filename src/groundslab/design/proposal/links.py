@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from groundslab.arrays import Memo
+from groundslab.arrays import made_once
 from groundslab.design.codes import code_of
 from groundslab.design.punching_links.layout import LinkLayout, lay_links
 from groundslab.model.design.detailing import allowed_bars
@@ -10,10 +10,8 @@ from groundslab.model.design.laid_bars import axis_of
 from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.results.results import Results
 
-#: Those of results.
-_LAYOUTS: Memo[tuple[LinkLayout, ...]] = Memo()
 
-
+@made_once
 def punching_links(combined: Results) -> tuple[LinkLayout, ...]:
     """Return links in perimeters around each column, pile and end of a wall that needs them.
 
@@ -41,11 +39,6 @@ def punching_links(combined: Results) -> tuple[LinkLayout, ...]:
     >>> for layout in groundslab.punching_links(groundslab.solve(groundslab.load("case.toml"))):
     ...     print(layout.name, layout.number, layout.diameter)
     """
-    return _LAYOUTS.get(combined, None, lambda: _punching_links(combined))
-
-
-def _punching_links(combined: Results) -> tuple[LinkLayout, ...]:
-    """Return the links, which are laid once for the same results."""
     steel = combined.model.reinforcement
     rule = code_of(steel).punching if steel is not None else None
     if steel is None or rule is None or rule.links is None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Literal
 from groundslab.design.basis.calculation import CONSTANTS, FUNCTIONS, SYMBOL
 from groundslab.design.tables.calculations import perimeters
 from groundslab.design.tables.table import Table
-from groundslab.unit_systems import unit_in
+from groundslab.unit_systems import unit_in, words_in
 from groundslab.units import format_number
 from groundslab.views.plots.style import place_words
 from groundslab.views.report.drawings.perimeter_sketch import draw_sketch
@@ -81,8 +81,9 @@ def build_sheets(table: Table, units: System) -> dict[tuple[str, str, str], Shee
         lines, places = [], set()
         for *_, quantity, symbol, formula, numbers, value, unit, clause, x, y in of_one:
             if isinstance(value, int | float):
-                words = map(str, (quantity, symbol, formula, numbers, format_number(float(value)), unit, clause))
-                lines.append(Line(*words, *_in_other_unit(float(value), str(unit), units)))
+                words = map(str, (symbol, formula, numbers, format_number(float(value)), unit, clause))
+                other = _in_other_unit(float(value), str(unit), units)
+                lines.append(Line(words_in(str(quantity), units), *words, *other))
             if isinstance(x, float) and isinstance(y, float):
                 places.add((x, y))
         where = [f"at {place_words(place, unit_in('m', units)[0])}" for place in places]

@@ -252,7 +252,7 @@ def _line(row: Row, units: System, taken: int = 0) -> Text:
 
 @dataclass(frozen=True, slots=True)
 class Shown:
-    """A row of the summary as text: figure or words, unit of display, place [m]."""
+    """A row of the summary as text: figure or words, unit of display, place, error."""
 
     figure: str
     unit: str = ""

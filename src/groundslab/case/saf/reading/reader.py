@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from groundslab.case import casefile
+from groundslab.case import blanks, casefile
 from groundslab.case.saf.reading.cases import read_cases, read_combinations
 from groundslab.case.saf.reading.column_forces import read_forces
 from groundslab.case.saf.reading.context import AXES, ReadContext, ReportLine, text, word
@@ -34,23 +34,8 @@ SHEETS = frozenset({
     "ResultInternalForce1D", "ResultInternalForce2DEdge",
 })  # fmt: skip
 
-_GROUND = (
-    "",
-    "# The file has no ground under the slab; groundslab new shows all kinds.",
-    "# [ground]",
-    '# kind = "vlasov"',
-    "# [[ground.layers]]            # from the top downwards, as many as there are",
-    '# E = "20 MPa"                # fill in',
-    "# nu = 0.3                    # fill in",
-    '# thickness = "2 m"           # fill in',
-)
-_LOADS = (
-    "",
-    "# The file has no loads on the slab.",
-    "# [[loads]]",
-    '# kind = "uniform"',
-    '# q = "6.25 kPa"  # fill in',
-)
+_GROUND = ("", "# The file has no ground under the slab; groundslab new shows all kinds.", *blanks.GROUND)
+_LOADS = ("", "# The file has no loads on the slab.", *blanks.LOADS)
 
 
 @dataclass(frozen=True, slots=True)
