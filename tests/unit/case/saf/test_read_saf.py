@@ -243,7 +243,7 @@ def test_other_vertical_axes_turn_the_same_house(tmp_path: Path, sheets: saf_fil
                   "StructuralPointSupport", "StructuralEdgeConnection", "StructuralCurveMember"):  # fmt: skip
         del sheets[sheet]
     for row in sheets["StructuralSurfaceMember"][1:]:
-        row[9:12] = [axis != 0, axis == 0, 0]
+        row[9:12] = [int(axis != 0), int(axis == 0), 0]
     model = read(tmp_path, sheets).model
     assert sorted(model.plate.sides) == [5, 12]
     # the local z axis of the slab is that of the file: bottom is above where it points down

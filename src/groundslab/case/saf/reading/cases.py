@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import itertools
+import math
 import re
 from typing import Any, get_args
 
 from groundslab.case.saf.reading.context import ReadContext, RowFault, text, word
 from groundslab.case.saf.reading.workbook import Row
-from groundslab.model.loads.load_cases import Category, Combination, Combine, Kind, LimitState, LoadCase
+from groundslab.model.loads.load_cases import Category, Combination, Combine, Expression, Kind, LimitState, LoadCase
 from groundslab.schema.wording import describe
 
 #: Categories of EN 1990 by the load type of a load group, as the format names them.
@@ -17,13 +19,15 @@ CATEGORIES: dict[str, Category] = {
 }  # fmt: skip
 #: Limit states by the category of a combination.
 _STATES: dict[str, LimitState] = {"uls": "ultimate", "sls": "characteristic", "als": "accidental"}
-#: Limit states by the national standard of a combination.
+#: Limit states by the national standard of a combination; those of IBC are combined by ACI 318 and ASCE 7.
 _STANDARDS: dict[str, LimitState] = {
     "enulsstrgeosetb": "ultimate", "enulsstrgeosetc": "ultimate", "enaccidental1": "accidental",
     "enaccidental2": "accidental", "enseismic": "seismic", "enslscharacteristic": "characteristic",
     "enslsfrequent": "frequent", "enslsquasipermanent": "quasi-permanent", "ibclrfdultimate": "ultimate",
-    "ibcasdserviceability": "characteristic", "ibclrfdseismic": "seismic",
+    "ibcasdultimate": "characteristic", "ibclrfdseismic": "seismic",
 }  # fmt: skip
+#: Combinations that one envelope may become.
+MOST_CHOICES = 100
 
 
 def read_cases(context: ReadContext) -> list[LoadCase]:
@@ -53,7 +57,9 @@ def _read_action(context: ReadContext, row: Row, group: Row | None) -> dict[str,
     if action != "variable":
         return {"action": action}
     found: dict[str, Any] = {"action": "variable"}
-    category = CATEGORIES.get(" ".join(text(group, "loadtype").lower().split())) if group is not None else None
+    types = [text(row, "loadtype")] if group is None else [text(group, "loadtype"), text(row, "loadtype")]
+    categories = (CATEGORIES.get(" ".join(name.lower().split())) for name in types)
+    category = next((each for each in categories if each is not None), None)
     if category is not None:
         found["category"] = category
     else:
@@ -65,24 +71,66 @@ def _read_action(context: ReadContext, row: Row, group: Row | None) -> dict[str,
 
 def read_combinations(context: ReadContext, cases: list[LoadCase]) -> tuple[list[Combination], Combine | None]:
     """Return the combinations with their factors, and those that a standard is to make."""
-    known = {case.name for case in cases}
-    combinations, sets = list[Combination](), list[LimitState]()
+    combinations, sets = list[Combination](), list[tuple[LimitState, Expression]]()
     for row in context.rows("StructuralLoadCombination"):
         with context.reading(row):
-            category = word(row, "category")
-            if category.startswith("according"):
-                sets += _read_standard(context, row)
-                continue
-            factors = _read_factors(context, row, known)
-            if not any(factors.values()):
-                context.leave(row, "no factor that is not 0")
-                continue
-            kind = word(row, "type")
-            if kind in ("envelope", "nonlinear"):
-                context.note(row, f"{kind}, taken as the one combination of all its cases")
-            combinations.append(Combination(name=row.name, factors=factors, **_read_state(row, category)))
-            context.take(row, f"combination, {combinations[-1].limit_state}")
-    return combinations, Combine(sets=tuple(dict.fromkeys(sets))) if sets and cases else None
+            if word(row, "category").startswith("according"):
+                sets += _read_standard(context, row, {case.name for case in cases})
+            else:
+                combinations += _read_combination(context, row, cases)
+    return combinations, _make_combine(context, sets) if sets and cases else None
+
+
+def _read_combination(context: ReadContext, row: Row, cases: list[LoadCase]) -> list[Combination]:
+    """Return the combination of a row, of an envelope one for each choice of cases that exclude each other."""
+    factors, category = _read_factors(context, row, {case.name for case in cases}), word(row, "category")
+    if not any(factors.values()):
+        context.leave(row, "no factor that is not 0")
+        return []
+    choices = [factors]
+    if (kind := word(row, "type")) == "envelope":
+        choices = _choose(factors, cases)
+        if len(choices) > MOST_CHOICES:
+            context.leave(row, f"an envelope of {len(choices):,} combinations, one for each choice of exclusive cases")
+            return []
+        of_them = (
+            f"{len(choices)} combinations, each with one of the exclusive cases and" if choices[1:] else "one with"
+        )
+        context.note(row, f"an envelope, taken as {of_them} all others; of those with fewer cases give them by hand")
+    elif kind == "nonlinear":
+        context.note(row, "nonlinear, taken as a combination like the others")
+    state = _read_state(row, category)
+    if category[:3] not in _STATES and "rule" not in state:
+        context.note(row, f"the category {describe(category or 'nothing')}, taken as ultimate")
+    names = [row.name] if len(choices) == 1 else [f"{row.name} ({n})" for n in range(1, len(choices) + 1)]
+    context.take(row, f"combination, {state['limit_state']}")
+    return [Combination(name=name, factors=choice, **state) for name, choice in zip(names, choices, strict=True)]
+
+
+def _choose(factors: dict[str, float], cases: list[LoadCase]) -> list[dict[str, float]]:
+    """Return the factors for each choice of one case of every group of exclusive ones."""
+    groups: dict[str, list[str]] = {}
+    for case in cases:
+        if case.group and factors.get(case.name):
+            groups.setdefault(case.group, []).append(case.name)
+    if math.prod(map(len, groups.values())) > MOST_CHOICES:
+        return [factors] * math.prod(map(len, groups.values()))
+    exclusive = {name for names in groups.values() for name in names}
+    return [
+        {name: factor for name, factor in factors.items() if name in chosen or name not in exclusive}
+        for chosen in itertools.product(*groups.values())
+    ]
+
+
+def _make_combine(context: ReadContext, sets: list[tuple[LimitState, Expression]]) -> Combine:
+    """Return the combinations of the first code; those of another one are noted."""
+    expression = sets[0][1]
+    states = dict.fromkeys(state for state, code in sets if code == expression)
+    if others := [state for state, code in sets if code != expression]:
+        context.note(
+            None, f"{', '.join(others)} of a second code, left out: a case has one", "StructuralLoadCombination"
+        )
+    return Combine(sets=tuple(states), expression=expression)
 
 
 def _read_state(row: Row, category: str) -> dict[str, Any]:
@@ -94,27 +142,35 @@ def _read_state(row: Row, category: str) -> dict[str, Any]:
     return {"limit_state": _STATES.get(category[:3], "ultimate")}
 
 
-def _read_standard(context: ReadContext, row: Row) -> list[LimitState]:
-    """Return the limit state that a standard combines, none if it is not known."""
+def _read_standard(context: ReadContext, row: Row, known: set[str]) -> list[tuple[LimitState, Expression]]:
+    """Return the limit state and the code by which a standard combines, nothing if they are not known."""
     standard = text(row, "nationalstandard")
-    state = _STANDARDS.get(re.sub(r"[^a-z0-9]", "", standard.lower()))
+    key = re.sub(r"[^a-z0-9]", "", standard.lower())
+    state = _STANDARDS.get(key)
     if state is None:
         context.leave(row, f"combinations by the standard {describe(standard)}")
         return []
-    context.take(row, f"combine by EN 1990, {state}; factors are those of the standard, not of the file")
-    return [state]
+    expression: Expression
+    code, expression = ("ACI 318 and ASCE 7", "ACI 318") if key.startswith("ibc") else ("EN 1990", "6.10")
+    context.take(row, f"combine by {code}, {state}; factors are those of the standard, not of the file")
+    listed = {value for name, value in _cases_of(row)}
+    if left := known - listed:
+        context.note(row, f"all cases are combined, also those that it does not list: {', '.join(sorted(left)[:12])}")
+    return [(state, expression)]
+
+
+def _cases_of(row: Row) -> list[tuple[str, str]]:
+    """Return the numbers and names of the cases of a combination."""
+    numbers = ((key, re.fullmatch(r"loadcasename(\d+)", key)) for key in row.cells)
+    return [(number[1], text(row, key)) for key, number in numbers if number and text(row, key)]
 
 
 def _read_factors(context: ReadContext, row: Row, known: set[str]) -> dict[str, float]:
     """Return the factor of each case of a combination; raises RowFault."""
     factors: dict[str, float] = {}
-    for key in row.cells:
-        number = re.fullmatch(r"loadcasename(\d+)", key)
-        if not number or not text(row, key):
-            continue
-        name, n = text(row, key), number[1]
+    for n, name in _cases_of(row):
         if name not in known:
-            raise RowFault(key, f"the case {describe(name)}", "one of sheet StructuralLoadCase")
+            raise RowFault(f"loadcasename{n}", f"the case {describe(name)}", "one of sheet StructuralLoadCase")
         multiplier = f"multiplier{n}" if f"multiplier{n}" in row.cells else f"loadmultiplier{n}"
         factor = context.number(row, f"loadfactor{n}", "number", 1.0) * context.number(row, multiplier, "number", 1.0)
         factors[name] = float(f"{factors.get(name, 0.0) + factor:.12g}")

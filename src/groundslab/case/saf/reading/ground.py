@@ -84,8 +84,12 @@ def read_supports(context: ReadContext, slab: Slab) -> list[PointSupport | LineS
 
 def _read_vertical(context: ReadContext, row: Row, quantity: str) -> dict[str, Any] | None:
     """Return how a support acts vertically and how stiff it is, None if it is free."""
-    vertical = max(range(3), key=lambda axis: abs(context.axes[2][axis]))
-    letter = "xyz"[vertical]
+    # local axes of edges and ribs have the slab's z, which goes up or down as the file's vertical axis
+    is_local = word(row, "coordinatesystem") == "local" and row.sheet != "StructuralPointSupport"
+    letter = "z" if is_local else "xyz"[max(range(3), key=lambda axis: abs(context.axes[2][axis]))]
+    sideways = [f"u{axis}" for axis in "xyz" if axis != letter and word(row, f"u{axis}", default="free") != "free"]
+    if sideways:
+        context.note(row, "what holds it sideways, left out: the slab only bends")
     way = word(row, f"u{letter}", (*_WAYS, "non linear"))
     if way == "free":
         return None
@@ -189,19 +193,25 @@ def _read_line_support(context: ReadContext, row: Row, edges: tuple[Edge, ...]) 
     if any(bulges):
         context.leave(row, "it follows an arc; supports run along straight lines")
         return []
-    if _turns_fixed(context, row, points) and "stiffness" not in acts and "acts" not in acts:
+    turning = _turning(context, row, points)
+    if turning == "rigid" and "stiffness" not in acts and "acts" not in acts:
         acts["rotation"] = "fixed"
+    elif turning != "free":
+        context.note(row, f"turning about its line that is {turning}, taken as free")
     context.take(row, "support along a line")
     return [LineSupport(name=row.name, points=points, **acts)]
 
 
-def _turns_fixed(context: ReadContext, row: Row, points: tuple[Place, ...]) -> bool:
-    """Return whether a support keeps the slab from turning about its line."""
+def _turning(context: ReadContext, row: Row, points: tuple[Place, ...]) -> str:
+    """Return how a support lets the slab turn about its line."""
     if word(row, "coordinatesystem", default="global") == "local":
-        return word(row, "fix") == "rigid"
+        return word(row, "fix", default="free")
     (ax, ay), (bx, by) = points[0], points[-1]
     length = math.hypot(bx - ax, by - ay)
     line = ((bx - ax) / length, (by - ay) / length) if length > 0 else (0.0, 0.0)
     # rotations about those axes of the file that have a part along the line
     parts = [abs(context.axes[0][axis] * line[0] + context.axes[1][axis] * line[1]) for axis in range(3)]
-    return length > 0 and all(word(row, f"fi{'xyz'[axis]}") == "rigid" for axis in range(3) if parts[axis] > CLOSE)
+    ways = {word(row, f"fi{'xyz'[axis]}", default="free") for axis in range(3) if parts[axis] > CLOSE}
+    if len(ways) > 1:
+        context.note(row, f"turning about its line that is {listed(sorted(ways), 'and')}, taken as free")
+    return ways.pop() if len(ways) == 1 else "free"

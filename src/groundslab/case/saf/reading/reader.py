@@ -12,7 +12,8 @@ from groundslab.case.saf.reading.cases import read_cases, read_combinations
 from groundslab.case.saf.reading.column_forces import read_forces
 from groundslab.case.saf.reading.context import AXES, ReadContext, ReportLine, text, word
 from groundslab.case.saf.reading.ground import read_ground, read_supports
-from groundslab.case.saf.reading.loads import Loads, read_loads
+from groundslab.case.saf.reading.load_forces import Loads
+from groundslab.case.saf.reading.loads import read_loads
 from groundslab.case.saf.reading.report import report_lines
 from groundslab.case.saf.reading.slab import Slab, choose_slab
 from groundslab.case.saf.reading.structure import read_beams, read_columns, read_plate, read_walls

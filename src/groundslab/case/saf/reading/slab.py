@@ -20,18 +20,21 @@ if TYPE_CHECKING:
 
 #: Poisson's ratio of uncracked concrete (EN 1992-1-1 3.1.3(4)), and its weight per mass (EN 1991-1-1 Table A.1).
 NU, UNIT_WEIGHT = 0.2, 25e3
+#: Thermal expansion of concrete (EN 1992-1-1 3.1.3(5)), and more than any building material has [1/K].
+EXPANSION, MOST_EXPANSION = 1e-5, 1e-3
 #: So much beyond the edges of the slab is still on it [m].
 BESIDE = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
 class Material:
-    """A material: E [Pa], nu, weight per volume [N/m3], quality as the file names it."""
+    """A material: E [Pa], nu, weight per volume [N/m3], quality as the file names it, thermal expansion [1/K]."""
 
     E: float
     nu: float
     unit_weight: float
     quality: str
+    expansion: float
 
 
 @dataclass(slots=True)
@@ -98,9 +101,19 @@ def choose_slab(context: ReadContext, name: str) -> Slab:
         slab = Slab(row, height, edges, read_material(context, row), read_thickness(context, row))
         for edge in edges:
             _note_remark(context, row, edge)
+        _note_others(context, row)
         context.take(row, "plate")
         return slab
     raise InputError(context.issues)
+
+
+def _note_others(context: ReadContext, row: Row) -> None:
+    """Note what a slab says of itself that is not taken."""
+    eccentric = any(context.number(row, key, "size", 0.0) for key in ("analysiszeccentricity", "eccentricityez"))
+    if eccentric or word(row, "systemplaneat", default="centre") not in ("centre", "center"):
+        context.note(row, "its plane, taken to be the slab's middle plane: loads and supports act there")
+    if (behavior := word(row, "behaviorinanalysis", default="isotropic")) != "isotropic":
+        context.note(row, f"a behavior that is {behavior}, taken as isotropic")
 
 
 def _refuse(context: ReadContext, found: str, level: dict[str, tuple[Row, float, tuple[Edge, ...]]]) -> NoReturn:
@@ -199,7 +212,11 @@ def _read_material(context: ReadContext, row: Row) -> Material:
     if mass <= 0:
         context.note(row, f"no unit mass, taken as {UNIT_WEIGHT / 1e3:g} kN/m3")
     weight = float(f"{mass * GRAVITY:.12g}") if mass > 0 else UNIT_WEIGHT
-    return Material(E, nu, weight, quality)
+    expansion = context.number(row, "thermalexpansion", "expansion", EXPANSION)
+    if not 0 < expansion <= MOST_EXPANSION:
+        context.note(row, f"a thermal expansion of {expansion:g} 1/K, taken as {EXPANSION:g} 1/K")
+        expansion = EXPANSION
+    return Material(E, nu, weight, quality, expansion)
 
 
 def slab_axes(context: ReadContext, slab: Slab) -> tuple[Vector, Vector, Vector]:

@@ -10,7 +10,7 @@ from typing import Any
 
 from groundslab.case.saf.reading.context import ReadContext, RowFault, Vector, cross, dot, text, texts, word
 from groundslab.case.saf.reading.geometry import CLOSE, Edge, join, to_shape
-from groundslab.case.saf.reading.slab import Slab, read_edges, read_material, read_part, read_thickness
+from groundslab.case.saf.reading.slab import Material, Slab, read_edges, read_material, read_part, read_thickness
 from groundslab.case.saf.reading.workbook import Row
 from groundslab.model.plate import Plate, Zone
 from groundslab.model.shapes import AnyShape, Rectangle
@@ -63,7 +63,7 @@ def _make_plate(context: ReadContext, slab: Slab, openings: Sequence[AnyShape], 
             place = {"length_x": shape.x[1] - shape.x[0], "length_y": shape.y[1] - shape.y[0]}
         plate = Plate(
             name=slab.name, **place, openings=tuple(openings), zones=tuple(zones), thickness=slab.thickness,
-            E=slab.material.E, nu=slab.material.nu,
+            E=slab.material.E, nu=slab.material.nu, thermal_expansion=slab.material.expansion,
         )  # fmt: skip
         found.append(plate)
     return found[0] if found else None
@@ -87,8 +87,19 @@ def _read_zone(context: ReadContext, row: Row, slab: Slab) -> list[Zone]:
     values = {"thickness": (thickness, slab.thickness), "E": (material.E, slab.material.E),
               "nu": (material.nu, slab.material.nu)}  # fmt: skip
     differ = {name: value for name, (value, plate) in values.items() if abs(value - plate) > SAME * plate}
+    _note_material(context, row, material, slab)
     context.take(row, "zone" if differ else "part of the plan for loads and ground")
     return [Zone(shape=to_shape(slab.regions[row.name]), **differ)] if differ else []
+
+
+def _note_material(context: ReadContext, row: Row, material: Material, slab: Slab) -> None:
+    """Note what a material has of its own that only the whole slab can have."""
+    for what, value, plate in (
+        ("unit weight", material.unit_weight, slab.material.unit_weight),
+        ("thermal expansion", material.expansion, slab.material.expansion),
+    ):
+        if abs(value - plate) > SAME * abs(plate):
+            context.note(row, f"a {what} of its own, {value:g} in SI units, taken as the slab's, {plate:g}")
 
 
 def read_cross_section(context: ReadContext, row: Row) -> CrossSection:
@@ -121,6 +132,7 @@ def read_beams(context: ReadContext, slab: Slab) -> list[Beam]:
             material = read_material(context, read_cross_section(context, row).row)
             other = {"E": (material.E, slab.material.E), "nu": (material.nu, slab.material.nu)}
             differ = {name: value for name, (value, plate) in other.items() if abs(value - plate) > SAME * plate}
+            _note_material(context, row, material, slab)
             beams.append(Beam(name=row.name, points=points, bulges=bulges, section=section, **differ))
             context.take(row, "beam")
     return beams

@@ -1,0 +1,329 @@
+"""Files in the Structural Analysis Format of one small slab: values in SI units and signs are worked out by hand."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import groundslab as gs
+from helpers import saf_files
+
+pytest.importorskip("openpyxl")
+
+#: A foot, an inch [m] and a kilopound [N] (NIST SP 811).
+FT, IN, KIP = 0.3048, 0.0254, 4448.2216152605
+#: Heights of the load's plane below and above the slab [m].
+BELOW, ABOVE = -2.0, 3.0
+
+
+def slab(imperial: bool = False) -> saf_files.Sheets:
+    """Return a slab of 6 by 4, in meters or feet, with one corner at the origin, on springs, with one load case."""
+    m, mm, MPa, mass = ("ft", "in", "ksi", "lb/ft3") if imperial else ("m", "mm", "MPa", "kg/m3")
+    k0, k1 = ("kip/ft3", "kip/ft") if imperial else ("MN/m3", "MN/m")
+    return {
+        "Model": saf_files.model_sheet("Imperial" if imperial else "Metric"),
+        "StructuralMaterial": [
+            ["Name", "Type", "Quality", f"Unit mass [{mass}]", f"E modulus [{MPa}]", "Poisson Coefficient",
+             "Thermal expansion [1/°F]" if imperial else "Thermal expansion [1/K]"],
+            ["C", "Concrete", "C30/37", 150 if imperial else 2500, 3600 if imperial else 33000, 0.2,
+             5.5e-6 if imperial else 1.2e-5],
+        ],
+        "StructuralPointConnection": [
+            ["Name", f"Coordinate X [{m}]", f"Coordinate Y [{m}]", f"Coordinate Z [{m}]"],
+            ["N1", 0, 0, 0], ["N2", 6, 0, 0], ["N3", 6, 4, 0], ["N4", 0, 4, 0], ["I", 2, 1, 0],
+        ],
+        "StructuralSurfaceMember": [
+            ["Name", "Material", "Thickness type", f"Thickness [{mm}]", "System plane at", "Nodes", "Edges", "LCS Type",
+             f"Coordinate X [{m}]", f"Coordinate Y [{m}]", f"Coordinate Z [{m}]", "LCS Rotation [deg]",
+             f"Analysis Z Eccentricity [{mm}]"],
+            ["S", "C", "Constant", "12" if imperial else "300", "Centre", "N1; N2; N3; N4", "Line; Line; Line; Line",
+             "x by vector", 1, 0, 0, 0, 0],
+        ],
+        "StructuralSurfaceConnection": [
+            ["Name", "2D Member", "Subsoil", f"C1x [{k0}]", f"C1y [{k0}]", f"C1z [{k0}]", f"C2x [{k1}]", f"C2y [{k1}]"],
+            ["SS", "S", "Gravel", 0, 0, 100, 50, 50],
+        ],
+        "StructuralLoadGroup": [
+            ["Name", "Load group type", "Relation", "Load type"], ["LG", "Variable", "Standard", "Wind"],
+        ],
+        "StructuralLoadCase": [["Name", "Action type", "Load group", "Load type"], ["Q", "Variable", "LG", "Static"]],
+    }  # fmt: skip
+
+
+def free(q: str, **cells: Any) -> list[list[Any]]:
+    """Return a free pressure on the square from (4, 0) to (8, 4), half of which lies off the slab."""
+    height = cells.pop("height", 0.0)
+    given = {
+        "Name": "F", "Direction": "Z", "Distribution": "Uniform", "q [kN/m2]": q, "Load case": "Q",
+        "Coordinate X [m]": "4; 8; 8; 4", "Coordinate Y [m]": "0; 0; 4; 4",
+        "Coordinate Z [m]": "; ".join([str(height)] * 4), "Edges": "Line; Line; Line; Line",
+        "Coordinate system": "Global", "Location": "Length", **cells,
+    }  # fmt: skip
+    return [list(given), list(given.values())]
+
+
+def read(tmp_path: Path, sheets: saf_files.Sheets) -> gs.SafCase:
+    """Return what is read from sheets."""
+    return gs.read_saf(saf_files.write(tmp_path / "slab.xlsx", sheets))
+
+
+def case_of(model: gs.Model) -> gs.LoadCase:
+    """Return the only load case."""
+    (case,) = model.cases
+    return case
+
+
+def notes(case: gs.SafCase) -> str:
+    """Return all that the report says."""
+    return "\n".join(line.why for line in case.report)
+
+
+def test_imperial_values(tmp_path: Path) -> None:
+    """Each kind of quantity, converted by the definitions of foot, inch and pound."""
+    sheets = slab(imperial=True)
+    sheets["StructuralPointSupport"] = [
+        ["Name", "Boundary condition", "Node", "ux", "uy", "uz", "fix", "fiy", "fiz", "Stiffness Z [kip/ft]",
+         "Stiffness Fix [kipft/deg]", "Stiffness Fiy [kipft/deg]"],
+        ["P", "In node", "I", "Free", "Free", "Flexible", "Flexible", "Flexible", "Free", 200, 10, 10],
+    ]  # fmt: skip
+    sheets["StructuralEdgeConnection"] = [
+        ["Name", "Boundary condition", "2D Member", "Edge", "ux", "uy", "uz", "fix", "fiy", "fiz",
+         "Stiffness Z [kip/ft2]", "Coordinate system", "Coordinate definition", "Origin", "Start point [ft]",
+         "End point [ft]"],
+        ["L", "On edge", "S", 1, "Free", "Free", "Flexible", "Free", "Free", "Free", 5, "Global", "Absolute",
+         "From start", 1, 3],
+    ]  # fmt: skip
+    sheets["StructuralCurveMoment"] = [
+        ["Name", "Force action", "Distribution", "Direction", "Value 1 [kipft/ft]", "2D Member", "Edge", "Load case",
+         "Coordinate system", "Coordinate definition", "Origin", "Start point [ft]", "End point [ft]"],
+        ["M", "On edge", "Uniform", "Mx", 2, "S", 1, "Q", "Local", "Relative", "From start", 0, 1],
+    ]  # fmt: skip
+    sheets["StructuralSurfaceActionThermal"] = [
+        ["Name", "Variation", "TempT [°F]", "TempB [°F]", "2D Member", "2D Member Region", "Load case"],
+        ["T", "Linear", -9, 9, "S", None, "Q"],
+    ]
+    model = read(tmp_path, sheets).model
+    assert model.plate.thickness == pytest.approx(12 * IN)
+    assert model.plate.bounds == pytest.approx((0, 6 * FT, 0, 4 * FT))
+    assert pytest.approx(3600 * KIP / IN**2) == model.plate.E
+    assert model.plate.thermal_expansion == pytest.approx(9.9e-6)
+    assert isinstance(model.ground, gs.Pasternak)
+    assert (model.ground.k0, model.ground.k1) == pytest.approx((100 * KIP / FT**3, 50 * KIP / FT))
+    point, line = model.supports
+    assert isinstance(point, gs.PointSupport)
+    assert (point.x, point.y) == pytest.approx((2 * FT, FT))
+    assert point.stiffness == pytest.approx(200 * KIP / FT)
+    assert point.rotational_stiffness == pytest.approx(10 * KIP * FT * 180 / math.pi)
+    assert isinstance(line, gs.LineSupport)
+    assert line.stiffness == pytest.approx(5 * KIP / FT**2)
+    assert line.points == (pytest.approx((FT, 0)), pytest.approx((3 * FT, 0)))
+    moment, temperature = model.loads
+    # about the edge along x a positive moment lifts what lies to the left, up the page
+    assert isinstance(moment, gs.LineMoment)
+    assert moment.m == pytest.approx(-2 * KIP)
+    assert isinstance(temperature, gs.TemperatureLoad)
+    assert temperature.difference == pytest.approx(10)
+
+
+@pytest.mark.parametrize(
+    ("kind", "vector", "turned", "angle"),
+    [("x by vector", (1, 0), 30, 30), ("x by vector", (0, 2), 0, 90), ("y by vector", (0, 1), 0, 0),
+     ("y by vector", (1, 0), 45, -45)],
+)  # fmt: skip
+def test_local_axes_of_the_slab(
+    tmp_path: Path, kind: str, vector: tuple[float, float], turned: float, angle: float
+) -> None:
+    """A pressure of 2 kN/m2 along the local x axis, on 24 m2, is 48 kN in that direction; z goes up."""
+    sheets = slab()
+    sheets["StructuralSurfaceMember"][1][7:12] = [kind, *vector, 0, turned]
+    sheets["StructuralSurfaceAction"] = [
+        ["Name", "Direction", "Force action", "Value [kN/m2]", "2D Member", "Load case", "Coordinate system"],
+        ["H", "X", "On 2D member", 2, "S", "Q", "Local"],
+        ["V", "Z", "On 2D member", -3, "S", "Q", "Local"],
+    ]
+    model = read(tmp_path, sheets).model
+    case = case_of(model)
+    a = math.radians(angle)
+    assert (case.H_x, case.H_y) == pytest.approx((48e3 * math.cos(a), 48e3 * math.sin(a)), abs=1e-6)
+    (load,) = model.loads
+    assert isinstance(load, gs.UniformLoad)
+    assert load.q == 3e3
+
+
+def test_free_loads_act_where_the_slab_is(tmp_path: Path) -> None:
+    """Half of a square of 16 m2 lies off the slab: 2 kN/m2 along x are 16 kN; downwards the case clips it."""
+    sheets = slab()
+    sheets["StructuralSurfaceActionFree"] = [*free("2", Direction="X"), free("-5", Name="V")[1]]
+    model = read(tmp_path, sheets).model
+    assert (case_of(model).H_x, case_of(model).H_y) == (pytest.approx(16e3), 0)
+    (load,) = model.loads
+    assert isinstance(load, gs.AreaLoad)
+    assert (load.q, load.shape.ring().area) == (5e3, 16)
+
+
+def test_free_loads_that_vary_sideways(tmp_path: Path) -> None:
+    """From 1 kN/m2 at x = 4 to 5 kN/m2 at x = 8: on the slab, to x = 6, the mean is 2 kN/m2 on 8 m2."""
+    sheets = slab()
+    sheets["StructuralSurfaceActionFree"] = free("C1:1; C2:5; C4:1", Direction="X", Distribution="DirectionXY")
+    sheets["StructuralSurfaceAction"] = [
+        ["Name", "Direction", "Force action", "Value [kN/m2]", "2D Member", "Load case", "Coordinate system"],
+        ["V", "Z", "On 2D member", -3, "S", "Q", "Global"],
+    ]
+    assert case_of(read(tmp_path, sheets).model).H_x == pytest.approx(16e3)
+
+
+def test_free_lines_that_reach_off_the_slab(tmp_path: Path) -> None:
+    """From 0 at x = -2 to 4 kN/m at x = 2: on the slab 2 m with 2 to 4 kN/m, 6 kN; one beside the slab is left out."""
+    sheets = slab()
+    head = ["Name", "Distribution", "Direction", "Value 1 [kN/m]", "Value 2 [kN/m]", "Load case", "Coordinate X [m]",
+            "Coordinate Y [m]", "Coordinate Z [m]", "Segments", "Coordinate system"]  # fmt: skip
+    sheets["StructuralCurveActionFree"] = [
+        head,
+        ["H", "Trapez", "Y", 0, 4, "Q", "-2; 2", "1; 1", "0; 0", "Line", "Global"],
+        ["V", "Trapez", "Z", 0, -4, "Q", "-2; 2", "1; 1", "0; 0", "Line", "Global"],
+        ["off", "Uniform", "Z", -4, None, "Q", "-2; 9", "5; 5", "0; 0", "Line", "Global"],
+    ]
+    case = read(tmp_path, sheets)
+    assert case_of(case.model).H_y == pytest.approx(6e3)
+    assert [load.name for load in case.model.loads] == ["V"]
+    assert [line.taken for line in case.report if line.name == "off"] == [False]
+
+
+@pytest.mark.parametrize(
+    ("height", "validity", "z", "acts"),
+    [
+        (0.0, "Z zero", "Positive", True), (0.0, "All", "Positive", True), (0.0, "Minus Z", "Positive", False),
+        (0.0, "Plus Z zero", "Positive", True), (ABOVE, "Z zero", "Positive", False), (ABOVE, "All", "Positive", True),
+        (ABOVE, "Minus Z", "Positive", True), (ABOVE, "Plus Z", "Positive", False), (ABOVE, "Plus Z", "Negative", True),
+        (BELOW, "Plus Z", "Positive", True), (BELOW, "Minus Z zero", "Positive", False),
+        (BELOW, "From to", "Positive", True),
+        (BELOW, "From to", "Negative", False), (ABOVE, "From to", "Positive", False),
+    ],
+)  # fmt: skip
+def test_free_loads_of_other_heights(tmp_path: Path, height: float, validity: str, z: str, acts: bool) -> None:
+    """A load acts above or below its plane as it says; "from to" means 1.5 m to 2.5 m along its own z axis."""
+    sheets = slab()
+    words = {"Validity": validity, "Validity from [m]": 1.5, "Validity to [m]": 2.5, "Local Z direction": z}
+    sheets["StructuralSurfaceActionFree"] = free("-5", height=height, **words)
+    case = read(tmp_path, sheets)
+    assert [load.name for load in case.parts["loads"]] == ["F"] * acts
+    assert [line.taken for line in case.report if line.name == "F"] == [acts]
+
+
+@pytest.mark.parametrize(("z", "q"), [("Positive", -5e3), ("Negative", 5e3)])
+def test_free_loads_have_axes_of_their_own(tmp_path: Path, z: str, q: float) -> None:
+    """With a local z axis that goes down, 5 kN/m2 along it press; the local x axis goes from the first place on."""
+    sheets = slab()
+    words = {"Coordinate system": "Local", "Local Z direction": z}
+    turned = {"Coordinate X [m]": "6; 6; 4; 4", "Coordinate Y [m]": "0; 4; 4; 0"}
+    sheets["StructuralSurfaceActionFree"] = [
+        *free("5", **words),
+        free("1", Name="H", Direction="X", **words, **turned)[1],
+    ]
+    model = read(tmp_path, sheets).model
+    assert [load.q for load in model.loads if isinstance(load, gs.AreaLoad)] == [q]
+    assert (case_of(model).H_x, case_of(model).H_y) == pytest.approx((0, 8e3), abs=1e-9)
+
+
+def test_supports_with_local_axes_hold_along_the_slabs_z(tmp_path: Path) -> None:
+    """Where the file's Y axis is vertical, the local z axis of an edge still is, and uy is sideways."""
+    sheets = slab()
+    sheets["Model"] = saf_files.model_sheet(vertical="Y vertical")
+    for row in sheets["StructuralPointConnection"][1:]:
+        row[1:4] = [row[2], row[3], row[1]]
+    sheets["StructuralEdgeConnection"] = [
+        ["Name", "Boundary condition", "2D Member", "Edge", "ux", "uy", "uz", "fix", "fiy", "fiz", "Coordinate system"],
+        ["local", "On edge", "S", 1, "Free", "Free", "Rigid", "Rigid", "Free", "Free", "Local"],
+        ["across", "On edge", "S", 2, "Free", "Rigid", "Free", "Free", "Free", "Free", "Local"],
+        ["global", "On edge", "S", 3, "Free", "Rigid", "Free", "Free", "Free", "Free", "Global"],
+    ]
+    case = read(tmp_path, sheets)
+    assert [(support.name, support.rotation) for support in case.parts["supports"]] == [
+        ("local", "fixed"),
+        ("global", "free"),
+    ]
+
+
+def test_what_supports_hold_besides_is_noted(tmp_path: Path) -> None:
+    """A spring that also keeps the slab from turning is one that lets it turn here, and none holds it sideways."""
+    sheets = slab()
+    sheets["StructuralEdgeConnection"] = [
+        ["Name", "Boundary condition", "2D Member", "Edge", "ux", "uy", "uz", "fix", "fiy", "fiz",
+         "Stiffness Z [MN/m2]", "Coordinate system"],
+        ["L", "On edge", "S", 1, "Rigid", "Free", "Flexible", "Rigid", "Free", "Free", 5, "Local"],
+    ]  # fmt: skip
+    said = notes(read(tmp_path, sheets))
+    assert "turning about its line that is rigid, taken as free" in said
+    assert "what holds it sideways, left out" in said
+
+
+def test_a_slab_says_what_is_not_taken_of_it(tmp_path: Path) -> None:
+    """An eccentric plane, a behavior other than isotropic; a region of another weight."""
+    sheets = slab()
+    sheets["StructuralSurfaceMember"][0].append("Behavior in analysis")
+    sheets["StructuralSurfaceMember"][1][12:] = [-125, "Press only"]
+    sheets["StructuralMaterial"].append(["L", "Concrete", "LC30/33", 1800, 20000, 0.2, 1.2e-5])
+    sheets["StructuralSurfaceMemberRegion"] = [
+        ["Name", "Material", "Thickness [mm]", "System plane at", "2D Member", "Nodes", "Edges"],
+        ["R", "L", 300, "Centre", "S", "N1; N2; I", "Line; Line; Line"],
+    ]
+    said = notes(read(tmp_path, sheets))
+    assert "its plane, taken to be the slab's middle plane" in said
+    assert "a behavior that is press only, taken as isotropic" in said
+    assert "a unit weight of its own" in said
+
+
+def combinations(*rows: list[Any]) -> saf_files.Sheets:
+    """Return the slab with a permanent case, two of wind that exclude each other, and combinations."""
+    sheets = slab()
+    sheets["StructuralLoadGroup"] += [["P", "Permanent", "Together", None], ["W", "Variable", "Exclusive", None]]
+    sheets["StructuralLoadCase"] = [
+        ["Name", "Action type", "Load group", "Load type"],
+        ["G", "Permanent", "P", "Others"], ["W1", "Variable", "W", "Wind"], ["W2", "Variable", "W", "Wind"],
+        ["Q", "Variable", "LG", "Static"],
+    ]  # fmt: skip
+    sheets["StructuralLoadCombination"] = [
+        ["Name", "Description", "Category", "National standard", "Type", *(
+            f"{what} {n}" for n in range(1, 5) for what in ("Load factor", "Multiplier", "Load case name"))],
+        *rows,
+    ]  # fmt: skip
+    return sheets
+
+
+_ALL = [1.35, 1, "G", 1.5, 0.6, "W1", 1.5, 0.6, "W2", 1.5, 1, "Q"]
+
+
+def test_categories_of_cases(tmp_path: Path) -> None:
+    """By the type of the group, else by that of the case: wind has psi 0.6, 0.2, 0 (EN 1990 Table A1.1)."""
+    cases = {case.name: case for case in read(tmp_path, combinations()).parts["cases"]}
+    assert (cases["W1"].category, cases["W1"].group) == ("wind", "W")
+    assert (cases["W1"].psi_0, cases["W1"].psi_1, cases["W1"].psi_2) == (0.6, 0.2, 0)
+    assert (cases["Q"].category, cases["Q"].group, cases["G"].action) == ("wind", "", "permanent")
+
+
+def test_an_envelope_is_one_combination_for_each_exclusive_case(tmp_path: Path) -> None:
+    """Wind from both sides never acts together; factor times multiplier is 0.9."""
+    case = read(tmp_path, combinations(["E", None, "ULS (Ultimate Limit State)", None, "Envelope", *_ALL]))
+    made = {each.name: dict(each.factors) for each in case.parts["combinations"]}
+    assert made == {"E (1)": {"G": 1.35, "W1": 0.9, "Q": 1.5}, "E (2)": {"G": 1.35, "W2": 0.9, "Q": 1.5}}
+    assert "taken as 2 combinations" in notes(case)
+
+
+def test_combinations_by_a_standard(tmp_path: Path) -> None:
+    """Those of IBC are made by ACI 318 and ASCE 7; cases that one leaves out are combined as well, which is noted."""
+    row = ["C", None, "According national standard", "IBC-LRFD ultimate", None, None, 1, "G", None, 1, "Q"]
+    other = ["D", None, "According national standard", "EN-SLS Frequent", None, None, 1, "G"]
+    case = read(tmp_path, combinations(row, other))
+    assert case.parts["combine"] == gs.Combine(sets=("ultimate",), expression="ACI 318")
+    assert "also those that it does not list: W1, W2" in notes(case)
+    assert "frequent of a second code, left out" in notes(case)
+
+
+def test_a_category_that_is_not_defined_is_noted(tmp_path: Path) -> None:
+    """It counts as ultimate."""
+    case = read(tmp_path, combinations(["C", None, "Not defined", None, "Linear", *_ALL]))
+    assert [each.limit_state for each in case.parts["combinations"]] == ["ultimate"]
+    assert 'the category "not defined", taken as ultimate' in notes(case)
