@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
+from shapely.geometry.base import BaseGeometry
 
 import groundslab as gs
 from groundslab.case.saf.writing.writer import write_model
 from groundslab.cli import main
+from groundslab.geometry.areas import inertia
 from groundslab.model.combinations import as_solved, place_patterns
-from groundslab.model.loads.acting import AreaPressure, LineForce, PointForce
+from groundslab.model.loads.acting import AreaPressure, LineForce, PointForce, Pressure
 from groundslab.model.plates.region import get_plate_region
 from groundslab.model.remarks.resultants import case_forces
 from groundslab.model.structure.beams import Beam, GivenSection, RectangularSection, RibSection
@@ -167,7 +170,7 @@ def first_moments(model: gs.Model) -> dict[str, float]:
             moment = shape.P * (y + 2 * x) + M_y + 2 * M_x
         elif isinstance(shape, AreaPressure) and shape.on == "plate":
             area = shape.to_shapely().intersection(get_plate_region(model.plate, model.plates).area)
-            moment = shape.pressure.q * area.area * (area.centroid.y + 2 * area.centroid.x) if area.area else 0.0
+            moment = moment_of(shape.pressure, area)
         elif isinstance(shape, LineForce):
             lengths = [edge.length for edge in shape.edges]
             ways = [sum(lengths[:n]) + length / 2 for n, length in enumerate(lengths)]
@@ -177,6 +180,17 @@ def first_moments(model: gs.Model) -> dict[str, float]:
                 moment += length * (q * (y + 2 * x) + m)
         total[load.case] = total.get(load.case, 0.0) + moment
     return total
+
+
+def moment_of(pressure: Pressure, area: BaseGeometry) -> float:
+    """Return int q (y + 2 x) dA of a linear pressure: that of its mean at the centroid, and of its growth about it."""
+    moment = 0.0
+    for part in getattr(area, "geoms", [area]):
+        if part.area:
+            center, second = inertia(part)
+            moment += float(pressure(center)) * part.area * float(center @ (2, 1))
+            moment += float(np.array(pressure.slope) @ second @ (2, 1))
+    return moment
 
 
 def test_everything_that_the_format_knows_comes_back(tmp_path: Path) -> None:

@@ -102,7 +102,7 @@ def _write_group(sheets: Sheets, case: LoadCase, kind: str) -> str:
 def write_combinations(sheets: Sheets, combinations: Sequence[Combination], weights: Mapping[str, str]) -> None:
     """Write combinations with their factors; the limit state starts the description."""
     for combination in combinations:
-        factors = {name: factor for name, factor in combination.factors if factor}
+        factors = {name or ALL_LOADS: factor for name, factor in combination.factors if factor}
         for name, factor in list(factors.items()):
             if weights.get(name, name) != name:
                 factors[weights[name]] = factor

@@ -12,6 +12,7 @@ from groundslab.case.saf.units import from_si
 from groundslab.case.saf.writing.cases import ALL_LOADS, by_material
 from groundslab.case.saf.writing.sheets import Sheets
 from groundslab.case.saf.writing.structure import middle, plate_at
+from groundslab.geometry.areas import equal_area_polygon
 from groundslab.geometry.plan import Ring, Segment
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_types import (
@@ -141,12 +142,13 @@ def _write_point(sheets: Sheets, load: PointLoad, common: Mapping[str, Any], pla
     else:
         assert load.x is not None
         assert load.y is not None
-        if (ring := load.acts[0].ring) is not None:
-            if not any(moments.values()):
-                sheets.leave(what, "written as a pressure on its footprint")
-                _add_area(sheets, load.name, ring, (load.P / ring.area,) * 3, common)
-                return
-            sheets.leave(what, "its footprint is not written")
+        (force,) = load.acts
+        if force.ring is not None:
+            sheets.leave(what, "written as a pressure on its footprint")
+            pressure = force.pressure(equal_area_polygon(force.ring))
+            places = np.array(_first_places(force.ring))
+            _add_area(sheets, load.name, force.ring, pressure(places).tolist(), common)
+            return
         if not any(moments.values()):
             sheets.add(
                 "StructuralPointActionFree",
@@ -307,12 +309,10 @@ def _write_area(sheets: Sheets, load: PatchLoad | AreaLoad, common: Mapping[str,
     _add_area(sheets, load.name, shape.ring(), _corner_values(load, shape.ring()), common)
 
 
-def _corner_values(load: UniformLoad | PatchLoad | AreaLoad, ring: Ring) -> tuple[float, float, float]:
+def _corner_values(load: UniformLoad | PatchLoad | AreaLoad, ring: Ring) -> list[float]:
     """Return the pressure at the first three places of a ring as it is written, arcs with their middles."""
-    places = np.array(_first_places(ring))
-    slope, about = np.array(load.slope), np.array(load.about)
-    first, second, third = (float(load.q + value) for value in (places - about) @ slope)
-    return first, second, third
+    values: list[float] = load.pressure(np.array(_first_places(ring))).tolist()
+    return values
 
 
 def _first_places(ring: Ring) -> list[tuple[float, float]]:

@@ -57,10 +57,11 @@ def write_model(model: Model, path: str | Path, stiffness: tuple[float, float] |
     write_supports(sheets, placed, rings)
     write_ground(sheets, placed, names, first, stiffness)
     weights = write_cases(sheets, placed)
-    if placed.combinations or placed.combine is not None:
+    # cases are solved one by one unless combinations say otherwise; of one that is written as two they must
+    if placed.combinations or placed.combine is not None or any(name != case for case, name in weights.items()):
         write_combinations(sheets, list_combinations(placed), weights)
-        if placed.combine is not None:
-            sheets.leave("combine", "its combinations are written with their factors")
+    if placed.combine is not None:
+        sheets.leave("combine", "its combinations are written with their factors")
     plates = {plate.name or name: name for plate, name in zip(placed.every_plate, names, strict=True)}
     write_loads(sheets, placed, Placed(plates, rings, feet, walls))
     _add_internal_nodes(sheets, rings)
