@@ -40,8 +40,8 @@ def import_file(options: argparse.Namespace) -> int:
 def describe_export(parser: argparse.ArgumentParser) -> None:
     """Add what the command export-saf understands."""
     parser.epilog = (
-        "Results give soil of Vlasov's kind the k0 and k1 that they found. What the format has no place for is listed "
-        "on standard error. An existing file is left alone."
+        "Results give section forces along the slab's edges, and soil of Vlasov's kind the k0 and k1 that they found. "
+        "What the format has no place for is listed on standard error. An existing file is left alone."
     )
     parser.add_argument("case", metavar="CASE", help="case file (TOML), or results folder written by groundslab solve")
     parser.add_argument("--out", metavar="FILE", help="file to write (default: <CASE>-saf.xlsx next to the case)")

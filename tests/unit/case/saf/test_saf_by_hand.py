@@ -128,6 +128,22 @@ def test_imperial_values(tmp_path: Path) -> None:
     assert temperature.difference == pytest.approx(10)
 
 
+def test_settlements_of_supports(tmp_path: Path) -> None:
+    """Upwards is positive in the file, downwards here: -12 mm are a settlement of 12 mm; sideways is left out."""
+    sheets = slab()
+    sheets["StructuralPointSupport"] = [
+        ["Name", "Node", "ux", "uy", "uz", "fix", "fiy", "fiz"],
+        ["P", "I", "Free", "Free", "Rigid", "Free", "Free", "Free"],
+    ]
+    sheets["StructuralPointSupportDeformati"] = [
+        ["Name", "Point support", "Direction", "Translation value [mm]", "Load case"],
+        ["D", "P", "Z", -12, "Q"], ["E", "P", "X", 5, "Q"], ["F", "other", "Z", 5, "Q"],
+    ]  # fmt: skip
+    case = read(tmp_path, sheets)
+    assert case.model.loads == (gs.SettlementLoad(name="D", case="Q", support="P", w=0.012),)
+    assert [line.taken for line in case.report if line.name in "DEF"] == [True, False, False]
+
+
 @pytest.mark.parametrize(
     ("kind", "vector", "turned", "angle"),
     [("x by vector", (1, 0), 30, 30), ("x by vector", (0, 2), 0, 90), ("y by vector", (0, 1), 0, 0),

@@ -27,7 +27,15 @@ from groundslab.geometry.areas import equal_area_polygon
 from groundslab.geometry.plan import Place
 from groundslab.model.loads.lines import LineMoment
 from groundslab.model.loads.load_cases import LoadCase
-from groundslab.model.loads.load_types import AreaLoad, SelfWeight, TemperatureLoad, UniformLoad
+from groundslab.model.loads.load_types import (
+    AnyLoad,
+    AreaLoad,
+    SelfWeight,
+    SettlementLoad,
+    TemperatureLoad,
+    UniformLoad,
+)
+from groundslab.model.supports import AnySupport
 from groundslab.schema.wording import describe
 
 
@@ -224,3 +232,24 @@ def _read_temperature(context: ReadContext, row: Row, slab: Slab, found: Loads) 
         difference = (bottom - top) * context.upwards
         found.loads.append(TemperatureLoad(name=row.name, case=text(row, "loadcase"), difference=difference + 0.0))
         context.take(row, "temperature")
+
+
+def read_settlements(context: ReadContext, supports: Sequence[AnySupport], cases: Sequence[LoadCase]) -> list[AnyLoad]:
+    """Return the settlements that are forced on the slab's supports at points."""
+    known, names = {support.name for support in supports if support.kind == "point"}, {case.name for case in cases}
+    upright = "xyz"[max(range(3), key=lambda axis: abs(context.axes[2][axis]))]
+    loads = list[AnyLoad]()
+    for row in context.rows("StructuralPointSupportDeformation"):
+        with context.reading(row):
+            support, case = text(row, "pointsupport"), text(row, "loadcase")
+            if support not in known:
+                context.leave(row, f"it moves {support or 'nothing'}, which does not support the slab")
+            elif word(row, "direction", ("x", "y", "z", "rx", "ry", "rz")) != upright:
+                context.leave(row, "it moves its support sideways, or turns it")
+            elif case not in names:
+                raise RowFault("loadcase", f"the case {describe(case)}", "one of sheet StructuralLoadCase")
+            else:
+                w = -context.number(row, "translationvalue", "size") * context.upwards + 0.0
+                loads.append(SettlementLoad(name=row.name, case=case, support=support, w=w))
+                context.take(row, "settlement of a support")
+    return loads

@@ -13,7 +13,7 @@ from groundslab.case.saf.reading.column_forces import read_forces
 from groundslab.case.saf.reading.context import AXES, ReadContext, ReportLine, text, word
 from groundslab.case.saf.reading.ground import read_ground, read_supports
 from groundslab.case.saf.reading.load_forces import Loads
-from groundslab.case.saf.reading.loads import read_loads
+from groundslab.case.saf.reading.loads import read_loads, read_settlements
 from groundslab.case.saf.reading.report import report_lines
 from groundslab.case.saf.reading.slab import Slab, choose_slab
 from groundslab.case.saf.reading.structure import read_beams, read_columns, read_plate, read_walls
@@ -32,7 +32,7 @@ SHEETS = frozenset({
     "StructuralLoadCase", "StructuralLoadCombination", "StructuralPointAction", "StructuralPointActionFree",
     "StructuralPointMoment", "StructuralCurveAction", "StructuralCurveActionFree", "StructuralCurveMoment",
     "StructuralSurfaceAction", "StructuralSurfaceActionFree", "StructuralSurfaceActionThermal",
-    "ResultInternalForce1D", "ResultInternalForce2DEdge",
+    "StructuralPointSupportDeformation", "ResultInternalForce1D", "ResultInternalForce2DEdge",
 })  # fmt: skip
 
 _GROUND = ("", "# The file has no ground under the slab; groundslab new shows all kinds.", *blanks.GROUND)
@@ -148,7 +148,7 @@ def _read_parts(context: ReadContext, slab: Slab) -> dict[str, Any]:
     combinations, combine = read_combinations(context, cases)
     found = read_loads(context, slab, cases, bool(beams)) if cases else Loads()
     read_forces(context, slab, {case.name for case in cases}, found)
-    loads = found.finish(columns)
+    loads = [*found.finish(columns), *read_settlements(context, supports, cases)]
     cases = [
         case.model_copy(update={"H_x": H[0], "H_y": H[1]})
         if any(H := found.horizontal.get(case.name, [0.0, 0.0]))

@@ -99,8 +99,11 @@ def _write_group(sheets: Sheets, case: LoadCase, kind: str) -> str:
     )
 
 
-def write_combinations(sheets: Sheets, combinations: Sequence[Combination], weights: Mapping[str, str]) -> None:
-    """Write combinations with their factors; the limit state starts the description."""
+def write_combinations(
+    sheets: Sheets, combinations: Sequence[Combination], weights: Mapping[str, str]
+) -> dict[str, str]:
+    """Write combinations with their factors and return their names in the file; limit states start descriptions."""
+    names: dict[str, str] = {}
     for combination in combinations:
         factors = {name or ALL_LOADS: factor for name, factor in combination.factors if factor}
         for name, factor in list(factors.items()):
@@ -113,7 +116,7 @@ def write_combinations(sheets: Sheets, combinations: Sequence[Combination], weig
         for n, (name, factor) in enumerate(factors.items(), start=1):
             cells |= {f"loadfactor{n}": factor, f"multiplier{n}": 1, f"loadcasename{n}": name}
         rule = f", {combination.rule}" if combination.rule else ""
-        sheets.add(
+        names[combination.name] = sheets.add(
             "StructuralLoadCombination",
             combination.name,
             "CO",
@@ -122,3 +125,4 @@ def write_combinations(sheets: Sheets, combinations: Sequence[Combination], weig
             type=None if combination.limit_state == "accidental" else "Linear",
             **cells,
         )
+    return names

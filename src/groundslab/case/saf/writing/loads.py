@@ -20,6 +20,7 @@ from groundslab.model.loads.load_types import (
     PatchLoad,
     PointLoad,
     SelfWeight,
+    SettlementLoad,
     TemperatureLoad,
     UniformLoad,
 )
@@ -68,6 +69,8 @@ def write_loads(sheets: Sheets, model: Model, placed: Placed) -> None:
                     **{"2dmember": plate},
                     **common,
                 )
+        elif isinstance(load, SettlementLoad):
+            _write_settlement(sheets, load, common, what)
         elif isinstance(load, SelfWeight):
             if not by_material(model, load):
                 _write_weight(sheets, model, load, common, placed)
@@ -78,6 +81,16 @@ def write_loads(sheets: Sheets, model: Model, placed: Placed) -> None:
             if H:
                 node = sheets.node(model.plate.ring().points[0])
                 _add_force(sheets, f"{case.name} H", node, direction, H, {"loadcase": case.name})
+
+
+def _write_settlement(sheets: Sheets, load: SettlementLoad, common: Mapping[str, Any], what: str) -> None:
+    """Write a settlement that is forced on a support at a point."""
+    if load.support not in sheets.names["StructuralPointSupport"]:
+        sheets.leave(what, "settlements of other supports than those at points are not written")
+        return
+    value = from_si(-load.w, "size") + 0.0
+    where = {"pointsupport": load.support, "direction": "Z", "translationvalue": value}
+    sheets.add("StructuralPointSupportDeformation", load.name, "RS", **where, **common)
 
 
 def _write_weight(sheets: Sheets, model: Model, load: SelfWeight, common: Mapping[str, Any], placed: Placed) -> None:

@@ -64,6 +64,9 @@ HEADINGS: dict[str, str] = {
     "StructuralSurfaceActionFree": "Name; Direction; Type; Distribution; q [kN/m2]; Load case; Validity; "
     f"Local Z direction; {_PLACES}; Edges; Coordinate system; Location",
     "StructuralSurfaceActionThermal": "Name; Variation; TempT [°C]; TempB [°C]; 2D Member; 2D Member Region; Load case",
+    "StructuralPointSupportDeformation": "Name; Point support; Direction; Translation value [mm]; Load case",
+    "ResultInternalForce2DEdge": "Result on; 2D member; Edge; Result for; Load case; Load combination; Section at [m]; "
+    "Index; mx [kNm/m]; my [kNm/m]; mxy [kNm/m]; vx [kN/m]; vy [kN/m]; nx [kN/m]; ny [kN/m]; nxy [kN/m]",
 }
 
 #: The sheets in their order in the file, between Project and Model and the loads.
@@ -73,10 +76,13 @@ ORDER = ("Project", "Model", "StructuralMaterial", "StructuralCrossSection", "St
          "StructuralEdgeConnection", "StructuralSurfaceConnection", "StructuralLoadGroup", "StructuralLoadCase",
          "StructuralLoadCombination", "StructuralPointAction", "StructuralPointActionFree", "StructuralPointMoment",
          "StructuralCurveAction", "StructuralCurveActionFree", "StructuralCurveMoment", "StructuralSurfaceAction",
-         "StructuralSurfaceActionFree", "StructuralSurfaceActionThermal")  # fmt: skip
+         "StructuralSurfaceActionFree", "StructuralSurfaceActionThermal", "StructuralPointSupportDeformation",
+         "ResultInternalForce2DEdge")  # fmt: skip
 
 #: Names of objects have no more letters.
 LONGEST_NAME = 100
+#: Letters of a sheet's name that Excel keeps.
+LONGEST_SHEET_NAME = 31
 
 
 @dataclass(slots=True)
@@ -128,7 +134,7 @@ class Sheets:
                 lines = [headings, *([row.get(key) for key in keys] for row in self.rows[name])]
             else:
                 continue
-            _fill(book.create_sheet(name), lines)
+            _fill(book.create_sheet(name[:LONGEST_SHEET_NAME]), lines)
         content = io.BytesIO()
         book.save(content)
         return content.getvalue()

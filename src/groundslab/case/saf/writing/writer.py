@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from groundslab._version import __version__
 from groundslab.case.saf.writing.cases import write_cases, write_combinations
+from groundslab.case.saf.writing.forces import EdgeForces, write_forces
 from groundslab.case.saf.writing.loads import Placed, write_loads
 from groundslab.case.saf.writing.sheets import Sheets
 from groundslab.case.saf.writing.structure import (
@@ -36,10 +37,16 @@ _WRITTEN = {"title", "project", "report", "plate", "plates", "ground", "soil_zon
             "beams", "cases", "loads", "combinations", "combine", "patterns", "moves"}  # fmt: skip
 
 
-def write_model(model: Model, path: str | Path, stiffness: tuple[float, float] | None = None) -> tuple[str, ...]:
+def write_model(
+    model: Model,
+    path: str | Path,
+    stiffness: tuple[float, float] | None = None,
+    forces: Sequence[EdgeForces] = (),
+) -> tuple[str, ...]:
     """Write a case to a new file; return what is not in it, or there in another way.
 
-    ``stiffness`` is k0 [Pa/m] and k1 [Pa m] of ground that is not given by them. Raises InputError if the file exists.
+    ``stiffness`` is k0 [Pa/m] and k1 [Pa m] of ground that is not given by them, ``forces`` are those along the edges
+    of its only plate. Raises InputError if the file exists.
     """
     sheets = Sheets()
     placed = place_patterns(model)
@@ -57,13 +64,15 @@ def write_model(model: Model, path: str | Path, stiffness: tuple[float, float] |
     write_supports(sheets, placed, rings)
     write_ground(sheets, placed, names, first, stiffness)
     weights = write_cases(sheets, placed)
+    combined: dict[str, str] = {}
     # cases are solved one by one unless combinations say otherwise; of one that is written as two they must
     if placed.combinations or placed.combine is not None or any(name != case for case, name in weights.items()):
-        write_combinations(sheets, list_combinations(placed), weights)
+        combined = write_combinations(sheets, list_combinations(placed), weights)
     if placed.combine is not None:
         sheets.leave("combine", "its combinations are written with their factors")
     plates = {plate.name or name: name for plate, name in zip(placed.every_plate, names, strict=True)}
     write_loads(sheets, placed, Placed(plates, rings, feet, walls))
+    write_forces(sheets, names[0], forces, combined)
     _add_internal_nodes(sheets, rings)
     if len(names) > 1:
         sheets.leave("plates", "one at a time is read back; joints are not written")
