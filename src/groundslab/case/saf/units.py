@@ -35,6 +35,10 @@ UNITS: dict[str, tuple[str, str]] = {
     "number": ("", ""),
 }
 
+#: Units by those of the metric system; of stiffnesses per length none is ever given.
+IMPERIAL = {metric: imperial for metric, imperial in UNITS.values() if metric}
+_NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?")
+
 _SIZES: dict[str, float] = {
     "m": 1.0, "mm": 1e-3, "ft": _FOOT, "in": _INCH, "m2": 1.0, "ft2": _FOOT**2, "m4": 1.0, "ft4": _FOOT**4,
     "deg": _DEGREE, "MPa": 1e6, "ksi": _KIP / _INCH**2, "kg/m3": 1.0, "lb/ft3": _POUND / _FOOT**3,
@@ -60,6 +64,15 @@ def to_si(value: float, quantity: str, imperial: bool) -> float:
 def from_si(value: float, quantity: str) -> float:
     """Return a value in SI units in the metric unit of a file, freed of what rounding has left."""
     return float(f"{value / _SIZES[unit_of(quantity, imperial=False)]:.14g}")
+
+
+def to_imperial(value: object, unit: str) -> object:
+    """Return what stands below a heading with a metric unit in the imperial one: a number, or all numbers of a text."""
+    share = _SIZES[unit] / _SIZES[IMPERIAL[unit]]
+    if isinstance(value, int | float):
+        return float(f"{value * share:.14g}")
+    # numbers of corners, such as C1, are none
+    return re.sub(_NUMBER, lambda match: f"{float(match[0]) * share:.14g}", value) if isinstance(value, str) else value
 
 
 def heading_key(heading: object) -> str:

@@ -187,12 +187,11 @@ def _title(context: ReadContext) -> str:
 
 
 def _read_project(context: ReadContext) -> dict[str, Project]:
-    """Return the title block, nothing if the file has no words for it."""
-    rows = context.rows("Project")
-    if not rows:
-        return {}
-    model = context.rows("Model")[0]
-    given = {"name": rows[0].name, "number": text(rows[0], "projectnr"), "author": text(model, "owner"),
-             "revision": text(model, "revisionnumber")}  # fmt: skip
-    said = {name: value for name, value in given.items() if value}
+    """Return the title block and the units of output, nothing if the file has no words for it."""
+    said: dict[str, Any] = {"units": "US"} if context.imperial else {}
+    if rows := context.rows("Project"):
+        model = context.rows("Model")[0]
+        given = {"name": rows[0].name, "number": text(rows[0], "projectnr"), "author": text(model, "owner"),
+                 "revision": text(model, "revisionnumber")}  # fmt: skip
+        said |= {name: value for name, value in given.items() if value}
     return {"project": Project(**said)} if said else {}

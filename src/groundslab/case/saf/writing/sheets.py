@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from groundslab.case.saf.units import from_si, heading_key
+from groundslab.case.saf.units import IMPERIAL, from_si, heading_key, heading_unit, to_imperial
 from groundslab.geometry.plan import Place
 from groundslab.optional import import_optional
 
@@ -79,6 +79,8 @@ ORDER = ("Project", "Model", "StructuralMaterial", "StructuralCrossSection", "St
          "StructuralSurfaceActionFree", "StructuralSurfaceActionThermal", "StructuralPointSupportDeformation",
          "ResultInternalForce2DEdge")  # fmt: skip
 
+#: What is written relative to lengths, although headings have a unit.
+_RELATIVE = ("Start point", "End point")
 #: Names of objects have no more letters.
 LONGEST_NAME = 100
 #: Letters of a sheet's name that Excel keeps.
@@ -121,7 +123,7 @@ class Sheets:
         return self.nodes[x, y, z]
 
     def to_bytes(self, project: Mapping[str, str], model: Mapping[str, str]) -> bytes:
-        """Return the file."""
+        """Return the file, in the system of units that the sheet Model names."""
         writer = import_optional("openpyxl", "which reads and writes workbooks", "exchange")
         book = writer.Workbook()
         book.remove(book.active)
@@ -132,6 +134,8 @@ class Sheets:
                 headings = [heading.strip() for heading in self._headings(name).split(";")]
                 keys = [heading_key(heading) for heading in headings]
                 lines = [headings, *([row.get(key) for key in keys] for row in self.rows[name])]
+                if model["System of units"] == "Imperial":
+                    lines = _in_imperial_units(lines)
             else:
                 continue
             _fill(book.create_sheet(name[:LONGEST_SHEET_NAME]), lines)
@@ -146,6 +150,19 @@ class Sheets:
         most = max(sum(key.startswith("loadcasename") for key in row) for row in self.rows[sheet])
         of_cases = (f"Load factor {n}; Multiplier {n}; Load case name {n}" for n in range(1, most + 1))
         return "; ".join(["Name", "Description", "Category", "National standard", "Type", *of_cases])
+
+
+def _in_imperial_units(lines: list[list[Any]]) -> list[list[Any]]:
+    """Return a table with the units of its headings and all that stands below them in the imperial system."""
+    units = [heading_unit(heading) for heading in lines[0]]
+    headings = [
+        heading.replace(f"[{unit}]", f"[{IMPERIAL[unit]}]") if unit in IMPERIAL else heading
+        for heading, unit in zip(lines[0], units, strict=True)
+    ]
+    # of edges, parts are given relative to their lengths
+    own = [u in IMPERIAL and not heading.startswith(_RELATIVE) for heading, u in zip(lines[0], units, strict=True)]
+    rows = (zip(row, units, own, strict=True) for row in lines[1:])
+    return [headings, *([to_imperial(value, unit) if has else value for value, unit, has in row] for row in rows)]
 
 
 def _fill(sheet: Any, lines: list[list[Any]]) -> None:

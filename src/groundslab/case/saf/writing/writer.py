@@ -141,6 +141,6 @@ def _model(model: Model) -> dict[str, str]:
         "SAF Version": VERSION,
         "Global coordinate system": "Z vertical",
         "LCS of cross-section": "ZYX",
-        "System of units": "Metric",
+        "System of units": "Imperial" if project is not None and project.units == "US" else "Metric",
         "National code": "IBC" if american else "EC-Standard-EN",
     }
