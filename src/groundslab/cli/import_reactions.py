@@ -58,6 +58,8 @@ def _describe_signs(command: argparse.ArgumentParser) -> None:
     command.add_argument("--positive", metavar="WORD", help=meaning)
     meaning = 'what moments mean: "about axes" (default), "about axes, left-handed" or "as here"'
     command.add_argument("--moments", metavar="WORDS", help=meaning)
+    meaning = 'what F_x and F_y act on, to have H_x and H_y of load cases: "on the slab" or "on the structure"'
+    command.add_argument("--horizontal", metavar="WORDS", help=meaning)
     command.add_argument("--mirrored", action="store_true", default=None, help="y of the table points the other way")
     command.add_argument("--origin", nargs=2, metavar="LENGTH", help="x and y of the table's origin in the case")
 
@@ -70,7 +72,7 @@ def _describe_table(command: argparse.ArgumentParser) -> None:
     command.add_argument("--length", metavar="UNIT", help="unit of coordinates, where the table states none")
     command.add_argument("--decimals", metavar="WORD", help="what stands before decimals: point or comma")
     command.add_argument("--only-case", metavar="NAME", help="load case of a table that names none")
-    meaning = "headings of columns with unusual names; WHAT is support, case, x, y, F_z, M_x or M_y"
+    meaning = "headings of columns with unusual names; WHAT is support, case, x, y, F_x, F_y, F_z, M_x or M_y"
     _add_several(command, "--heading", "WHAT=NAME", meaning)
 
 
@@ -109,8 +111,9 @@ def run(options: argparse.Namespace) -> int:
 
 def _reading(options: argparse.Namespace) -> dict[str, Any]:
     """Return the keys of [reactions] that were given."""
-    same = ("positive", "moments", "mirrored", "origin", "tolerance", "sheet", "force", "moment", "length", "decimals")
-    given = {name: getattr(options, name) for name in (*same, "footprint")}
+    signs = ("positive", "moments", "horizontal", "mirrored", "origin")
+    same = ("tolerance", "sheet", "force", "moment", "length", "decimals", "footprint")
+    given = {name: getattr(options, name) for name in (*signs, *same)}
     given["case"] = options.only_case
     given["without_cases"] = options.without_case or None
     given["without_supports"] = options.without_support or None

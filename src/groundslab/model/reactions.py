@@ -23,6 +23,7 @@ from groundslab.schema.wording import describe, one_of, quote, suggestion
 Positive = Literal["presses", "lifts"]
 Moments = Literal["about axes", "about axes, left-handed", "as here"]
 Decimals = Literal["point", "comma"]
+Horizontal = Literal["left out", "on the slab", "on the structure"]
 
 
 class ReactionHeadings(Section):
@@ -32,6 +33,8 @@ class ReactionHeadings(Section):
     case: Annotated[str, Text("column with the load cases")] = ""
     x: Annotated[str, Text("column with the coordinate along x")] = ""
     y: Annotated[str, Text("column with the coordinate along y")] = ""
+    F_x: Annotated[str, Text("column with the horizontal forces along x")] = ""
+    F_y: Annotated[str, Text("column with the horizontal forces along y")] = ""
     F_z: Annotated[str, Text("column with the vertical forces")] = ""
     M_x: Annotated[str, Text("column with the moments that the table names after x")] = ""
     M_y: Annotated[str, Text("column with the moments that the table names after y")] = ""
@@ -57,13 +60,19 @@ def _check_units(force: str, moment: str, length: str) -> Iterator[RelativeIssue
         ("moment", moment, "moment"),
         ("length", length, "length"),
     ):
-        if unit:
-            try:
-                units.parse(f"1 {unit}", dimension)
-            except units.QuantityError as error:
-                yield RelativeIssue(
-                    (name,), quote(unit), f"a unit of {units.DIMENSIONS[dimension].phrase}", error.reason
-                )
+        kinds = (dimension,) if dimension == "length" else (dimension, f"{dimension} per length")
+        reasons = [_why_no_unit(unit, kind) for kind in kinds]
+        if unit and all(reasons):
+            yield RelativeIssue((name,), quote(unit), f"a unit of {units.DIMENSIONS[dimension].phrase}", reasons[0])
+
+
+def _why_no_unit(unit: str, dimension: str) -> str:
+    """Return why a text is no unit of a dimension, nothing if it is one."""
+    try:
+        units.parse(f"1 {unit}", dimension)
+    except units.QuantityError as error:
+        return error.reason or "another unit"
+    return ""
 
 
 def _check_names(cases: tuple[ReactionCase, ...], supports: tuple[ReactionSupport, ...]) -> Iterator[RelativeIssue]:
@@ -85,7 +94,7 @@ class Reactions(Section):
     file: Annotated[str, Text("name of the file that was imported last, for reference")] = ""
     sheet: Annotated[str, Text("sheet of a workbook, where several have reactions")] = ""
     case: Annotated[str, Text("load case of a table that names none")] = ""
-    force: Annotated[str, Text("unit of forces, where the table states none, such as kN")] = ""
+    force: Annotated[str, Text("unit of forces, where the table states none, such as kN, or kN/m along walls")] = ""
     moment: Annotated[str, Text("unit of moments, where the table states none, such as kNm")] = ""
     length: Annotated[str, Text("unit of coordinates, where the table states none, such as m")] = ""
     decimals: Annotated[
@@ -103,6 +112,14 @@ class Reactions(Section):
             "",
         ),
     ] = "about axes"
+    horizontal: Annotated[
+        Horizontal,
+        Choice(
+            Horizontal,
+            "what F_x and F_y of the table act on, whose sums become H_x and H_y of load cases; or that they do not",
+            "",
+        ),
+    ] = "left out"
     mirrored: Annotated[
         bool, Boolean("whether y of the table points the other way than here, as it may where its z points down")
     ] = False

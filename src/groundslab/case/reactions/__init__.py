@@ -2,15 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
 from groundslab.case import casefile
-from groundslab.case.reactions.changes import THRESHOLD, CaseSum, ReactionChange, find_changes, sum_cases
+from groundslab.case.reactions.changes import THRESHOLD, CaseSum, ReactionChange, find_changes, find_pushes, sum_cases
 from groundslab.case.reactions.forces import Transfer, make_loads, middles, resultants, signs_in_words
-from groundslab.case.reactions.matching import Moved, frame_of, horizontal, match_cases, match_supports, repeated
+from groundslab.case.reactions.matching import (
+    Moved,
+    frame_of,
+    match_cases,
+    match_supports,
+    repeated,
+    sideways,
+    with_resultants,
+    words_of_sideways,
+)
+from groundslab.case.reactions.numbers import format_number
 from groundslab.case.reactions.table import read_table
 from groundslab.case.reactions.text import CaseText
 from groundslab.errors import InputError, Issue
@@ -123,7 +134,7 @@ def import_into(
     return ImportedReactions(
         after,
         document.text.replace("\n", "\r\n") if windows else document.text,
-        tuple(find_changes(old, new, moved, threshold)),
+        (*find_changes(old, new, moved, threshold), *find_pushes(before, after, threshold)),
         sum_cases(old, new, middles(before), middles(after)),
         tuple(remarks),
     )
@@ -169,6 +180,8 @@ def _take(
     taken = [each for each in table.reactions if each.case not in left and each.support not in reading.without_supports]
     matched = match_supports(taken, table, model, reading)
     issues = [*cases.issues, *matched.issues, *repeated(taken, table)]
+    if table.per and not issues:
+        taken = with_resultants(taken, matched, table, model, issues)
     if not taken and not issues:
         issues.append(Issue(table.name, "no load case that is not left out", "at least one"))
     if issues:
@@ -181,12 +194,24 @@ def _take(
         document.set(("columns",), [*document.data.get("columns", []), *matched.new_columns])
     if choices.move_columns:
         _move(document, matched.moved)
+    sums = sideways(taken, cases.names, reading)
+    if reading.horizontal != "left out":
+        _push(document, sums, table.force)
     document.set_loads(loads)
     document.set_reactions(reading, model.reactions)
     said = [f"signs: {signs_in_words(reading)}", *table.remarks, *remarks]
     if cases.left:
         said.append(f"combinations are left out, as only load cases are loads: {listed(cases.left, 'and')}")
-    return [*said, *horizontal(taken, cases.names, table.force)], matched.moved
+    left_out = words_of_sideways(sums, table.force) if reading.horizontal == "left out" else []
+    return [*said, *left_out], matched.moved
+
+
+def _push(document: CaseText, sums: Mapping[str, Sequence[Decimal]], unit: str) -> None:
+    """Set the horizontal forces of load cases; of 0 only where they were not."""
+    for position, case in enumerate(document.data.get("cases", [])):
+        for key, force in zip(("H_x", "H_y"), sums.get(case["name"], ()), strict=False):
+            if force or key in case:
+                document.set(("cases", position, key), f"{format_number(force)} {unit}")
 
 
 def _move(document: CaseText, moved: tuple[Moved, ...]) -> None:

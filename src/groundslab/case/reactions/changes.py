@@ -10,6 +10,7 @@ from typing import Literal
 from groundslab.case.reactions.forces import Resultant
 from groundslab.case.reactions.matching import Moved
 from groundslab.geometry.plan import Place, format_place
+from groundslab.model.model import Model
 from groundslab.units import together
 
 #: Share of a force or moment by which it must change to be listed.
@@ -33,6 +34,8 @@ class ReactionChange:
         Force [N] and moments [N m] on it; None if there are none.
     places : tuple
         Where a moved one is in the case and in the table [m]; empty for loads.
+    H : tuple
+        H_x and H_y of the load case before and after [N]; empty for loads.
     """
 
     kind: Literal["new", "gone", "changed", "less", "moved"]
@@ -41,11 +44,16 @@ class ReactionChange:
     before: Resultant | None = None
     after: Resultant | None = None
     places: tuple[Place, ...] = ()
+    H: tuple[tuple[float, float], ...] = ()
 
     def __str__(self) -> str:
         """Return the change on one line."""
         if self.places:
             return f"moved: {self.name} from {format_place(self.places[0])} m to {format_place(self.places[1])} m"
+        if self.H:
+            along_x, along_y = zip(*self.H, strict=True)
+            words = (_pair("H_x", *along_x, dimension="force"), _pair("H_y", *along_y, dimension="force"))
+            return f"{self.kind}: {self.case}: {', '.join(filter(None, words))}"
         values = [_words(self.before, self.after, "P", "force")]
         values += [_words(self.before, self.after, name, "moment") for name in ("M_x", "M_y")]
         return f"{self.kind}: {self.name} in {self.case}: {', '.join(filter(None, values))}"
@@ -53,7 +61,11 @@ class ReactionChange:
 
 def _words(before: Resultant | None, after: Resultant | None, name: str, dimension: str) -> str:
     """Return a value before and after; nothing if both are 0."""
-    values = [getattr(each, name) for each in (before, after) if each is not None]
+    return _pair(name, *(getattr(each, name) for each in (before, after) if each is not None), dimension=dimension)
+
+
+def _pair(name: str, *values: float, dimension: str) -> str:
+    """Return one value, or two before and after; nothing if all are 0."""
     if not any(values):
         return ""
     texts, unit = together(values, dimension)
@@ -101,6 +113,16 @@ def find_changes(
                 abs(getattr(new, name) - getattr(old, name)) > threshold * abs(getattr(old, name)) for name, _ in SUMMED
             )
             yield ReactionChange("changed" if large else "less", *key, old, new)
+
+
+def find_pushes(before: Model, after: Model, threshold: float = THRESHOLD) -> Iterator[ReactionChange]:
+    """Yield the load cases whose horizontal forces change."""
+    old = {case.name: (case.H_x, case.H_y) for case in before.cases}
+    for case in after.cases:
+        one, other = old.get(case.name, (0.0, 0.0)), (case.H_x, case.H_y)
+        if one != other:
+            large = any(abs(b - a) > threshold * abs(a) for a, b in zip(one, other, strict=True))
+            yield ReactionChange("changed" if large else "less", "", case.name, H=(one, other))
 
 
 def sum_cases(

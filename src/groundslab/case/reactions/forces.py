@@ -179,7 +179,7 @@ def _line(
 
 def _per_length(values: Iterable[float], table: ReactionTable, dimension: str) -> list[str]:
     """Return forces [N/m] or moments [N m/m] per length in the table's units."""
-    length = table.length or ("ft" if table.force in ("kip", "lbf") else "m")
+    length = table.per or table.length or ("ft" if table.force in ("kip", "lbf") else "m")
     unit = f"{table.force}/{length}" if dimension == "force" else f"{table.moment}/{length}"
     size = units.parse(f"1 {unit}", f"{dimension} per length")
     return [f"{value / size + 0.0:.{DIGITS}g} {unit}" for value in values]

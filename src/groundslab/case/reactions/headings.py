@@ -259,10 +259,10 @@ def _require_headings(headings: Headings, grid: Grid, row: Sequence[str], top: i
     for heading in headings.columns:
         where = f"{grid.name}, row {top + 1}, column {heading.column + 1}"
         dimension = DIMENSIONS.get(heading.role)
-        if heading.unit and dimension and not unit_of(heading.unit, dimension):
-            hint = "of line supports, export the resultants" if dimension != "length" else ""
+        kinds = (dimension,) if dimension in (None, "length") else (dimension, f"{dimension} per length")
+        if heading.unit and dimension and not any(unit_of(heading.unit, kind or "") for kind in kinds):
             expected = f"a unit of {units.DIMENSIONS[dimension].phrase}"
-            issues.append(Issue(where, f"{describe(row[heading.column])} in {heading.unit}", expected, hint))
+            issues.append(Issue(where, f"{describe(row[heading.column])} in {heading.unit}", expected))
     values = [heading for heading in headings.columns if heading.role in BY_CASE]
     for one, other in pairwise(sorted(values, key=lambda heading: (heading.role, heading.case))):
         if (one.role, one.case) == (other.role, other.case):

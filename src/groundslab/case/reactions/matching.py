@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import get_args
 
@@ -271,20 +271,51 @@ def repeated(reactions: Iterable[Reaction], table: ReactionTable) -> list[Issue]
     return issues
 
 
-def horizontal(reactions: Iterable[Reaction], names: Mapping[str, str], unit: str) -> list[str]:
-    """Return remarks on horizontal forces, which are not taken."""
+def with_resultants(
+    reactions: Sequence[Reaction], matched: Matched, table: ReactionTable, model: Model, issues: list[Issue]
+) -> list[Reaction]:
+    """Return reactions whose forces per length of a line support are those of the whole wall on which it stands.
+
+    They act about the wall's middle. Only walls have a length, and each one that of one support; `issues` gets others.
+    """
+    walls = {wall.name: wall for wall in model.placed_walls}
+    supports: dict[str, dict[str, None]] = {}
+    for reaction in reactions:
+        supports.setdefault(matched.on[reaction.support], {})[reaction.support] = None
+    for base, names in supports.items():
+        if base not in walls or len(names) > 1:
+            what = f"forces per {table.per} of {listed(map(quote, list(names)[:LISTED]), 'and')} on {base}"
+            hint = "export the resultants"
+            issues.append(Issue(table.name, what, "one line support on each wall, whose length counts", hint))
+    if issues:
+        return list(reactions)
+    size = units.parse(f"1 {table.per}", "length")
+    made = []
+    for reaction in reactions:
+        length = Decimal(f"{walls[matched.on[reaction.support]].length / size:.15g}")
+        forces = {name: getattr(reaction, name) * length for name in ("F_x", "F_y", "F_z", "M_x", "M_y")}
+        made.append(replace(reaction, place=None, **forces))
+    return made
+
+
+def sideways(reactions: Iterable[Reaction], names: Mapping[str, str], reading: Reactions) -> dict[str, list[Decimal]]:
+    """Return the sums of horizontal forces by load case along x and y, on what the table says."""
     sums: dict[str, list[Decimal]] = {}
+    sign = -1 if reading.horizontal == "on the structure" else 1
     for reaction in reactions:
         total = sums.setdefault(names[reaction.case], [Decimal(0), Decimal(0)])
-        total[0] += reaction.F_x
-        total[1] += reaction.F_y
-    found = [
-        f"{case} {format_number(x)} and {format_number(y)}" for case, (x, y) in sums.items() if x or y
-    ]  # fmt: skip
+        total[0] += sign * reaction.F_x
+        total[1] += sign * (-1 if reading.mirrored else 1) * reaction.F_y
+    return sums
+
+
+def words_of_sideways(sums: Mapping[str, Sequence[Decimal]], unit: str) -> list[str]:
+    """Return a remark on horizontal forces that are not taken."""
+    found = [f"{case} {format_number(x)} and {format_number(y)}" for case, (x, y) in sums.items() if x or y]
     if not found:
         return []
     more = f" and {len(found) - LISTED} more" if len(found) > LISTED else ""
     return [
         f"horizontal forces are not taken; their sums F_x and F_y [{unit}]: {', '.join(found[:LISTED])}{more}; "
-        f"H_x and H_y of a load case are for sliding"
+        'say what they act on to have them as H_x and H_y: horizontal = "on the slab" or "on the structure"'
     ]

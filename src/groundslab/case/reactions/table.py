@@ -23,6 +23,8 @@ _COMBINED = re.compile(r".*comb|.*envelope|.*spec(?:trum)?\b", re.IGNORECASE)
 _COMBINED_NAME = re.compile(
     r"(?:comb\w*|envelope|env|uls|sls|gzt|gzg|co|rc|lk|ek)[\s_:.-]*[0-9]*(?:[\s_:.-].*)?", re.IGNORECASE
 )
+#: What a table has units of, besides coordinates.
+KINDS = ("force", "moment")
 ZERO = Decimal(0)
 #: No force or moment has more.
 LARGEST = Decimal("1e15")
@@ -41,7 +43,7 @@ class Reaction:
     F_z, M_x, M_y : Decimal
         Vertical force and moments in the table's units, with its signs and names.
     F_x, F_y : Decimal
-        Horizontal forces, for a remark.
+        Horizontal forces.
     """
 
     row: int
@@ -67,6 +69,8 @@ class ReactionTable:
         Cases that are combinations or envelopes of others, which are not loads.
     force, moment, length : str
         The units as they are written here; of what the table does not have, nothing.
+    per : str
+        Unit of length of forces and moments per length of line supports; nothing if they are resultants.
     name, sheet : str
         File and sheet, the first one for messages.
     remarks : tuple of str
@@ -78,6 +82,7 @@ class ReactionTable:
     force: str
     moment: str
     length: str
+    per: str
     name: str
     sheet: str
     remarks: tuple[str, ...]
@@ -145,23 +150,39 @@ def _numbers(rows: Sequence[int]) -> str:
     return ", ".join(map(str, rows[:10])) + (f" and {len(rows) - 10} more" if len(rows) > 10 else "")
 
 
-def _units(grid: Grid, headings: Headings, reading: Reactions) -> tuple[str, str, str]:
-    """Return the units of forces, moments and coordinates: those of the table, or those given."""
+def _units(grid: Grid, headings: Headings, reading: Reactions) -> tuple[str, str, str, str]:
+    """Return the units of forces, moments and coordinates, of the table or given, and of what length they are per."""
     found, issues = [], []
     for dimension, given in (("force", reading.force), ("moment", reading.moment), ("length", reading.length)):
         own = [each for each in headings.columns if DIMENSIONS.get(each.role) == dimension]
         if dimension == "force":
-            own = list(headings.of("F_z"))
+            own = list(headings.of(*(("F_z",) if reading.horizontal == "left out" else ("F_x", "F_y", "F_z"))))
         stated = list(dict.fromkeys(each.unit for each in own if each.unit))
         if len(stated) > 1:
             issues.append(Issue(grid.name, f"{dimension}s in {listed(stated, 'and')}", "one unit"))
         elif own and not stated and not given:
             expected = f"units in the headings or below them, such as {headings_example(dimension)}"
             issues.append(Issue(grid.name, f"no unit of {dimension}s", expected, f'give it: {dimension} = "..."'))
-        found.append((stated or [unit_of(given, dimension)])[0] if own else "")
+        found.append((stated or [_given(given, dimension)])[0] if own else "")
+    force, per = _split_unit(found[0], "force")
+    moment, of_moment = _split_unit(found[1], "moment")
+    if moment and per != of_moment:
+        found_units = f"forces in {found[0]} and moments in {found[1]}"
+        issues.append(Issue(grid.name, found_units, "both per length of line supports, or both resultants"))
     if issues:
         raise InputError(issues)
-    return found[0], found[1], found[2]
+    return force, moment, found[2], per
+
+
+def _split_unit(unit: str, dimension: str) -> tuple[str, str]:
+    """Return a unit of a force or moment, and what it is per: nothing if it is none per length."""
+    whole, _, per = unit.rpartition("/")
+    return (whole, per) if whole and unit_of(unit, f"{dimension} per length") else (unit, "")
+
+
+def _given(text: str, dimension: str) -> str:
+    """Return a unit that was given, which may be one per length."""
+    return unit_of(text, dimension) or (unit_of(text, f"{dimension} per length") if dimension in KINDS else "")
 
 
 def headings_example(dimension: str) -> str:

@@ -107,6 +107,53 @@ def test_supports_of_a_wall_by_hand(tmp_path: Path) -> None:
     assert sums(model, "G") == pytest.approx((330e3, 27e3, 4e3 + 2 * 330e3), rel=1e-5)
 
 
+PER_LENGTH = """\
+Wall,Case,Fx [kN/m],Fy [kN/m],pz [kN/m],Mx [kNm/m],My [kNm/m]
+W,G,1.5,-2,30,5,0
+"""
+
+
+def test_forces_per_length_of_a_wall(tmp_path: Path) -> None:
+    """On 2 m along x, 30 kN/m and 5 kNm/m about the wall's axis are loads as they are; 1.5 kN/m sideways are 3 kN."""
+    table = write_table(tmp_path, PER_LENGTH)
+    imported = read_reactions(table, write_case(tmp_path), horizontal="on the structure")
+    line, moment = (load for load in imported.model.loads if isinstance(load, LineLoad | LineMoment))
+    assert (line.wall, line.magnitudes[0][1], line.q_end) == ("W", 30e3, None)
+    # M_x of the table turns about x: by its signs it presses what lies up the page, left of the wall, down
+    assert (moment.wall, moment.magnitudes[0][1]) == ("W", 5e3)
+    case = next(each for each in imported.model.cases if each.name == "G")
+    assert (case.H_x, case.H_y) == (-3e3, 4e3)
+    assert 'q = "30 kN/m"' in imported.text
+
+
+def test_forces_per_length_are_of_one_wall_each(tmp_path: Path) -> None:
+    """A column has no length, and two line supports on one wall have lengths that the table does not say."""
+    rows = "1,G,0,0,10,0,0\n2,G,0,0,10,0,0\n3,G,0,0,10,0,0\n"
+    table = write_table(tmp_path, PER_LENGTH.splitlines()[0] + "\n" + rows)
+    with pytest.raises(groundslab.InputError) as caught:
+        read_reactions(table, write_case(tmp_path), supports={"1": "A", "2": "W", "3": "W"})
+    assert [issue.found for issue in caught.value.issues] == [
+        'forces per m of "1" on A',
+        'forces per m of "2" and "3" on W',
+    ]
+
+
+def test_horizontal_forces(tmp_path: Path) -> None:
+    """Reactions on the structure act on the slab with the other sign; y that points the other way changes its own."""
+    text = "Joint,Case,FX,FY,FZ\n,,kN,kN,kN\nA,G,5,2,100\nB,G,-1,4,50\nA,Q,7,0,10\n"
+    table, case = write_table(tmp_path, text), write_case(tmp_path)
+    left = read_reactions(table, case)
+    assert any("G 4 and 6, Q 7 and 0" in remark for remark in left.remarks)
+    assert all(each.H_x == each.H_y == 0 for each in left.model.cases)
+    taken = read_reactions(table, case, horizontal="on the structure")
+    assert [(each.H_x, each.H_y) for each in taken.model.cases] == [(-4e3, -6e3), (-7e3, 0)]
+    assert "changed: G: H_x 0 -> -4 kN, H_y 0 -> -6 kN" in map(str, taken.changes)
+    mirrored = read_reactions(table, case, horizontal="on the slab", mirrored=True)
+    assert [(each.H_x, each.H_y) for each in mirrored.model.cases] == [(4e3, -6e3), (7e3, 0)]
+    # how they were taken is kept, so the same table changes nothing
+    assert read_reactions(table, taken.model).changes == ()
+
+
 def test_an_inclined_wall_has_the_resultant_of_its_supports(tmp_path: Path) -> None:
     """Its sums about x = y = 0 are those of the table's rows, added by hand in a loop."""
     points = 'points = [["-2 m", "-2 m"], ["1 m", "2 m"]]'

@@ -176,7 +176,7 @@ def test_numbers_are_written_without_exponents() -> None:
         ("Node,Case,Fz [kN]\n1,G,many\n2,G,1\n3,G,few\n", '"few"'),
         ("Node,Case,Fz [kN]\n1,G,=A1\n", '"=A1"'),
         ("Node,Case,Fz [kN]\n1,G,\n", "no vertical force"),
-        ("No.,Case,pz [kN/m]\n1,G,5\n", "of line supports, export the resultants"),
+        ("No.,Case,pz [kN/m],Mx [kNm]\n1,G,5,6\n", "both per length of line supports, or both resultants"),
         ("Node,Case,Fz [kN],FZ [kN]\n1,G,5,6\n", "two columns with F_z"),
         ("Node,Case,Fz [kN],x [kN]\n1,G,5,6\n", "no unit of lengths"),
     ],
