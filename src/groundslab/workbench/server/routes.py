@@ -70,6 +70,13 @@ class OpenDrawing(_Body):
     gap: Annotated[str, Field(max_length=100)] = "1 mm"
 
 
+class OpenSlab(_Body):
+    """A slab of a SAF file."""
+
+    file: Annotated[str, Field(min_length=1)]
+    slab: Annotated[str, Field(min_length=1, max_length=1000)]
+
+
 class ImportReactions(_Body):
     """A table of reactions, what is said of it, keys of [reactions]; with the version to take it into, else to look."""
 
@@ -221,6 +228,15 @@ def _add_document_routes(app: FastAPI, session: Session) -> None:
     def open_drawing(body: OpenDrawing) -> dict[str, Any]:
         made = session.open_drawing(body.file, body.layers, body.unit, body.centered, body.gap)
         return {"state": session.get_state(), "report": made.report, "origin": made.origin}
+
+    @app.get("/api/saf")
+    def survey_slabs(file: str) -> JSONResponse:
+        return JSONResponse({"slabs": session.survey_slabs(file)})
+
+    @app.post("/api/saf")
+    def open_slab(body: OpenSlab) -> dict[str, Any]:
+        made = session.open_slab(body.file, body.slab)
+        return {"state": session.get_state(), "report": made.report}
 
     @app.post("/api/reactions")
     def import_reactions(body: ImportReactions) -> dict[str, Any]:

@@ -14,6 +14,7 @@ from groundslab.errors import InputError, Issue
 from groundslab.workbench.checking.bounded_process import BoundedProcess
 from groundslab.workbench.checking.drawings import ConvertedDrawing, DrawingReader
 from groundslab.workbench.checking.reactions import ReactionPreview, ReactionReader
+from groundslab.workbench.checking.saf import ConvertedSlab, SafReader
 from groundslab.workbench.editing.document import Document
 from groundslab.workbench.events import Event, Hub
 from groundslab.workbench.persistence import files
@@ -38,6 +39,7 @@ class Session:
         self.analyses = Analyses(self._lock, hub, solver)
         self._drawings = DrawingReader()
         self._reactions = ReactionReader()
+        self._saf = SafReader()
         self._state = state
         self._lock_file = partial(case_file.lock_file, state=state, url=url)
         document = Document(casefile.starter())
@@ -111,6 +113,16 @@ class Session:
         """Begin a new document made from a drawing, and return that; raises InputError."""
         path = case_file.resolve_path(name, self.file.folder)
         made = self._drawings.convert(path, layers, unit, centered, gap)
+        self._begin(Document(made.text), CaseFile(None, None))
+        return made
+
+    def survey_slabs(self, name: str) -> list[dict[str, Any]]:
+        """Return the slabs of a SAF file, none if a workbook is another one; raises InputError."""
+        return self._saf.survey(case_file.resolve_path(name, self.file.folder))
+
+    def open_slab(self, name: str, slab: str) -> ConvertedSlab:
+        """Begin a new document made from a slab of a SAF file, and return that; raises InputError."""
+        made = self._saf.convert(case_file.resolve_path(name, self.file.folder), slab)
         self._begin(Document(made.text), CaseFile(None, None))
         return made
 

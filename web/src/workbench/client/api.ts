@@ -52,6 +52,14 @@ export interface Folder {
   tables?: string[];
 }
 
+/** A slab of a file in the Structural Analysis Format: its height and its extent along x and y [m]. */
+export interface SlabInFile {
+  name: string;
+  height: number;
+  sides: [number, number];
+  on_ground: boolean;
+}
+
 /** A case made from a drawing: the report of what was read, and the place of the drawing [m] that is the origin. */
 export interface OpenedDrawing {
   state: DocState;
@@ -177,6 +185,11 @@ export class HttpApi {
   surveyDrawing = (file: string) => this.json<Survey>(`drawing?file=${encodeURIComponent(file)}`, undefined, READING);
   openDrawing = (file: string, choice: DrawingChoice) =>
     this.json<OpenedDrawing>("drawing", { file, ...choice }, READING);
+  /** The slabs of a workbook in the Structural Analysis Format, none of another one. */
+  slabs = (file: string) =>
+    this.json<{ slabs: SlabInFile[] }>(`saf?file=${encodeURIComponent(file)}`, undefined, READING);
+  openSlab = (file: string, slab: string) =>
+    this.json<{ state: DocState; report: string }>("saf", { file, slab }, READING);
   /** What a table of reactions changes. */
   reactions = (file: string, choice: ReactionChoice) =>
     this.json<ReactionChanges>("reactions", { file, ...choice }, READING);

@@ -1,11 +1,13 @@
 // Opening a drawing: its layers are read, then a case is made of it, or it is shown below the plan.
 
-import { button, h } from "../../viewer/shared/dom";
 import type { Api, DocState, Refused } from "../client/api";
 import type { Store } from "../client/store";
-import { closeDialog, openDialog } from "../controls/dialogs";
 import { centeringOffset, type DrawingChoice, type Survey } from "../model/survey";
 import { askAboutDrawing } from "./drawing-dialog";
+import { showReport } from "./report";
+
+const MISSING =
+  "Drawings do not include properties such as the thickness and the ground. The list of errors shows what is still missing.";
 
 /** Whether a file is a drawing by its name. */
 export function isDrawing(file: string): boolean {
@@ -71,25 +73,6 @@ async function makeCase(
   if (!isMade) return problem;
   const offset: [number, number] = [0 - origin[0], 0 - origin[1]];
   store.set("underlay", { name, survey, unit: choice.unit, offset, shown });
-  showReport(name, report);
+  showReport(name, MISSING, report);
   return "";
-}
-
-/** Show what was read of a drawing and what was left. */
-function showReport(name: string, report: string): void {
-  const title = `Imported from ${name}`;
-  const close = () => closeDialog(dialog);
-  const missing =
-    "Drawings do not include properties such as the thickness and the ground. The list of errors shows what is still missing.";
-  const ok = button("Close", "", close, "main");
-  const dialog = h(
-    "dialog",
-    { class: "drawing-report", "aria-label": title },
-    h("h2", {}, title),
-    h("p", {}, missing),
-    h("pre", { tabindex: 0 }, report),
-    h("div", { class: "answers" }, ok),
-  );
-  openDialog(dialog, close);
-  ok.focus();
 }

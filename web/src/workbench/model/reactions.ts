@@ -35,10 +35,21 @@ export interface TypedReactions {
   moment: string;
   length: string;
   moveColumns: boolean;
+  sheet: string;
+  headings: string;
+  decimals: string;
+  onlyCase: string;
+  originX: string;
+  originY: string;
+  horizontal: string;
 }
 
 export const POSITIVE = ["presses", "lifts"] as const;
 export const MOMENTS = ["about axes", "about axes, left-handed", "as here"] as const;
+
+export const HORIZONTAL = ["left out", "on the slab", "on the structure"] as const;
+/** What stands before decimals; nothing where the numbers say it. */
+export const DECIMALS = ["", "point", "comma"] as const;
 
 /** Whether a file is a table by its name. */
 export function isTableFile(file: string): boolean {
@@ -62,22 +73,30 @@ function linesOf(text: string): string[] {
 }
 
 /** How the last table was read, for the dialog to begin with. */
-export function lastReading(data: Table | null): Pick<TypedReactions, "positive" | "moments" | "mirrored"> {
+export function lastReading(
+  data: Table | null,
+): Pick<TypedReactions, "positive" | "moments" | "mirrored" | "horizontal"> {
   const last = tableAt(data ?? {}, ["reactions"]);
   const word = (value: unknown, known: readonly string[]) => known.find((each) => each === value) ?? known[0]!;
   return {
     positive: word(last.positive, POSITIVE),
     moments: word(last.moments, MOMENTS),
     mirrored: last.mirrored === true,
+    horizontal: word(last.horizontal, HORIZONTAL),
   };
 }
 
 /** What the server takes of what was typed. */
 export function choiceOf(typed: TypedReactions): ReactionChoice {
-  const { positive, moments, mirrored } = typed;
-  const reading: Table = { positive, moments, mirrored };
-  for (const key of ["tolerance", "force", "moment", "length"] as const)
+  const { positive, moments, mirrored, horizontal } = typed;
+  const reading: Table = { positive, moments, mirrored, horizontal };
+  for (const key of ["tolerance", "force", "moment", "length", "sheet", "decimals"] as const)
     if (typed[key].trim() !== "") reading[key] = typed[key].trim();
+  if (typed.onlyCase.trim() !== "") reading.case = typed.onlyCase.trim();
+  const headings = parsePairs(typed.headings);
+  if (Object.keys(headings).length > 0) reading.headings = headings;
+  const origin = [typed.originX.trim(), typed.originY.trim()];
+  if (origin.some((place) => place !== "")) reading.origin = origin.map((place) => place || "0 m");
   const widths = [typed.widthX.trim(), typed.widthY.trim()];
   if (widths.some((width) => width !== "")) reading.footprint = widths.map((width) => width || widths.join(""));
   const [cases, supports] = [linesOf(typed.withoutCases), linesOf(typed.withoutSupports)];

@@ -6,6 +6,8 @@ import type { Store } from "../client/store";
 import { closeDialog, openDialog } from "../controls/dialogs";
 import {
   choiceOf,
+  DECIMALS,
+  HORIZONTAL,
   lastReading,
   MOMENTS,
   POSITIVE,
@@ -40,9 +42,16 @@ class ReactionDialog {
     force: this.line("kN"),
     moment: this.line("kNm"),
     length: this.line("m"),
+    sheet: this.line("Reactions"),
+    headings: this.area("support = Pos\nF_z = V max"),
+    onlyCase: this.line("G"),
+    originX: this.line("0 m"),
+    originY: this.line("0 m"),
   };
   private readonly positive = this.choice(POSITIVE);
   private readonly moments = this.choice(MOMENTS);
+  private readonly horizontal = this.choice(HORIZONTAL);
+  private readonly decimals = this.choice(DECIMALS);
   private readonly mirrored = h("input", { type: "checkbox" });
   private readonly moveColumns = h("input", { type: "checkbox" });
   private readonly message = h("p", { class: "messages", role: "alert" });
@@ -85,6 +94,7 @@ class ReactionDialog {
     this.positive.value = last.positive;
     this.moments.value = last.moments;
     this.mirrored.checked = last.mirrored;
+    this.horizontal.value = last.horizontal;
     openDialog(this.dialog, () => this.close());
     void this.look();
   }
@@ -104,7 +114,7 @@ class ReactionDialog {
   }
 
   private choice(words: readonly string[]): HTMLSelectElement {
-    const options = words.map((word) => h("option", { value: word }, word));
+    const options = words.map((word) => h("option", { value: word }, word || "as the numbers say"));
     return h("select", { id: newId("reactions") }, ...options);
   }
 
@@ -121,12 +131,19 @@ class ReactionDialog {
       label("supports left out", texts.withoutSupports),
       label("positive vertical force", this.positive),
       label("moments", this.moments),
+      label("horizontal forces act", this.horizontal),
+      label("x of the table's origin", texts.originX),
+      label("y of it", texts.originY),
       label("same place up to", texts.tolerance),
       label("width of new columns along x", texts.widthX),
       label("along y", texts.widthY),
       label("unit of forces, if none is stated", texts.force),
       label("of moments", texts.moment),
       label("of coordinates", texts.length),
+      label("sheet, if several have reactions", texts.sheet),
+      label("headings with unusual names", texts.headings),
+      label("before decimals", this.decimals),
+      label("load case, if the table names none", texts.onlyCase),
       h("label", { class: "check" }, this.mirrored, "y points the other way"),
       h("label", { class: "check" }, this.moveColumns, "move columns to where the table has them"),
     );
@@ -138,6 +155,8 @@ class ReactionDialog {
       ...(Object.fromEntries(values) as Record<keyof typeof this.texts, string>),
       positive: this.positive.value,
       moments: this.moments.value,
+      horizontal: this.horizontal.value,
+      decimals: this.decimals.value,
       mirrored: this.mirrored.checked,
       moveColumns: this.moveColumns.checked,
     };

@@ -1,10 +1,11 @@
 // Commands on the document.
 
-import { type Api, type DocState, Lost, Refused } from "../client/api";
+import { type Api, type DocState, Lost, Refused, type SlabInFile } from "../client/api";
 import type { EditQueue } from "../client/edit-queue";
 import type { Store } from "../client/store";
 import { ask } from "../controls/dialogs";
 import { isDrawing, openDrawing } from "../drawing/open-drawing";
+import { openSlab } from "../drawing/open-saf";
 import { chooseStart } from "../help/examples";
 import { isTableFile } from "../model/reactions";
 import { importReactions } from "../reactions/import-reactions";
@@ -62,7 +63,7 @@ export class Commands {
   open = async (): Promise<void> => {
     const chosen = await chooseFile(this.api, "open", this.store.doc?.file ?? null);
     if (!chosen) return;
-    if (isTableFile(chosen.file)) return this.importReactions(chosen.file);
+    if (isTableFile(chosen.file)) return this.openTable(chosen.file);
     await (isDrawing(chosen.file) ? this.openDrawing(chosen.file) : this.openFile(chosen.file));
   };
 
@@ -72,6 +73,22 @@ export class Commands {
     if (await this.change(() => this.api.open(file))) this.resetResult();
   };
 
+  /** Make a case of a slab if a workbook has some, else take it as a table of reactions. */
+  private async openTable(file: string): Promise<void> {
+    let slabs: SlabInFile[] = [];
+    const look = async () => {
+      slabs = (await this.api.slabs(file)).slabs;
+    };
+    // what cannot be read is explained by the import of reactions
+    if (/\.xlsx$/i.test(file)) await this.run(look, () => true);
+    if (slabs.length === 0) return this.importReactions(file);
+    await openSlab(file, slabs, {
+      api: this.api,
+      leave: () => this.confirmLeaving(),
+      replace: (make, refused) => this.replace(make, refused),
+    });
+  }
+
   /** Make a case of a drawing, or show it below the plan. */
   private openDrawing(file: string): Promise<void> {
     return openDrawing(file, {
@@ -79,12 +96,15 @@ export class Commands {
       store: this.store,
       run: (run) => this.run(run),
       leave: () => this.confirmLeaving(),
-      replace: async (make, refused) => {
-        const isDone = await this.change(make, undefined, refused);
-        if (isDone) this.resetResult();
-        return isDone;
-      },
+      replace: (make, refused) => this.replace(make, refused),
     });
+  }
+
+  /** Replace the document by another one. */
+  private async replace(make: () => Promise<DocState>, refused: (error: Refused) => boolean): Promise<boolean> {
+    const isDone = await this.change(make, undefined, refused);
+    if (isDone) this.resetResult();
+    return isDone;
   }
 
   /** Take a table of reactions as loads of the present case. */

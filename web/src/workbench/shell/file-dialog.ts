@@ -45,7 +45,8 @@ class FileDialog {
     private readonly resolve: (chosen: ChosenFile | null) => void,
   ) {
     const words = purpose === "open" ? "Open" : "Save";
-    const title = purpose === "open" ? "Open a case file, a drawing or a table of reactions" : "Save the case file as";
+    const title =
+      purpose === "open" ? "Open a case file, a drawing, a SAF file or a table of reactions" : "Save the case file as";
     const goUp = () => this.folder?.parent && void this.show(this.folder.parent);
     const answers = [
       button("Cancel", "", () => this.close(null)),
@@ -116,7 +117,7 @@ class FileDialog {
             "p",
             { class: "empty" },
             this.purpose === "open"
-              ? "No case files (*.toml), drawings (*.dxf) or tables (*.csv, *.xlsx) in this folder."
+              ? "No case files (*.toml), drawings (*.dxf), SAF files (*.xlsx) or tables (*.csv, *.xlsx) in this folder."
               : "No case files (*.toml) in this folder.",
           )
         : null,

@@ -12,7 +12,11 @@ type Files = Pick<Api, "report" | "archiveAddress">;
 export function topBar(store: Store, api: Files, commands: Commands, showKeys: () => void): HTMLElement {
   const file = [
     button("New", "Start a new case, empty or from an example", () => void commands.createCase()),
-    button("Open …", "Open a case file or a drawing, or import reactions (Ctrl+O)", () => void commands.open()),
+    button(
+      "Open …",
+      "Open a case file, a drawing or a SAF file, or import reactions (Ctrl+O)",
+      () => void commands.open(),
+    ),
     button("Save", "Save the case file (Ctrl+S)", () => void commands.save()),
     button("Save as …", "Save under a different name (Ctrl+Shift+S)", () => void commands.saveAs()),
   ];

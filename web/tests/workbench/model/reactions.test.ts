@@ -24,6 +24,13 @@ const NOTHING: TypedReactions = {
   moment: "",
   length: "",
   moveColumns: false,
+  sheet: "",
+  headings: "",
+  decimals: "",
+  onlyCase: "",
+  originX: "",
+  originY: "",
+  horizontal: "left out",
 };
 
 describe("what is said of a table of reactions", () => {
@@ -32,7 +39,7 @@ describe("what is said of a table of reactions", () => {
   });
 
   it("leaves what is not typed as it is in the case", () => {
-    const reading = { positive: "presses", moments: "about axes", mirrored: false };
+    const reading = { positive: "presses", moments: "about axes", mirrored: false, horizontal: "left out" };
     expect(choiceOf(NOTHING)).toEqual({ new_cases: {}, cases: {}, supports: {}, move_columns: false, reading });
   });
 
@@ -44,10 +51,18 @@ describe("what is said of a table of reactions", () => {
     expect(reading).not.toHaveProperty("without_supports");
   });
 
+  it("says where the table is and how its columns and decimals are meant", () => {
+    const table = { sheet: "Base", headings: "support = Pos\nF_z = V max", decimals: "comma", onlyCase: "G" };
+    const { reading } = choiceOf({ ...NOTHING, ...table, originY: "2 m" });
+    expect(reading).toMatchObject({ sheet: "Base", decimals: "comma", case: "G", origin: ["0 m", "2 m"] });
+    expect(reading.headings).toEqual({ support: "Pos", F_z: "V max" });
+  });
+
   it("begins with the last table's signs", () => {
     const data = { reactions: { positive: "lifts", mirrored: true } };
-    expect(lastReading(data)).toEqual({ positive: "lifts", moments: "about axes", mirrored: true });
-    expect(lastReading(null)).toEqual({ positive: "presses", moments: "about axes", mirrored: false });
+    const [moments, horizontal] = ["about axes", "left out"];
+    expect(lastReading(data)).toEqual({ positive: "lifts", moments, mirrored: true, horizontal });
+    expect(lastReading(null)).toEqual({ positive: "presses", moments, mirrored: false, horizontal });
   });
 
   it("is asked for files of tables", () => {

@@ -15,9 +15,9 @@ from groundslab.case.saf.reading.ground import read_ground, read_supports
 from groundslab.case.saf.reading.load_forces import Loads
 from groundslab.case.saf.reading.loads import read_loads, read_settlements
 from groundslab.case.saf.reading.report import report_lines
-from groundslab.case.saf.reading.slab import Slab, choose_slab
+from groundslab.case.saf.reading.slab import Slab, SlabInFile, choose_slab, find_slabs
 from groundslab.case.saf.reading.structure import read_beams, read_columns, read_plate, read_walls
-from groundslab.case.saf.reading.workbook import read_sheets
+from groundslab.case.saf.reading.workbook import Row, read_sheets
 from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
 from groundslab.model.outputs import Project
@@ -107,9 +107,7 @@ def read_saf(path: str | Path, slab: str = "") -> SafCase:
         If the file cannot be read, holds several such slabs, or its rows on the slab are wrong; it lists all issues.
     """
     sheets, others = read_sheets(str(path), SHEETS)
-    context = ReadContext(str(path), sheets)
-    _read_model_sheet(context)
-    context.node_rows = {row.name: row for row in context.rows("StructuralPointConnection")}
+    context = _begin(path, sheets)
     chosen = choose_slab(context, slab)
     parts = _read_parts(context, chosen)
     for sheet, count in others.items():
@@ -118,6 +116,37 @@ def read_saf(path: str | Path, slab: str = "") -> SafCase:
     if context.issues:
         raise InputError(context.issues)
     return SafCase(chosen.name, parts, tuple(dict.fromkeys(context.report)))
+
+
+def list_slabs(path: str | Path) -> tuple[SlabInFile, ...]:
+    """Return the slabs of a file in the Structural Analysis Format, none of another workbook.
+
+    Parameters
+    ----------
+    path : str or pathlib.Path
+        The file, a workbook (XLSX).
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read.
+    """
+    sheets, _ = read_sheets(str(path), SHEETS)
+    if not {"Model", "StructuralPointConnection", "StructuralSurfaceMember"} <= sheets.keys():
+        return ()
+    context = _begin(path, sheets)
+    slabs = find_slabs(context)
+    if context.issues:
+        raise InputError(context.issues)
+    return slabs
+
+
+def _begin(path: str | Path, sheets: dict[str, list[Row]]) -> ReadContext:
+    """Return what is known of a file before its slab is read; raises InputError."""
+    context = ReadContext(str(path), sheets)
+    _read_model_sheet(context)
+    context.node_rows = {row.name: row for row in context.rows("StructuralPointConnection")}
+    return context
 
 
 def _read_model_sheet(context: ReadContext) -> None:

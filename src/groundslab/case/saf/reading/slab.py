@@ -82,6 +82,39 @@ class Slab:
         return bool(self.area.distance(Point(place)) <= BESIDE + FLAT * math.hypot(*place))
 
 
+@dataclass(frozen=True, slots=True)
+class SlabInFile:
+    """A slab of a file that may be read.
+
+    Attributes
+    ----------
+    name : str
+        Its name.
+    height : float
+        Height of its plane [m].
+    sides : tuple of float
+        Its extent along x and y of the plan [m].
+    on_ground : bool
+        Whether it has a surface support.
+    """
+
+    name: str
+    height: float
+    sides: tuple[float, float]
+    on_ground: bool
+
+
+def find_slabs(context: ReadContext) -> tuple[SlabInFile, ...]:
+    """Return the slabs of a file: those on ground first, then from the lowest to the highest."""
+    on_ground = {text(row, "2dmember") for row in context.rows("StructuralSurfaceConnection")}
+    slabs = []
+    for row, height, edges in _level_members(context):
+        x, y = zip(*(place for edge in edges for place in edge.points), strict=True)
+        sides = (max(x) - min(x), max(y) - min(y))
+        slabs.append(SlabInFile(row.name, height, sides, row.name in on_ground))
+    return tuple(sorted(slabs, key=lambda slab: (not slab.on_ground, slab.height)))
+
+
 def choose_slab(context: ReadContext, name: str) -> Slab:
     """Return the slab of a name, or the only one on ground, or the only lowest one; raises InputError."""
     level = {row.name: (row, height, edges) for row, height, edges in _level_members(context)}

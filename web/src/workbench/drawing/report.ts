@@ -1,0 +1,22 @@
+// The report on a file that became a case: what was read of it and what was left.
+
+import { button, h } from "../../viewer/shared/dom";
+import { closeDialog, openDialog } from "../controls/dialogs";
+import "./drawing.css";
+
+/** Show what was read of a file and what was left, below a sentence on what is still missing. */
+export function showReport(name: string, missing: string, report: string): void {
+  const title = `Imported from ${name}`;
+  const close = () => closeDialog(dialog);
+  const ok = button("Close", "", close, "main");
+  const dialog = h(
+    "dialog",
+    { class: "drawing-report", "aria-label": title },
+    h("h2", {}, title),
+    h("p", {}, missing),
+    h("pre", { tabindex: 0 }, report),
+    h("div", { class: "answers" }, ok),
+  );
+  openDialog(dialog, close);
+  ok.focus();
+}
