@@ -18,6 +18,8 @@ from groundslab.schema.wording import describe, one_of
 #: Bytes of a file, and of all that a workbook holds once it is unpacked.
 LARGEST, UNPACKED = 50_000_000, 500_000_000
 MOST_ROWS, MOST_COLUMNS, MOST_SHEETS = 100_000, 500, 100
+#: Cells of all sheets that hold something, at most.
+MOST_CELLS = 1_000_000
 #: Characters of a cell that are read; no name or number is longer.
 LONGEST = 200
 #: What may stand between the cells of a line, the first one that half of the lines have: commas may be decimal.
@@ -154,10 +156,15 @@ def _read_sheets(openpyxl: Any, content: bytes, name: str) -> Iterator[Grid]:
     )
     if len(saved.worksheets) > MOST_SHEETS:
         raise _too_large(name, f"{len(saved.worksheets)} sheets")
+    left = MOST_CELLS
     for values, formulas in zip(saved.worksheets, written.worksheets, strict=True):
         where = f"{name}, sheet {values.title}"
+        for sheet in (values, formulas):
+            sheet.reset_dimensions()  # what a program says of them may be wrong, and would cut off rows
         both = zip(values.iter_rows(values_only=True), formulas.iter_rows(values_only=True), strict=False)
-        yield Grid(_rows(both, where), where, sheet=values.title)
+        rows = _rows(both, where, left)
+        left -= sum(map(len, rows))
+        yield Grid(rows, where, sheet=values.title)
 
 
 def _require_small(content: bytes, name: str) -> None:
@@ -172,10 +179,10 @@ def _require_small(content: bytes, name: str) -> None:
         raise _too_large(name, f"{size // 1_000_000:,} MB once it is unpacked")
 
 
-def _rows(rows: Iterable[tuple[Sequence[Any], Sequence[Any]]], name: str) -> tuple[tuple[Cell, ...], ...]:
+def _rows(rows: Iterable[tuple[Sequence[Any], Sequence[Any]]], name: str, most: int) -> tuple[tuple[Cell, ...], ...]:
     """Return the rows of a sheet up to its last one with a value, from values as saved and as written."""
     kept: list[tuple[Cell, ...]] = []
-    filled = 0
+    filled = count = 0
     for number, (saved, written) in enumerate(rows, start=1):
         if number > 2 * MOST_ROWS:
             break  # blank rows without end
@@ -183,6 +190,9 @@ def _rows(rows: Iterable[tuple[Sequence[Any], Sequence[Any]]], name: str) -> tup
         while cells and cells[-1] == "":
             cells.pop()
         kept.append(tuple(cells))
+        count += len(cells)
+        if count > most:
+            raise _too_large(name, f"more than {MOST_CELLS:,} cells")
         if cells:
             filled = number
             if number > MOST_ROWS:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 import zipfile
 from decimal import Decimal
 from pathlib import Path
@@ -263,3 +264,27 @@ def test_encodings(encoding: str, tmp_path: Path) -> None:
     path = tmp_path / "reactions.csv"
     path.write_bytes("Stütze;Lastfall;Fz [kN]\nÄ;G;1,5\n".encode(encoding))
     assert read_table(path, Reactions()).reactions[0].support == "Ä"
+
+
+def test_rows_beyond_the_stated_extent_count(tmp_path: Path) -> None:
+    """Programs state the extent of a sheet wrongly; no row is lost, and a giant extent costs nothing."""
+    rows = [["Joint", "Case", "FZ [kN]"], ["A", "G", 1], ["B", "G", 2]]
+    whole = write_workbook(tmp_path / "whole.xlsx", {"Reactions": rows})
+    for extent in ("A1:C2", "A1", "A1:XFD1048576"):
+        path = tmp_path / "other.xlsx"
+        with zipfile.ZipFile(whole) as parts, zipfile.ZipFile(path, "w") as others:
+            for name in parts.namelist():
+                others.writestr(name, parts.read(name).replace(b'ref="A1:C3"', f'ref="{extent}"'.encode()))
+        assert path.read_bytes() != whole.read_bytes()
+        start = time.monotonic()
+        assert [reaction.support for reaction in read_table(path, Reactions()).reactions] == ["A", "B"]
+        assert time.monotonic() - start < 5
+
+
+def test_very_many_cells_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Those of all sheets together."""
+    monkeypatch.setattr(cells, "MOST_CELLS", 10)
+    rows = [["Joint", "Case", "FZ [kN]"], ["A", "G", 1]]
+    path = write_workbook(tmp_path / "many.xlsx", {"Reactions": rows, "More": rows})
+    with pytest.raises(InputError, match="more than 10 cells"):
+        read_table(path, Reactions())
