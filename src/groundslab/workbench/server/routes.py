@@ -113,6 +113,7 @@ def create_app(session: Session, tickets: Tickets, port: int, token: str, static
     add_error_handlers(app)
     _add_conflict_handler(app, session)
     _add_document_routes(app, session)
+    _add_import_routes(app, session)
     _add_solver_routes(app, session)
     _add_table_routes(app, session.analyses.solver, session.analyses.comparer)
     add_example_routes(app, session)
@@ -219,6 +220,10 @@ def _add_document_routes(app: FastAPI, session: Session) -> None:
     def open_file(body: Open) -> State:
         session.open(body.file)
         return session.get_state()
+
+
+def _add_import_routes(app: FastAPI, session: Session) -> None:
+    """Add the routes of files of other programs: drawings, slabs of SAF files, tables of reactions."""
 
     @app.get("/api/drawing")
     def survey_drawing(file: str) -> JSONResponse:

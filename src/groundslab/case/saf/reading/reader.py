@@ -9,11 +9,11 @@ from typing import Any
 
 from groundslab.case import blanks, casefile
 from groundslab.case.saf.reading.cases import read_cases, read_combinations
-from groundslab.case.saf.reading.column_forces import read_forces
 from groundslab.case.saf.reading.context import AXES, ReadContext, ReportLine, text, word
 from groundslab.case.saf.reading.ground import read_ground, read_supports
-from groundslab.case.saf.reading.load_forces import Loads
-from groundslab.case.saf.reading.loads import read_loads, read_settlements
+from groundslab.case.saf.reading.loads.column_forces import read_forces
+from groundslab.case.saf.reading.loads.forces import Loads
+from groundslab.case.saf.reading.loads.on_members import read_loads, read_settlements
 from groundslab.case.saf.reading.report import report_lines
 from groundslab.case.saf.reading.slab import Slab, SlabInFile, choose_slab, find_slabs
 from groundslab.case.saf.reading.structure import read_beams, read_columns, read_plate, read_walls

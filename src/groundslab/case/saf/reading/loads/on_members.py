@@ -8,10 +8,9 @@ from itertools import pairwise
 from typing import Any
 
 from groundslab.case.saf.reading.context import ReadContext, RowFault, cross, text, word
-from groundslab.case.saf.reading.free_loads import read_free_curve_action, read_free_surface_action
 from groundslab.case.saf.reading.geometry import CLOSE, Edge, join, to_ring, to_shape
 from groundslab.case.saf.reading.ground import find_edges, loaded_part
-from groundslab.case.saf.reading.load_forces import (
+from groundslab.case.saf.reading.loads.forces import (
     ROUNDING,
     Axes,
     Loads,
@@ -21,6 +20,7 @@ from groundslab.case.saf.reading.load_forces import (
     read_vector,
     words_of,
 )
+from groundslab.case.saf.reading.loads.free import read_free_curve_action, read_free_surface_action
 from groundslab.case.saf.reading.slab import Slab, slab_axes
 from groundslab.case.saf.reading.workbook import Row
 from groundslab.geometry.areas import equal_area_polygon

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from groundslab.case.saf.reading.context import ReadContext, RowFault, text, texts, word
 from groundslab.case.saf.reading.geometry import CLOSE, Edge
-from groundslab.case.saf.reading.load_forces import Loads, add_at_point
+from groundslab.case.saf.reading.loads.forces import Loads, add_at_point
 from groundslab.case.saf.reading.slab import Slab
 from groundslab.case.saf.reading.workbook import Row
 from groundslab.geometry.plan import make_segments

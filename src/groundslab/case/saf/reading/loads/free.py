@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from groundslab.case.saf.reading.context import ReadContext, RowFault, Vector, cross, text, texts, word
 from groundslab.case.saf.reading.geometry import CLOSE, Edge, join, make_edges, to_ring, to_shape
-from groundslab.case.saf.reading.load_forces import Axes, Loads, add_line, line_values, on_slab, read_vector, words_of
+from groundslab.case.saf.reading.loads.forces import Axes, Loads, add_line, line_values, on_slab, read_vector, words_of
 from groundslab.case.saf.reading.slab import Slab, slab_axes
 from groundslab.case.saf.reading.workbook import Row
 from groundslab.geometry.areas import equal_area_polygon

@@ -1,0 +1,1 @@
+"""Loads of a slab from files in the Structural Analysis Format."""
