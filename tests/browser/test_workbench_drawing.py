@@ -9,6 +9,7 @@ import ezdxf
 import pytest
 
 from helpers.browsing import Bench, Server
+from helpers.reactions import write_case
 
 pytestmark = pytest.mark.slow
 
@@ -108,3 +109,20 @@ def test_what_is_drawn_snaps_to_a_drawing_below_the_plan(
     bar.wait_for(state="hidden")
     bench.page.keyboard.press("Control+z")
     bench.until(lambda: bench.text() == before)
+
+
+def test_a_slab_of_a_saf_file_becomes_a_case(server: Server, bench: Bench, tmp_path: Path) -> None:
+    """The slabs are listed, the one on ground first; the report says what was read."""
+    pytest.importorskip("openpyxl")
+    from helpers import saf_files
+
+    saf_files.write(tmp_path / "house.xlsx", saf_files.house())
+    bench.open(server.start(write_case(tmp_path)))
+    bench.page.keyboard.press("Control+o")
+    bench.page.get_by_role("option", name="house.xlsx").dblclick()
+    dialog = bench.page.locator(".saf-dialog")
+    dialog.get_by_label("slab").select_option("S6: 5 m by 12 m at 0 m, on ground")
+    dialog.get_by_role("button", name="Create case").click()
+    bench.wait_seen(".drawing-report", "StructuralSurfaceMember S6: plate")
+    bench.page.locator(".drawing-report").get_by_role("button", name="Close").click()
+    bench.wait_text('name = "S6"', 'kind = "pasternak"')
