@@ -8,12 +8,12 @@ from pathlib import Path
 from typing import Any
 
 from groundslab.case import blanks, casefile
+from groundslab.case.report import ReportLine, report_lines
 from groundslab.case.saf.reading.cases import read_cases, read_combinations
 from groundslab.case.saf.reading.column_forces import read_forces
-from groundslab.case.saf.reading.context import AXES, ReadContext, ReportLine, text, word
+from groundslab.case.saf.reading.context import AXES, ReadContext, text, word
 from groundslab.case.saf.reading.ground import read_ground, read_supports
 from groundslab.case.saf.reading.loads import Loads, read_loads
-from groundslab.case.saf.reading.report import report_lines
 from groundslab.case.saf.reading.slab import Slab, choose_slab
 from groundslab.case.saf.reading.structure import read_beams, read_columns, read_plate, read_walls
 from groundslab.case.saf.reading.workbook import read_sheets
@@ -81,7 +81,7 @@ class SafCase:
         str
             The report, line by line, for people.
         """
-        return "\n".join([f"slab: {describe(self.slab)}", *report_lines(self.report)]) + "\n"
+        return "\n".join([f"slab: {describe(self.slab)}", *report_lines(self.report, "sheet")]) + "\n"
 
 
 def read_saf(path: str | Path, slab: str = "") -> SafCase:
