@@ -77,7 +77,8 @@ class ReportLine:
 class Drawing:
     """What was taken from a drawing, in meters; ``scale`` is the size of its ``unit`` in meters.
 
-    ``origin`` is the place of the drawing [m] from which coordinates are measured.
+    ``origin`` is the place of the drawing [m] from which coordinates are measured. What no drawing says, but other
+    files do, is None or empty.
     """
 
     outline: Ring
@@ -93,6 +94,9 @@ class Drawing:
     unit: str
     scale: float
     origin: Place = (0.0, 0.0)
+    thickness: float | None = None  # of the slab [m]
+    column_names: tuple[str, ...] = ()  # C1, C2 and so on if there are none
+    wall_names: tuple[str, ...] = ()
 
 
 def center(drawing: Drawing) -> Drawing:
