@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -108,9 +108,23 @@ def read_ifc(path: str | Path, slab: str = "", origin: Literal["own", "center"] 
     columns = list(_columns(file, chosen, report))
     walls = list(_walls(file, chosen, report))
     _report_others(file, element, report)
-    drawing = dxf.Drawing(
-        outline=to_ring(np.asarray(chosen.plan.exterior.coords)),
-        openings=tuple(to_ring(np.asarray(hole.coords)) for hole in chosen.plan.interiors),
+    drawing = _to_drawing(file, chosen, columns, walls)
+    if origin == "center":
+        drawing = dxf.center(drawing)
+    place = f"unit: {file.unit} ({file.scale:.6g} m); {storey_of(element)}; top of the slab at {chosen.top:.6g} m"
+    on_map = map_note(file)
+    notes = (place, *([on_map] if on_map else []))
+    text = dxf.to_case(drawing, chosen.name, "IFC file", [f"The slab is {describe(chosen.name)}. {ONLY}", *notes])
+    return IfcCase(chosen.name, text, tuple(report), notes, drawing.origin)
+
+
+def _to_drawing(
+    file: IfcFile, slab: Slab, columns: Sequence[tuple[str, Ring]], walls: Sequence[tuple[str, dxf.LineMark]]
+) -> dxf.Drawing:
+    """Return the plan of a slab with what stands on it, of which cases are made."""
+    return dxf.Drawing(
+        outline=to_ring(np.asarray(slab.plan.exterior.coords)),
+        openings=tuple(to_ring(np.asarray(hole.coords)) for hole in slab.plan.interiors),
         zones=(),
         columns=tuple(ring for _, ring in columns),
         walls=tuple(wall for _, wall in walls),
@@ -121,17 +135,10 @@ def read_ifc(path: str | Path, slab: str = "", origin: Literal["own", "center"] 
         report=(),
         unit=file.unit,
         scale=file.scale,
-        thickness=chosen.thickness,
+        thickness=slab.thickness,
         column_names=_distinct([name for name, _ in columns]),
         wall_names=_distinct([name for name, _ in walls]),
     )
-    if origin == "center":
-        drawing = dxf.center(drawing)
-    place = f"unit: {file.unit} ({file.scale:.6g} m); {storey_of(element)}; top of the slab at {chosen.top:.6g} m"
-    on_map = map_note(file)
-    notes = (place, *([on_map] if on_map else []))
-    text = dxf.to_case(drawing, chosen.name, "IFC file", [f"The slab is {describe(chosen.name)}. {ONLY}", *notes])
-    return IfcCase(chosen.name, text, tuple(report), notes, drawing.origin)
 
 
 def _columns(file: IfcFile, slab: Slab, report: list[ReportLine]) -> Iterator[tuple[str, Ring]]:

@@ -44,7 +44,7 @@ class BuildingReader:
 
 def _explain_failure(path: str | Path, error: CallFailure) -> Issue:
     """Return the issue with a building that could not be read."""
-    found = "a file that ended the program that reads it, as damaged ones may"
+    found = "a file that ended the program that reads it: it is damaged, or takes too much memory to read"
     if isinstance(error, TimeLimit):
         found = f"a building that takes {error} to read"
     elif isinstance(error, MemoryLimit):
