@@ -10,10 +10,8 @@ from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
 from groundslab.schema.wording import listed, quote
-from groundslab.storage import checksums
-from groundslab.storage.ownership import check_replaceable
-from groundslab.views.bars import dxf
-from groundslab.views.bars.drawing import draw
+from groundslab.views.drawing import dxf
+from groundslab.views.drawing.bars import LAYERS, draw
 from groundslab.views.plots import export
 
 
@@ -49,15 +47,13 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Pat
     >>> path = groundslab.write_bars(groundslab.load("case.toml"), "bars.dxf")
     """
     model = of if isinstance(of, Model) else of.model
-    target = check(path)
+    check(path)
     if model.reinforcement is None or not model.reinforcement.laid:
         hint = "give bottom_x, bottom_y, top_x and top_y, or bottom_mesh and top_mesh, in [reinforcement]"
         raise InputError([Issue("reinforcement", "no bars provided", "bars in all four layers", hint)])
     shapes = draw(model, punching_links(of) if isinstance(of, Results) else ())
     if _is_dxf(path):
-        content = dxf.to_bytes(shapes)
-        checksums.keep_file(target, dxf.is_unchanged)
-        export.write_file(path, target, content)
+        export.save_drawing(shapes, LAYERS, "Bars", path)
     else:
         from groundslab.views.bars.figure import to_figure
         from groundslab.views.plots.style import apply_style
@@ -71,8 +67,7 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Pat
 def check(path: str | Path) -> Path:
     """Return the full path if a drawing of bars can be written there; else raise InputError saying why not."""
     if _is_dxf(path):
-        dxf.import_ezdxf()
-        return check_replaceable(path, dxf.is_ours, "a drawing of groundslab")
+        return dxf.check(path)
     if Path(path).suffix.lower() not in export.FORMATS:
         expected = f"{listed(('.dxf', *export.FORMATS))} at its end"
         raise InputError([Issue(str(path), f"a name that ends with {quote(Path(path).suffix)}", expected)])

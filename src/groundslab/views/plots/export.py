@@ -15,6 +15,7 @@ from groundslab.errors import InputError, Issue
 from groundslab.schema.wording import listed, quote
 from groundslab.storage import atomic, checksums
 from groundslab.storage.ownership import check_replaceable, is_figure
+from groundslab.views.drawing import dxf
 from groundslab.views.plots.style import PAGE_COLORS, apply_style, show_in
 
 if TYPE_CHECKING:
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from groundslab.unit_systems import System
+    from groundslab.views.drawing.shapes import Layer, Shape
 
 #: What a file's name may end with.
 FORMATS = (".pdf", ".svg", ".png")
@@ -54,6 +56,16 @@ def save(figures: Sequence[Figure], path: str | Path, *, dpi: float = DPI) -> No
     content = to_bytes(figures, file_format(path), dpi)
     if target.suffix.lower() == ".svg":
         checksums.keep_file(target, checksums.is_sealed)
+    write_file(path, target, content)
+
+
+def save_drawing(
+    shapes: Sequence[Shape], layers: Mapping[str, Layer], subject: str, path: str | Path, system: System = "SI"
+) -> None:
+    """Write a drawing into a DXF file, completely or not at all; an existing one only if groundslab drew it."""
+    target = dxf.check(path)
+    content = dxf.to_bytes(shapes, layers, subject, system)
+    checksums.keep_file(target, dxf.is_unchanged)
     write_file(path, target, content)
 
 
