@@ -20,7 +20,18 @@ from groundslab.model.model import Model
 from groundslab.model.plates.region import get_plate_region
 from groundslab.unit_systems import System, bar_size, bars_at, in_system, unit_in
 from groundslab.units import UNITS, format_number
-from groundslab.views.drawing.shapes import PLAN_LAYERS, Circle, Layer, Line, Shape, Text, moved, plan_shapes, rings
+from groundslab.views.drawing.shapes import (
+    LETTERS,
+    PLAN_LAYERS,
+    Circle,
+    Layer,
+    Line,
+    Shape,
+    Text,
+    moved,
+    plan_shapes,
+    rings,
+)
 
 #: The layer with broken lines.
 BROKEN = "BAR_ZONES"
@@ -30,8 +41,7 @@ BAR_LAYERS = {
     "BARS_TOP_Y": Layer(30), "BARS_EDGES": Layer(4), "LINKS": Layer(2),
 }  # fmt: skip
 LAYERS = PLAN_LAYERS | BAR_LAYERS | {"LABELS": Layer(7), "TABLE": Layer(7)}
-#: Height of letters over the longer side of the slab, and distances in heights.
-LETTERS = 1 / 90
+#: Distances in heights of letters.
 GAP, LINE = 6.0, 1.9
 #: Width of a letter on average, over its height.
 WIDE = 0.85

@@ -60,6 +60,8 @@ class Text:
 
 Shape = Line | Circle | Text
 
+#: Height of letters over the longer side of the slab.
+LETTERS = 1 / 90
 #: The layers of what lies on the plate.
 PLAN_LAYERS = {
     "OUTLINE": Layer(7), "OPENINGS": Layer(8), "COLUMNS": Layer(8), "WALLS": Layer(8), "BEAMS": Layer(8),

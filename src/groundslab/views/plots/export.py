@@ -27,22 +27,32 @@ if TYPE_CHECKING:
 
 #: What a file's name may end with.
 FORMATS = (".pdf", ".svg", ".png")
+#: What that of a drawing ends with.
+DRAWING = ".dxf"
 #: Namespaces in SVG files.
 SVG, XLINK = "{http://www.w3.org/2000/svg}", "{http://www.w3.org/1999/xlink}"
 #: Pixels per inch, of PNG files and of colors that are pixels in the others.
 DPI = 300
 
 
+def is_drawing(path: str | Path) -> bool:
+    """Return whether a file's name asks for a drawing."""
+    return Path(path).suffix.lower() == DRAWING
+
+
 def file_format(path: str | Path) -> str:
     """Return the format that a file's name asks for: "pdf", "svg" or "png"."""
     ending = Path(path).suffix.lower()
     if ending not in FORMATS:
-        raise InputError([Issue(str(path), f"a name that ends with {quote(ending)}", f"{listed(FORMATS)} at its end")])
+        expected = f"{listed((*FORMATS, DRAWING))} at its end"
+        raise InputError([Issue(str(path), f"a name that ends with {quote(ending)}", expected)])
     return ending[1:]
 
 
 def check(path: str | Path) -> Path:
-    """Return the full path if figures may be written there; else raise InputError saying why not."""
+    """Return the full path if figures, or a drawing, may be written there; else raise InputError saying why not."""
+    if is_drawing(path):
+        return dxf.check(path)
     file_format(path)
     return check_replaceable(path, is_figure, "a figure that groundslab drew")
 
