@@ -48,6 +48,8 @@ if TYPE_CHECKING:
 COLORS = (5, 1, 3, 6, 30, 4, 12, 94)
 #: A contour has its value this many heights of letters apart, and at all if it is so many long.
 APART, SHORT = 60.0, 8.0
+#: Ends of pieces of a contour are joined if they are so many heights apart at most.
+NEAR = 0.1
 #: Height of capitals over the size of letters.
 CAPITALS = 0.73
 #: Letters that names of layers may not have, and the most that they have.
@@ -110,13 +112,38 @@ def _field(panel: Panel, scale: ColorScale, layer: str, h: float) -> Iterator[Sh
     """Yield the contours of a field with their values, and the boundary of the contact zone."""
     triangles = triangulation(panel.nodes, panel.elements)
     unit = panel.quantity.field.unit
+    pieces: dict[float, list[Array]] = {}
     for value, points in contour_lines(triangles, panel.values, levels_with_lines(panel.values, scale)):
-        is_closed = len(points) > 3 and bool(np.allclose(points[0], points[-1], rtol=0, atol=1e-9 * h))
+        pieces.setdefault(value, []).append(points)
+    for value, points in ((value, line) for value, lines in pieces.items() for line in _joined(lines, NEAR * h)):
+        is_closed = len(points) > 3 and bool((points[0] == points[-1]).all())
         yield Line(layer, points[:-1] if is_closed else points, is_closed, (panel.quantity.name, value, unit))
         yield from _values_along(points, number(value), f"{layer} VALUES", h)
     if panel.contact is not None and (panel.contact > 0).any() and (panel.contact < 0).any():
-        for _, points in contour_lines(triangles, panel.contact, np.zeros(1)):
-            yield Line(f"{layer} CONTACT", points)
+        boundary = [points for _, points in contour_lines(triangles, panel.contact, np.zeros(1))]
+        yield from (Line(f"{layer} CONTACT", points) for points in _joined(boundary, NEAR * h))
+
+
+def _joined(lines: Sequence[Array], near: float) -> list[Array]:
+    """Return lines (k, 2) with ends that are near each other joined, the nearest first.
+
+    Contours break off where small elements meet large ones, whose sides do not have the same nodes.
+    """
+    import shapely
+    from scipy.spatial import KDTree
+
+    ends = np.array([end for line in lines for end in (line[0], line[-1])])
+    pairs = KDTree(ends).query_pairs(near, output_type="ndarray")
+    pairs = pairs[np.argsort(np.hypot(*(ends[pairs[:, 0]] - ends[pairs[:, 1]]).T), kind="stable")]
+    moved, taken = [line.copy() for line in lines], set[int]()
+    for i, j in pairs.tolist():
+        if i in taken or j in taken or (i // 2 == j // 2 and len(lines[i // 2]) < 4):
+            continue
+        taken |= {i, j}
+        for end in (i, j):
+            moved[end // 2][-(end % 2)] = (ends[i] + ends[j]) / 2
+    merged = shapely.line_merge(shapely.multilinestrings([shapely.linestrings(line) for line in moved]))
+    return [np.asarray(part.coords) for part in shapely.get_parts(merged)]
 
 
 def _values_along(points: Array, words: str, layer: str, h: float) -> Iterator[Text]:
