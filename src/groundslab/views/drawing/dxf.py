@@ -75,7 +75,7 @@ def _document(shapes: Sequence[Shape], layers: Mapping[str, Layer], subject: str
     for shape in shapes:
         on = {"layer": shape.layer}
         if isinstance(shape, Line):
-            line = space.add_lwpolyline((scale * shape.points).tolist(), close=shape.closed, dxfattribs=on)
+            line = space.add_lwpolyline(_corners(shape, scale), format="xyb", close=shape.closed, dxfattribs=on)
             if shape.level is not None:
                 quantity, value, of = shape.level
                 line.set_xdata(DATA, [(1000, quantity), (1040, value), (1000, of)])
@@ -87,6 +87,14 @@ def _document(shapes: Sequence[Shape], layers: Mapping[str, Layer], subject: str
             align = TextEntityAlignment.MIDDLE_CENTER if shape.centered else TextEntityAlignment.LEFT
             text.set_placement((scale * shape.place[0], scale * shape.place[1]), align=align)
     return document
+
+
+def _corners(line: Line, scale: float) -> list[tuple[float, float, float]]:
+    """Return the points of a line in the drawing's unit, with the bulge of the edge after each."""
+    if line.curve is None:
+        return [(scale * x, scale * y, 0.0) for x, y in line.points.tolist()]
+    bulges = (*line.curve.bulges, *[0.0] * len(line.curve.points))
+    return [(scale * x, scale * y, bulge) for (x, y), bulge in zip(line.curve.points, bulges, strict=False)]
 
 
 def is_ours(path: Path) -> bool:

@@ -26,12 +26,16 @@ class Layer(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """A line through points (k, 2) [m], closed or not; on a contour ``level`` is its quantity, value and unit."""
+    """A line through points (k, 2) [m], closed or not.
+
+    Where they are chords of arcs, ``curve`` has these; on a contour ``level`` is its quantity, value and unit.
+    """
 
     layer: str
     points: Array
     closed: bool = False
     level: tuple[str, float, str] | None = None
+    curve: Ring | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,8 +88,8 @@ def plan_shapes(model: Model) -> Iterator[Shape]:
 
 
 def closed(layer: str, ring: Ring, chord: float) -> Line:
-    """Return a closed curve by chords at most so far off [m]."""
-    return Line(layer, ring.flat(chord), closed=True)
+    """Return a closed curve, with chords at most so far off [m]."""
+    return Line(layer, ring.flat(chord), closed=True, curve=ring)
 
 
 def rings(polygon: Polygon) -> Sequence[LinearRing]:
@@ -96,7 +100,10 @@ def rings(polygon: Polygon) -> Sequence[LinearRing]:
 def moved(shape: Shape, by: tuple[float, float]) -> Shape:
     """Return a shape moved along x and y [m]."""
     if isinstance(shape, Line):
-        return replace(shape, points=shape.points + by)
+        curve = shape.curve
+        if curve is not None:
+            curve = replace(curve, points=tuple((x + by[0], y + by[1]) for x, y in curve.points))
+        return replace(shape, points=shape.points + by, curve=curve)
     if isinstance(shape, Circle):
         return replace(shape, center=(shape.center[0] + by[0], shape.center[1] + by[1]))
     return replace(shape, place=(shape.place[0] + by[0], shape.place[1] + by[1]))

@@ -175,7 +175,8 @@ def _words(model: Model, panel: Panel, layer: str, h: float, per_meter: float) -
     lines = [line.text for line in panel_title(panel, per_meter * (x1 - x0), with_source=bool(panel.source))]
     lines[:0] = ([model.title] if model.title else []) + ([] if panel.certified else [NOT_CERTIFIED])
     for row, words in enumerate(reversed(lines)):
-        yield Text(f"{layer} TITLE", (x0, y1 + (2.0 + 1.9 * row) * h), 1.2 * h, printable(words))
+        shown = words_in(printable(words), model.units)
+        yield Text(f"{layer} TITLE", (x0, y1 + (2.0 + 1.9 * row) * h), 1.2 * h, shown)
     for extreme in find_extremes(panel):
         yield Circle(f"{layer} EXTREMES", extreme.place, 0.3 * h)
     plain = place_labels(model, panel, per_meter)
