@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from groundslab.cli.case import write_or_print
+from groundslab.cli.case import describe_place, write_or_print
 from groundslab.cli.console import EXIT_OK, print_stderr
 
 if TYPE_CHECKING:
@@ -21,13 +21,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--slab", default="", metavar="NAME", help="name or GlobalId of the slab (default: the only one of the file)"
     )
-    parser.add_argument(
-        "--origin",
-        choices=("own", "center"),
-        default="own",
-        help="where coordinates are measured from: the file's own origin, or the middle of the slab's extents "
-        "(default: own)",
-    )
+    describe_place(parser, "building")
     parser.add_argument("-o", "--out", metavar="CASE", help="case file to write (default: print the text)")
 
 
@@ -37,7 +31,7 @@ def run(options: argparse.Namespace) -> int:
     from groundslab.workbench.checking.buildings import BuildingReader
 
     import_optional("ifcopenshell", "which reads building models", "ifc")
-    case = BuildingReader().convert(options.file, options.slab, options.origin)
+    case = BuildingReader().convert(options.file, options.slab, options.origin, options.align)
     write_or_print(case.text, options.out)
     print_stderr(case.report_text().rstrip("\n"))
     if options.out is not None:

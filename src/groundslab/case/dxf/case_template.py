@@ -254,9 +254,10 @@ def _place_point(mark: PointMark, columns: list[Footprint], tree: STRtree) -> li
 def _origin_text(drawing: Drawing, source: str) -> str:
     """Return where the coordinates are measured from."""
     x, y = drawing.origin
+    axes = f" The x axis is turned by {drawing.turned:.8g} degrees from the {source}'s." if drawing.turned else ""
     if not x and not y:
-        return f"Coordinates are the {source}'s own."
-    return f"The origin is the {source}'s point ({x:.10g}, {y:.10g}) m."
+        return axes.strip() or f"Coordinates are the {source}'s own."
+    return f"The origin is the {source}'s point ({x:.10g}, {y:.10g}) m.{axes}"
 
 
 def _polygon_lines(curve: Ring) -> list[str]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -12,7 +11,6 @@ from groundslab.arrays import Array, Integers
 from groundslab.geometry.plan import Place, Ring, circle
 
 if TYPE_CHECKING:
-    from shapely import Polygon
     from shapely.geometry.base import BaseGeometry
 
 #: Places so near in height are on one level [m]; corners so near a straight edge are none [m].
@@ -23,8 +21,6 @@ SAME_AREA = 1e-3
 TURN = 0.2
 #: A ring of so many corners at one distance of its center is a circle, if that differs by less than this part.
 ROUND_CORNERS, ROUND = 24, 1e-5
-#: A strip fills this part of the rectangle around it at least.
-STRIP = 0.9
 FARTHEST = 1e9  # m
 
 
@@ -127,16 +123,3 @@ def _without_straight(corners: Array) -> Array:
 
 def _rounded(place: Array) -> Place:
     return round(float(place[0]), 9) + 0.0, round(float(place[1]), 9) + 0.0
-
-
-def strip_of(foot: Polygon) -> tuple[tuple[Place, Place], float] | None:
-    """Return the axis and the width [m] of a straight strip, None if a polygon is none."""
-    box = foot.minimum_rotated_rectangle
-    if box.geom_type != "Polygon" or foot.area < STRIP * box.area:
-        return None
-    a, b, c, d = np.asarray(box.exterior.coords)[:4]
-    if math.dist(a, b) < math.dist(b, c):
-        a, b, c, d = b, c, d, a
-    # a and b are the ends of one long side, c and d those of the other one
-    start, end = sorted((tuple(((a + d) / 2).tolist()), tuple(((b + c) / 2).tolist())))
-    return (start, end), math.dist(b, c)

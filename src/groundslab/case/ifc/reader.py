@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from groundslab.case import dxf
-from groundslab.case.ifc.body import SAME_AREA, Body, strip_of, to_ring
+from groundslab.case.ifc.body import SAME_AREA, Body, to_ring
 from groundslab.case.ifc.file import IfcFile, map_note, open_file
 from groundslab.case.ifc.slab import Slab, choose_slab, name_of, read_slab, storey_of
 from groundslab.case.report import ReportLine, report_lines
@@ -69,7 +69,9 @@ class IfcCase:
         return "\n".join(lines) + "\n"
 
 
-def read_ifc(path: str | Path, slab: str = "", origin: Literal["own", "center"] = "own") -> IfcCase:
+def read_ifc(
+    path: str | Path, slab: str = "", origin: Literal["own", "center"] = "own", align: bool = False
+) -> IfcCase:
     """Read a slab from an IFC 4 file: geometry alone.
 
     Taken are its outline, the openings through it, its thickness if it is a plate, and the columns and walls whose feet
@@ -83,6 +85,8 @@ def read_ifc(path: str | Path, slab: str = "", origin: Literal["own", "center"] 
         Name or GlobalId of the slab, an IfcSlab or an IfcFooting. By default the only one of the file.
     origin : {"own", "center"}, default: "own"
         Where coordinates are measured from: the file's own origin, or the middle of the slab's extents.
+    align : bool, default: False
+        Whether the plan is turned so that the slab's longest edge runs along x or y.
 
     Returns
     -------
@@ -111,6 +115,9 @@ def read_ifc(path: str | Path, slab: str = "", origin: Literal["own", "center"] 
     drawing = _to_drawing(file, chosen, columns, walls)
     if origin == "center":
         drawing = dxf.center(drawing)
+    if align:
+        drawing = dxf.align(drawing)
+    _remark_on_columns(drawing, report)
     place = f"unit: {file.unit} ({file.scale:.6g} m); {storey_of(element)}; top of the slab at {chosen.top:.6g} m"
     on_map = map_note(file)
     notes = (place, *([on_map] if on_map else []))
@@ -152,10 +159,15 @@ def _columns(file: IfcFile, slab: Slab, report: list[ReportLine]) -> Iterator[tu
         if shape.area > (1 + SAME_AREA) * foot.area:
             remark = ", the shape around it: it is hollow or has reentrant corners, and base plates are not read"
         ring = to_ring(np.asarray(shape.exterior.coords))
-        taken_as = dxf.remark_on_column(ring)
-        why = f"column{remark}{f': {taken_as}' if taken_as else ''}"
-        report.append(ReportLine("IfcColumn", name_of(element), True, why))
+        report.append(ReportLine("IfcColumn", name_of(element), True, f"column{remark}"))
         yield name_of(element), ring
+
+
+def _remark_on_columns(drawing: dxf.Drawing, report: list[ReportLine]) -> None:
+    """Report columns that are not taken as they are."""
+    for name, column in zip(drawing.column_names, drawing.columns, strict=True):
+        if isinstance(column, Ring) and (remark := dxf.remark_on_column(column)):
+            report.append(ReportLine("IfcColumn", name, None, remark))
 
 
 def _walls(file: IfcFile, slab: Slab, report: list[ReportLine]) -> Iterator[tuple[str, dxf.LineMark]]:
@@ -163,7 +175,7 @@ def _walls(file: IfcFile, slab: Slab, report: list[ReportLine]) -> Iterator[tupl
     from shapely import LineString
 
     for element, foot in _standing(file, "IfcWall", slab, report):
-        strip = strip_of(foot)
+        strip = dxf.strip_of(foot)
         if strip is None:
             why = "its foot is not a straight strip, as of curved walls and of corners"
             report.append(ReportLine("IfcWall", name_of(element), False, why))

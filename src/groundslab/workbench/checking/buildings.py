@@ -23,12 +23,12 @@ class BuildingReader:
         self._seconds, self._memory = seconds, memory
         self._lock = threading.Lock()
 
-    def convert(self, path: str | Path, slab: str, origin: Literal["own", "center"]) -> IfcCase:
+    def convert(self, path: str | Path, slab: str, origin: Literal["own", "center"], align: bool = False) -> IfcCase:
         """Return the case of a slab of a building; raises InputError."""
         with self._lock:
             caller = BoundedProcess(load_libraries, self._memory)
             try:
-                case: IfcCase = caller.call(read_ifc, str(path), slab, origin, seconds=self._seconds)
+                case: IfcCase = caller.call(read_ifc, str(path), slab, origin, align, seconds=self._seconds)
                 return case
             except CallFailure as error:
                 raise InputError([_explain_failure(path, error)]) from None

@@ -156,7 +156,21 @@ def test_columns(tmp_path: Path) -> None:
         "K1 (2)": {"x": 5, "y": 3, "width_x": 0.3, "width_y": 0.4},
     }
     assert "the shape around it" in reasons(case, taken=True)["K3"]
-    assert "circle of the same area" in reasons(case, taken=True)["K4"]
+    assert "circle of the same area" in reasons(case, taken=None)["K4"]
+
+
+def test_a_building_that_is_turned_is_turned_back(tmp_path: Path) -> None:
+    """With `align` the columns of a building at 30 degrees are rectangles again."""
+    building = Building("mm", site=turned(30, 100, 200))
+    building.slab()
+    rectangle = building.profile("IfcRectangleProfileDef", XDim=0.4, YDim=0.3)
+    building.add("IfcColumn", "K1", rectangle, 3, turned(0, 4, 1))
+    tables, case = read(building, tmp_path, origin="center", align=True)
+    assert corners(tables["plate"]["outline"]) == {(-3, -2), (3, -2), (3, 2), (-3, 2)}
+    (column,) = tables["columns"]
+    assert [meters(column[key]) for key in ("x", "y", "width_x", "width_y")] == [1, -1, 0.4, 0.3]
+    assert "turned by 30 degrees" in case.text
+    assert not reasons(case, taken=None)
 
 
 def test_columns_that_do_not_stand_on_the_slab(tmp_path: Path) -> None:
