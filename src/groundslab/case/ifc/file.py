@@ -32,6 +32,7 @@ class IfcFile:
     model: Any
     settings: Any
     create_shape: Any
+    container_of: Any
     unit: str
     scale: float  # size of the unit [m]
     made: int = 0
@@ -70,8 +71,8 @@ class IfcFile:
 def open_file(path: str) -> IfcFile:
     """Return an open file; raises InputError."""
     purpose = "which reads building models"
-    names = ("ifcopenshell", "ifcopenshell.geom", "ifcopenshell.util.unit")
-    ifcopenshell, geom, unit = (import_optional(name, purpose, "ifc") for name in names)
+    names = ("ifcopenshell", "ifcopenshell.geom", "ifcopenshell.util.unit", "ifcopenshell.util.element")
+    ifcopenshell, geom, unit, element = (import_optional(name, purpose, "ifc") for name in names)
     _check_readable(path)
     try:
         model = ifcopenshell.open(path)
@@ -88,7 +89,7 @@ def open_file(path: str) -> IfcFile:
     settings.set("mesher-linear-deflection", SAG)
     settings.set("mesher-angular-deflection", TURN)
     name, scale = _unit(model, unit, path)
-    return IfcFile(path, model, settings, geom.create_shape, name, scale)
+    return IfcFile(path, model, settings, geom.create_shape, element.get_container, name, scale)
 
 
 def _check_readable(path: str) -> None:
@@ -118,7 +119,7 @@ def _unit(model: Any, unit: Any, path: str) -> tuple[str, float]:
     where = f"{path}, unit of length"
     try:
         used = unit.get_project_unit(model, "LENGTHUNIT")
-        name = "" if used is None else " ".join(filter(None, (getattr(used, "Prefix", None), used.Name))).lower()
+        name = "" if used is None else f"{getattr(used, 'Prefix', None) or ''}{used.Name}".lower()
         scale = float(unit.calculate_unit_scale(model))
     except Exception as error:  # of any kind, as what is damaged may be anything
         raise InputError([Issue(where, f"none that can be read ({error})", "a unit of length")]) from None

@@ -118,7 +118,7 @@ def read_ifc(
     if align:
         drawing = dxf.align(drawing)
     _remark_on_columns(drawing, report)
-    place = f"unit: {file.unit} ({file.scale:.6g} m); {storey_of(element)}; top of the slab at {chosen.top:.6g} m"
+    place = f"unit: {file.unit} ({file.scale:.6g} m); {storey_of(file, element)}; top of the slab at {chosen.top:.6g} m"
     on_map = map_note(file)
     notes = (place, *([on_map] if on_map else []))
     text = dxf.to_case(drawing, chosen.name, "IFC file", [f"The slab is {describe(chosen.name)}. {ONLY}", *notes])

@@ -65,15 +65,13 @@ def _about(file: IfcFile, element: Any) -> str:
     size = body
     if isinstance(body, Body):
         size = f"{body.plan().area:.6g} m2, top at {body.top:.6g} m"
-    return f"{element.GlobalId}, {element.is_a()}, {storey_of(element)}, {size}"
+    return f"{element.GlobalId}, {element.is_a()}, {storey_of(file, element)}, {size}"
 
 
-def storey_of(element: Any) -> str:
+def storey_of(file: IfcFile, element: Any) -> str:
     """Return the storey that an element belongs to, in words."""
-    from ifcopenshell.util.element import get_container
-
     try:
-        container = get_container(element)
+        container = file.container_of(element)
         return "no storey" if container is None else f"storey {describe(name_of(container))}"
     except (AttributeError, RuntimeError):
         return "no storey"
