@@ -7,6 +7,8 @@ from .analysis.ground_comparison.comparison import ComparedGround as ComparedGro
 from .analysis.ground_comparison.comparison import GroundComparison as GroundComparison
 from .analysis.ground_comparison.comparison import compare_grounds as compare_grounds
 from .case.casefile import load as load
+from .case.ifc.reader import IfcCase as IfcCase
+from .case.ifc.reader import read_ifc as read_ifc
 from .case.reactions import ImportedReactions as ImportedReactions
 from .case.reactions import read_reactions as read_reactions
 from .case.reactions.changes import CaseSum as CaseSum

@@ -38,7 +38,25 @@ def describe_dxf(dxf: argparse.ArgumentParser) -> None:
         help="widest gap to close between the ends of lines, if no wider than a tenth of the adjoining edges "
         '(default: "1 mm"; "0 mm" closes none)',
     )
+    describe_place(dxf, "drawing")
     dxf.add_argument("--out", metavar="FILE", help="file to write (default: print the text)")
+
+
+def describe_place(parser: argparse.ArgumentParser, source: str) -> None:
+    """Add where the plan of a drawing or a building lies in the case."""
+    parser.add_argument(
+        "--origin",
+        choices=("own", "center"),
+        default="own",
+        help=f"where coordinates are measured from: the {source}'s own origin, or the middle of the slab, "
+        "which is better in a national grid (default: own)",
+    )
+    parser.add_argument(
+        "--align",
+        action="store_true",
+        help="turn the plan so that the slab's longest edge runs along x or y; rectangular columns that run along it "
+        "then stay rectangles",
+    )
 
 
 def describe_check(check: argparse.ArgumentParser) -> None:
@@ -154,6 +172,10 @@ def convert_drawing(options: argparse.Namespace) -> int:
 
     layers, gap = _layers(options.layers), drawings.parse_gap(options.close_gaps)
     drawing = drawings.read(options.drawing, layers, options.unit, gap)
+    if options.origin == "center":
+        drawing = drawings.center(drawing)
+    if options.align:
+        drawing = drawings.align(drawing)
     write_or_print(drawings.to_case(drawing, Path(options.drawing).stem), options.out)
     print_stderr(drawings.report_text(drawing).rstrip("\n"))
     if options.out is not None:

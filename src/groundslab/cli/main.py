@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
-from groundslab.cli import case, compare_ground, console, import_reactions, plot, propose_bars, saf, solve, study
+from groundslab.cli import case, compare_ground, console, ifc, import_reactions, plot, propose_bars, saf, solve, study
 from groundslab.errors import EditedFilesKept, GroundslabError, InputError, Issue, NoEquilibrium, NotConverged
 
 if TYPE_CHECKING:
@@ -156,13 +156,15 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _add_exchange(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add the commands that read and write workbooks of other programs."""
+    """Add the commands that read and write files of other programs."""
     meaning = "take column and wall reactions of another program as loads, and show what they change"
     import_reactions.describe(_command(commands, "import-reactions", import_reactions.run, meaning))
     meaning = "make a case file from a slab in a file of the Structural Analysis Format (XLSX) and report what was read"
     saf.describe_import(_command(commands, "import-saf", saf.import_file, meaning))
     meaning = "write a case to a file of the Structural Analysis Format (XLSX)"
     saf.describe_export(_command(commands, "export-saf", saf.export_file, meaning))
+    meaning = "make a case file from a slab in a building model (IFC 4) and report what was read: geometry alone"
+    ifc.describe(_command(commands, "import-ifc", ifc.run, meaning))
 
 
 def _describe_report(report: argparse.ArgumentParser) -> None:

@@ -59,8 +59,9 @@ def describe(plot: argparse.ArgumentParser) -> None:
     plot.add_argument(
         "--out",
         metavar="FILE",
-        help="file to write: .pdf (pages of A4 width), .svg or .png (one sheet); an existing one is replaced only if "
-        "groundslab drew it (default: a PDF next to the folder)",
+        help="file to write: .pdf (pages of A4 width), .svg or .png (one sheet), or of a plan .dxf (contours and what "
+        "lies on the plate, on layers); an existing one is replaced only if groundslab drew it (default: a PDF next to "
+        "the folder)",
     )
 
 
@@ -115,10 +116,11 @@ def run_bars(options: argparse.Namespace) -> int:
 
     from groundslab.views import bars
     from groundslab.views.files import results_folder
+    from groundslab.views.plots.export import check
 
     targets = bars.default_paths(options.results) if options.out is None else (Path(options.out),)
     for target in targets:
-        bars.check(target)
+        check(target)
     results = results_folder.load_results(options.results)
     for target in targets:
         bars.write_bars(results, target)

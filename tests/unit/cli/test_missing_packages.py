@@ -42,6 +42,7 @@ def no_work(monkeypatch: pytest.MonkeyPatch) -> None:
         ("xlsxwriter", ["tables", "slab-results"], "tables"),
         ("ezdxf", ["bars", "slab-results"], "dxf"),
         ("openpyxl", ["import-saf", "house.xlsx"], "exchange"),
+        ("ifcopenshell", ["import-ifc", "house.ifc"], "ifc"),
         ("openpyxl", ["export-saf", "slab-results"], "exchange"),
     ],
 )

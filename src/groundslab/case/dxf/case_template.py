@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+import textwrap
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -15,7 +16,7 @@ from groundslab.case.dxf.classify import SAME, Footprint, circle_of, footprint_o
 from groundslab.case.dxf.drawing import AreaMark, Drawing, LineMark, PointMark
 from groundslab.geometry.plan import Place, Ring
 from groundslab.geometry.regions import Region
-from groundslab.schema.wording import quote
+from groundslab.schema.wording import printable, quote, with_article
 
 if TYPE_CHECKING:
     from shapely import STRtree
@@ -32,22 +33,31 @@ _USUAL_UNITS = {"force": "kN", "force per length": "kN/m", "pressure": "kPa"}
 
 #: A force so near the center of a column, as a part of its size, stands on all of it.
 CENTRAL = 0.01
+#: Letters of a line of comments.
+LINE = 116
 #: A coordinate so small is what rounding left of zero [m].
 NOTHING = 1e-12
 
 
-def to_case(drawing: Drawing, title: str = "") -> str:
-    """Return the text of a case file with the drawing's geometry and loads; the rest is there to be filled in."""
+def to_case(drawing: Drawing, title: str = "", source: str = "drawing", notes: Sequence[str] = ()) -> str:
+    """Return the text of a case file with the drawing's geometry and loads; the rest is there to be filled in.
+
+    ``source`` is the word for what it was taken from, and ``notes`` are comments at its top.
+    """
+    thickness = '# thickness = "250 mm"        # fill in'
+    if drawing.thickness is not None:
+        thickness = f"thickness = {_length_text(drawing.thickness)}"
+    made_from = with_article(source)
     text = [
-        "# Input file of groundslab, made from a drawing. What no drawing contains is commented out with #. Where it "
-        "says",
-        '# "fill in", give your own value and take the # away, from the other lines of that section too.',
-        f"# {_origin_text(drawing)} Loads and settlements are positive downwards.",
+        f"# Input file of groundslab, made from {made_from}. What it does not contain is commented out with #.",
+        '# Where it says "fill in", give your own value and take the # away, from the other lines of that section too.',
+        f"# {_origin_text(drawing, source)} Loads and settlements are positive downwards.",
+        *(f"# {line}" for note in notes for line in textwrap.wrap(printable(note), LINE)),
         "",
         f"title = {quote(title)}",
         "",
         "[plate]",
-        '# thickness = "250 mm"        # fill in',
+        thickness,
         '# E = "30 GPa"                # fill in',
         "# nu = 0.2                    # fill in",
         "",
@@ -58,10 +68,10 @@ def to_case(drawing: Drawing, title: str = "") -> str:
     for number, zone in enumerate(drawing.zones, 1):
         shape = _shape_lines("[plate.zones.shape]", zone)
         text += ["", f"# Zone {number} of the drawing.", *_ZONE, *(f"# {line}" for line in shape)]
-    columns, lines = _column_lines(drawing)
+    columns, lines = _column_lines(drawing, source)
     text += lines
     for number, wall in enumerate(drawing.walls, 1):
-        text += _wall_lines(wall, number)
+        text += _wall_lines(wall, _name_of(drawing.wall_names, "W", number))
     for number, beam in enumerate(drawing.beams, 1):
         text += _beam_lines(beam, number)
     text += ["", "# The ground under the plate; groundslab new shows other kinds.", *blanks.GROUND]
@@ -83,17 +93,23 @@ def to_case(drawing: Drawing, title: str = "") -> str:
     return "\n".join(text) + "\n"
 
 
-def _column_lines(drawing: Drawing) -> tuple[list[Footprint], list[str]]:
+def _name_of(names: Sequence[str], letter: str, number: int) -> str:
+    """Return the name that a column or a wall has in the file, or else its letter and number."""
+    return names[number - 1] if names else f"{letter}{number}"
+
+
+def _column_lines(drawing: Drawing, source: str) -> tuple[list[Footprint], list[str]]:
     """Return the columns that a case can hold, and the lines of all columns, those of the others as comments."""
     columns: list[Footprint] = []
     text: list[str] = []
     outline = Region(drawing.outline.segments())
     openings = Region(edge for opening in drawing.openings for edge in opening.segments())
     for number, column in enumerate(drawing.columns, 1):
-        footprint = footprint_of(column, f"C{number}") if isinstance(column, Ring) else None
+        name = _name_of(drawing.column_names, "C", number)
+        footprint = footprint_of(column, name) if isinstance(column, Ring) else None
         if footprint is not None and outline.holds(footprint.centre) and not openings.holds(footprint.centre):
             columns.append(footprint)
-            text += ["", *_footprint_lines(footprint, number)]
+            text += ["", *_footprint_lines(footprint, f"Column {number} of the {source}")]
             continue
         if isinstance(column, Ring):
             lines, why = _point_lines(column.points, column.bulges), "it is not on the plate"
@@ -101,15 +117,15 @@ def _column_lines(drawing: Drawing) -> tuple[list[Footprint], list[str]]:
                 why = "a column is a rectangle along x and y, a circle, or as compact; punching is not checked"
         else:
             lines, why = [f"point = {_point_text(column)}"], "a point has no size"
-        text += ["", f"# Column {number} of the drawing, for information only: {why}."]
+        text += ["", f"# Column {number} of the {source}, for information only: {why}."]
         text += [f"#   {line}" for line in lines]
     return columns, text
 
 
-def _wall_lines(wall: LineMark, number: int) -> list[str]:
+def _wall_lines(wall: LineMark, name: str) -> list[str]:
     """Return the lines of a wall; one without a thickness is there to be filled in."""
     said = [f"# {wall.text}"] if wall.text else []
-    place = ["[[walls]]", f'name = "W{number}"', *_place_line(wall, "[walls.shape]")]
+    place = ["[[walls]]", f"name = {quote(name)}", *_place_line(wall, "[walls.shape]")]
     thickness = 'thickness = "250 mm"  # fill in'
     if wall.value is not None:
         thickness = f'thickness = "{units.write(wall.value, "length")}"'
@@ -133,12 +149,12 @@ def _beam_lines(beam: LineMark, number: int) -> list[str]:
     return ["", *said, *(lines if section is not None else (f"# {line}" for line in lines))]
 
 
-def _footprint_lines(column: Footprint, number: int) -> list[str]:
+def _footprint_lines(column: Footprint, what: str) -> list[str]:
     """Return the lines of a column."""
     # sums and differences of coordinates, freed of what rounding has left
     x, y, width_x, width_y = (_length_text(float(f"{value:.12g}")) for value in (*column.centre, *column.widths))
     size = [f"diameter = {width_x}"] if column.round else [f"width_x = {width_x}", f"width_y = {width_y}"]
-    remark = f"# Column {number} of the drawing, as a circle of the same area: its sides do not run along x and y."
+    remark = f"# {what}, as a circle of the same area: its sides do not run along x and y."
     return [*([remark] if column.shape else []), "[[columns]]", f"name = {quote(column.name)}", f"x = {x}", f"y = {y}",
             *size]  # fmt: skip
 
@@ -235,12 +251,13 @@ def _place_point(mark: PointMark, columns: list[Footprint], tree: STRtree) -> li
     return [f"x = {_length_text(mark.x)}", f"y = {_length_text(mark.y)}"]
 
 
-def _origin_text(drawing: Drawing) -> str:
+def _origin_text(drawing: Drawing, source: str) -> str:
     """Return where the coordinates are measured from."""
     x, y = drawing.origin
+    axes = f" The x axis is turned by {drawing.turned:.8g} degrees from the {source}'s." if drawing.turned else ""
     if not x and not y:
-        return "Coordinates are the drawing's own."
-    return f"The origin is the drawing's point ({x:.10g}, {y:.10g}) m."
+        return axes.strip() or f"Coordinates are the {source}'s own."
+    return f"The origin is the {source}'s point ({x:.10g}, {y:.10g}) m.{axes}"
 
 
 def _polygon_lines(curve: Ring) -> list[str]:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+import re
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from groundslab.case.dxf.chaining import ClosedCurve, PointIndex
-from groundslab.case.dxf.drawing import DOUBLE, GAP, ReadContext, Source
+from groundslab.case.dxf.drawing import DOUBLE, GAP, Drawing, ReadContext, ReportLine, Source, place
 from groundslab.errors import Issue
 from groundslab.geometry.intersections import find_meeting
 from groundslab.geometry.plan import Place, Ring, bounding_box
@@ -18,6 +19,7 @@ from groundslab.schema.wording import describe
 
 if TYPE_CHECKING:
     from ezdxf.entities import DXFEntity
+    from shapely import Polygon
 
 
 def report_taken(curve: ClosedCurve, what: str, context: ReadContext) -> None:
@@ -117,6 +119,16 @@ def read_column_points(
 SAME, OF_SIDE = 1e-6, 0.01
 #: 4 pi A / P^2 of a column that counts as a circle, at least: that of a rectangle whose sides are as 1 to 2.
 COMPACT = 4 * math.pi * 2 / 36
+#: What the report calls the entities of a column.
+_NUMBERED = re.compile(r"(?:part of )?column (\d+)")
+#: A closed strip on the layer of walls is the faces of one, if no wider than this [m] and than this part of its length.
+WIDEST_WALL, SLENDER = 1.0, 0.5
+#: A strip fills this part of the rectangle around it at least.
+STRIP = 0.9
+#: Decimal places of turned coordinates [m], fewer than of those that were rounded before, so that none ends in ...0001.
+DIGITS = 7
+#: An edge whose ends are off an axis by no more than this runs along it [m].
+ALIGNED = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -198,3 +210,54 @@ def remark_on_column(curve: Ring) -> str:
     if footprint.shape is None:
         return ""
     return f"taken as a circle of the same area, {footprint.widths[0]:.4g} m in diameter, also for punching"
+
+
+def strip_of(foot: Polygon) -> tuple[tuple[Place, Place], float] | None:
+    """Return the axis and the width [m] of a straight strip, None if a polygon is none."""
+    box = foot.minimum_rotated_rectangle
+    if box.geom_type != "Polygon" or foot.area < STRIP * box.area:
+        return None
+    a, b, c, d = list(box.exterior.coords)[:4]
+    if math.dist(a, b) < math.dist(b, c):
+        a, b, c, d = b, c, d, a
+    # a and b are the ends of one long side, c and d those of the other one
+    start, end = sorted([((a[0] + d[0]) / 2, (a[1] + d[1]) / 2), ((b[0] + c[0]) / 2, (b[1] + c[1]) / 2)])
+    return (start, end), math.dist(b, c)
+
+
+def faces_of_wall(points: Sequence[Place], bulges: Sequence[float]) -> tuple[tuple[Place, Place], float] | None:
+    """Return the axis and the thickness [m] of a wall whose faces are a closed curve, None if this is no such strip."""
+    from shapely import Polygon
+
+    if len(points) < 4 or any(bulges):
+        return None
+    polygon = Polygon(points)
+    strip = strip_of(polygon) if polygon.is_valid and polygon.area > 0 else None
+    if strip is None or not strip[1] <= min(WIDEST_WALL, SLENDER * math.dist(*strip[0])):
+        return None
+    return strip
+
+
+def align(drawing: Drawing) -> Drawing:
+    """Return a drawing turned so that the longest straight edge of its outline runs along x or y.
+
+    It is turned by at most 45 degrees about the origin. Rectangular columns of the same direction are then rectangles.
+    """
+    straight = [edge for edge in drawing.outline.segments() if edge.straight]
+    if not straight:
+        return drawing
+    longest = max(straight, key=lambda edge: edge.length)
+    dx, dy = longest.end[0] - longest.start[0], longest.end[1] - longest.start[1]
+    angle = math.atan2(dy, dx)
+    angle -= math.pi / 2 * round(angle / (math.pi / 2))
+    if abs(angle) * longest.length <= ALIGNED:
+        return drawing
+    c, s = math.cos(angle), math.sin(angle)
+    turned = place(drawing, lambda point: (c * point[0] + s * point[1], c * point[1] - s * point[0]), DIGITS)
+    # remarks on columns no longer hold for all of them
+    report = [line for line in drawing.report if not (line.entity == "LAYER" and line.why.startswith("column "))]
+    read_from = {int(match[1]): line.layer for line in report if (match := _NUMBERED.match(line.why))}
+    for number, column in enumerate(turned.columns, 1):
+        if isinstance(column, Ring) and (remark := remark_on_column(column)):
+            report.append(ReportLine(read_from.get(number, ""), "LAYER", "", True, f"column {number}: {remark}"))
+    return replace(turned, report=tuple(report), turned=math.degrees(angle))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from groundslab.case.dxf.drawing import CLOSE, FARTHEST, ReadContext
@@ -30,11 +30,12 @@ _NOT_TAKEN = {
 
 @dataclass(frozen=True, slots=True)
 class DrawnLine:
-    """One drawn line: points, bulges (one less than points if it is open), and remarks for the report."""
+    """One drawn line: points, bulges (one less than points if it is open), remarks for the report, its width [m]."""
 
     points: list[Place]
     bulges: list[float]
     remarks: str = ""
+    width: float = 0.0
 
 
 def is_filling(entity: DXFEntity) -> bool:
@@ -46,6 +47,7 @@ def read_lines(entity: DXFEntity, context: ReadContext) -> list[DrawnLine] | str
     """Return an entity as lines of straight edges and arcs, or why it is ignored: one line, of a filling its edges."""
     try:
         drawn = _read_curves(entity, context)
+        width = _width(entity, context)
     except InputError:
         raise
     except MemoryError:
@@ -55,8 +57,22 @@ def read_lines(entity: DXFEntity, context: ReadContext) -> list[DrawnLine] | str
     if isinstance(drawn, str):
         return drawn
     lines = [_to_line(corners, context) for corners in drawn]
-    sound = [line for line in lines if isinstance(line, DrawnLine)]
+    sound = [replace(line, width=width) for line in lines if isinstance(line, DrawnLine)]
     return sound or next((line for line in lines if isinstance(line, str)), "it has no edge")
+
+
+def _width(entity: DXFEntity, context: ReadContext) -> float:
+    """Return the width [m] that a polyline is drawn with, 0 if it has none or several."""
+    from ezdxf.entities import LWPolyline, Polyline
+
+    widths = {0.0}
+    if isinstance(entity, LWPolyline):
+        given = entity.dxf.const_width
+        widths = {float(given)} if given else {float(width) for pair in entity.get_points("se") for width in pair}
+    elif isinstance(entity, Polyline) and entity.is_2d_polyline:
+        widths = {float(entity.dxf.default_start_width), float(entity.dxf.default_end_width)}
+    width = context.to_meters(widths.pop()) if len(widths) == 1 else 0.0
+    return width if 0 < width < FARTHEST else 0.0
 
 
 def _read_curves(entity: DXFEntity, context: ReadContext) -> list[Corners] | str:

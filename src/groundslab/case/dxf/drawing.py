@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, NoReturn
@@ -77,7 +77,9 @@ class ReportLine:
 class Drawing:
     """What was taken from a drawing, in meters; ``scale`` is the size of its ``unit`` in meters.
 
-    ``origin`` is the place of the drawing [m] from which coordinates are measured.
+    ``origin`` is the place of the drawing [m] from which coordinates are measured, and the x axis is ``turned`` by an
+    angle from the drawing's [degrees]. What no drawing says, but other
+    files do, is None or empty.
     """
 
     outline: Ring
@@ -93,15 +95,25 @@ class Drawing:
     unit: str
     scale: float
     origin: Place = (0.0, 0.0)
+    turned: float = 0.0
+    thickness: float | None = None  # of the slab [m]
+    column_names: tuple[str, ...] = ()  # C1, C2 and so on if there are none
+    wall_names: tuple[str, ...] = ()
 
 
 def center(drawing: Drawing) -> Drawing:
     """Return a drawing whose origin is the middle of the outline's sides, with coordinates to a nanometer."""
     x0, x1, y0, y1 = drawing.outline.bounds
     origin = (x0 + x1) / 2, (y0 + y1) / 2
+    return replace(place(drawing, lambda point: (point[0] - origin[0], point[1] - origin[1])), origin=origin)
+
+
+def place(drawing: Drawing, to: Callable[[Place], Place], digits: int = 9) -> Drawing:
+    """Return a drawing whose points are moved or turned, with coordinates of so many decimal places [m]."""
 
     def move(point: Place) -> Place:
-        return round(point[0] - origin[0], 9), round(point[1] - origin[1], 9)
+        x, y = to(point)
+        return round(x, digits) + 0.0, round(y, digits) + 0.0
 
     def move_ring(ring: Ring) -> Ring:
         return replace(ring, points=tuple(map(move, ring.points)))
@@ -125,7 +137,6 @@ def center(drawing: Drawing) -> Drawing:
         beams=tuple(map(move_line, drawing.beams)),
         line_loads=tuple(map(move_line, drawing.line_loads)),
         area_loads=tuple(map(move_area, drawing.area_loads)),
-        origin=origin,
     )
 
 

@@ -9,11 +9,7 @@ from groundslab.design.proposal.links import punching_links
 from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
 from groundslab.results.results import CombinationResult, Results
-from groundslab.schema.wording import listed, quote
-from groundslab.storage import checksums
-from groundslab.storage.ownership import check_replaceable
-from groundslab.views.bars import dxf
-from groundslab.views.bars.drawing import draw
+from groundslab.views.drawing.bars import LAYERS, draw
 from groundslab.views.plots import export
 
 
@@ -49,15 +45,13 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Pat
     >>> path = groundslab.write_bars(groundslab.load("case.toml"), "bars.dxf")
     """
     model = of if isinstance(of, Model) else of.model
-    target = check(path)
+    export.check(path)
     if model.reinforcement is None or not model.reinforcement.laid:
         hint = "give bottom_x, bottom_y, top_x and top_y, or bottom_mesh and top_mesh, in [reinforcement]"
         raise InputError([Issue("reinforcement", "no bars provided", "bars in all four layers", hint)])
     shapes = draw(model, punching_links(of) if isinstance(of, Results) else ())
-    if _is_dxf(path):
-        content = dxf.to_bytes(shapes)
-        checksums.keep_file(target, dxf.is_unchanged)
-        export.write_file(path, target, content)
+    if export.is_drawing(path):
+        export.save_drawing(shapes, LAYERS, "Bars", path)
     else:
         from groundslab.views.bars.figure import to_figure
         from groundslab.views.plots.style import apply_style
@@ -68,22 +62,7 @@ def write_bars(of: Model | Results | CombinationResult, path: str | Path) -> Pat
     return Path(path)
 
 
-def check(path: str | Path) -> Path:
-    """Return the full path if a drawing of bars can be written there; else raise InputError saying why not."""
-    if _is_dxf(path):
-        dxf.import_ezdxf()
-        return check_replaceable(path, dxf.is_ours, "a drawing of groundslab")
-    if Path(path).suffix.lower() not in export.FORMATS:
-        expected = f"{listed(('.dxf', *export.FORMATS))} at its end"
-        raise InputError([Issue(str(path), f"a name that ends with {quote(Path(path).suffix)}", expected)])
-    return export.check(path)
-
-
 def default_paths(folder: str | Path) -> tuple[Path, Path]:
     """Return where the drawings of a folder of results are put: beside the folder, as SVG and as DXF."""
     whole = Path(os.path.realpath(folder))
     return whole.with_name(f"{whole.name}-bars.svg"), whole.with_name(f"{whole.name}-bars.dxf")
-
-
-def _is_dxf(path: str | Path) -> bool:
-    return Path(path).suffix.lower() == ".dxf"

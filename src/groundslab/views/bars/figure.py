@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from groundslab.views.bars.drawing import BROKEN, WIDE, Circle, Line, Shape, Text
+from groundslab.views.drawing.bars import BROKEN, WIDE
+from groundslab.views.drawing.shapes import Circle, Line, Shape, Text
 from groundslab.views.plots import style
 
 if TYPE_CHECKING:

@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from groundslab.errors import InputError, Issue
 from groundslab.results.results import CombinationResult, Results, results_of
+from groundslab.schema.wording import quote
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -50,8 +52,8 @@ def plot(
     mesh : bool, default: False
         Whether the elements' sides are drawn over the fields, in plans and on the deformed plate.
     to : str or Path, optional
-        File to write: .pdf (pages of A4 width), .svg or .png (one sheet). An existing file is replaced only if
-        groundslab drew it.
+        File to write: .pdf (pages of A4 width), .svg or .png (one sheet), or of a plan .dxf (contours and what lies on
+        the plate, on layers, where the case has them). An existing file is replaced only if groundslab drew it.
 
     Returns
     -------
@@ -82,10 +84,19 @@ def plot(
 
 
 def write(request: PlotRequest, path: str | Path) -> list[Figure]:
-    """Draw a request into a file, a PDF page by page and else on one sheet, and return the figures."""
+    """Draw a request into a file, a PDF page by page and else on one sheet, and return the figures; none of a DXF."""
     from groundslab.views.plots import export
     from groundslab.views.plots.style import apply_style, show_in
 
+    if export.is_drawing(path):
+        from groundslab.views.plots.dxf.plan import draw_plan
+
+        if request.kind != "plan":
+            raise InputError([Issue("kind", quote(request.kind), '"plan" as a drawing (DXF)')])
+        with apply_style():
+            shapes, layers = draw_plan(request)
+        export.save_drawing(shapes, layers, "Results", path, request.combined.model.units)
+        return []
     if export.file_format(path) == "pdf":
         with apply_style():
             drawn: list[Figure] = _drawing_module(request).draw_pages(request)
@@ -105,7 +116,6 @@ def write_picture(results: CombinationResult, path: Path) -> None:
 
 def _sheet(request: PlotRequest) -> Figure:
     """Return one sheet with all panels of a request; raises InputError if they are too many."""
-    from groundslab.errors import InputError, Issue
     from groundslab.views.plots.style import apply_style, show_in
 
     count = request.panel_count

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -101,13 +101,11 @@ def draw_contours(axes: Axes, triangles: Triangulation, values: Array, scale: Co
     """Fill the bands of nodal values (n,), with thin lines between them and a stronger one where the colors meet."""
     colors, norm = scale.color_map()
     levels = scale.levels
-    # what lies on the last level, or by rounding below the first one, would leave a hole
-    little = 1e-9 * (levels[-1] - levels[0])
-    shown = np.clip(values, levels[0], levels[-1] - little)
+    shown = _within(values, levels)
     many = len(triangles.triangles) > len(TRIANGLES) * MOST_ELEMENTS
     drawn = axes.tricontourf(triangles, shown, levels=levels, cmap=colors, norm=norm, zorder=0.5)
     drawn.set_rasterized(many)
-    between = levels[(levels > values.min()) & (levels < values.max())]
+    between = levels_with_lines(values, scale)
     if len(between):
         parted = np.abs(between - (scale.parts_at or 0.0)) <= 1e-9 * np.abs(levels).max()
         widths = np.where(parted & (scale.parts_at is not None), 0.7, 0.2)
@@ -116,14 +114,34 @@ def draw_contours(axes: Axes, triangles: Triangulation, values: Array, scale: Co
         ).set_rasterized(many)
 
 
+def _within(values: Array, levels: Array) -> Array:
+    """Return values within levels: what lies on the last one, or by rounding below the first, would leave a hole."""
+    return np.asarray(np.clip(values, levels[0], levels[-1] - 1e-9 * (levels[-1] - levels[0])))
+
+
+def levels_with_lines(values: Array, scale: ColorScale) -> Array:
+    """Return the levels that have a line."""
+    between = (scale.levels > values.min()) & (scale.levels < values.max())
+    return np.asarray(scale.levels[between])
+
+
+def contour_lines(triangles: Triangulation, values: Array, levels: Array) -> Iterator[tuple[float, Array]]:
+    """Yield each line of nodal values (n,) with its level, as places (k, 2) [m]; closed ones end where they start."""
+    from matplotlib.figure import Figure
+
+    if not len(levels):
+        return
+    drawn = Figure().add_subplot().tricontour(triangles, values, levels=levels)
+    for level, lines in zip(levels.tolist(), drawn.allsegs, strict=True):
+        yield from ((level, np.asarray(line)) for line in lines if len(line) > 1)
+
+
 def bands(axes: Axes, triangles: Triangulation, values: Array, levels: Sequence[float] | Array) -> list[Path]:
     """Return the polygons between each level and the next one; those of one band are one path.
 
     What lies beyond the levels counts as on the first or the last one. Nothing is left in the axes.
     """
-    # what lies on the last level would leave a hole
-    shown = np.clip(values, levels[0], levels[-1] - 1e-9 * (levels[-1] - levels[0]))
-    drawn = axes.tricontourf(triangles, shown, levels=levels)
+    drawn = axes.tricontourf(triangles, _within(values, np.asarray(levels)), levels=levels)
     paths = list(drawn.get_paths())
     drawn.remove()
     return paths

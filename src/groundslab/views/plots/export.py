@@ -15,6 +15,7 @@ from groundslab.errors import InputError, Issue
 from groundslab.schema.wording import listed, quote
 from groundslab.storage import atomic, checksums
 from groundslab.storage.ownership import check_replaceable, is_figure
+from groundslab.views.drawing import dxf
 from groundslab.views.plots.style import PAGE_COLORS, apply_style, show_in
 
 if TYPE_CHECKING:
@@ -22,25 +23,36 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from groundslab.unit_systems import System
+    from groundslab.views.drawing.shapes import Layer, Shape
 
 #: What a file's name may end with.
 FORMATS = (".pdf", ".svg", ".png")
+#: What that of a drawing ends with.
+DRAWING = ".dxf"
 #: Namespaces in SVG files.
 SVG, XLINK = "{http://www.w3.org/2000/svg}", "{http://www.w3.org/1999/xlink}"
 #: Pixels per inch, of PNG files and of colors that are pixels in the others.
 DPI = 300
 
 
+def is_drawing(path: str | Path) -> bool:
+    """Return whether a file's name asks for a drawing."""
+    return Path(path).suffix.lower() == DRAWING
+
+
 def file_format(path: str | Path) -> str:
     """Return the format that a file's name asks for: "pdf", "svg" or "png"."""
     ending = Path(path).suffix.lower()
     if ending not in FORMATS:
-        raise InputError([Issue(str(path), f"a name that ends with {quote(ending)}", f"{listed(FORMATS)} at its end")])
+        expected = f"{listed((*FORMATS, DRAWING))} at its end"
+        raise InputError([Issue(str(path), f"a name that ends with {quote(ending)}", expected)])
     return ending[1:]
 
 
 def check(path: str | Path) -> Path:
-    """Return the full path if figures may be written there; else raise InputError saying why not."""
+    """Return the full path if figures, or a drawing, may be written there; else raise InputError saying why not."""
+    if is_drawing(path):
+        return dxf.check(path)
     file_format(path)
     return check_replaceable(path, is_figure, "a figure that groundslab drew")
 
@@ -54,6 +66,16 @@ def save(figures: Sequence[Figure], path: str | Path, *, dpi: float = DPI) -> No
     content = to_bytes(figures, file_format(path), dpi)
     if target.suffix.lower() == ".svg":
         checksums.keep_file(target, checksums.is_sealed)
+    write_file(path, target, content)
+
+
+def save_drawing(
+    shapes: Sequence[Shape], layers: Mapping[str, Layer], subject: str, path: str | Path, system: System = "SI"
+) -> None:
+    """Write a drawing into a DXF file, completely or not at all; an existing one only if groundslab drew it."""
+    target = dxf.check(path)
+    content = dxf.to_bytes(shapes, layers, subject, system)
+    checksums.keep_file(target, dxf.is_unchanged)
     write_file(path, target, content)
 
 

@@ -236,7 +236,7 @@ def draw_supports(axes: Axes, model: Model) -> Entries:
             entries["support"] = mark
         else:
             entries["line support"] = _draw_supported_line(axes, np.array(support.points))
-    for edge in _supported_edges(model):
+    for edge in supported_edges(model):
         entries["supported edge"] = _draw_supported_line(axes, edge)
     return entries
 
@@ -248,7 +248,7 @@ def _draw_supported_line(axes: Axes, places: Array) -> Any:
     return line
 
 
-def _supported_edges(model: Model) -> list[Array]:
+def supported_edges(model: Model) -> list[Array]:
     """Return the parts (k, 2) of the outline that are held: all of it, or what lies on a side that is held."""
     flat = model.plate.ring().flat(DRAWN_CHORD * max(model.sides))
     closed = np.vstack([flat, flat[:1]])

@@ -139,7 +139,7 @@ def test_supports(tmp_path: Path, sheets: saf_files.Sheets) -> None:
 def test_everything_is_reported(tmp_path: Path, sheets: saf_files.Sheets) -> None:
     """Each row of a sheet that is read was taken or left with a reason."""
     case = read(tmp_path, sheets)
-    seen = {(line.sheet, line.name) for line in case.report if line.taken is not None}
+    seen = {(line.kind, line.name) for line in case.report if line.taken is not None}
     plain = {
         "Project",
         "Model",

@@ -17,7 +17,8 @@ from groundslab.errors import InputError
 from groundslab.model.model import Model
 from groundslab.results.results import Results
 from groundslab.views.bars import write_bars
-from groundslab.views.bars.drawing import LAYERS, Circle, Line, Text, draw, label_of
+from groundslab.views.drawing.bars import LAYERS, draw, label_of
+from groundslab.views.drawing.shapes import Circle, Line, Text
 from groundslab.views.files import results_folder
 from helpers import synthetic
 

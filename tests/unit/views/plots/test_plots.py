@@ -898,7 +898,7 @@ assert "matplotlib.pyplot" not in sys.modules
 
     def test_unknown_endings_are_refused(self, tmp_path: Path) -> None:
         """A name without one of the endings is reported, and nothing is written."""
-        with pytest.raises(InputError, match=r"\.pdf, \.svg or \.png"):
+        with pytest.raises(InputError, match=r"\.pdf, \.svg, \.png or \.dxf"):
             groundslab.plot(synthetic.results(), to=tmp_path / "a.docx")
         assert not list(tmp_path.iterdir())
 

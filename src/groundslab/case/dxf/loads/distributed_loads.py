@@ -12,7 +12,7 @@ import numpy as np
 
 from groundslab import units
 from groundslab.case.dxf.chaining import ClosedCurve, PointIndex
-from groundslab.case.dxf.classify import EnclosingCurves, report_taken
+from groundslab.case.dxf.classify import EnclosingCurves, faces_of_wall, report_taken
 from groundslab.case.dxf.curves import DrawnLine
 from groundslab.case.dxf.document import Roles
 from groundslab.case.dxf.drawing import DOUBLE, AreaMark, LineMark, ReadContext, Source
@@ -42,6 +42,7 @@ def read_lines_with_values(
     seen: set[frozenset[tuple[int, int, int]]] = set()
     marks: list[labelling.PendingLoad] = []
     drawn: list[list[tuple[Place, Place, float]]] = []
+    widths: list[float] = []
     for source, piece in lines:
         parts = [
             (a, b, bulge)
@@ -56,6 +57,7 @@ def read_lines_with_values(
             continue
         seen.add(key)
         drawn.append(parts)
+        widths.append(piece.width)
         start = edges[0].start
         marks.append(
             labelling.PendingLoad(source, start, LineString([start, *(p for edge in edges for p in divide_edge(edge))]))
@@ -63,12 +65,19 @@ def read_lines_with_values(
     labelling.assign_texts(marks, texts, role, context)
     defaults = _read_layer_values([mark.source.layer for mark in marks], role, roles, context)
     loads = []
-    for mark, parts in zip(marks, drawn, strict=True):
+    for mark, parts, width in zip(marks, drawn, widths, strict=True):
         value, how = labelling.choose_value(mark, role, context, defaults)
-        context.report_entity(mark.source, True, f"{role.replace('_', ' ').removesuffix('s')}{how}")
         starts, ends_of, bulges = zip(*parts, strict=True)
         closed = len(parts) > 1 and math.dist(starts[0], ends_of[-1]) <= tolerance
         points = starts if closed else (*starts, ends_of[-1])
+        if role == "walls" and value is None:
+            faces = faces_of_wall(points, bulges) if closed else None
+            if faces is not None:
+                points, value = faces
+                bulges, how = (0.0,), f" of {units.show(value, 'length')}, by its two faces"
+            elif width:
+                value, how = width, f" of {units.show(width, 'length')}, by the width of the line"
+        context.report_entity(mark.source, True, f"{role.replace('_', ' ').removesuffix('s')}{how}")
         loads.append(LineMark(points, bulges, value, labelling.join_texts(mark)))
     return loads
 

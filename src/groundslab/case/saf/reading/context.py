@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 
+from groundslab.case.report import ReportLine
 from groundslab.case.saf.reading.workbook import Row, cell_text
 from groundslab.case.saf.units import to_si, unit_of
 from groundslab.errors import InputError, Issue
@@ -27,19 +28,6 @@ class RowFault(Exception):
     def __init__(self, column: str, found: str, expected: str, hint: str = "") -> None:
         super().__init__(column, found, expected, hint)
         self.column, self.found, self.expected, self.hint = column, found, expected, hint
-
-
-@dataclass(frozen=True, slots=True)
-class ReportLine:
-    """What became of one object: its sheet and name, whether it was taken, and as what or why not.
-
-    A note on something that was taken in another way than it says has ``taken`` None.
-    """
-
-    sheet: str
-    name: str
-    taken: bool | None
-    why: str
 
 
 #: Plan x, plan y and up in the axes of a file, by its vertical axis; all are right-handed.

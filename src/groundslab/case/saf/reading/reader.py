@@ -8,13 +8,13 @@ from pathlib import Path
 from typing import Any
 
 from groundslab.case import blanks, casefile
+from groundslab.case.report import ReportLine, report_lines
 from groundslab.case.saf.reading.cases import read_cases, read_combinations
-from groundslab.case.saf.reading.context import AXES, ReadContext, ReportLine, text, word
+from groundslab.case.saf.reading.context import AXES, ReadContext, text, word
 from groundslab.case.saf.reading.ground import read_ground, read_supports
 from groundslab.case.saf.reading.loads.column_forces import read_forces
 from groundslab.case.saf.reading.loads.forces import Loads
 from groundslab.case.saf.reading.loads.on_members import read_loads, read_settlements
-from groundslab.case.saf.reading.report import report_lines
 from groundslab.case.saf.reading.slab import Slab, SlabInFile, choose_slab, find_slabs
 from groundslab.case.saf.reading.structure import read_beams, read_columns, read_plate, read_walls
 from groundslab.case.saf.reading.workbook import Row, read_sheets
@@ -82,7 +82,7 @@ class SafCase:
         str
             The report, line by line, for people.
         """
-        return "\n".join([f"slab: {describe(self.slab)}", *report_lines(self.report)]) + "\n"
+        return "\n".join([f"slab: {describe(self.slab)}", *report_lines(self.report, "sheet")]) + "\n"
 
 
 def read_saf(path: str | Path, slab: str = "") -> SafCase:

@@ -1,4 +1,4 @@
-"""What a drawing of bars consists of: lines, circles and texts on layers, in meters, whatever file it is written to.
+"""The drawing of bars: a plan of each face with one bar of each set, and the table of quantities.
 
 The plan of the bottom face lies where the case has it, that of the top face beside or below it, the table below both.
 """
@@ -6,8 +6,6 @@ The plan of the bottom face lies where the case has it, that of the top face bes
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,24 +16,32 @@ from groundslab.design.detailing.bar_quantities import marked_links
 from groundslab.design.detailing.positions import U_SHAPE, Position, positions
 from groundslab.design.punching_links.layout import LinkLayout
 from groundslab.design.tables.table import Table, in_units
-from groundslab.geometry.plan import DRAWN_CHORD, Ring
 from groundslab.model.model import Model
 from groundslab.model.plates.region import get_plate_region
 from groundslab.unit_systems import System, bar_size, bars_at, in_system, unit_in
 from groundslab.units import UNITS, format_number
+from groundslab.views.drawing.shapes import (
+    LETTERS,
+    PLAN_LAYERS,
+    Circle,
+    Layer,
+    Line,
+    Shape,
+    Text,
+    moved,
+    plan_shapes,
+    rings,
+)
 
-if TYPE_CHECKING:
-    from shapely import LinearRing, Polygon
-
-#: Layers of a drawing, with the color of each: a number of AutoCAD's palette, whose 7 is black on white.
-LAYERS = {
-    "OUTLINE": 7, "OPENINGS": 8, "COLUMNS": 8, "WALLS": 8, "BEAMS": 8, "BAR_ZONES": 6, "BARS_BOTTOM_X": 5,
-    "BARS_BOTTOM_Y": 3, "BARS_TOP_X": 1, "BARS_TOP_Y": 30, "BARS_EDGES": 4, "LINKS": 2, "LABELS": 7, "TABLE": 7,
-}  # fmt: skip
 #: The layer with broken lines.
 BROKEN = "BAR_ZONES"
-#: Height of letters over the longer side of the slab, and distances in heights.
-LETTERS = 1 / 90
+#: The layers of bars.
+BAR_LAYERS = {
+    BROKEN: Layer(6, broken=True), "BARS_BOTTOM_X": Layer(5), "BARS_BOTTOM_Y": Layer(3), "BARS_TOP_X": Layer(1),
+    "BARS_TOP_Y": Layer(30), "BARS_EDGES": Layer(4), "LINKS": Layer(2),
+}  # fmt: skip
+LAYERS = PLAN_LAYERS | BAR_LAYERS | {"LABELS": Layer(7), "TABLE": Layer(7)}
+#: Distances in heights of letters.
 GAP, LINE = 6.0, 1.9
 #: Width of a letter on average, over its height.
 WIDE = 0.85
@@ -62,38 +68,6 @@ PLAIN = "Laps, hooks and edge bars are not in the quantities, and the cover at t
 DETAILED = "Bars end the cover before edges; pieces lap, and bars of U shape at edges have legs, as long as lap says."
 
 
-@dataclass(frozen=True, slots=True)
-class Line:
-    """A line through points (k, 2) [m], closed or not."""
-
-    layer: str
-    points: Array
-    closed: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class Circle:
-    """A circle [m]."""
-
-    layer: str
-    center: tuple[float, float]
-    radius: float
-
-
-@dataclass(frozen=True, slots=True)
-class Text:
-    """A line of text whose lower left end is at a place [m]; its letters are so high [m], turned counter-clockwise."""
-
-    layer: str
-    place: tuple[float, float]
-    height: float
-    words: str
-    turned: float = 0.0  # [degrees]
-
-
-Shape = Line | Circle | Text
-
-
 def draw(model: Model, links: Sequence[LinkLayout] = ()) -> list[Shape]:
     """Return the drawing of the bars that a model lays, and of links against punching in the plan of the bottom."""
     x0, x1, y0, y1 = model.bounds
@@ -103,7 +77,7 @@ def draw(model: Model, links: Sequence[LinkLayout] = ()) -> list[Shape]:
     shapes: list[Shape] = []
     listed = positions(model)
     for face, shift in (("bottom", (0.0, 0.0)), ("top", step)):
-        shapes += [_moved(shape, shift) for shape in _face(model, face, h, listed)]
+        shapes += [moved(shape, shift) for shape in _face(model, face, h, listed)]
     shapes += [shape for position in listed if position.shape == U_SHAPE for shape in _edge_bars(model, position, h)]
     shapes += [
         shape
@@ -117,24 +91,20 @@ def draw(model: Model, links: Sequence[LinkLayout] = ()) -> list[Shape]:
 def _face(model: Model, face: str, h: float, listed: Sequence[Position]) -> Iterator[Shape]:
     """Yield the plan of one face, where the case has it, with letters of a height [m]."""
     x0, _, _, y1 = model.bounds
-    chord = DRAWN_CHORD * max(model.sides)
     yield Text("LABELS", (x0, y1 + 1.5 * h), 1.4 * h, f"{face.capitalize()} bars")
-    for plate in model.every_plate:
-        yield _closed("OUTLINE", plate.ring(), chord)
-        for opening in plate.openings:
-            yield _closed("OPENINGS", opening.ring(), chord)
+    yield from plan_shapes(model)
     for column in model.columns:
-        yield _closed("COLUMNS", column.ring(), chord)
         yield Text("LABELS", (column.x + 0.6 * h, column.y + 0.6 * h), h, column.name)
-    for wall in model.placed_walls:
-        yield from (Line("WALLS", np.asarray(ring.coords)[:-1], closed=True) for ring in _rings(wall.area(chord)))
-    for beam in model.beams:
-        yield from (Line("BEAMS", np.asarray(ring.coords)[:-1], closed=True) for ring in _rings(beam.area(chord)))
+    yield from face_bars(model, face, h, listed)
+
+
+def face_bars(model: Model, face: str, h: float, listed: Sequence[Position]) -> Iterator[Shape]:
+    """Yield the bars of one face and the zones where further ones lie, with letters of a height [m]."""
     sets = [bar_set for bar_set in bar_sets(model) if bar_set.layer.startswith(face)]
     for name, region in {bar_set.zone: bar_set.region for bar_set in sets if bar_set.zone}.items():
         pieces = getattr(region, "geoms", [region])
         for piece in (piece for piece in pieces if piece.geom_type == "Polygon"):
-            yield from (Line(BROKEN, np.asarray(ring.coords)[:-1], closed=True) for ring in _rings(piece))
+            yield from (Line(BROKEN, np.asarray(ring.coords)[:-1], closed=True) for ring in rings(piece))
         left, _, _, top = region.bounds
         yield Text("LABELS", (left + 0.4 * h, top - 1.4 * h), h, name)
     turn = {name: number for number, name in enumerate(dict.fromkeys(bar_set.zone for bar_set in sets))}
@@ -276,22 +246,3 @@ def _cell(value: str | float | int | None) -> str:
     if isinstance(value, float):
         return format_number(value, 4, trim=True)
     return "" if value is None else str(value)
-
-
-def _closed(layer: str, ring: Ring, chord: float) -> Line:
-    """Return a closed curve by chords at most so far off [m]."""
-    return Line(layer, ring.flat(chord), closed=True)
-
-
-def _rings(polygon: Polygon) -> Sequence[LinearRing]:
-    """Return the curves around a polygon and its holes."""
-    return [polygon.exterior, *polygon.interiors]
-
-
-def _moved(shape: Shape, by: tuple[float, float]) -> Shape:
-    """Return a shape moved along x and y [m]."""
-    if isinstance(shape, Line):
-        return replace(shape, points=shape.points + by)
-    if isinstance(shape, Circle):
-        return replace(shape, center=(shape.center[0] + by[0], shape.center[1] + by[1]))
-    return replace(shape, place=(shape.place[0] + by[0], shape.place[1] + by[1]))
