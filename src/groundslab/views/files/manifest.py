@@ -26,10 +26,10 @@ LONGEST = 40
 DEEPEST = "/".join(("0" * (LONGEST + 8), "increments", "00000-ground.vtu"))
 #: The paths of all files that are ever written into a folder of results.
 _PATHS = re.compile(
-    r"(case\.toml|summary\.json|combinations\.csv|envelope\.vtu|(plate|ground)\.pvd|tables/[a-z_]{1,40}\.csv"
+    r"(case\.toml|summary\.json|combinations\.csv|envelope\.vtu|(plate|ground|beams)\.pvd|tables/[a-z_]{1,40}\.csv"
     r"|ground-comparison\.(json|svg))"
     rf"|([0-9]{{2,7}}(-[a-z0-9-]{{1,{LONGEST}}})?/)?"
-    r"(plate\.vtu|ground\.vtu|results\.npz|picture\.png|(plate|ground)-increments\.pvd"
+    r"((plate|ground|beams)\.vtu|results\.npz|picture\.png|(plate|ground)-increments\.pvd"
     r"|increments/[0-9]{2,5}-(plate|ground)\.vtu)"
 )
 

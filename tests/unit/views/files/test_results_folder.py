@@ -19,6 +19,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
+from groundslab.analysis.driver import solve
 from groundslab.case import casefile
 from groundslab.cli import main
 from groundslab.errors import (
@@ -33,7 +34,7 @@ from groundslab.errors import (
 from groundslab.results.results import Increment
 from groundslab.views.files import npz, results_folder
 from groundslab.views.files.manifest import DEEPEST, folder_name, is_path
-from helpers import damage, synthetic
+from helpers import damage, small_case, synthetic
 from helpers.paths import ROOT
 
 OLD, NEW = synthetic.results(), synthetic.results(lifts=False)
@@ -477,6 +478,17 @@ class TestRefuse:
         assert all(is_path(f"{folder_name(number, 'x' * 300, 12345)}/plate.vtu") for number in (1, 12345))
         assert max(map(len, tree(folder))) < len(DEEPEST)
         assert len(f"{folder_name(12345, 'x' * 300, 12345)}/increments/12345-ground.vtu") <= len(DEEPEST)
+
+    def test_files_of_beams_are_ours(self, tmp_path: Path) -> None:
+        """Results with beams are replaced as others are; those of several combinations have a collection of beams."""
+        beam = '[[beams]]\nname = "rib"\npoints = [["-2 m", "0 m"], ["2 m", "0 m"]]\n'
+        section = 'section = {kind = "rectangle", width = "300 mm", height = "500 mm"}\n'
+        results = solve(casefile.loads(f"{small_case.TEXT}\n{beam}{section}"))
+        folder = results_folder.save_results(results, tmp_path / "raft")
+        assert (folder / "beams.vtu").is_file()
+        assert results_folder.save_results(results, folder) == folder
+        assert is_path("beams.pvd")
+        assert is_path("02-nul/beams.vtu")
 
     def test_names_that_are_too_long(self, tmp_path: Path) -> None:
         """They are found out before the analysis; the longest that the system takes can be written and replaced."""
