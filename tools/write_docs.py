@@ -12,6 +12,7 @@ from draw_imports import diagram
 from groundslab.cli import main
 from groundslab.model.model import docs_table, json_schema
 from groundslab.study.definition import schema
+from groundslab.views.interface import shapes
 
 DOCS = Path(__file__).resolve().parent.parent / "docs"
 
@@ -25,6 +26,10 @@ def contents() -> dict[Path, str]:
         DOCS / "groundslab.schema.json": json.dumps(json_schema(), indent=2) + "\n",
         DOCS / "study.md": _page("study.md", keys=schema.docs_table(), kept=schema.outputs_table()),
         DOCS / "study.schema.json": json.dumps(schema.json_schema(), indent=2) + "\n",
+        **{
+            DOCS / "interface" / f"{name}.schema.json": json.dumps(shapes.json_schema(name), indent=2) + "\n"
+            for name in shapes.DOCUMENTS
+        },
     }
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from groundslab.cli.console import EXIT_DESIGN_FAILS, EXIT_OK, print_stderr, print_stdout
+from groundslab.cli.console import EXIT_DESIGN_FAILS, EXIT_OK, EXIT_WRONG_INPUT, print_stderr, print_stdout
 from groundslab.errors import InputError, Issue
 
 if TYPE_CHECKING:
@@ -66,14 +66,16 @@ def describe_check(check: argparse.ArgumentParser) -> None:
         "exit code is 3. Other design checks need a solution."
     )
     check.add_argument("case", help="case file or study file (TOML)")
+    check.add_argument("--json", action="store_true", help="print what was found as JSON, the issues among it")
 
 
 def check_case(options: argparse.Namespace) -> int:
     """Read a case file, or a study file with its case; wrong ones raise InputError."""
+    if options.json:
+        return _check_as_json(options.case)
     from groundslab.case import casefile
 
-    text = casefile.read(options.case)
-    tables = casefile.tables(text, options.case)
+    tables = casefile.tables(casefile.read(options.case), options.case)
     if "sampling" in tables:
         from groundslab import study
 
@@ -99,6 +101,16 @@ def check_case(options: argparse.Namespace) -> int:
     lines += [f"  remark: {remark.words}" for remark in find_remarks(model, combinations)]
     print_stdout("\n".join(words_in(line, model.units) for line in lines))
     return EXIT_DESIGN_FAILS if lost else EXIT_OK
+
+
+def _check_as_json(file: str) -> int:
+    """Print the check of a case file or study file as JSON, of a wrong one with its issues."""
+    from groundslab.study.check import check_file
+    from groundslab.views.interface.documents import to_text
+
+    document = check_file(Path(file), file)
+    print_stdout(to_text(document))
+    return {"fine": EXIT_OK, "no equilibrium": EXIT_DESIGN_FAILS, "wrong input": EXIT_WRONG_INPUT}[document["status"]]
 
 
 def _structure_and_supports(model: Model) -> list[str]:

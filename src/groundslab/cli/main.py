@@ -34,27 +34,37 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         with _kept_files_told():
             return int(options.run(options))
-    except InputError as error:
-        console.print_stderr(console.format_issues(error))
-        return console.EXIT_WRONG_INPUT
     except BrokenPipeError:
         console.close_output()
         return console.EXIT_OK
-    except OSError as error:
-        console.print_stderr(f"error: {error}")
-        return console.EXIT_WRONG_INPUT
     except KeyboardInterrupt:
         console.print_stderr("interrupted")
         return console.EXIT_INTERRUPTED
-    except NoEquilibrium as error:
+    except (OSError, GroundslabError, MemoryError) as error:
+        if getattr(options, "json", False):
+            from groundslab.views.interface.documents import error_to_json, to_text
+
+            console.print_stdout(to_text(error_to_json(error)))
+        return _print_error(error)
+
+
+def _print_error(error: Exception) -> int:
+    """Print an error that was raised on purpose, or by the system, and return its exit code."""
+    if isinstance(error, InputError):
+        console.print_stderr(console.format_issues(error))
+        return console.EXIT_WRONG_INPUT
+    if isinstance(error, OSError):
+        console.print_stderr(f"error: {error}")
+        return console.EXIT_WRONG_INPUT
+    if isinstance(error, NoEquilibrium):
         console.print_stderr(f"FOUNDATION FAILS: {error}")
         return console.EXIT_DESIGN_FAILS
-    except NotConverged as error:
+    if isinstance(error, NotConverged):
         _print_history(error)
-    except GroundslabError as error:
-        console.print_stderr(f"error: {error}")
-    except MemoryError:
+    elif isinstance(error, MemoryError):
         console.print_stderr("error: not enough memory for this analysis; a coarser mesh needs less")
+    else:
+        console.print_stderr(f"error: {error}")
     return console.EXIT_NO_RESULT
 
 
@@ -136,10 +146,7 @@ def _parser() -> argparse.ArgumentParser:
     _add_exchange(commands)
     _describe_report(_command(commands, "report", _report, "make a report of results: one HTML file, or a PDF"))
 
-    tables = _command(commands, "tables", _tables, "write all tables of results into one workbook (XLSX)")
-    tables.epilog = "An existing file is replaced only if it is such a workbook. The folder also has each table as CSV."
-    tables.add_argument("results", metavar="RESULTS", help="results folder written by groundslab solve")
-    tables.add_argument("--out", metavar="FILE", help="file to write (default: RESULTS.xlsx next to the folder)")
+    _describe_tables(_command(commands, "tables", _tables, "write the tables of results into a workbook (XLSX)"))
 
     bars = _command(commands, "bars", plot.run_bars, "draw the bars provided in a case, with quantities: SVG and DXF")
     plot.describe_bars(bars)
@@ -165,6 +172,17 @@ def _add_exchange(commands: argparse._SubParsersAction[argparse.ArgumentParser])
     saf.describe_export(_command(commands, "export-saf", saf.export_file, meaning))
     meaning = "make a case file from a slab in a building model (IFC 4) and report what was read: geometry alone"
     ifc.describe(_command(commands, "import-ifc", ifc.run, meaning))
+
+
+def _describe_tables(tables: argparse.ArgumentParser) -> None:
+    """Add what the command tables understands."""
+    tables.epilog = "An existing file is replaced only if it is such a workbook. The folder also has each table as CSV."
+    tables.add_argument("results", metavar="RESULTS", help="results folder written by groundslab solve")
+    tables.add_argument("--out", metavar="FILE", help="file to write (default: RESULTS.xlsx next to the folder)")
+    tables.add_argument("--json", action="store_true", help="print the tables as JSON, and write no workbook")
+    tables.add_argument(
+        "--only", nargs="+", metavar="NAME", default=[], help="tables to print as JSON, such as checks (default: all)"
+    )
 
 
 def _describe_report(report: argparse.ArgumentParser) -> None:
@@ -246,9 +264,18 @@ def _report(options: argparse.Namespace) -> int:
 
 
 def _tables(options: argparse.Namespace) -> int:
-    """Write the tables of a folder of results into a workbook."""
+    """Write the tables of a folder of results into a workbook, or print them as JSON."""
     from groundslab.views.files import results_folder, xlsx
 
+    if options.json:
+        from groundslab.views.interface.documents import tables_to_json, to_text
+
+        if options.out is not None:
+            raise InputError([Issue("--out", options.out, "no file, as JSON is printed", "leave out one of the two")])
+        console.print_stdout(to_text(tables_to_json(results_folder.load_results(options.results), options.only)))
+        return console.EXIT_OK
+    if options.only:
+        raise InputError([Issue("--only", " ".join(options.only), "--json with it", "a workbook has all tables")])
     target = Path(options.out) if options.out is not None else xlsx.default_path(options.results)
     xlsx.check(target)
     xlsx.write_workbook(results_folder.load_results(options.results), target)

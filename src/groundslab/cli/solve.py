@@ -66,6 +66,8 @@ def run(options: argparse.Namespace) -> int:
     uncertified = any(isinstance(error, NotCertified) for error in results.unsolved.values())
     if results.results or results.without_equilibrium or uncertified:
         _save(results, folder, options)
+    elif options.json:
+        _print_summary(results, options)
     results_folder.remove_provisional(folder)
     _print_unsolved(results)
     return _judge_design(results, options.quiet)
@@ -146,6 +148,7 @@ def _save(results: Results, folder: Path, options: argparse.Namespace) -> None:
     except (GroundslabError, OSError, MemoryError):
         # The disk is no reason to lose the answer.
         _print_summary(results, options)
+        options.json = False  # which has been printed
         kept = results_folder.write_elsewhere(results, folder)
         print_stderr(f"{folder} cannot be written" + (f"; the results are kept in {kept}" if kept is not None else ""))
         raise

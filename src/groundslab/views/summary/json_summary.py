@@ -28,8 +28,13 @@ if TYPE_CHECKING:
     from groundslab.views.summary.combinations import Entry, Extreme
     from groundslab.views.summary.rows import Row, SummarySection
 
-#: The version of the layout; it grows when a key changes its name or meaning.
+#: The version of the interface, of all documents in ``views.interface``: it grows when a key changes its name or meaning.
 FORMAT = 2
+
+
+def header() -> dict[str, Any]:
+    """Return what every document begins with."""
+    return {"program": "groundslab", "version": __version__, "format": FORMAT}
 
 
 def to_json(combined: Results, folders: Mapping[str, str] | None = None, files: Sequence[str] = ()) -> dict[str, Any]:
@@ -42,15 +47,12 @@ def to_json(combined: Results, folders: Mapping[str, str] | None = None, files: 
 
     entries = combinations.entries(combined)
     combinations.require_finite(combined)
-    document: dict[str, Any] = {
-        "program": "groundslab",
-        "version": __version__,
-        "format": FORMAT,
+    document: dict[str, Any] = header() | {
         "title": combined.model.title,
         "certified": not combined.refused,
         "provisional": combined.provisional,
         "design": design(combined),
-        "cases": [_case(use) for use in case_uses(combined.model, combined.combinations)],
+        "cases": [case_to_json(use) for use in case_uses(combined.model, combined.combinations)],
         "remarks": [remark.words for remark in find_remarks(combined.model, combined.combinations)],
     }
     only = combinations.only(entries)
@@ -68,7 +70,7 @@ def json_text(
     return json.dumps(document, indent=indent, allow_nan=False, default=lambda number: number.item())
 
 
-def _case(use: CaseUse) -> dict[str, Any]:
+def case_to_json(use: CaseUse) -> dict[str, Any]:
     """Return a load case as data for JSON: its loads, and by limit state its factors and in how many combinations."""
     acting = {factors.limit_state: asdict(factors) for factors in use.acting}
     for about in acting.values():
@@ -154,7 +156,7 @@ def _combination(entry: Entry, folder: str | None) -> dict[str, Any]:
         "certified": entry.refused is None,
     }
     if entry.refused is not None:
-        document["refused"] = _refusal(entry.refused)
+        document["refused"] = refusal(entry.refused)
     if entry.results is not None:
         if folder is not None:
             document["folder"] = folder
@@ -163,7 +165,7 @@ def _combination(entry: Entry, folder: str | None) -> dict[str, Any]:
     return document
 
 
-def _refusal(error: GroundslabError) -> dict[str, Any]:
+def refusal(error: GroundslabError) -> dict[str, Any]:
     """Return as data for JSON why a combination has no certified result."""
     document: dict[str, Any] = {"error": type(error).__name__, "reason": str(error)}
     if isinstance(error, NotConverged):
