@@ -110,7 +110,7 @@ docs: $(VENV)/dev.stamp pages ## build the documentation site under out/docs; ev
 lock: $(VENV)/dev.stamp ## update the lock files from pyproject.toml
 	$(COMPILE) pyproject.toml -o lock/run.txt
 	$(COMPILE) pyproject.toml --all-extras --group dev --group docs -o lock/dev.txt
-	$(COMPILE) pyproject.toml --extra mesh --extra app --extra dxf --extra ifc --extra tables --extra exchange --extra study --constraint lock/dev.txt -o lock/image.txt
+	$(COMPILE) pyproject.toml --extra mesh --extra app --extra dxf --extra ifc --extra tables --extra exchange --extra mcp --extra study --constraint lock/dev.txt -o lock/image.txt
 	$(COMPILE) --group build --constraint lock/dev.txt -o lock/build.txt
 	$(COMPILE) --group node -o lock/node.txt
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -127,3 +128,20 @@ def check_slowly(document: Document, folder: Path | None = None) -> CheckResult:
     while "# slow" in document.text:
         time.sleep(0.005)
     return parsing.check(document, folder)
+
+
+def wait_forever(tell: Callable[[str], None]) -> None:
+    """Tell the number of this process, and then wait for what never comes: a task of an assistant."""
+    tell(str(os.getpid()))
+    threading.Event().wait()
+
+
+def end_at_once(_: Callable[[str], None]) -> None:
+    """End this process: a task of an assistant."""
+    os._exit(3)
+
+
+def print_and_fail(_: Callable[[str], None]) -> None:
+    """Print to standard output, which is not a task's to use, and fail: a task of an assistant."""
+    print("noise", flush=True)
+    raise ZeroDivisionError("by zero")

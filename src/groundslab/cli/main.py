@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
-from groundslab.cli import case, compare_ground, console, ifc, import_reactions, plot, propose_bars, saf, solve, study
+from groundslab.cli import case, compare_ground, console, ifc, import_reactions, mcp, plot, propose_bars, saf, solve, study
 from groundslab.errors import EditedFilesKept, GroundslabError, InputError, Issue, NoEquilibrium, NotConverged
 
 if TYPE_CHECKING:
@@ -157,6 +157,9 @@ def _parser() -> argparse.ArgumentParser:
     verify = _command(commands, "verify", _verify, "solve cases with known answers and compare")
     verify.add_argument("names", nargs="*", metavar="NAME", help="cases to run (default: all)")
     verify.add_argument("--list", action="store_true", help="print the names of the cases and stop")
+
+    meaning = "let assistants check, solve and read cases in one folder (Model Context Protocol)"
+    mcp.describe(_command(commands, "mcp", mcp.run, meaning))
 
     _command(commands, "schema", case.print_schema, "print the JSON schema of a case file")
     return parser

@@ -44,6 +44,7 @@ def no_work(monkeypatch: pytest.MonkeyPatch) -> None:
         ("openpyxl", ["import-saf", "house.xlsx"], "exchange"),
         ("ifcopenshell", ["import-ifc", "house.ifc"], "ifc"),
         ("openpyxl", ["export-saf", "slab-results"], "exchange"),
+        ("mcp", ["mcp", "."], "mcp"),
     ],
 )
 def test_a_missing_package_is_named_before_results_are_read(

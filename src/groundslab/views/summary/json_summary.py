@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from groundslab.views.summary.combinations import Entry, Extreme
     from groundslab.views.summary.rows import Row, SummarySection
 
-#: The version of the interface, of all documents in ``views.interface``: it grows when a key changes its name or meaning.
+#: The version of the interface, of all documents in ``views.interface``; it grows when a key changes name or meaning.
 FORMAT = 2
 
 

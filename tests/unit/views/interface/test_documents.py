@@ -21,7 +21,7 @@ from helpers.studies import write
 
 jsonschema = pytest.importorskip("jsonschema")
 
-#: Two combinations of a pad of 75 kN; under 100 kN with 300 kNm the resultant leaves it, so nothing balances the second.
+#: A pad of 75 kN; under 100 kN with 300 kNm the resultant leaves it, so nothing balances the second combination.
 PAD = """title = "Pad"
 plate = { length_x = "3 m", length_y = "2 m", thickness = "0.5 m", E = "33 GPa", nu = 0.2 }
 ground = { kind = "winkler", k = "30 MPa/m" }
@@ -214,11 +214,12 @@ def test_one_version_and_every_shape_has_words() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("folder")
 @pytest.mark.parametrize(
     "name",
     ["pad", "table1", "tank", "ribbed_raft", "industrial_floor", "us_mat", "raft_on_continuum", "cracked_footing"],
 )
-def test_examples(name: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_examples(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     """Check, summary and tables of examples with different ground, structure and codes."""
     case = str(ROOT / "examples" / f"{name}.toml")
     validate(run(capsys, "check", case)[1], "check")
