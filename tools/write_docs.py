@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import argparse
 import json
+import tempfile
 from pathlib import Path
+from typing import Any
 
 from compare_generations import table as generations
 from draw_imports import diagram
@@ -13,6 +15,12 @@ from groundslab.cli import main
 from groundslab.model.model import docs_table, json_schema
 from groundslab.study.definition import schema
 from groundslab.views.interface import shapes
+from groundslab.workbench.events import Hub
+from groundslab.workbench.server.public import openapi
+from groundslab.workbench.server.routes import create_app
+from groundslab.workbench.server.session import Session
+from groundslab.workbench.server.tickets import Tickets
+from groundslab.workbench.solver.thread import Solver
 
 DOCS = Path(__file__).resolve().parent.parent / "docs"
 
@@ -30,7 +38,19 @@ def contents() -> dict[Path, str]:
             DOCS / "interface" / f"{name}.schema.json": json.dumps(shapes.json_schema(name), indent=2) + "\n"
             for name in shapes.DOCUMENTS
         },
+        DOCS / "interface" / "openapi.json": json.dumps(interface_of_server(), indent=2) + "\n",
     }
+
+
+def interface_of_server() -> dict[str, Any]:
+    """Return the description of the workbench's public routes."""
+    hub = Hub()
+    with tempfile.TemporaryDirectory(prefix="groundslab-") as state:
+        session = Session(hub, Solver(hub.publish, prepare=None), Path(state), "")
+        try:
+            return openapi(create_app(session, Tickets(), 0, "").app)
+        finally:
+            session.close()
 
 
 def solved() -> dict[Path, str]:

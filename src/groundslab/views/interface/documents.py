@@ -7,13 +7,13 @@ interface; docs/interface.md explains them.
 from __future__ import annotations
 
 import json
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.schema.wording import listed, quote, suggestion
-from groundslab.views.summary.json_summary import case_to_json, design, header, refusal
+from groundslab.views.summary.json_summary import case_to_json, design, header, refusal, to_json
 
 if TYPE_CHECKING:
     from groundslab.design.tables.table import Cell, Table
@@ -91,6 +91,12 @@ def to_text(document: Mapping[str, Any]) -> str:
     """Return a document as text."""
     # numbers of NumPy look like Python's; JSON knows the latter only
     return json.dumps(document, indent=2, allow_nan=False, default=lambda number: number.item())
+
+
+#: Documents about results by their names.
+DOCUMENTS: dict[str, Callable[[Results], dict[str, Any]]] = {
+    "summary": to_json, "design": design_to_json, "tables": tables_to_json,
+}  # fmt: skip
 
 
 def _check(file: str, status: str) -> dict[str, Any]:

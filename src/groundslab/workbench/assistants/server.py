@@ -114,10 +114,11 @@ def create_server(root: Path) -> MCPServer:
     tools = Tools(root)
     reads = ToolAnnotations(read_only_hint=True, open_world_hint=False)
     writes = ToolAnnotations(read_only_hint=False, destructive_hint=False, idempotent_hint=True, open_world_hint=False)
-    for tool in (tools.check, tools.checks, tools.tables):
-        server.add_tool(tool, annotations=reads)
-    for tool in (tools.solve, tools.plot):
-        server.add_tool(tool, annotations=writes)
+    server.add_tool(tools.check, annotations=reads)
+    server.add_tool(tools.solve, annotations=writes)
+    server.add_tool(tools.checks, annotations=reads)
+    server.add_tool(tools.tables, annotations=reads)
+    server.add_tool(tools.plot, annotations=writes)
     return server
 
 

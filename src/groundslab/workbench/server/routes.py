@@ -22,6 +22,7 @@ from groundslab.workbench.editing import diagnostics
 from groundslab.workbench.persistence import files
 from groundslab.workbench.server.case_file import Conflict, OpenElsewhere
 from groundslab.workbench.server.help_routes import add_documentation_routes, add_example_routes
+from groundslab.workbench.server.public import Run, add_document_route, describe
 from groundslab.workbench.server.security import Guard
 from groundslab.workbench.server.session import Session, State
 from groundslab.workbench.server.tickets import Tickets
@@ -115,6 +116,7 @@ def create_app(session: Session, tickets: Tickets, port: int, token: str, static
     _add_document_routes(app, session)
     _add_import_routes(app, session)
     _add_solver_routes(app, session)
+    _add_file_routes(app, session)
     _add_table_routes(app, session.analyses.solver, session.analyses.comparer)
     add_example_routes(app, session)
     return guard_app(app, tickets, port, token, static)
@@ -182,11 +184,11 @@ def _add_ticket_routes(app: FastAPI, tickets: Tickets, token: str) -> None:
 
 def _add_document_routes(app: FastAPI, session: Session) -> None:
     """Add the routes of the document and its file."""
-    app.get("/api/state")(session.get_state)
+    app.get("/api/state", **describe("The document: its text, its version, its issues"))(session.get_state)
     app.get("/api/files")(session.list_folder)
     add_schema_route(app)
 
-    @app.post("/api/edits")
+    @app.post("/api/edits", **describe("Edit the document: op set, add, remove or rename at a path, or text for all"))
     def edit(body: Edits) -> State:
         session.editor.edit(body.edits, body.text, body.base, body.merge)
         return session.get_state()
@@ -211,12 +213,12 @@ def _add_document_routes(app: FastAPI, session: Session) -> None:
         session.new()
         return session.get_state()
 
-    @app.post("/api/save")
+    @app.post("/api/save", **describe("Save the document"))
     def save(body: Save) -> State:
         session.save(body.file, body.over)
         return session.get_state()
 
-    @app.post("/api/open")
+    @app.post("/api/open", **describe("Open a case file"))
     def open_file(body: Open) -> State:
         session.open(body.file)
         return session.get_state()
@@ -254,7 +256,7 @@ def _add_import_routes(app: FastAPI, session: Session) -> None:
 def add_schema_route(app: FastAPI) -> None:
     """Add the schema of a case file."""
 
-    @app.get("/api/schema")
+    @app.get("/api/schema", **describe("The JSON schema of a case file"))
     @cache
     def get_schema() -> JSONResponse:
         return JSONResponse(json_schema())
@@ -265,11 +267,11 @@ def _add_solver_routes(app: FastAPI, session: Session) -> None:
     analyses = session.analyses
     schedule = analyses.solver.schedule
 
-    @app.post("/api/solve")
+    @app.post("/api/solve", **describe("Solve the document at once; returns the number of the run"))
     def solve() -> dict[str, int]:
         return {"run": session.solve()}
 
-    @app.post("/api/cancel")
+    @app.post("/api/cancel", **describe("Stop the run in progress"))
     def cancel() -> dict[str, Any]:
         analyses.solver.cancel()
         return {}
@@ -279,7 +281,7 @@ def _add_solver_routes(app: FastAPI, session: Session) -> None:
         analyses.set_autosolve(body.on)
         return {}
 
-    @app.get("/api/events")
+    @app.get("/api/events", **describe("What happens: progress, solved, refused, ...", None, "text/event-stream"))
     async def stream_events() -> StreamingResponse:
         return StreamingResponse(session.hub.listen(session.get_current_events), media_type="text/event-stream")
 
@@ -303,8 +305,21 @@ def _add_solver_routes(app: FastAPI, session: Session) -> None:
         result = schedule.results.get(run)
         return respond_not_kept() if result is None else JSONResponse(result.answer.summary)
 
-    @app.get("/api/results/{run}/report")
-    def get_report(run: int) -> Response:
+
+def _add_file_routes(app: FastAPI, session: Session) -> None:
+    """Add the routes of what is made of the results of a run."""
+    analyses = session.analyses
+    schedule = analyses.solver.schedule
+
+    def get_document(run: int, name: str) -> Response:
+        if schedule.results.get(run) is None:
+            return respond_not_kept()
+        return Response(analyses.solver.make_view(("document", run, name)), media_type="application/json")
+
+    add_document_route(app, get_document)
+
+    @app.get("/api/results/{run}/report", **describe("The report of a run", None, "text/html"))
+    def get_report(run: Run) -> Response:
         name, content = analyses.write_report(run, session.file.path or UNTITLED)
         return respond_download(name, content, "text/html; charset=utf-8")
 
@@ -313,8 +328,8 @@ def _add_solver_routes(app: FastAPI, session: Session) -> None:
         text = analyses.propose_bars(run, session.file.path or UNTITLED)
         return Response(text, media_type="text/plain; charset=utf-8")
 
-    @app.get("/api/results/{run}/archive")
-    def get_archive(run: int) -> Response:
+    @app.get("/api/results/{run}/archive", **describe("Case, results, figures and report", None, "application/zip"))
+    def get_archive(run: Run) -> Response:
         name, content = analyses.write_archive(run, session.file.path or UNTITLED)
         return respond_download(name, content, "application/zip")
 

@@ -15,6 +15,7 @@ from groundslab.errors import InputError, Issue
 from groundslab.results.results import refusal_words
 from groundslab.views.files import archive, results_folder
 from groundslab.workbench.events import Event, Hub
+from groundslab.workbench.server.public import add_document_route
 from groundslab.workbench.server.routes import (
     STATIC,
     add_error_handlers,
@@ -110,6 +111,12 @@ class ResultsView:
         provisional = provisional_words(self._results)
         return [("solved", about | {"refused": refused, "provisional": provisional, "update": 0})]
 
+    def write_document(self, name: str) -> str:
+        """Return one of the documents for other programs."""
+        from groundslab.views.interface.documents import DOCUMENTS, to_text
+
+        return to_text(DOCUMENTS[name](self._results))
+
     def write_report(self) -> tuple[str, bytes]:
         """Return a name for the report on the results, and its content, which is made once."""
         from groundslab.views import report
@@ -152,6 +159,13 @@ def create_view_app(view: ResultsView, tickets: Tickets, port: int, token: str, 
 
         exists = run == ONLY and name in view.tables
         return JSONResponse(table_to_json(name, view.tables[name]())) if exists else respond_not_kept()
+
+    def get_document(run: int, name: str) -> Response:
+        if run != ONLY:
+            return respond_not_kept()
+        return Response(view.write_document(name), media_type="application/json")
+
+    add_document_route(app, get_document)
 
     @app.get("/api/results/{run}/report")
     def get_report(run: int) -> Response:

@@ -1,12 +1,12 @@
 """The process that solves: it is kept warm, and stops a run between two steps of the analysis.
 
-It receives ("solve", run, text, shown, before), ("report", run, file), ("archive", run, file), ("table", run, name) and
-("bars", run, folder)
-from ``Worker`` through a pipe. It sends ("ready",) when it can receive, ("warm",) when it has warmed up, ("progress",
-run, text, share), ("preview", run, words, figures) followed by the bytes of a scene, ("provisional", run, answer) and
-("solved", run, answer) followed by the bytes of the scene, ("refused", run, message, issues), ("stopped", run),
-("making", run, title, share) while a report is made, and ("view", message, error) in answer to the last three, followed
-by the bytes that were asked for if the error is empty. These are answered between two steps of a run, too.
+It receives ("solve", run, text, shown, before), ("report", run, file), ("archive", run, file), ("table", run, name),
+("document", run, name) and ("bars", run, folder) from ``Worker`` through a pipe. It sends ("ready",) when it can
+receive, ("warm",) when it has warmed up, ("progress", run, text, share), ("preview", run, words, figures) followed by
+the bytes of a scene, ("provisional", run, answer) and ("solved", run, answer) followed by the bytes of the scene,
+("refused", run, message, issues), ("stopped", run), ("making", run, title, share) while a report is made, and ("view",
+message, error) in answer to all but the first, followed by the bytes that were asked for if the error is empty. These
+are answered between two steps of a run, too.
 """
 
 from __future__ import annotations
@@ -369,8 +369,15 @@ def _write_table(solved: Solved, name: str, _: Told | None = None) -> bytes:
     return json.dumps(table_to_json(name, solved.tables[name]()), allow_nan=False).encode()
 
 
+def _write_document(solved: Solved, name: str, _: Told) -> bytes:
+    """Return one of the documents for other programs."""
+    from groundslab.views.interface.documents import DOCUMENTS, to_text
+
+    return to_text(DOCUMENTS[name](solved.results)).encode()
+
+
 #: What writes each kind of view.
 WRITERS: dict[str, Callable[[Solved, str, Told], bytes]] = {
     "report": _write_report, OUTDATED: _write_outdated_report, "archive": _write_archive, "table": _write_table,
-    "bars": _write_bars,
+    "bars": _write_bars, "document": _write_document,
 }  # fmt: skip

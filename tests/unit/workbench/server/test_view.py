@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import json
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from groundslab.case import casefile
 from groundslab.cli import main
 from groundslab.errors import InputError
 from groundslab.views.files import archive
+from groundslab.views.interface import documents
 from groundslab.views.scene.binary import pack
 from groundslab.views.scene.fields import scene_of
 from groundslab.workbench.solver.summary import build_summary
@@ -28,6 +30,7 @@ from groundslab.workbench.server.view import ResultsView, create_view_app
 PORT, TOKEN = 8765, "secret"
 HOST = ("host", f"127.0.0.1:{PORT}")
 GOOD = [HOST, ("x-groundslab-token", TOKEN)]
+PARTS = ("scene", "summary", "documents/tables", "report")
 
 
 @pytest.fixture(scope="module")
@@ -56,23 +59,23 @@ def test_the_answers_are_those_of_the_workbench(kept: Path, solved: groundslab.R
     assert ("# The comment" in state["text"]) == kept.is_file()
     assert asgi.ask(app, "GET", "/api/results/1/summary", GOOD).json() == build_summary(solved)
     assert asgi.ask(app, "GET", "/api/results/1/scene", GOOD).content == pack(scene_of(solved))
+    for name, document in documents.DOCUMENTS.items():
+        assert asgi.ask(app, "GET", f"/api/results/1/documents/{name}", GOOD).json() == json.loads(
+            documents.to_text(document(solved))
+        )
     report = asgi.ask(app, "GET", "/api/results/1/report", GOOD)
     assert report.content.startswith(b"<!doctype html>") or b"<html" in report.content[:300]
     assert "slab-results-report.html" in report.headers["content-disposition"]
     [(name, about)] = view.get_current_events()
     assert (name, about["run"], about["seconds"]) == ("solved", 1, None)
-    assert [asgi.ask(app, "GET", f"/api/results/2/{part}", GOOD).status for part in ("scene", "summary", "report")] == [
-        404,
-        404,
-        404,
-    ]
+    assert [asgi.ask(app, "GET", f"/api/results/2/{part}", GOOD).status for part in PARTS] == [404] * len(PARTS)
     assert sorted(tmp_path.rglob("*")) == before
 
 
 def test_others_are_refused_and_nothing_changes(solved: groundslab.Results, tmp_path: Path) -> None:
     """The guard stands before every route; there is none that edits, opens, saves or solves."""
     app = create_view_app(ResultsView("slab", solved, TEXT, None), Tickets(), PORT, TOKEN, tmp_path)
-    paths = ["state", "schema", "events", *(f"results/1/{part}" for part in ("scene", "summary", "report"))]
+    paths = ["state", "schema", "events", *(f"results/1/{part}" for part in PARTS)]
     wrong: list[Headers] = [[HOST], [HOST, ("x-groundslab-token", "guess")], [("host", "evil.example"), GOOD[1]]]
     wrong += [[*GOOD, ("origin", "http://evil.example")], [*GOOD, ("sec-fetch-site", "cross-site")]]
     for path in paths:
