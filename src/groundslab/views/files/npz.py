@@ -54,11 +54,32 @@ CELLS = "ground.cells"
 REDUCTIONS = ("moment_reduction", "shear_reduction")
 
 
+class OtherLayout(InputError):
+    """An archive has a layout of another version, whose arrays have other names or meanings.
+
+    Parameters
+    ----------
+    path : pathlib.Path
+        The archive.
+    layout : int
+        Its layout.
+    version : str
+        The version of groundslab that wrote it.
+    """
+
+    def __init__(self, path: Path, layout: int, version: str) -> None:
+        newer = layout > FORMAT
+        hint = "solve the case.toml of the folder again" + (", or read it with a newer groundslab" if newer else "")
+        found = f"results of groundslab {version[:40]} in layout {layout}"
+        super().__init__([Issue(str(path), found, f"layout {FORMAT}, which groundslab {__version__} reads", hint)])
+
+
 @dataclass(frozen=True, slots=True)
 class _Layout:
     """What every version of an archive says of itself."""
 
     format: int
+    version: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,7 +170,7 @@ def load(path: Path, alike: CombinationResult | None = None) -> CombinationResul
     try:
         if not stat.S_ISREG(path.stat().st_mode):
             raise _refusal(path, "something that is not a file")
-        return _results(_stored(path), alike)
+        return _results(_stored(path), alike, path)
     except InputError as error:
         if error.issues[0].location == str(path):
             raise
@@ -200,24 +221,24 @@ def _adapters() -> tuple[TypeAdapter[_Layout], TypeAdapter[_About]]:
     return TypeAdapter(_Layout), TypeAdapter(_About)
 
 
-def _read_about(text: str) -> _About:
-    """Return the metadata in the JSON text; raises ValueError, which names the first invalid value."""
+def _read_about(text: str, path: Path) -> _About:
+    """Return the metadata in the JSON text; raises OtherLayout, and ValueError, which names the first invalid value."""
     from pydantic import ValidationError
 
     layout, about = _adapters()
     try:
-        version = layout.validate_json(text, strict=True).format
-        if version != FORMAT:
-            raise ValueError(f"layout {version}, while this version reads {FORMAT}")
+        stated = layout.validate_json(text, strict=True)
+        if stated.format != FORMAT:
+            raise OtherLayout(path, stated.format, stated.version)
         return about.validate_json(text, strict=True)
     except ValidationError as error:
         first = error.errors(include_url=False, include_input=False)[0]
         raise ValueError(f"about.{'.'.join(map(str, first['loc']))}: {first['msg']}") from None
 
 
-def _results(arrays: dict[str, Any], alike: CombinationResult | None) -> CombinationResult:
+def _results(arrays: dict[str, Any], alike: CombinationResult | None, path: Path) -> CombinationResult:
     """Return the results that the arrays of an archive stand for; raises ValueError if they cannot be results."""
-    about = _read_about(str(arrays["about"]))
+    about = _read_about(str(arrays["about"]), path)
     if alike is not None:
         known = _arrays("", alike)
         arrays |= {

@@ -223,6 +223,8 @@ def _one(path: Path) -> Results:
     archived = path / "results.npz"
     try:
         return results_of(npz.load(archived))
+    except npz.OtherLayout:
+        raise
     except InputError as error:
         raise _not_ours(archived, f"a combination that is wrong ({error.issues[0]})") from error
 
