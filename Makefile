@@ -2,11 +2,17 @@
 PYTHON ?= python3
 VENV   := .venv
 OLDEST := .venv-oldest
+# all but mcp, which asks for newer packages than groundslab itself
+EXTRAS := app cholmod dxf exchange mesh netgen pdf study tables viz
 TRIAL  := .venv-dist
 BILL   := .venv-bill
 SCRIPTS := $(if $(filter Windows_NT,$(OS)),Scripts,bin)
 BIN    := $(VENV)/$(SCRIPTS)
 JOBS   ?= 2
+# versions of Python on which the wheel is tried; uv finds those of this machine, and fetches others
+PYTHONS ?= 3.11 3.12 3.13 3.14
+# cases that dist-pythons verifies, such as CASES="beam paper"; all if there are none
+CASES  ?=
 # options for the bench, such as BENCH=--resume
 BENCH  ?=
 
@@ -17,7 +23,7 @@ PYTEST    := OMP_NUM_THREADS=1 $(BIN)/python -m pytest -n $(JOBS)
 WITH_NODE := PATH="$$PWD/$(BIN):$$PATH"
 COMPILE   := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-emit-index-url --no-annotate --no-strip-extras
 
-.PHONY: demo verify verify-light docs test test-fast test-slow test-solvers test-oldest coverage lint types check lock pages pages-test dist dist-test licenses bench clean help
+.PHONY: demo verify verify-light docs test test-fast test-slow test-solvers test-oldest coverage lint types check lock pages pages-test dist dist-test dist-pythons licenses bench clean help
 
 help:                   ## list the targets
 	@sed -n 's/^\([a-z-]*\): .*## /\1\t/p' $(MAKEFILE_LIST)
@@ -67,7 +73,7 @@ test-solvers: $(VENV)/dev.stamp pages ## the fast tests with each solver that ca
 
 test-oldest: $(VENV)/dev.stamp pages ## the fast tests with the oldest dependencies that pyproject.toml allows
 	$(BIN)/uv venv --quiet --clear --python $(BIN)/python $(OLDEST)
-	$(BIN)/uv pip install --quiet --python $(OLDEST) --resolution lowest-direct --all-extras --group dev -r pyproject.toml
+	$(BIN)/uv pip install --quiet --python $(OLDEST) --resolution lowest-direct $(EXTRAS:%=--extra %) --group dev -r pyproject.toml
 	PYTHONPATH=src OMP_NUM_THREADS=1 $(OLDEST)/$(SCRIPTS)/python -m pytest -n $(JOBS) -m "not slow" -W ignore::DeprecationWarning
 
 pages: $(VENV)/run.stamp ## build the pages of report and workbench, if older than web/
@@ -88,6 +94,16 @@ dist-test: dist $(VENV)/dev.stamp ## check both, install each without the reposi
 	  $(TRIAL)/$(SCRIPTS)/python -m pip install $(QUIET) --force-reinstall --no-deps --no-build-isolation $$file; \
 	  $(TRIAL)/$(SCRIPTS)/groundslab solve examples/table1.toml --quiet --out out/dist; \
 	  $(TRIAL)/$(SCRIPTS)/groundslab report out/dist; \
+	done
+
+dist-pythons: dist $(VENV)/dev.stamp ## install the wheel alone on each version of Python, print its size, solve, report and verify
+	set -e; for version in $(PYTHONS); do \
+	  $(BIN)/uv venv --quiet --clear --python $$version $(TRIAL); \
+	  $(BIN)/uv pip install --quiet --python $(TRIAL) dist/*.whl; \
+	  echo "Python $$version: $$(du -sm $(TRIAL) | cut -f1) MB"; \
+	  $(TRIAL)/$(SCRIPTS)/groundslab solve examples/table1.toml --quiet --out out/dist; \
+	  $(TRIAL)/$(SCRIPTS)/groundslab report out/dist; \
+	  $(TRIAL)/$(SCRIPTS)/groundslab verify $(CASES) > /dev/null; \
 	done
 
 licenses: dist $(VENV)/dev.stamp ## install the wheel with all extras, list the licenses, write a bill of materials (CycloneDX)

@@ -6,12 +6,13 @@ Each task is called with a function that tells how it goes on, the folder, and t
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab.case import casefile
-from groundslab.errors import InputError, Issue
+from groundslab.errors import EditedFilesKept, GroundslabError, InputError, Issue, NotCertified
 from groundslab.views.interface import documents
 from groundslab.workbench.assistants.confinement import require_below, resolve, resolve_case, resolve_results
 
@@ -60,11 +61,12 @@ def solve(tell: Tell, root: Path, case: str, out: str, full: bool) -> dict[str, 
         tell(count.words() + line(step))
 
     results = solve_combinations(model, on_step, on_combination, lambda _: count.begin_mesh())
-    uncertified = any(error.__class__.__name__ == "NotCertified" for error in results.unsolved.values())
-    if results.results or results.without_equilibrium or uncertified:
-        tell("results are written")
-        results_folder.save_results(results, target)
     summary = to_json(results)
+    if results.results or results.without_equilibrium or any(map(_is_inspected, results.unsolved.values())):
+        tell("results are written")
+        with warnings.catch_warnings(record=True, action="always", category=EditedFilesKept) as kept:
+            results_folder.save_results(results, target)
+        summary["remarks"] += [str(warning.message) for warning in kept]
     return summary if full else _shorten(summary)
 
 
@@ -97,6 +99,11 @@ def plot(_: Tell, root: Path, results: str, file: str, request: dict[str, Any]) 
     plots.write(parse_request(load_results(folder), **request), target)
     content = target.read_bytes() if target.suffix.lower() == ".png" else b""
     return target.relative_to(root).as_posix(), content if len(content) <= MAX_PICTURE else b""
+
+
+def _is_inspected(error: GroundslabError) -> bool:
+    """Return whether results that are refused are written all the same, to be inspected."""
+    return isinstance(error, NotCertified)
 
 
 def _read(root: Path, path: Path, name: str) -> Model:

@@ -21,6 +21,7 @@ import anyio
 from mcp import Client, MCPError
 from mcp.client.stdio import StdioServerParameters
 
+from groundslab.workbench.assistants import tasks
 from groundslab.workbench.assistants.process import TaskRefused, run
 
 #: A slab that takes long enough to be cancelled: a fine mesh, of which the first step is told early.
@@ -87,6 +88,15 @@ def test_every_tool(root: Path) -> None:
     assert [table["name"] for table in document(answers["tables"])["tables"]] == ["extremes", "tilt"]
     assert told[0].endswith("begins")
     assert sorted(path.name for path in root.iterdir()) == ["slab-results", "slab.toml", "w.png"]
+
+
+def test_edited_results_are_kept_and_told(root: Path) -> None:
+    """The summary says in its remarks where a file is kept that somebody had edited."""
+    assert tasks.solve(lambda _: None, root, "slab.toml", "", False)["remarks"] == []
+    with (root / "slab-results" / "case.toml").open("a", encoding="utf-8") as file:
+        file.write("# a note\n")
+    (remark,) = tasks.solve(lambda _: None, root, "slab.toml", "", False)["remarks"]
+    assert "slab-results-edited" in remark
 
 
 @pytest.mark.slow
