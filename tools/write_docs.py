@@ -34,12 +34,14 @@ def contents() -> dict[Path, str]:
         DOCS / "groundslab.schema.json": json.dumps(json_schema(), indent=2) + "\n",
         DOCS / "study.md": _page("study.md", keys=schema.docs_table(), kept=schema.outputs_table()),
         DOCS / "study.schema.json": json.dumps(schema.json_schema(), indent=2) + "\n",
-        **{
-            DOCS / "interface" / f"{name}.schema.json": json.dumps(shapes.json_schema(name), indent=2) + "\n"
-            for name in shapes.DOCUMENTS
-        },
-        DOCS / "interface" / "openapi.json": json.dumps(interface_of_server(), indent=2) + "\n",
     }
+
+
+def interface() -> dict[Path, str]:
+    """Return what the schemas for other programs should hold, whose wording depends on the libraries' versions."""
+    made = {f"{name}.schema.json": shapes.json_schema(name) for name in shapes.DOCUMENTS}
+    made["openapi.json"] = interface_of_server()
+    return {DOCS / "interface" / name: json.dumps(schema, indent=2) + "\n" for name, schema in made.items()}
 
 
 def interface_of_server() -> dict[str, Any]:
@@ -92,6 +94,6 @@ def _page(name: str, **parts: str) -> str:
 
 
 if __name__ == "__main__":
-    for path, text in {**contents(), **solved()}.items():
+    for path, text in {**contents(), **interface(), **solved()}.items():
         path.write_text(text, encoding="utf-8")
         print(path)

@@ -18,7 +18,7 @@ def test_the_interface_is_current() -> None:
     locked = dict(re.findall(r"^(fastapi|pydantic)==([\d.]+)", (ROOT / "lock" / "dev.txt").read_text("utf-8"), re.M))
     if {name: metadata.version(name) for name in locked} != locked:
         pytest.skip("other versions of fastapi or pydantic word schemas in other ways")
-    made = {path: text for path, text in write_docs.contents().items() if path.parent == DOCS / "interface"}
+    made = write_docs.interface()
     assert set(made) == set((DOCS / "interface").glob("*.json"))
     assert len(made) > 4
     for path, text in made.items():

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from groundslab.case import casefile
 from groundslab.errors import InputError
-from groundslab.views.interface import documents
+from groundslab.views.interface.documents import issues_to_json
+from groundslab.views.summary.json_summary import case_to_json, header
+
+if TYPE_CHECKING:
+    from groundslab.model.model import Model
 
 
 def check_file(path: Path, name: str) -> dict[str, Any]:
@@ -17,7 +21,41 @@ def check_file(path: Path, name: str) -> dict[str, Any]:
         if "sampling" in tables:
             from groundslab import study
 
-            return documents.check_study(study.describe_file(path), name)
-        return documents.check_case(casefile.from_table(tables, path.parent), name)
+            return _begin(name, "fine") | {"kind": "study", "description": study.describe_file(path)}
+        return check_case(casefile.from_table(tables, path.parent), name)
     except InputError as error:
-        return documents.refuse_case(error, name)
+        return refuse_file(error, name)
+
+
+def check_case(model: Model, case: str) -> dict[str, Any]:
+    """Check a model without solving it and return what was found; raises InputError as `groundslab.check` does."""
+    from groundslab.analysis.check import check, find_unbalanced
+    from groundslab.model.combinations import list_combinations
+    from groundslab.model.remarks.case_use import case_uses
+    from groundslab.model.remarks.remarks import find_remarks
+
+    check(model)
+    lost = find_unbalanced(model)
+    combinations = list_combinations(model)
+    return _begin(case, "no equilibrium" if lost else "fine") | {
+        "kind": "case",
+        "title": model.title,
+        "ground": model.ground.kind,
+        "plates": len(model.every_plate),
+        "loads": len(model.loads),
+        "cases": [case_to_json(use) for use in case_uses(model, combinations)],
+        "combinations": [
+            {"name": each.name, "limit_state": each.limit_state, "factors": dict(each.factors)} for each in combinations
+        ],
+        "without_equilibrium": {name: str(error) for name, error in lost.items()},
+        "remarks": [remark.words for remark in find_remarks(model, combinations)],
+    }
+
+
+def refuse_file(error: InputError, name: str) -> dict[str, Any]:
+    """Return the check of a file that describes no case or study, with all its issues."""
+    return _begin(name, "wrong input") | {"issues": issues_to_json(error)}
+
+
+def _begin(file: str, status: str) -> dict[str, Any]:
+    return header() | {"file": file, "status": status, "issues": []}

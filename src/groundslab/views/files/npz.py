@@ -79,7 +79,7 @@ class _Layout:
     """What every version of an archive says of itself."""
 
     format: int
-    version: str
+    version: str = ""
 
 
 @dataclass(frozen=True, slots=True)

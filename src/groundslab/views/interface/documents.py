@@ -1,59 +1,24 @@
-"""Documents for other programs: the check of a case, the design of results, their tables, an error.
+"""Documents for other programs: the design of results, their tables, an error.
 
-The summary of results is the fifth (``views.summary.json_summary``). All have the same header with the version of the
-interface; docs/interface.md explains them.
+Two are elsewhere: the summary of results (``views.summary.json_summary``), and the check of a case or study file, which
+needs no results (``study.check``). All have the same header with the version of the interface; docs/interface.md
+explains them.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import GroundslabError, InputError, Issue
 from groundslab.schema.wording import listed, quote, suggestion
-from groundslab.views.summary.json_summary import case_to_json, design, header, refusal, to_json
+from groundslab.views.summary.json_summary import design, header, refusal, to_json
 
 if TYPE_CHECKING:
     from groundslab.design.tables.table import Cell, Table
-    from groundslab.model.model import Model
     from groundslab.results.results import Results
-
-
-def check_case(model: Model, case: str) -> dict[str, Any]:
-    """Check a model without solving it and return what was found; raises InputError as `analysis.check.check` does."""
-    from groundslab.analysis.check import check, find_unbalanced
-    from groundslab.model.combinations import list_combinations
-    from groundslab.model.remarks.case_use import case_uses
-    from groundslab.model.remarks.remarks import find_remarks
-
-    check(model)
-    lost = find_unbalanced(model)
-    combinations = list_combinations(model)
-    return _check(case, "no equilibrium" if lost else "fine") | {
-        "kind": "case",
-        "title": model.title,
-        "ground": model.ground.kind,
-        "plates": len(model.every_plate),
-        "loads": len(model.loads),
-        "cases": [case_to_json(use) for use in case_uses(model, combinations)],
-        "combinations": [
-            {"name": each.name, "limit_state": each.limit_state, "factors": dict(each.factors)} for each in combinations
-        ],
-        "without_equilibrium": {name: str(error) for name, error in lost.items()},
-        "remarks": [remark.words for remark in find_remarks(model, combinations)],
-    }
-
-
-def check_study(lines: Sequence[str], study: str) -> dict[str, Any]:
-    """Return the check of a study file in which nothing is wrong, described by some lines."""
-    return _check(study, "fine") | {"kind": "study", "description": list(lines)}
-
-
-def refuse_case(error: InputError, case: str) -> dict[str, Any]:
-    """Return the check of a file that describes no case, with all its issues."""
-    return _check(case, "wrong input") | {"issues": _issues(error)}
 
 
 def design_to_json(combined: Results) -> dict[str, Any]:
@@ -81,7 +46,7 @@ def error_to_json(error: Exception) -> dict[str, Any]:
     """Return why there is no other document: kind and message, issues of an input, the history of an iteration."""
     about: dict[str, Any] = {"kind": type(error).__name__, "message": str(error) or "not enough memory", "issues": []}
     if isinstance(error, InputError):
-        about["issues"] = _issues(error)
+        about["issues"] = issues_to_json(error)
     elif isinstance(error, GroundslabError):
         about |= {key: value for key, value in refusal(error).items() if key in ("what", "history")}
     return header() | {"error": about}
@@ -99,10 +64,6 @@ DOCUMENTS: dict[str, Callable[[Results], dict[str, Any]]] = {
 }  # fmt: skip
 
 
-def _check(file: str, status: str) -> dict[str, Any]:
-    return header() | {"file": file, "status": status, "issues": []}
-
-
 def _about(combined: Results) -> dict[str, Any]:
     """Return which results they are, and whether they may be used."""
     return {
@@ -112,7 +73,7 @@ def _about(combined: Results) -> dict[str, Any]:
     }
 
 
-def _issues(error: InputError) -> list[dict[str, str]]:
+def issues_to_json(error: InputError) -> list[dict[str, str]]:
     """Return the issues of an input."""
     return [
         {"location": issue.location, "found": issue.found, "expected": issue.expected, "hint": issue.hint}

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from groundslab.case import casefile
 from groundslab.errors import EditedFilesKept, GroundslabError, InputError, Issue, NotCertified
+from groundslab.study.check import check_case, refuse_file
 from groundslab.views.interface import documents
 from groundslab.workbench.assistants.confinement import require_below, resolve, resolve_case, resolve_results
 
@@ -31,9 +32,9 @@ def check(_: Tell, root: Path, case: str) -> dict[str, Any]:
     """Return the check of a case file."""
     path = resolve_case(root, case)
     try:
-        return documents.check_case(_read(root, path, case), case)
+        return check_case(_read(root, path, case), case)
     except InputError as error:
-        return documents.refuse_case(error, case)
+        return refuse_file(error, case)
 
 
 def solve(tell: Tell, root: Path, case: str, out: str, full: bool) -> dict[str, Any]:
