@@ -17,7 +17,19 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
-from groundslab.cli import case, compare_ground, console, ifc, import_reactions, mcp, plot, propose_bars, saf, solve, study
+from groundslab.cli import (
+    case,
+    compare_ground,
+    console,
+    ifc,
+    import_reactions,
+    mcp,
+    plot,
+    propose_bars,
+    saf,
+    solve,
+    study,
+)
 from groundslab.errors import EditedFilesKept, GroundslabError, InputError, Issue, NoEquilibrium, NotConverged
 
 if TYPE_CHECKING:
