@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Annotated, Any, ClassVar, Self
 
 from groundslab.geometry.plan import Place, Ring, Segment
+from groundslab.languages import Language
 from groundslab.model import consistency, varying_ground
 from groundslab.model.design.floors import Floor, check_floor
 from groundslab.model.design.limits import Limits, SoilStrength
@@ -177,6 +178,11 @@ class Model(Section):
     def units(self) -> System:
         """Return the units in which results are shown."""
         return "SI" if self.project is None else self.project.units
+
+    @property
+    def language(self) -> Language:
+        """Return the language in which results are shown."""
+        return "en" if self.project is None else self.project.language
 
     @property
     def ground_carries_shear(self) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, get_args
 
+from groundslab.languages import Language
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.placement import on_plate
 from groundslab.model.plate import Plate
@@ -43,6 +44,13 @@ class Project(Section):
             "United States (kip, ft, in, psf, psi, and bars by number)",
         ),
     ] = "SI"
+    language: Annotated[
+        Language,
+        Choice(
+            Language,
+            "language of the report, summary and headings of tables: English, German, French, Spanish or Polish",
+        ),
+    ] = "en"
 
 
 #: Chapters of the report, in their order.

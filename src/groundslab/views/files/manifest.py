@@ -110,11 +110,11 @@ def files_of(combined: Results, plot: bool) -> tuple[dict[str, Writer], dict[str
 
 def of_all(combined: Results) -> dict[str, Writer]:
     """Return the writers of the files of all combinations together: tables, and envelopes if there is more than one."""
-    from groundslab.design.result_tables import tables_of
     from groundslab.views.files import vtk
+    from groundslab.views.translation import translated_tables
 
     writers: dict[str, Writer] = {
-        f"tables/{table.name}.csv": partial(write_text, text=table.csv()) for table in tables_of(combined)
+        f"tables/{table.name}.csv": partial(write_text, text=table.csv()) for table in translated_tables(combined)
     }
     if len(combined.results) > 1 or (combined.results and combined.model.reinforcement is not None):
         writers["envelope.vtu"] = partial(vtk.write_envelope, combined)

@@ -11,11 +11,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
-from groundslab.design.result_tables import tables_of
 from groundslab.design.tables.table import Table
 from groundslab.optional import import_optional
 from groundslab.results.results import CombinationResult, Results, results_of
 from groundslab.storage import atomic, checksums, ownership
+from groundslab.views.translation import translated_tables
 
 if TYPE_CHECKING:
     from xlsxwriter import Workbook
@@ -65,7 +65,7 @@ def write_workbook(results: CombinationResult | Results, path: str | Path) -> Pa
     with _workbook(content) as book:
         book.set_properties({"title": combined.model.title, "comments": f"{MARK} {__version__}", "created": CREATED})
         bold, plain = book.add_format({"bold": True}), book.add_format({"text_wrap": False})
-        for table in tables_of(combined):
+        for table in translated_tables(combined):
             _add_sheet(book, table, bold, plain)
     checksums.keep_file(target, _is_unchanged)
     atomic.write(target, content.getvalue())

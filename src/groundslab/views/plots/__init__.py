@@ -86,7 +86,7 @@ def plot(
 def write(request: PlotRequest, path: str | Path) -> list[Figure]:
     """Draw a request into a file, a PDF page by page and else on one sheet, and return the figures; none of a DXF."""
     from groundslab.views.plots import export
-    from groundslab.views.plots.style import apply_style, show_in
+    from groundslab.views.plots.style import apply_style, show_for
 
     if export.is_drawing(path):
         from groundslab.views.plots.dxf.plan import draw_plan
@@ -100,7 +100,7 @@ def write(request: PlotRequest, path: str | Path) -> list[Figure]:
     if export.file_format(path) == "pdf":
         with apply_style():
             drawn: list[Figure] = _drawing_module(request).draw_pages(request)
-            figures = [show_in(figure, request.combined.model.units) for figure in drawn]
+            figures = [show_for(figure, request.combined) for figure in drawn]
     else:
         figures = [_sheet(request)]
     export.save(figures, path)
@@ -116,14 +116,14 @@ def write_picture(results: CombinationResult, path: Path) -> None:
 
 def _sheet(request: PlotRequest) -> Figure:
     """Return one sheet with all panels of a request; raises InputError if they are too many."""
-    from groundslab.views.plots.style import apply_style, show_in
+    from groundslab.views.plots.style import apply_style, show_for
 
     count = request.panel_count
     if count > MOST_PANELS:
         hint = "name fewer fields or combinations, or write a PDF, which has pages"
         raise InputError([Issue("combination", f"{count} panels on one sheet", f"at most {MOST_PANELS}", hint)])
     with apply_style():
-        return show_in(_drawing_module(request).draw_sheet(request), request.combined.model.units)
+        return show_for(_drawing_module(request).draw_sheet(request), request.combined)
 
 
 def _drawing_module(request: PlotRequest) -> Any:

@@ -18,6 +18,7 @@ from groundslab._version import __version__
 from groundslab.geometry.plan import format_place
 from groundslab.unit_systems import unit_in, words_in
 from groundslab.units import WHOLE, format_coordinate, format_number
+from groundslab.views.translation import translator_of
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.text import Text
 
+    from groundslab.languages import Translator
+    from groundslab.results.results import Results
     from groundslab.unit_systems import System
 
 Item = TypeVar("Item")
@@ -128,6 +131,32 @@ def label_of_axis(axis: Axis, name: str, low: float) -> str:
     start = KILOMETER * math.floor(low / KILOMETER)
     axis.set_major_formatter(FuncFormatter(lambda value, _: format_coordinate(round(value - start, 6))))
     return f"{name} \N{MINUS SIGN} {start} [m]"
+
+
+def show_for(figure: Figure, results: Results) -> Figure:
+    """Return a figure in the units and the language of a case."""
+    translate = translator_of(results)
+    show_in(figure, results.model.units)
+    if translate is not str:
+        _translate(figure, translate)
+    return figure
+
+
+def _translate(figure: Figure, translate: Translator) -> None:
+    """Put the words of a figure, and the numbers at its axes, into another language."""
+    from matplotlib.text import Text
+    from matplotlib.ticker import FixedFormatter
+
+    figure.draw_without_rendering()
+    for axes in figure.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            places = axis.get_majorticklocs()
+            labels = axis.get_major_formatter().format_ticks([float(place) for place in places])
+            axis.set_ticks(places)
+            axis.set_major_formatter(FixedFormatter([translate(label) for label in labels]))
+    for text in figure.findobj(Text):
+        assert isinstance(text, Text)
+        text.set_text(translate(text.get_text()))
 
 
 def show_in(figure: Figure, units: System) -> Figure:

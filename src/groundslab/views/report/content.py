@@ -159,7 +159,11 @@ def _chapters(
 
 def _title_block(project: Project | None) -> list[tuple[str, str]]:
     """Return the entries of a project that are given, each with its heading."""
-    entries = [] if project is None else [(key.capitalize(), str(value)) for key, value in project if key != "units"]
+    entries = (
+        []
+        if project is None
+        else [(key.capitalize(), str(value)) for key, value in project if key not in ("units", "language")]
+    )
     return [(name if name != "Name" else "Project", value) for name, value in entries if value]
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import base64
 import gzip
 import hashlib
+import json
 import os
 import re
 from contextlib import AbstractContextManager, nullcontext
@@ -18,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 from groundslab._version import __version__
 from groundslab.errors import GroundslabError
+from groundslab.languages import page_messages
 from groundslab.results.results import CombinationResult, Results, results_of
 from groundslab.storage import atomic, checksums
 from groundslab.storage.ownership import check_replaceable, is_page
@@ -27,11 +29,13 @@ from groundslab.views.report.content import build_page
 from groundslab.views.report.table_layout import split_symbol, split_words
 from groundslab.views.scene.binary import pack
 from groundslab.views.scene.fields import scene_of
+from groundslab.views.translation import translate_drawing, translator_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
     from groundslab.analysis.ground_comparison.comparison import GroundComparison
+    from groundslab.languages import Language, Translator
     from groundslab.model.outputs import Chapter
     from groundslab.views.report.pdf import Printer
 
@@ -67,16 +71,21 @@ def render_report(
     from markupsafe import Markup
 
     page = build_page(combined, text, file, chapters, comparison, told)
-    scene, left_out = _scene(combined) if "viewer" in page["chapters"] else ("", [])
+    scene, head = _scene(combined) if "viewer" in page["chapters"] else ("", {})
+    language = combined.model.language
+    messages = _viewer_messages(language, head) if head and language != "en" else ""
     style = read_asset("report.css") + (HERE / "templates" / "page.css").read_text(encoding="utf-8")
-    style += _page_heads(page)
+    style += _page_heads(page, translator_of(combined))
     script = read_asset("report.js")
     return render_page(
         HERE / "templates" / "report.html",
+        translator_of(combined),
+        language,
         page=page,
         remark=remark,
-        left_out=left_out,
+        left_out=head.get("left_out", []),
         scene=scene,
+        messages=Markup(messages),
         style=Markup(style),
         script=Markup(script),
         policy=content_security_policy(style, script),
@@ -209,16 +218,25 @@ def read_asset(name: str) -> str:
     return content
 
 
-def _scene(combined: Results) -> tuple[str, list[str]]:
-    """Return the scene as text, and the combinations that it has no fields of, as few as exceed the size."""
+def _scene(combined: Results) -> tuple[str, Mapping[str, Any]]:
+    """Return the scene as text and its head; as few combinations as exceed the size have no fields in it."""
     most = len(combined.combinations)
     while True:
         scene = scene_of(combined, most)
         text = base64.b64encode(gzip.compress(pack(scene), 6, mtime=0)).decode()
         if len(text) <= MOST_DATA or most <= 1:
-            return text, scene.head["left_out"]
+            return text, scene.head
         # how well data can be compressed is known only now
         most = max(1, min(most - 1, most * MOST_DATA // len(text)))
+
+
+def _viewer_messages(language: Language, head: Mapping[str, Any]) -> str:
+    """Return the messages of the viewer in a language as JSON: its own, and those in the head of the scene."""
+    fields = (field["meaning"] for field in head["fields"])
+    combinations = (combination["name"] for combination in head["combinations"])
+    wanted = {*json.loads(read_asset("messages.json")), *fields, *combinations}
+    # no text ends the element that it stands in
+    return json.dumps(page_messages(language, wanted), ensure_ascii=False).replace("<", "\\u003c")
 
 
 def content_security_policy(style: str, script: str) -> str:
@@ -229,7 +247,7 @@ def content_security_policy(style: str, script: str) -> str:
     )
 
 
-def _page_heads(page: Mapping[str, Any]) -> str:
+def _page_heads(page: Mapping[str, Any], translate: Translator) -> str:
     """Return the style that prints title, project and revision at the head of each page, and the program at its foot.
 
     Letters that could end a string of a style stand there by their numbers.
@@ -238,7 +256,7 @@ def _page_heads(page: Mapping[str, Any]) -> str:
     heads = {
         "top-left": page["title"],
         "top-right": ", ".join(about[name] for name in ("Number", "Part", "Revision") if name in about),
-        "bottom-left": f"groundslab {page['version']}, SHA-256 of the input {page['sha256'][:12]}",
+        "bottom-left": f"groundslab {page['version']}, {translate('SHA-256 of the input')} {page['sha256'][:12]}",
     }
     boxes = "".join(
         f'@{place} {{ content: "{re.sub(r"[^A-Za-z0-9 ,.]", lambda match: f"{chr(92)}{ord(match[0]):x} ", text)}"; '
@@ -253,9 +271,13 @@ def _hash(content: str) -> str:
     return f"sha256-{base64.b64encode(hashlib.sha256(content.encode()).digest()).decode()}"
 
 
-def render_page(template: Path, **values: Any) -> str:
-    """Return a page of a template, which may use those here: values are escaped, a missing one is an error."""
+def render_page(template: Path, translate: Translator = str, language: Language = "en", **values: Any) -> str:
+    """Return a page of a template, which may use those here: values are escaped, a missing one is an error.
+
+    What a template marks is translated, by `_` and the filters `tr` of texts and `tr_svg` of drawings.
+    """
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    from markupsafe import Markup
 
     environment = Environment(
         loader=FileSystemLoader([template.parent, HERE / "templates"]),
@@ -265,5 +287,10 @@ def render_page(template: Path, **values: Any) -> str:
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
+    environment.globals["_"] = translate
+    environment.filters |= {
+        "tr": lambda text: translate(str(text)),
+        "tr_svg": lambda svg: Markup(translate_drawing(svg, translate)) if language != "en" else svg,
+    }
     environment.filters |= {"pieces": split_symbol, "word_pieces": split_words, "formula_pieces": split_formula}
-    return _CONTROL.sub("\ufffd", environment.get_template(template.name).render(values))
+    return _CONTROL.sub("\ufffd", environment.get_template(template.name).render(values, language=language))

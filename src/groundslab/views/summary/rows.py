@@ -10,6 +10,7 @@ from groundslab.units import Unit
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array
+    from groundslab.languages import Translator
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +47,20 @@ def in_units(section: SummarySection, system: System) -> SummarySection:
         return section
     notes = tuple(words_in(note, system) for note in section.notes)
     return replace(section, rows=tuple(_row_in(row, system) for row in section.rows), notes=notes)
+
+
+def translated(section: SummarySection, translate: Translator) -> SummarySection:
+    """Return a section with its words in another language."""
+    if translate is str:
+        return section
+    rows = tuple(
+        replace(
+            row, label=translate(row.label), value=translate(row.value) if isinstance(row.value, str) else row.value
+        )
+        for row in section.rows
+    )
+    notes = tuple(translate(note) for note in section.notes)
+    return replace(section, title=translate(section.title), rows=rows, notes=notes)
 
 
 def _row_in(row: Row, system: System) -> Row:

@@ -14,8 +14,9 @@ from groundslab.unit_systems import in_system, unit_in
 from groundslab.units import UNITS, format_number
 from groundslab.views.summary import combinations
 from groundslab.views.summary.discretization import coarse_words
-from groundslab.views.summary.rows import SummarySection
+from groundslab.views.summary.rows import SummarySection, translated
 from groundslab.views.summary.sections import certified_words, summary
+from groundslab.views.translation import translator_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from rich.text import Text
 
     from groundslab.design.checks import Design, DesignCheck, Status
+    from groundslab.languages import Translator
     from groundslab.results.record import Step
     from groundslab.results.results import CombinationResult, Results
     from groundslab.unit_systems import System
@@ -50,9 +52,10 @@ def print_summary(combined: Results, console: Console) -> None:
     entries = combinations.entries(combined)
     design = check_design(combined)
     only = combinations.only(entries)
-    _head(combined.model.title, design, console)
+    translate = translator_of(combined)
+    _head(combined.model.title, design, translate, console)
     if only is not None:
-        _print_lines([f"{only.combination} ({only.limit_state})"], "dim", console)
+        _print_lines([f"{only.combination} ({translate(only.limit_state)})"], "dim", console)
         _print_cases(combined, console)
         _print_only(only, console)
     else:
@@ -63,7 +66,7 @@ def print_summary(combined: Results, console: Console) -> None:
         _print_certified(combined, design, console)
         return
     for line in combinations.refusal_sentences(combined):
-        _print_lines(textwrap.wrap(line, 78), "bold red", console)
+        _print_lines(textwrap.wrap(translate(line), 78), "bold red", console)
 
 
 def _print_cases(combined: Results, console: Console) -> None:
@@ -71,43 +74,48 @@ def _print_cases(combined: Results, console: Console) -> None:
     lines = combinations.case_lines(combined)
     if not lines:
         return
+    translate = translator_of(combined)
     console.print()
-    _print_lines(["Load cases: factors and number of combinations"], "bold cyan", console)
+    _print_lines([translate("Load cases: factors and number of combinations")], "bold cyan", console)
     for line in lines[:MOST_CASES]:
-        _print_lines(textwrap.wrap(line, 76, initial_indent="  ", subsequent_indent="    "), "", console)
+        _print_lines(textwrap.wrap(translate(line), 76, initial_indent="  ", subsequent_indent="    "), "", console)
     if len(lines) > MOST_CASES:
-        _print_lines([f"  ... {len(lines) - MOST_CASES} more in the table acting"], "dim", console)
+        _print_lines([translate(f"  ... {len(lines) - MOST_CASES} more in the table acting")], "dim", console)
 
 
 def _print_only(results: CombinationResult, console: Console) -> None:
     """Print the figures of an only combination and its convergence history."""
-    for section in summary(results):
-        _print_section(section, [_line(row, results.model.units) for row in section.rows], console)
+    translate = translator_of(results)
+    for section in (translated(each, translate) for each in summary(results)):
+        _print_section(section, [_line(row, results.model.units, translate) for row in section.rows], console)
     console.print()
-    print_history(results.steps, console)
+    print_history(results.steps, console, translate)
 
 
 def _print_several(combined: Results, entries: Sequence[Entry], console: Console) -> None:
     """Print what combinations have in common, each on its lines, and the extremes over all."""
-    units = combined.model.units
-    for section in combinations.description(combined) if any(entry.results for entry in entries) else []:
-        _print_section(section, [_line(row, units) for row in section.rows], console)
+    units, translate = combined.model.units, translator_of(combined)
+    described = combinations.description(combined) if any(entry.results for entry in entries) else []
+    for section in (translated(each, translate) for each in described):
+        _print_section(section, [_line(row, units, translate) for row in section.rows], console)
     console.print()
-    _print_lines(["Combinations"], "bold cyan", console)
+    _print_lines([translate("Combinations")], "bold cyan", console)
     of_figures = (unit_in("kN", units)[0], unit_in("mm", units)[0], unit_in("mm", units)[0], "%", "steps")
     for heading in (("load", "settlement", "uplift", "contact", "iteration"), of_figures):
-        _print_lines(["   " + "".join(f"{word:>12}" for word in heading)], "dim", console)
+        _print_lines(["   " + "".join(f"{translate(word):>12}" for word in heading)], "dim", console)
     for entry in entries:
-        for line in _entry(entry, units):
+        for line in _entry(entry, units, translate):
             console.print(line, soft_wrap=True)
     for section, rows in combinations.extremes(combined):
-        titled = replace(section, title=f"{section.title}: extremes")
-        _print_section(titled, [_extreme(row, units) for row in rows], console)
+        titled = translated(replace(section, title=f"{section.title}: extremes", rows=()), translate)
+        _print_section(titled, [_extreme(row, units, translate) for row in rows], console)
     if not combined.results:
         return
-    worst = SummarySection("certificate", "Certificate: the worst value of each figure", ())
-    _print_section(worst, [_extreme(row, units) for row in combinations.worst(combined)], console)
-    _print_lines(["  The number before each line is that of the governing combination."], "dim", console)
+    worst = SummarySection("certificate", translate("Certificate: the worst value of each figure"), ())
+    _print_section(worst, [_extreme(row, units, translate) for row in combinations.worst(combined)], console)
+    _print_lines(
+        ["  " + translate("The number before each line is that of the governing combination.")], "dim", console
+    )
 
 
 def _print_lines(lines: Iterable[str], style: str, console: Console) -> None:
@@ -118,13 +126,13 @@ def _print_lines(lines: Iterable[str], style: str, console: Console) -> None:
         console.print(Text(line, style=style), soft_wrap=True)
 
 
-def _entry(entry: Entry, units: System) -> Iterator[Text]:
+def _entry(entry: Entry, units: System, translate: Translator) -> Iterator[Text]:
     """Yield the lines of one combination: name and factors, figures, and why it is refused."""
     from rich.text import Text
 
     about, factors = entry.combination, combinations.factors_text(entry.combination)
     rule = f", {about.rule}" if about.rule else ""
-    name, *more = textwrap.wrap(f"{about.name} ({about.limit_state}{rule}): {factors}", 74)
+    name, *more = textwrap.wrap(f"{about.name} ({translate(about.limit_state)}{rule}): {factors}", 74)
     yield Text(f"{entry.number:>3} {name}", style="bold")
     yield from (Text(f"    {line}", style="bold") for line in more)
     if entry.results is not None:
@@ -133,32 +141,35 @@ def _entry(entry: Entry, units: System) -> Iterator[Text]:
         force, length = in_system(UNITS["kN"], units).scale, in_system(UNITS["mm"], units).scale
         figures = (entry.results.certificate.load * force, w.max() * length, uplift * length, contact * 100)
         texts = [*map(format_number, figures), str(len(entry.results.steps))]
-        line = Text("   " + "".join(f"{text:>12}" for text in texts))
+        line = Text("   " + "".join(f"{translate(text):>12}" for text in texts))
         if entry.refused is None:
             line.append("  ok", style="green")
         yield line
     if entry.refused is not None:
-        shown = textwrap.wrap(refusal_words(entry.refused, units), 74, max_lines=6, placeholder=" ...")
+        shown = textwrap.wrap(translate(refusal_words(entry.refused, units)), 74, max_lines=6, placeholder=" ...")
         yield from (Text(f"    {line}", style="bold red") for line in shown)
 
 
-def _extreme(extreme: Extreme, units: System) -> Text:
+def _extreme(extreme: Extreme, units: System, translate: Translator) -> Text:
     """Return a row as one line that begins with the number of its combination."""
     from rich.text import Text
 
-    return Text(f"{extreme.number:>2} ") + _line(extreme.row, units, 1)
+    row = replace(extreme.row, label=translate(extreme.row.label))
+    return Text(f"{extreme.number:>2} ") + _line(row, units, translate, 1)
 
 
-def _head(title: str, design: Design, console: Console) -> None:
+def _head(title: str, design: Design, translate: Translator, console: Console) -> None:
     """Print the verdict on the design, the title, the version, and the checks, utilisation before each."""
-    _print_lines(textwrap.wrap(design.headline, 78), _style(design.status, hangs=bool(design.hanging)), console)
-    _print_lines([title or "(no title)"], "bold", console)
+    _print_lines(
+        textwrap.wrap(translate(design.headline), 78), _style(design.status, hangs=bool(design.hanging)), console
+    )
+    _print_lines([title or translate("(no title)")], "bold", console)
     _print_lines([f"groundslab {__version__}"], "dim", console)
     for check in design.checks:
-        used = "" if check.utilisation is None else f"{check.utilisation:.2f}"
-        within = f" ({text.replace('±', '+-')})" if (text := between_text(check)) else ""
-        verdict = f" [{check.verdict}]" if check.hangs else ""
-        text = f"{used:>6}{within} {check.name}: {check.words}{verdict}"
+        used = "" if check.utilisation is None else translate(f"{check.utilisation:.2f}")
+        within = f" ({translate(text).replace('±', '+-')})" if (text := between_text(check)) else ""
+        verdict = f" [{translate(check.verdict)}]" if check.hangs else ""
+        text = f"{used:>6}{within} {translate(check.name)}: {translate(check.words)}{verdict}"
         style = _style(check.status, hangs=check.hangs)
         _print_lines(textwrap.wrap(text, 78, subsequent_indent=" " * 7), style, console)
 
@@ -183,12 +194,13 @@ _STYLES: dict[Status, str] = {
 
 def _print_certified(combined: Results, design: Design, console: Console) -> None:
     """Print what the certificate of all results says, whether the mesh is fine enough, and what fails in the design."""
-    coarse = coarse_words(combined)
+    coarse, translate = coarse_words(combined), translator_of(combined)
     style = "yellow" if coarse else "green"
-    _print_lines(textwrap.wrap(certified_words(len(combined.combinations)), 78), style, console)
-    _print_lines(textwrap.wrap(coarse, 78), "bold yellow", console)
+    _print_lines(textwrap.wrap(translate(certified_words(len(combined.combinations))), 78), style, console)
+    _print_lines(textwrap.wrap(translate(coarse), 78), "bold yellow", console)
     if design.open:
-        _print_lines(textwrap.wrap(f"{design.headline} See the first lines.", 78), _STYLES[design.status], console)
+        again = f"{translate(design.headline)} {translate('See the first lines.')}"
+        _print_lines(textwrap.wrap(again, 78), _STYLES[design.status], console)
 
 
 def _print_section(section: SummarySection, lines: Sequence[Text], console: Console) -> None:
@@ -204,22 +216,22 @@ def _print_section(section: SummarySection, lines: Sequence[Text], console: Cons
         console.print(Padding(Text(note, style="dim"), (0, 2)))
 
 
-def print_history(steps: Sequence[Step], console: Console) -> None:
+def print_history(steps: Sequence[Step], console: Console, translate: Translator = str) -> None:
     """Print one line for each step of the iteration; steps on the finest mesh carry a star."""
     from rich.padding import Padding
     from rich.table import Table
 
-    _print_lines(["Convergence history"], "bold cyan", console)
+    _print_lines([translate("Convergence history")], "bold cyan", console)
     table = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="dim")
     for heading in (
         "mesh\nunknowns", "load\nincrement", "\ngamma", "contact\niteration", "in\ncontact", "\nchanged", "",
     ):  # fmt: skip
-        table.add_column(heading, justify="right", no_wrap=True)
+        table.add_column(translate(heading), justify="right", no_wrap=True)
     for step in steps:
-        table.add_row(*step_texts(step), "*" if step.finest else "")
+        table.add_row(*map(translate, step_texts(step)), "*" if step.finest else "")
     console.print(Padding(table, (0, 0, 0, 2)))
     if any(step.finest for step in steps):
-        _print_lines(["  * on the finest mesh"], "dim", console)
+        _print_lines(["  " + translate("* on the finest mesh")], "dim", console)
 
 
 def step_texts(step: Step) -> list[str]:
@@ -230,23 +242,29 @@ def step_texts(step: Step) -> list[str]:
     ]
 
 
-def _line(row: Row, units: System, taken: int = 0) -> Text:
-    """Return a row of the summary as one line; long words wrap under themselves. So many columns are taken before."""
+def _line(row: Row, units: System, translate: Translator, taken: int = 0) -> Text:
+    """Return a row of the summary, whose words are translated, as one line; long words wrap under themselves.
+
+    So many columns are taken before.
+    """
     from rich.text import Text
 
     symbol = f" {row.symbol}" if row.symbol else ""
-    line = Text(("" if taken else "  ") + (row.label + symbol).ljust(LABEL - taken))
+    first, *more = textwrap.wrap(row.label + symbol, LABEL - taken + 2)
+    line = Text(f"\n{' ' * 4}".join([("" if taken else "  ") + first, *more[:-1]]))
+    line.append(f"\n{' ' * 4}{more[-1].ljust(LABEL - 2)}" if more else " " * (LABEL - taken - len(first)))
     shown = shown_row(row, units)
     if row.tolerance is not None:
-        line.append(f"{shown.figure:>{VALUE}} {shown.unit}{' ' if shown.unit else ''}")
-        line.append(verdict_word(row), style=VERDICTS[row.ok][1])
-        line.append(f" (limit {limit_text(row)})", style="dim")
+        line.append(f"{translate(shown.figure):>{VALUE}} {shown.unit}{' ' if shown.unit else ''}")
+        line.append(translate(verdict_word(row)), style=VERDICTS[row.ok][1])
+        line.append(f" ({translate(f'limit {limit_text(row)}')})", style="dim")
     elif isinstance(row.value, str):
         pieces = textwrap.wrap(row.value, 78 - LABEL - 2)
         line.append(row.value.rjust(VALUE) if len(row.value) <= VALUE else f"\n{' ' * (LABEL + 2)}".join(pieces))
     else:
-        error = shown.error.replace("±", "+-")  # not every terminal has it
-        line.append(f"{shown.figure:>{VALUE}} {shown.unit:<{UNIT}} {error:<{ERROR}} {shown.place}".rstrip())
+        error = translate(shown.error).replace("±", "+-")  # not every terminal has it
+        figure, place = translate(shown.figure), translate(shown.place)
+        line.append(f"{figure:>{VALUE}} {shown.unit:<{UNIT}} {error:<{ERROR}} {place}".rstrip())
     return line
 
 

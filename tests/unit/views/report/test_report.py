@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import gzip
 import hashlib
+import json
 import re
 from collections.abc import Iterator
 from dataclasses import replace
@@ -20,6 +21,7 @@ from groundslab.cli import main as cli
 from groundslab.design.result_tables import tables_of
 from groundslab.design.tables.table import table_of
 from groundslab.errors import GroundslabError, InputError, NoEquilibrium
+from groundslab.languages import catalogue
 from groundslab.model.combinations import as_solved, list_combinations
 from groundslab.model.model import Model
 from groundslab.results.fields import PLATE_FIELDS
@@ -387,6 +389,21 @@ class TestNumbers:
                 error = np.abs(values_of(scene, reported["values"][name]) - exact).max()
                 assert error <= np.ptp(exact) / LEVELS * 0.5000001, name
 
+    def test_the_viewer_gets_its_messages(self, plain: Results, root: Element, monkeypatch: pytest.MonkeyPatch) -> None:
+        """In another language the page holds the viewer's own messages and those of its fields, and no others."""
+        assert not list(root.all("script", id="messages"))
+        meaning = PLATE_FIELDS["settlement"].meaning
+        known = {"Fit": "Zoom", meaning: "Setzung </script>", "Save the case file as": "Sichern"}
+        monkeypatch.setattr(catalogue, "messages", lambda _: known)
+        monkeypatch.setattr(catalogue, "_catalogue", catalogue._catalogue.__wrapped__)
+        assert plain.model.project is not None
+        project = plain.model.project.model_copy(update={"language": "de"})
+        model = plain.model.model_copy(update={"project": project})
+        german = page(render_report(replace(plain, model=model)))
+        assert german.one("html").attributes["lang"] == "de"
+        held = json.loads(german.one("script", id="messages").text)
+        assert (held["language"], held["messages"]) == ("de", {"Fit": "Zoom", meaning: "Setzung </script>"})
+
     def test_constants_and_history(self, plain: Results, root: Element) -> None:
         """The combinations share their constants; each has its steps."""
         (heads, rows), (_, steps) = grids(root.one("section", id="convergence"))
@@ -542,11 +559,11 @@ class TestSize:
             fields = dict(zip(("moment_x", "moment_y", "moment_xy", "shear_x", "shear_y"), values, strict=True))
             made[each.name] = replace(one, plate=replace(one.plate, **fields))
         combined = Results(model, model.combinations, made, {})
-        whole, none = document._scene(combined)
-        assert none == []
+        whole, head = document._scene(combined)
+        assert head["left_out"] == []
         monkeypatch.setattr(document, "MOST_DATA", int(0.85 * len(whole)))
-        text, left_out = document._scene(combined)
-        assert len(left_out) == 1
+        text, head = document._scene(combined)
+        assert len(head["left_out"]) == 1
         assert len(text) <= 0.85 * len(whole)
 
     @pytest.mark.slow

@@ -11,10 +11,12 @@ import numpy as np
 
 from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.required_bars import bar_fields
+from groundslab.results.results import results_of
 from groundslab.unit_systems import words_in
-from groundslab.views.plots import beams, plot
+from groundslab.views.plots import beams
 from groundslab.views.plots.export import to_inline_svg
 from groundslab.views.plots.ground.soil import draw_columns, soil_columns
+from groundslab.views.plots.ground.stress import draw_sheet
 from groundslab.views.plots.panels import Panel, build_panels, find_extremes, shared_scales
 from groundslab.views.plots.plan import draw_mesh
 from groundslab.views.plots.request import PlottedCombination, parse_request
@@ -93,7 +95,8 @@ def draw_stress(results: CombinationResult) -> Drawing | None:
     if results.ground.cells is None or results.ground.cells.piled:
         return None
     caption = f"Vertical stress in the ground, without the soil's own weight, of the combination {results.combination}."
-    return Drawing(to_inline_svg(partial(plot, results, kind="stress"), "stress", caption), caption)
+    request = parse_request(results_of(results), (), "stress", None, None, None)
+    return Drawing(to_inline_svg(lambda: draw_sheet(request), "stress", caption, units=results.model.units), caption)
 
 
 def draw_beams(combined: Results) -> Iterator[Drawing]:

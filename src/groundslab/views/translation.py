@@ -1,0 +1,68 @@
+"""Texts of results in the language that a case asks for."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from html import escape, unescape
+from typing import Any
+
+from groundslab.arrays import made_once
+from groundslab.design.result_tables import tables_of
+from groundslab.design.tables.table import WORDS, Column, Table
+from groundslab.languages import Translator, translator
+from groundslab.results.results import CombinationResult, Results
+
+#: What stands between the tags of a drawing.
+_BETWEEN_TAGS = re.compile(r">([^<>]+)<")
+
+
+@made_once
+def translator_of(results: CombinationResult | Results) -> Translator:
+    """Return what translates texts into the language of a case, whose names stay as they are."""
+    model = results.model
+    if model.language == "en":
+        return str
+    project = () if model.project is None else model.project
+    given = [model.title, *(str(value) for key, value in project if key not in ("units", "language"))]
+    cases = (*_names(model.model_dump()), *_names(results.solved_model.model_dump()))  # whose cases may have moved
+    several = [each.name for each in results.combinations] if isinstance(results, Results) else [results.combination]
+    return translator(model.language, [*given, *cases, *several])
+
+
+def translate_drawing(svg: str, translate: Translator) -> str:
+    """Return a drawing as SVG with its words translated."""
+    return _BETWEEN_TAGS.sub(lambda words: f">{escape(translate(unescape(words[1])), quote=False)}<", svg)
+
+
+def translated_tables(combined: Results) -> Iterator[Table]:
+    """Yield the tables of results in the language of the case: titles, headings, notes and sentences."""
+    translate = translator_of(combined)
+    for table in tables_of(combined):
+        yield table if translate is str else _translate_table(table, translate)
+
+
+def _translate_table(table: Table, translate: Translator) -> Table:
+    """Return a table with title, headings, notes and sentences in another language; all else in it stays."""
+    columns = tuple(_translate_column(column, translate) for column in table.columns)
+    return replace(table, title=translate(table.title), columns=columns, notes=tuple(map(translate, table.notes)))
+
+
+def _translate_column(column: Column, translate: Translator) -> Column:
+    words = column.name in WORDS
+    values = tuple(translate(each) if words and isinstance(each, str) else each for each in column.values)
+    return replace(column, name=translate(column.name), values=values)
+
+
+def _names(value: Any) -> Iterator[str]:
+    """Yield the names of all that a case has."""
+    if isinstance(value, Mapping):
+        for key, part in value.items():
+            if key == "name" and isinstance(part, str):
+                yield part
+            else:
+                yield from _names(part)
+    elif isinstance(value, Sequence) and not isinstance(value, str):
+        for part in value:
+            yield from _names(part)

@@ -1,0 +1,140 @@
+"""Everything that people read is translated, and has the same numbers."""
+
+from __future__ import annotations
+
+import io
+import re
+from collections import Counter
+from dataclasses import replace
+from html import unescape
+
+import pytest
+from tests.helpers.paths import EXAMPLES
+
+from groundslab.analysis.driver import solve
+from groundslab.case.casefile import load
+from groundslab.design.result_tables import tables_of
+from groundslab.design.tables.table import WORDS
+from groundslab.languages import LANGUAGES, Language
+from groundslab.languages.catalogue import Catalogue
+from groundslab.results.results import Results
+from groundslab.views import translation
+from groundslab.views.plots import plot
+from groundslab.views.report.html import render_report
+from groundslab.views.summary.terminal import print_summary
+
+OTHERS: list[Language] = [language for language in LANGUAGES if language != "en"]
+#: Numbers as English writes them and the other languages do.
+NUMBER = re.compile(r"(?<![\w.,])\d+(?:[.,]\d+)?(?!\w|[.,]\d)")
+
+
+@pytest.fixture(scope="module", params=sorted(path.stem for path in EXAMPLES.glob("*.toml")))
+def solved(request: pytest.FixtureRequest) -> Results:
+    """Return the results of an example on a coarse mesh."""
+    model = load(EXAMPLES / f"{request.param}.toml")
+    return solve(model.replace(mesh={"size": max(model.sides) / 12}))
+
+
+def in_language(results: Results, language: Language) -> Results:
+    """Return results of a case that asks for a language."""
+    project = {} if results.model.project is None else results.model.project.model_dump()
+    model = results.model.replace(project={**project, "language": language})
+    placed = results.solved_model.replace(project={**project, "language": language})
+    kept = {name: replace(each, model=model, solved_model=placed) for name, each in results.results.items()}
+    return replace(results, model=model, results=kept)
+
+
+@pytest.mark.slow
+def test_reports_leave_no_word_in_english(solved: Results, monkeypatch: pytest.MonkeyPatch) -> None:
+    """No text of a report or a table lacks a translation, nor a part of one; all catalogues have the same messages."""
+    results = in_language(solved, "de")
+    known = translation.translator_of(results)
+    assert isinstance(known, Catalogue)
+    translate = replace(known, unknown=[])
+    monkeypatch.setattr("groundslab.views.report.html.translator_of", lambda _: translate)
+    monkeypatch.setattr(translation, "translator_of", lambda _: translate)
+    chapters = [name for name in results.model.report.chapters if name != "viewer"]
+    page = render_report(results, chapters=[*chapters, "long_tables"])
+    assert len(list(translation.translated_tables(results))) > 3
+    assert sorted(set(translate.unknown or ())) == []
+    assert '<html lang="de">' in page
+
+
+@pytest.fixture(scope="module")
+def house() -> Results:
+    """Return the results of the raft of a house on a coarse mesh."""
+    model = load(EXAMPLES / "house_raft.toml")
+    return solve(model.replace(mesh={"size": max(model.sides) / 8}))
+
+
+def numbers(text: str) -> Counter[str]:
+    """Return the numbers of a text, with decimal points."""
+    return Counter(number.replace(",", ".") for number in NUMBER.findall(text))
+
+
+def words_of(page: str) -> str:
+    """Return what a page shows, without its style, script and the text of the case."""
+    body = re.sub(r"<(script|style|pre|code)\b.*?</\1>", " ", page, flags=re.DOTALL)
+    return unescape(re.sub(r"<[^>]+>", "\n", body))
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_reports_have_the_same_numbers(house: Results, language: Language) -> None:
+    """Each as often as in English, with a comma instead of a point."""
+    chapters = ["extremes", "pictures", "loads", "tables", "calculations", "certificate"]
+    here, there = (words_of(render_report(each, chapters=chapters)) for each in (house, in_language(house, language)))
+    assert numbers(here) == numbers(there)
+    assert len(re.findall(r"\d,\d", there)) > 500
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_summaries_have_the_same_numbers(house: Results, language: Language) -> None:
+    """On the terminal, whose lines wrap elsewhere."""
+    here, there = (terminal(each) for each in (house, in_language(house, language)))
+    assert numbers(here) == numbers(there)
+    assert "discretization" not in there
+
+
+def terminal(results: Results) -> str:
+    """Return the summary as it is printed."""
+    from rich.console import Console
+
+    page = io.StringIO()
+    print_summary(results, Console(file=page, width=80))
+    return page.getvalue()
+
+
+def test_tables_have_the_same_values(house: Results) -> None:
+    """Only titles, headings, notes and sentences are in the other language; English ones are left alone."""
+    assert [table.csv() for table in translation.translated_tables(house)] == [
+        table.csv() for table in tables_of(house)
+    ]
+    for here, there in zip(tables_of(house), translation.translated_tables(in_language(house, "de")), strict=True):
+        assert here.name == there.name
+        for column, other in zip(here.columns, there.columns, strict=True):
+            assert column.unit == other.unit
+            if column.name not in WORDS:
+                assert column.values == other.values
+    titles = {table.name: table.title for table in translation.translated_tables(in_language(house, "de"))}
+    assert titles["extremes"] == "Extremwerte jeder Kombination"
+
+
+def test_names_of_a_case_stay(house: Results) -> None:
+    """Also those that are messages: a load case called "wind" and a column called "settlement"."""
+    model = house.model.replace(title="Settlement", project={"language": "de", "name": "bending"})
+    translate = translation.translator_of(replace(house, model=model))
+    assert translate("Settlement") == "Settlement"
+    assert translate("bending") == "bending"
+    assert translate("ULS 1") == "ULS 1"
+    assert translate("settlement") == "Setzung"
+
+
+def test_figures_are_translated(house: Results) -> None:
+    """Titles, labels and numbers at axes."""
+    from matplotlib.text import Text
+
+    figure = plot(in_language(house, "de"), "settlement", combination="ULS 1")
+    figure.draw_without_rendering()
+    texts = [text.get_text() for text in figure.findobj(Text)]
+    assert any("Setzung" in text for text in texts)
+    assert not any("settlement" in text.lower() for text in texts)
