@@ -50,7 +50,7 @@ def test_sdist_and_wheel_contain_the_pages(distributions: list[set[str]]) -> Non
     """Both contain the report's script and the workbench's page, which git ignores."""
     for names in distributions:
         pages = {Path(name).name for name in names if Path(name).parent.name == "static"}
-        assert pages == {"report.js", "report.css", "index.html", "index.js", "index.css", "icon.svg"}
+        assert pages == {"report.js", "report.css", "messages.json", "index.html", "index.js", "index.css", "icon.svg"}
 
 
 @pytest.mark.slow

@@ -3,6 +3,9 @@
 import type { Choice } from "../viewer/data/fields";
 import { decodeGzipBase64, type Scene, SceneError } from "../viewer/data/scene";
 import { Viewer } from "../viewer/panels/viewer";
+import type { Messages } from "../viewer/shared/catalogue";
+import { setText } from "../viewer/shared/dom";
+import { setMessages } from "../viewer/shared/language";
 import { startTheme } from "../viewer/shared/theme";
 import "../viewer/shared/theme.css";
 import { openOnPaper } from "./paper";
@@ -10,15 +13,17 @@ import "./report.css";
 
 async function start(): Promise<void> {
   startTheme();
+  const messages = document.getElementById("messages")?.textContent;
+  if (messages) setMessages(JSON.parse(messages) as Messages);
   openOnPaper(document);
   const place = document.getElementById("viewer");
   const packed = document.getElementById("scene");
   if (!place || !packed?.textContent?.trim()) return;
-  place.textContent = "Unpacking the results …";
+  setText(place, "Unpacking the results …");
   try {
     const scene = await decodeGzipBase64(packed.textContent);
     packed.textContent = ""; // the text is no longer needed
-    place.textContent = "";
+    setText(place, "");
     const { field, combination } = place.dataset;
     const viewer = new Viewer(place, scene, field || undefined, choiceOf(scene, combination));
     followLinks(viewer, scene);

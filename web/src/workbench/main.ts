@@ -1,13 +1,14 @@
 // The workbench's page: model on the left, result on the right.
 import { startTheme } from "../viewer/shared/theme";
 import "../viewer/shared/theme.css";
-import { h } from "../viewer/shared/dom";
+import { h, setText } from "../viewer/shared/dom";
 import { type DocState, HttpApi } from "./client/api";
 import { onTokenElsewhere, takeToken } from "./client/browser-storage";
 import { Connection } from "./client/connection";
 import { EditQueue } from "./client/edit-queue";
 import { Store } from "./client/store";
 import { isUntouched } from "./model/changes/optimistic-edits";
+import { speak } from "./shell/language-switch";
 import { buildPage, buildView } from "./shell/page";
 import { askOffer, askWhichText } from "./shell/unsaved-work";
 
@@ -46,15 +47,16 @@ const stop = store.on(["doc"], () => {
   // the first text may still be being read
   if (store.doc?.data === null && store.doc.checking) return;
   stop();
-  if (store.doc?.view !== undefined) buildView(api, store, connection);
-  else buildPage(api, store, queue, connection, resolveOffer);
+  void speak(api, store).then(() => {
+    if (store.doc?.view !== undefined) buildView(api, store, connection);
+    else buildPage(api, store, queue, connection, resolveOffer);
+  });
 });
 const cover = h("p", { class: "cover" }, "Loading …");
 document.body.replaceChildren(cover);
 store.on(["connection"], () => {
-  cover.textContent =
-    store.connection === "unauthorized"
-      ? "This address is no longer valid. Open the address printed by groundslab app."
-      : "The server is not responding. Start it with: groundslab app";
+  const invalid = "This address is no longer valid. Open the address printed by groundslab app.";
+  const silent = "The server is not responding. Start it with: groundslab app";
+  setText(cover, store.connection === "unauthorized" ? invalid : silent);
 });
 await connection.start();

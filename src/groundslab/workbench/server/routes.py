@@ -17,6 +17,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from groundslab.case.reactions import Choices
 from groundslab.errors import InputError, Issue
+from groundslab.languages import Language, page_messages
 from groundslab.model.model import json_schema
 from groundslab.workbench.editing import diagnostics
 from groundslab.workbench.persistence import files
@@ -254,12 +255,17 @@ def _add_import_routes(app: FastAPI, session: Session) -> None:
 
 
 def add_schema_route(app: FastAPI) -> None:
-    """Add the schema of a case file."""
+    """Add the schema of a case file, and the messages of the page in other languages."""
 
     @app.get("/api/schema", **describe("The JSON schema of a case file"))
     @cache
     def get_schema() -> JSONResponse:
         return JSONResponse(json_schema())
+
+    @app.get("/api/languages/{language}")
+    @cache
+    def get_messages(language: Language) -> JSONResponse:
+        return JSONResponse(page_messages(language))
 
 
 def _add_solver_routes(app: FastAPI, session: Session) -> None:

@@ -16,6 +16,7 @@ import pytest
 
 from groundslab.case import casefile
 from groundslab.errors import InputError
+from groundslab.languages import page_messages
 from groundslab.results.results import results_of
 from groundslab.storage import atomic
 from groundslab.workbench import events
@@ -264,6 +265,13 @@ def test_the_state_says_all(bench: Bench, case: Path) -> None:
     assert (state["can_undo"], state["can_redo"]) == (False, False)
     assert state["plan"]["bounds"] == [-3, -2, 3, 2]
     assert "plate" in bench.get("/api/schema")["properties"]
+
+
+def test_the_page_gets_its_messages(bench: Bench) -> None:
+    """The messages of a language as the catalogue has them, none of English; another language is refused."""
+    assert bench.get("/api/languages/fr") == page_messages("fr")
+    assert bench.get("/api/languages/en")["messages"] == {}
+    assert bench.ask("GET", "/api/languages/xx").status == 422
 
 
 def test_editing_undoing_and_doing_again(bench: Bench) -> None:

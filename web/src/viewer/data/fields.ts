@@ -1,4 +1,5 @@
 // Fields of a scene: basic ones as they were packed, derived ones, and envelopes over combinations.
+import { ALL_LOADS, translate } from "../shared/language";
 import type { LocalPoint, Locator } from "./point-location";
 import { type Extreme, type Field, readBlock, type Scene } from "./scene";
 
@@ -152,15 +153,17 @@ export function envelopesOf(scene: Scene): Envelope[] {
   return [...several.flatMap((state): Envelope[] => [`largest:${state}`, `smallest:${state}`]), "largest", "smallest"];
 }
 
-/** Return the name of a choice. */
+/** Return the name of a choice, in the language of the page; that of a combination stays as the user gave it. */
 export function choiceName(scene: Scene, choice: Choice): string {
   const { combinations } = scene.head;
   if (isEnvelope(choice)) {
     const state = limitStateOf(choice);
-    return `${isLargest(choice) ? "max" : "min"} of all ${state === null ? "" : `${state} `}combinations`;
+    return translate(`${isLargest(choice) ? "max" : "min"} of all ${state === null ? "" : `${state} `}combinations`);
   }
   const one = combinations[choice];
-  return one ? (combinations.length > 1 ? `${one.number} ${one.name}` : one.name) : "";
+  if (!one) return "";
+  if (combinations.length > 1) return `${one.number} ${one.name}`;
+  return one.name === ALL_LOADS ? translate(one.name) : one.name;
 }
 
 /** Return a choice from its text, as a select element keeps it. */

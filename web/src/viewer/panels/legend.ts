@@ -4,7 +4,7 @@ import { choiceName, isEnvelope, lineForceOf } from "../data/fields";
 import { formatNumber, formatTicks } from "../data/numbers";
 import type { Scene } from "../data/scene";
 import type { ShownField } from "../data/shown-field";
-import { type Child, fill, h } from "../shared/dom";
+import { type Child, fill, h, verbatim } from "../shared/dom";
 import type { Rgb } from "../shared/palette";
 import { symbolElement } from "../shared/symbols";
 import "./legend.css";
@@ -38,7 +38,7 @@ export class Legend {
     fill(
       this.element,
       h("div", { class: "gs-legend-title", title: field.meaning }, symbolElement(field.symbol), ` [${field.unit}]`),
-      several ? h("div", { class: "gs-legend-of" }, choiceName(scene, choice)) : null,
+      several ? h("div", { class: "gs-legend-of" }, verbatim(choiceName(scene, choice))) : null,
       makeBar(scale, field.unit, isAbove, isBelow),
       h("div", { class: "gs-legend-notes" }, ...notes.map((note) => note.length > 0 && h("div", {}, ...note))),
     );

@@ -20,7 +20,8 @@ import { Locator } from "../data/point-location";
 import type { Combination, Point, Scene } from "../data/scene";
 import type { ScaleRange, ShownField } from "../data/shown-field";
 import { PlanView, type Tool } from "../plan/plan-view";
-import { button, fill, h, press, setText } from "../shared/dom";
+import { button, fill, h, press, setRead, setText, verbatim } from "../shared/dom";
+import { keepNames, translate } from "../shared/language";
 import { plainSymbols, symbolText } from "../shared/symbols";
 import { onThemeChange } from "../shared/theme";
 import { SpaceView } from "../space/space-view";
@@ -108,6 +109,7 @@ export class ResultView {
 
   /** Show a scene; zoom, field and combination stay as far as it has them. */
   setScene(scene: Scene, field = this.field, choice = this.matchingChoice(scene)): void {
+    keepNames("result", scene.head);
     this.scene = scene;
     this.locator = new Locator(scene.mesh);
     this.plan.setScene(scene);
@@ -143,8 +145,8 @@ export class ResultView {
     this.field = field;
     this.combinations.value = String(choice);
     this.fields.value = field;
-    this.fields.title = fieldOf(scene, field).meaning;
-    this.combinations.title = choiceName(scene, choice);
+    setRead(this.fields, "title", fieldOf(scene, field).meaning);
+    setRead(this.combinations, "title", verbatim(choiceName(scene, choice)));
     if (isEnvelope(choice) || scene.head.combinations[choice]?.values) this.view().show(choice, field);
     const factors = isEnvelope(choice) ? null : new Map(scene.head.combinations[choice]?.factors ?? []);
     const { plan } = scene.head;
@@ -220,22 +222,28 @@ export class ResultView {
     const { scene, locator } = this;
     if (!at || !scene || !locator) return setText(this.reading, "");
     const { unit, per_meter: per } = lengthsOf(scene.head.plan);
-    let text = `x ${(at[0] * per).toFixed(2)}  y ${(at[1] * per).toFixed(2)} ${unit}`;
+    const figure = (value: number) => translate((value * per).toFixed(2));
+    let text = `x ${figure(at[0])}  y ${figure(at[1])} ${unit}`;
     const spot = this.plan.shown ? locator.locate(...at) : null;
     if (spot) {
       const info = fieldOf(scene, this.field);
       const found = fieldValueAt(scene, locator, this.choice, this.field, spot);
-      text += `   ${symbolText(info.symbol)} = ${formatNumber(found.value)} ${info.unit}`;
-      if (isEnvelope(this.choice)) text += ` (combination ${scene.head.combinations[found.from]?.number ?? ""})`;
+      text += `   ${symbolText(info.symbol)} = ${translate(formatNumber(found.value))} ${info.unit}`;
+      if (isEnvelope(this.choice))
+        text += ` (${translate(`combination ${scene.head.combinations[found.from]?.number ?? ""}`)})`;
     }
-    setText(this.reading, withMinus(text));
+    setText(this.reading, verbatim(withMinus(text)));
   }
 }
 
 /** Fill a list with the fields of a scene, in groups. */
 function fillFields(select: HTMLSelectElement, scene: Scene): void {
   const makeOption = ({ name, meaning, symbol }: FieldInfo) =>
-    h("option", { value: name, title: meaning }, `${symbolText(symbol)} – ${meaning.split(/[,(]/)[0]!.trim()}`);
+    h(
+      "option",
+      { value: name, title: meaning },
+      verbatim(`${symbolText(symbol)} – ${translate(meaning).split(/[,(]/)[0]!.trim()}`),
+    );
   const groups = groupFields(fieldsOf(scene));
   fill(select, ...groups.map(([label, fields]) => h("optgroup", { label }, ...fields.map(makeOption))));
 }
@@ -243,11 +251,13 @@ function fillFields(select: HTMLSelectElement, scene: Scene): void {
 /** Fill a list with the combinations and envelopes of a scene; those without values are marked, and disabled if not offered. */
 function fillCombinations(select: HTMLSelectElement, scene: Scene, offerRefused: boolean): void {
   const { combinations, left_out: leftOut } = scene.head;
-  const envelopes = envelopesOf(scene).map((each: Envelope) => h("option", { value: each }, choiceName(scene, each)));
+  const envelopes = envelopesOf(scene).map((each: Envelope) =>
+    h("option", { value: each }, verbatim(choiceName(scene, each))),
+  );
   const options = combinations.map((each, i) => {
     const empty = each.values === null;
     const attributes = { value: i, disabled: empty && !offerRefused, "data-empty": empty, title: each.refused ?? "" };
-    return h("option", attributes, choiceName(scene, i) + remarkOn(each, leftOut));
+    return h("option", attributes, verbatim(choiceName(scene, i) + translate(remarkOn(each, leftOut))));
   });
   if (!envelopes.length) return fill(select, ...options);
   fill(

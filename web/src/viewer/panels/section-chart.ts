@@ -9,6 +9,7 @@ import { distanceBetween, pointBetween } from "../data/points";
 import type { Point, Scene } from "../data/scene";
 import { axisLimits, findPeaks, pointsDownward, type Samples, sampleField, sampleLine } from "../data/section-sampling";
 import { h } from "../shared/dom";
+import { translate } from "../shared/language";
 import { FONT, type Palette, paletteOf } from "../shared/palette";
 import { symbolText } from "../shared/symbols";
 import { currentTheme, type Theme } from "../shared/theme";
@@ -138,7 +139,10 @@ export class SectionChart {
       cursor: { drag: { x: false, y: false }, points: { size: 7 } },
       padding: [10 * times, 14 * times, 0, 0],
       series: [
-        { label: "s", value: (_, value: number | null) => (value === null ? "–" : `${value.toFixed(2)} ${unit}`) },
+        {
+          label: "s",
+          value: (_, value: number | null) => (value === null ? "–" : translate(`${value.toFixed(2)} ${unit}`)),
+        },
         ...choices.map(
           (choice, i): uPlot.Series => ({
             ...makeStroke(i, times, CURVES[theme]),
@@ -205,7 +209,7 @@ export class SectionChart {
     ];
     const number = isEnvelope(peak.choice) ? undefined : scene.head.combinations[peak.choice]?.number;
     const from = choices.length > 1 && number !== undefined ? ` (${number})` : "";
-    const text = `${word} ${formatNumber(peak.value)}${from}`;
+    const text = translate(`${word} ${formatNumber(peak.value)}`) + from;
     ctx.font = `600 ${12 * dot}px ${FONT}`;
     ctx.lineJoin = "round";
     ctx.textAlign = "left";
@@ -237,9 +241,9 @@ function makeAxes(unit: string, label: string, times: number, palette: Palette):
     labelSize: labelSize * times,
     size: size * times,
     space: space * times,
-    values: (_, ticks) => ticks.map((tick) => formatShort(tick, 6)),
+    values: (_, ticks) => ticks.map((tick) => translate(formatShort(tick, 6))),
   });
-  return [makeAxis(`distance s along the section [${unit}]`, 18, 26, 60), makeAxis(label, 20, 50, 26)];
+  return [makeAxis(translate(`distance s along the section [${unit}]`), 18, 26, 60), makeAxis(label, 20, 50, 26)];
 }
 
 function makeStroke(i: number, times: number, colors: readonly string[]): uPlot.Series {

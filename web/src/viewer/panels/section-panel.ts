@@ -4,7 +4,7 @@ import { type Choice, fieldOf, isEnvelope } from "../data/fields";
 import { lengthsOf } from "../data/lengths";
 import { formatShort } from "../data/numbers";
 import type { Line, Point, Scene } from "../data/scene";
-import { fillOptions, h } from "../shared/dom";
+import { fillOptions, h, setText, verbatim } from "../shared/dom";
 import { symbolText } from "../shared/symbols";
 import { onThemeChange } from "../shared/theme";
 import type { ResultView } from "./result-view";
@@ -54,7 +54,7 @@ export class SectionPanel {
     const lines = scene?.head.plan.lines ?? [];
     fillOptions(this.lines, [
       ["", "Section along …"],
-      ...lines.map((line, i) => [String(i), line.name || `line ${i + 1}`] as const),
+      ...lines.map((line, i) => [String(i), line.name ? verbatim(line.name) : `line ${i + 1}`] as const),
     ]);
     this.lines.hidden = lines.length === 0;
     const solved = scene ? solvedCombinations(scene) : [];
@@ -72,14 +72,17 @@ export class SectionPanel {
     const { section } = this;
     const { scene, locator, field } = this.view;
     if (!section || !scene || !locator) {
-      this.title.textContent = this.hint;
+      setText(this.title, this.hint);
       return this.chart.show(null);
     }
     const info = fieldOf(scene, field);
     const { unit, per_meter: per } = lengthsOf(scene.head.plan);
     const place = ([x, y]: Point) => `(${formatShort(x * per, 5)}, ${formatShort(y * per, 5)})`;
     const name = section.name ? `${section.name}: ` : "";
-    this.title.textContent = `${symbolText(info.symbol)} [${info.unit}] along ${name}${place(section.start)} to ${place(section.end)} ${unit}`;
+    setText(
+      this.title,
+      `${symbolText(info.symbol)} [${info.unit}] along ${name}${place(section.start)} to ${place(section.end)} ${unit}`,
+    );
     this.chart.show({ scene, locator, field, choices: this.choices(scene), ...section });
   }
 

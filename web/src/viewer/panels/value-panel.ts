@@ -14,7 +14,7 @@ import { formatNumber, withMinus } from "../data/numbers";
 import type { LocalPoint, Locator } from "../data/point-location";
 import type { Point, Scene } from "../data/scene";
 import { thicknessText } from "../plan/symbols";
-import { type Child, fill, h } from "../shared/dom";
+import { type Child, fill, h, verbatim } from "../shared/dom";
 import { symbolElement } from "../shared/symbols";
 import "./value-panel.css";
 
@@ -42,7 +42,7 @@ export class ValuePanel {
       const row = makeRow(info.symbol, info.meaning, formatNumber(found.value), info.unit);
       const from = scene.head.combinations[found.from];
       if (isEnvelope(choice))
-        row.append(h("td", { class: "gs-from", title: from?.name ?? "" }, `(${from?.number ?? ""})`));
+        row.append(h("td", { class: "gs-from", title: verbatim(from?.name ?? "") }, `(${from?.number ?? ""})`));
       row.classList.toggle("gs-chosen", info.name === field);
       this.listenOn(row, info.name);
       return row;
@@ -57,7 +57,7 @@ export class ValuePanel {
     fill(
       this.element,
       place,
-      h("div", { class: "gs-values-of" }, choiceName(scene, choice)),
+      h("div", { class: "gs-values-of" }, verbatim(choiceName(scene, choice))),
       h("table", {}, h("tbody", {}, ...rows)),
       h("div", { class: "gs-values-notes" }, ...makeNotes(scene, locator, choice, spot)),
     );

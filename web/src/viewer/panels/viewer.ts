@@ -2,7 +2,8 @@
 import { type Choice, choiceName, fieldOf } from "../data/fields";
 import type { Point, Scene } from "../data/scene";
 import type { Layers } from "../plan/plan-symbols";
-import { button, h } from "../shared/dom";
+import { button, h, setText, type Text, verbatim } from "../shared/dom";
+import { translate } from "../shared/language";
 import { symbolText } from "../shared/symbols";
 import { currentTheme, onThemeChange, switchTheme } from "../shared/theme";
 import { Legend } from "./legend";
@@ -88,7 +89,7 @@ export class Viewer {
     const { view } = this;
     const theme = button("", "Light or dark", switchTheme);
     const nameTheme = () => {
-      theme.textContent = currentTheme() === "dark" ? "Light" : "Dark";
+      setText(theme, currentTheme() === "dark" ? "Light" : "Dark");
     };
     nameTheme();
     onThemeChange(nameTheme);
@@ -133,7 +134,7 @@ export class Viewer {
     const { view, scene } = this;
     if (scene.head.combinations.some((each) => each.values !== null))
       this.values.show(scene, view.locator, view.choice, this.pick, view.field);
-    else this.values.element.textContent = "No combination has values to show.";
+    else setText(this.values.element, "No combination has values to show.");
     this.section.update();
   }
 
@@ -145,7 +146,7 @@ export class Viewer {
 
   private enlarge(): void {
     const isLarge = this.element.classList.toggle("gs-large");
-    this.enlargeButton.textContent = isLarge ? "Reduce" : "Enlarge";
+    setText(this.enlargeButton, isLarge ? "Reduce" : "Enlarge");
     document.documentElement.classList.toggle("gs-has-large", isLarge);
   }
 
@@ -162,14 +163,16 @@ export class Viewer {
     const row = h("div", { class: "gs-print-row" }, picture);
     new Legend(row).show(view.shown, scene);
     const info = fieldOf(scene, view.field);
-    const title = `${symbolText(info.symbol)} [${info.unit}]: ${info.meaning}; ${choiceName(scene, view.choice)}`;
-    this.printed.replaceChildren(makeTitle(title), row);
+    const about = `${symbolText(info.symbol)} [${info.unit}]: ${translate(info.meaning)}`;
+    this.printed.replaceChildren(makeTitle(verbatim(`${about}; ${choiceName(scene, view.choice)}`)), row);
     const chart = this.section.section && this.section.chart.snapshot(660, 220, ratio);
     if (chart) {
       const names = this.section.chart.names();
-      const keys = names.map(({ name, color }) => h("span", {}, h("i", { style: `background:${color}` }), name));
+      const keys = names.map(({ name, color }) =>
+        h("span", {}, h("i", { style: `background:${color}` }), verbatim(name)),
+      );
       const key = names.length > 1 ? h("div", { class: "gs-print-key" }, ...keys) : "";
-      this.printed.append(makePart(makeTitle(this.section.title.textContent ?? ""), chart, key));
+      this.printed.append(makePart(makeTitle(verbatim(this.section.title.textContent ?? "")), chart, key));
     }
     if (this.pick) {
       const part = makePart(makeTitle("Values at a point"));
@@ -183,7 +186,7 @@ function makeLabel(text: string, select: HTMLSelectElement): HTMLElement {
   return h("label", {}, h("span", {}, text), select);
 }
 
-function makeTitle(text: string): HTMLElement {
+function makeTitle(text: Text): HTMLElement {
   return h("div", { class: "gs-print-title" }, text);
 }
 

@@ -1,8 +1,30 @@
-// Elements of a page, made in one call.
+// Elements of a page, made in one call. Texts are messages, which are shown in the language of the page.
+import { translate } from "./language";
 
-type Attribute = string | number | boolean | null | undefined | ((event: never) => void);
-export type Child = Node | string | null | undefined | false;
+/** A text that stays as it is in every language: a name that the user gave, a value of the case. */
+export class Verbatim {
+  constructor(readonly text: string) {}
+}
+
+/** A message, or a text that stays as it is. */
+export type Text = string | Verbatim;
+type Attribute = Text | number | boolean | null | undefined | ((event: never) => void);
+export type Child = Node | Text | null | undefined | false;
 const SVG = "http://www.w3.org/2000/svg";
+/** Attributes that are read. */
+const READ: ReadonlySet<string> = new Set(["title", "aria-label", "aria-roledescription", "placeholder", "label"]);
+/** Elements whose text is of the user or for a computer. */
+const CODE: ReadonlySet<string> = new Set(["code", "pre", "textarea"]);
+
+/** Return a text that stays as it is in every language. */
+export function verbatim(text: string): Verbatim {
+  return new Verbatim(text);
+}
+
+/** Return what is shown of a text. */
+export function shown(text: Text): string {
+  return typeof text === "string" ? translate(text) : text.text;
+}
 
 /** Make an HTML element: attributes by name, `onclick` and the like as listeners, then its children. */
 export function h<K extends keyof HTMLElementTagNameMap>(
@@ -32,14 +54,27 @@ function build<E extends HTMLElement | SVGElement>(
     if (typeof value === "function") element.addEventListener(name.slice(2), value as EventListener);
     // pages forbid style attributes, but not styles that a script sets
     else if (name === "style") element.style.cssText = String(value);
-    else element.setAttribute(name, value === true ? "" : String(value));
+    else if (READ.has(name) && typeof value !== "boolean") setRead(element, name, textOf(value));
+    else element.setAttribute(name, value === true ? "" : value instanceof Verbatim ? value.text : String(value));
   }
   append(element, children);
   return element;
 }
 
+const textOf = (value: Text | number): Text => (typeof value === "number" ? String(value) : value);
+
 function append(element: Element, children: readonly Child[]): void {
-  for (const child of children) if (child !== null && child !== undefined && child !== false) element.append(child);
+  const isCode = CODE.has(element.localName);
+  for (const child of children) {
+    if (child === null || child === undefined || child === false) continue;
+    if (child instanceof Node) element.append(child);
+    else element.append(isCode && typeof child === "string" ? child : shown(child));
+  }
+}
+
+/** Set an attribute that is read, such as a title. */
+export function setRead(element: Element, name: string, text: Text): void {
+  element.setAttribute(name, shown(text));
 }
 
 /** Replace the children of an element. */
@@ -49,17 +84,18 @@ export function fill(element: Element, ...children: Child[]): void {
 }
 
 /** Set a text only if it differs, so that screen readers do not read it twice. */
-export function setText(element: Element, text: string): void {
-  if (element.textContent !== text) element.textContent = text;
+export function setText(element: Element, text: Text): void {
+  const words = shown(text);
+  if (element.textContent !== words) element.textContent = words;
 }
 
 /** A button with a text, and a tooltip if it is not empty. */
-export function button(text: string, title: string, onclick: () => void, className?: string): HTMLButtonElement {
+export function button(text: Text, title: Text, onclick: () => void, className?: string): HTMLButtonElement {
   return h("button", { type: "button", class: className, title: title || null, onclick }, text);
 }
 
 /** Fill a list with options (value, text); the chosen one stays chosen if it is still there. */
-export function fillOptions(select: HTMLSelectElement, options: readonly (readonly [string, string])[]): void {
+export function fillOptions(select: HTMLSelectElement, options: readonly (readonly [string, Text])[]): void {
   const before = select.value;
   fill(select, ...options.map(([value, text]) => h("option", { value }, text)));
   if (options.some(([value]) => value === before)) select.value = before;

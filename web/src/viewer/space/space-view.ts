@@ -9,7 +9,7 @@ import { formatShort, roundStep } from "../data/numbers";
 import type { Ring, Scene } from "../data/scene";
 import { scaleFor } from "../data/shown-field";
 import { FieldView } from "../renderer/field-view";
-import { h } from "../shared/dom";
+import { h, setText } from "../shared/dom";
 import "./space-view.css";
 
 const FIELD_OF_VIEW = 32; // degrees
@@ -111,7 +111,7 @@ export class SpaceView extends FieldView {
   private exaggerate(): void {
     const part = Number(this.slider.value);
     this.exaggeration = part === 0 ? 0 : this.base * 10 ** ((part - 50) / 50);
-    this.factor.textContent = `${formatShort(this.exaggeration, 2)}\u00d7`;
+    setText(this.factor, `${formatShort(this.exaggeration, 2)}\u00d7`);
     if (!this.scene || !this.choice) return;
     this.renderer.setLines({
       flat: this.flatLines(this.scene),

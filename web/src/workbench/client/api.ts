@@ -1,5 +1,6 @@
 // The server's HTTP interface.
 
+import type { Messages } from "../../viewer/shared/catalogue";
 import type { Change } from "../model/edits";
 import { type Issue, issueLine, type Remark } from "../model/issues";
 import { isTable, type Json, type Table, tableAt } from "../model/paths";
@@ -177,6 +178,8 @@ export class HttpApi {
 
   state = () => this.json<DocState>("state");
   schema = () => this.json<Table>("schema");
+  /** The messages of the page in a language. */
+  messages = (language: string) => this.json<Messages>(`languages/${language}`);
   edit = (change: Change, base: number) => this.json<DocState>("edits", { ...change, base });
   undo = () => this.json<DocState>("undo", {});
   redo = () => this.json<DocState>("redo", {});

@@ -1,6 +1,6 @@
 // Tabs: one panel of several is shown.
 
-import { h, newId } from "../../viewer/shared/dom";
+import { h, newId, setText } from "../../viewer/shared/dom";
 
 export interface Tab {
   name: string;
@@ -60,7 +60,7 @@ export function tabs(all: readonly Tab[], label: string, onChange: (name: string
   const mark = (name: string, text: string, bad = false) => {
     const badge = buttons[all.findIndex((tab) => tab.name === name)]?.querySelector(".badge");
     if (!badge) return;
-    badge.textContent = text;
+    setText(badge, text);
     badge.classList.toggle("bad", bad);
   };
   const offer = (name: string, offered: boolean) => {

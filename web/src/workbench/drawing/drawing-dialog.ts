@@ -1,6 +1,6 @@
 // What is to be made of a drawing: what its layers hold, its unit, its origin; with a small picture of it.
 
-import { button, fill, h, newId } from "../../viewer/shared/dom";
+import { button, fill, h, newId, setText, verbatim } from "../../viewer/shared/dom";
 import { closeDialog, openDialog } from "../controls/dialogs";
 import {
   contentText,
@@ -96,7 +96,12 @@ class DrawingDialog {
     const select = h("select", { "aria-label": `content of layer ${layer.name}` }, ...options);
     this.roles.set(layer, select);
     const content = contentText(layer);
-    const name = h("th", { scope: "row", title: layer.name }, layer.name, layer.hidden && h("small", {}, " hidden"));
+    const name = h(
+      "th",
+      { scope: "row", title: verbatim(layer.name) },
+      verbatim(layer.name),
+      layer.hidden && h("small", {}, " hidden"),
+    );
     const row = h("tr", {}, name, h("td", { title: content }, content), h("td", {}, select));
     const mark = () => this.preview.mark(layer);
     const unmark = () => this.preview.mark(null);
@@ -152,7 +157,7 @@ class DrawingDialog {
   /** Show what is missing, and each layer of the picture by what it holds. */
   private update(): void {
     const problem = findProblem(this.choice);
-    this.message.textContent = problem;
+    setText(this.message, problem);
     this.make.disabled = problem !== "";
     this.dialog.querySelectorAll<HTMLButtonElement>(".answers button")[1]!.disabled = this.choice.unit === "";
     for (const group of this.preview.element.children)
@@ -162,10 +167,10 @@ class DrawingDialog {
   private async accept(): Promise<void> {
     if (this.make.disabled) return;
     this.make.disabled = true;
-    this.message.textContent = "Reading the drawing …";
+    setText(this.message, "Reading the drawing …");
     const problem = await this.uses.makeCase(this.choice, this.shown.checked);
     if (problem === "") return this.close();
     this.make.disabled = false;
-    this.message.textContent = problem;
+    setText(this.message, problem);
   }
 }

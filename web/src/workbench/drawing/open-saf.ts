@@ -1,6 +1,6 @@
 // Opening a file in the Structural Analysis Format: one of its slabs becomes a case.
 
-import { button, h, newId } from "../../viewer/shared/dom";
+import { button, h, newId, setText } from "../../viewer/shared/dom";
 import type { Api, DocState, Refused, SlabInFile } from "../client/api";
 import { closeDialog, openDialog } from "../controls/dialogs";
 import { showReport } from "./report";
@@ -50,11 +50,11 @@ export function openSlab(file: string, slabs: readonly SlabInFile[], opener: Sla
       event.preventDefault();
       if (make.disabled) return;
       make.disabled = true;
-      message.textContent = "Reading the file …";
+      setText(message, "Reading the file …");
       void makeCase(file, name, slab.value, opener).then((problem) => {
         if (problem === "") return close();
         make.disabled = false;
-        message.textContent = problem;
+        setText(message, problem);
       });
     });
     openDialog(dialog, close);

@@ -1,6 +1,7 @@
 // The case file as a form: one section that folds for each key at the top of the file.
 
-import { h, setText } from "../../viewer/shared/dom";
+import { h, setText, type Text, verbatim } from "../../viewer/shared/dom";
+import { translate } from "../../viewer/shared/language";
 import { issuesOfPart } from "../model/issues";
 import { isTable, type Json, type Path, type Table } from "../model/paths";
 import type { Field } from "../model/schema";
@@ -105,7 +106,7 @@ function isOptional(ctx: FormContext, { needed, node }: Field): boolean {
 }
 
 /** What a section holds, in a few words; `optional` is one that does nothing unless it is there. */
-function digestOf(field: Field, data: Table, optional: boolean): string {
+function digestOf(field: Field, data: Table, optional: boolean): Text {
   const value: Json | undefined = data[field.name];
   if (field.node.is === "list" && value === undefined) return "none";
   if (Array.isArray(value)) return value.length > 0 ? String(value.length) : "none";
@@ -114,12 +115,11 @@ function digestOf(field: Field, data: Table, optional: boolean): string {
     const outline = isTable(value.outline)
       ? String(value.outline.kind ?? "outline")
       : [value.length_x, value.length_y].map(shortValue).join(" × ");
-    return [outline, `t = ${shortValue(value.thickness)}`].filter(Boolean).join(", ");
+    return verbatim([outline, `t = ${shortValue(value.thickness)}`].filter(Boolean).join(", "));
   }
   if (field.name === "output") {
-    return Object.entries(value)
-      .map(([key, list]) => `${Array.isArray(list) ? list.length : 0} ${key}`)
-      .join(", ");
+    const counts = Object.entries(value).map(([key, list]) => `${Array.isArray(list) ? list.length : 0} ${key}`);
+    return verbatim(counts.join(", "));
   }
   const layers = Array.isArray(value.layers)
     ? `${value.layers.length} layer${value.layers.length === 1 ? "" : "s"}`
@@ -128,5 +128,6 @@ function digestOf(field: Field, data: Table, optional: boolean): string {
     ([key, each]) => key !== "kind" && !isTable(each) && !(Array.isArray(each) && isTable(each[0])),
   );
   const pieces = simple.slice(0, 3).map(([key, each]) => `${key.replaceAll("_", " ")} ${shortValue(each)}`);
-  return [typeof value.kind === "string" ? value.kind : "", layers, ...pieces].filter(Boolean).join(", ") || "default";
+  const all = [typeof value.kind === "string" ? value.kind : "", translate(layers), ...pieces].filter(Boolean);
+  return all.length > 0 ? verbatim(all.join(", ")) : "default";
 }

@@ -1,5 +1,5 @@
 // The choice between the kinds of a table.
-import { fill, h, newId } from "../../viewer/shared/dom";
+import { fill, h, newId, setText, verbatim } from "../../viewer/shared/dom";
 import { switchGround } from "../model/changes/ground";
 import { switchKind } from "../model/changes/variants";
 
@@ -40,11 +40,11 @@ export function kindChoice(
   const update = () => {
     const table = tableAt(ctx.data(), path);
     const chosen = ctx.schema.chooseKind(names, table);
-    const unknown = h("option", { value: "" }, typeof table.kind === "string" ? table.kind : "choose …");
+    const unknown = h("option", { value: "" }, typeof table.kind === "string" ? verbatim(table.kind) : "choose …");
     const options = parts.map((part) => h("option", { value: part.name }, kindText(part)));
     fill(select, chosen ? null : unknown, ...options);
     select.value = chosen?.name ?? "";
-    hint.textContent = chosen ? kindHint(chosen) : "";
+    setText(hint, chosen ? kindHint(chosen) : "");
   };
   return inputWidget(ctx, own, { element: select, focus: select, update }, element, messages);
 }

@@ -1,5 +1,6 @@
 // How keys, symbols and values are written for people.
 
+import { translate } from "../../viewer/shared/language";
 import { symbolElement } from "../../viewer/shared/symbols";
 import { isTable, type Json, type Table } from "../model/paths";
 import type { Field, Part } from "../model/schema";
@@ -57,7 +58,8 @@ export function summaryOf(table: Table, part: Part | null): string {
   if (isTable(table.shape)) pieces.push(String(table.shape.kind ?? ""));
   const factors = isTable(table.factors) ? Object.entries(table.factors) : [];
   pieces.push(factors.map(([name, factor]) => `${shortValue(factor)} ${name}`).join(" + "));
-  for (const host of [table.column, table.wall]) if (typeof host === "string" && host) pieces.push(`on ${host}`);
+  for (const host of [table.column, table.wall])
+    if (typeof host === "string" && host) pieces.push(["on", host].join(" "));
   if (typeof table.case === "string" && table.case) pieces.push(`(${table.case})`);
   return pieces.filter(Boolean).join("  ·  ");
 }
@@ -78,5 +80,5 @@ export function furtherHint(field: Field): string {
 
 /** What a key means and what it may be. */
 export function hintOf(field: Field): string {
-  return field.range ? `${field.hint} (${field.range})` : field.hint;
+  return field.range ? `${translate(field.hint)} (${translate(field.range)})` : field.hint;
 }

@@ -1,6 +1,6 @@
 // The layers of the ground, to scale in depth: what the lists beside it say, at one glance.
 
-import { fill, svg } from "../../viewer/shared/dom";
+import { fill, setRead, svg } from "../../viewer/shared/dom";
 import { isTable, listAt, type Path, type Table, tableAt, valueAt } from "../model/paths";
 import { parseLength } from "../model/quantities";
 import type { Part } from "../model/schema";
@@ -27,7 +27,7 @@ export function layersPicture(ctx: FormContext, path: Path): Widget {
   const update = () => {
     const layers = layersToDraw(tableAt(ctx.data(), path));
     element.toggleAttribute("hidden", layers.length === 0);
-    element.setAttribute("aria-label", `layers, from the top: ${layers.map((layer) => layer.label).join("; ")}`);
+    setRead(element, "aria-label", `layers, from the top: ${layers.map((layer) => layer.label).join("; ")}`);
     fill(element, ...layers.flatMap(drawLayer));
     if (layers.length > 0 && !layers.at(-1)?.endless) element.append(drawBase());
   };

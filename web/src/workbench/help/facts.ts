@@ -1,4 +1,5 @@
 // What is known of a field: its meaning, unit, range and default, from the schema of the case file.
+import { translate } from "../../viewer/shared/language";
 import { defaultText, hintOf, labelOf } from "../form/labels";
 import { type Json, type Path, type Table, valueAt } from "../model/paths";
 import type { Field, Node, Part, Schema } from "../model/schema";
@@ -28,7 +29,7 @@ export function titleOf({ field }: FieldAt): string {
 
 /** Return the meaning of a field as a sentence, and what its part is where it is the part's kind. */
 export function meaningOf({ field, part }: FieldAt): string {
-  const text = field.node.is === "tag" && part ? part.about : field.hint;
+  const text = translate(field.node.is === "tag" && part ? part.about : field.hint);
   const sentence = text.charAt(0).toUpperCase() + text.slice(1);
   return sentence && !/[.?!]$/.test(sentence) ? `${sentence}.` : sentence;
 }

@@ -1,5 +1,5 @@
 // What the field with the focus means: a panel at the foot of the form or of the drawing.
-import { fill, h, newId } from "../../viewer/shared/dom";
+import { fill, h, newId, verbatim } from "../../viewer/shared/dom";
 import { readStored, writeStored } from "../../viewer/shared/storage";
 import { symbolElement } from "../../viewer/shared/symbols";
 import type { FormContext } from "../form/context";
@@ -70,7 +70,10 @@ function contents(id: string, path: Path, about: FieldAt, open: () => void, clos
   const { field, part } = about;
   const symbol = field.symbol && !field.symbol.includes(",") ? symbolElement(field.symbol) : null;
   const key = h("code", {}, path.filter((step) => typeof step === "string").join("."));
-  const facts = factsOf(about).flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)]);
+  const facts = factsOf(about).flatMap(([name, value]) => [
+    h("dt", {}, name),
+    h("dd", {}, name === "default" && !about.field.needed ? verbatim(value) : value),
+  ]);
   const link = h("button", { type: "button", class: "link", tabindex: -1, onclick: open }, "Documentation (F1)");
   const text = h(
     "div",

@@ -62,6 +62,9 @@ const SOURCES: readonly Source[] = [
   { kind: "output point", list: ["output", "points"] },
 ];
 
+/** What items are called. */
+export const ITEM_WORDS: readonly string[] = SOURCES.map(({ word, kind }) => word ?? kind);
+
 /** Kinds of loads that have no place of their own in plan. */
 export const UNPLACED: ReadonlySet<string> = new Set([
   "uniform",
@@ -215,7 +218,12 @@ export function countItems(items: readonly { kind: string; title: string }[]): s
   if (items.length === 1) return items[0]!.title;
   const counts = new Map<string, number>();
   for (const { kind } of items) counts.set(kind, (counts.get(kind) ?? 0) + 1);
-  return [...counts].map(([kind, count]) => `${count} ${kind}${count === 1 ? "" : "s"}`).join(", ");
+  return [...counts].map(([kind, count]) => `${count} ${count === 1 ? kind : severalOf(kind)}`).join(", ");
+}
+
+/** Return the plural of what items are called. */
+export function severalOf(word: string): string {
+  return word.endsWith("sh") ? `${word}es` : `${word}s`;
 }
 
 /** Return the loads that go with columns and walls which are moved. */

@@ -1,5 +1,5 @@
 // The fields that several selected items have in common, edited all at once.
-import { h } from "../../viewer/shared/dom";
+import { h, setRead } from "../../viewer/shared/dom";
 import type { FormContext, Widget } from "../form/context";
 import { nodeWidget } from "../form/section";
 import { applyOptimistic } from "../model/changes/optimistic-edits";
@@ -80,6 +80,6 @@ function markDifferent(element: HTMLElement, data: Table, paths: readonly Path[]
   const isDifferent = differs(data, paths, key);
   row?.classList.toggle("different", isDifferent);
   for (const input of row?.querySelectorAll("input") ?? []) {
-    if (isDifferent) input.placeholder = DIFFERENT;
+    if (isDifferent) setRead(input, "placeholder", DIFFERENT);
   }
 }

@@ -1,5 +1,6 @@
 // Loads beside the drawing: the load case that stands out, and loads without a place in plan.
-import { button, fillOptions, h, setText } from "../../viewer/shared/dom";
+import { button, fillOptions, h, setText, type Verbatim, verbatim } from "../../viewer/shared/dom";
+import { translate } from "../../viewer/shared/language";
 import type { Store } from "../client/store";
 import { defaultsFor } from "../model/defaults";
 import type { Change } from "../model/edits";
@@ -32,7 +33,7 @@ export function caseChoice(store: Store, push: (change: Change) => void, onChoos
   const update = () => {
     const names = namesIn(listAt(store.data, ["cases"]));
     const before = select.value;
-    fillOptions(select, [["", "all load cases"], ...names.map((name) => [name, name] as const)]);
+    fillOptions(select, [["", "all load cases"], ...names.map((name) => [name, verbatim(name)] as const)]);
     select.hidden = names.length === 0;
     add.disabled = store.broken;
     if (select.value !== before) onChoose(select.value);
@@ -50,7 +51,12 @@ export function unplacedLoads(store: Store, push: (change: Change) => void, load
     ["UniformLoad", "uniform load"],
     ["SelfWeight", "self-weight"],
   ].map(([definition = "", text = ""]) =>
-    button(`+ ${text}`, `Add ${text}`, () => addLoad(store, push, definition, text, loadCase()), "chip add"),
+    button(
+      verbatim(`+ ${translate(text)}`),
+      `Add ${text}`,
+      () => addLoad(store, push, definition, text, loadCase()),
+      "chip add",
+    ),
   );
   const makeChip = () => {
     const chip = {
@@ -85,9 +91,9 @@ export function unplacedLoads(store: Store, push: (change: Change) => void, load
   return { element, update };
 }
 
-function chipText(load: Table): string {
+function chipText(load: Table): Verbatim {
   const value = String(load.q ?? load.unit_weight ?? load.difference ?? load.w ?? "");
-  return `${String(load.name || load.kind)} ${value}${load.case ? ` (${String(load.case)})` : ""}`;
+  return verbatim(`${String(load.name || load.kind)} ${value}${load.case ? ` (${String(load.case)})` : ""}`);
 }
 
 function addLoad(

@@ -1,5 +1,5 @@
 // What a new load case is asked for: its name, its action, and where loads belong that had no case before the first one.
-import { fillOptions, h } from "../../viewer/shared/dom";
+import { fillOptions, h, verbatim } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
 import { ACTIONS, type Action, addLoadCase, countUncased } from "../model/changes/new-items";
 import type { Change } from "../model/edits";
@@ -22,7 +22,7 @@ export function newCase(store: Store, push: (change: Change) => void, done: (nam
   const show = (isAsked: boolean) => {
     element.hidden = !isAsked;
     name.value = "";
-    fillOptions(action, [["", "action?"], ...ACTIONS.map((each) => [each, each] as const)]);
+    fillOptions(action, [["", "action?"], ...ACTIONS.map((each) => [each, verbatim(each)] as const)]);
     const count = countUncased(store.data);
     const words = count === 1 ? "the existing load?" : `the ${count} existing loads?`;
     fillOptions(others, [

@@ -1,5 +1,5 @@
 // The selected items' properties and actions below the drawing; the slab's where nothing is selected.
-import { button, fill, h } from "../../viewer/shared/dom";
+import { button, fill, h, setText } from "../../viewer/shared/dom";
 import type { FormContext, Widget } from "../form/context";
 import { shapeEdits } from "../form/plate-shape";
 import { partWidget } from "../form/section";
@@ -58,8 +58,8 @@ export function propertyPanel(
     const [first] = shown;
     if (!widget || !first) return;
     const isPlate = shown.length === 1 && first.length === 1;
-    title.textContent = isPlate ? "Slab" : titleOfAll(ctx.data(), shown);
-    if (shown.length > 1) title.textContent += " selected";
+    const words = isPlate ? "Slab" : titleOfAll(ctx.data(), shown);
+    setText(title, shown.length > 1 ? `${words} selected` : words);
     toPolygon.hidden = valueAt(ctx.data(), ["plate", "outline", "kind"]) === "polygon";
     widget.update();
   };

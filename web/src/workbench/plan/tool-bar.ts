@@ -1,5 +1,6 @@
 // The tools beside the drawing, with names and keys.
-import { h } from "../../viewer/shared/dom";
+import { h, verbatim } from "../../viewer/shared/dom";
+import { translate } from "../../viewer/shared/language";
 import type { Generator } from "./generators/generator";
 import { GENERATORS } from "./generators/generators";
 import { toolIcon } from "./tool-icons";
@@ -60,7 +61,7 @@ function makeButton({ name, label, key, hint }: Tool | Generator, choose: () => 
   const attributes = {
     type: "button",
     class: "tool",
-    title: `${label}${key && ` (${key})`}. ${hint}`,
+    title: verbatim(`${translate(label)}${key && ` (${key})`}. ${translate(hint)}`),
     "aria-keyshortcuts": key || null,
     "data-tool": name,
     onclick: choose,

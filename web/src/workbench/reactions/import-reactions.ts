@@ -1,6 +1,6 @@
 // Importing a table of reactions: what it changes is shown, then it is taken as one step of undo.
 
-import { button, fill, h, newId } from "../../viewer/shared/dom";
+import { button, fill, h, newId, setText } from "../../viewer/shared/dom";
 import type { Api, Refused } from "../client/api";
 import type { Store } from "../client/store";
 import { closeDialog, openDialog } from "../controls/dialogs";
@@ -165,7 +165,7 @@ class ReactionDialog {
   private outdate(): void {
     this.turn += 1;
     this.take.disabled = true;
-    this.message.textContent = "";
+    setText(this.message, "");
     this.found.classList.add("outdated");
   }
 
@@ -173,7 +173,7 @@ class ReactionDialog {
   private async look(): Promise<void> {
     this.outdate();
     const { turn } = this;
-    this.message.textContent = "Reading the table …";
+    setText(this.message, "Reading the table …");
     let answer: ReactionChanges | null = null;
     let problem = "The table could not be read.";
     await this.importer.run(
@@ -187,7 +187,7 @@ class ReactionDialog {
     );
     if (turn !== this.turn) return;
     const changes = answer as ReactionChanges | null;
-    this.message.textContent = changes === null ? problem : "";
+    setText(this.message, changes === null ? problem : "");
     this.take.disabled = changes === null;
     this.found.classList.remove("outdated");
     fill(this.found, ...(changes === null ? [] : describeChanges(changes)));
@@ -209,7 +209,7 @@ class ReactionDialog {
       },
     );
     if (isDone) return this.close();
-    this.message.textContent = problem;
+    setText(this.message, problem);
   }
 }
 

@@ -1,5 +1,5 @@
 // The line that has bars proposed for the slab and puts them into the case.
-import { button, h, setText } from "../../viewer/shared/dom";
+import { button, h, setRead, setText } from "../../viewer/shared/dom";
 import { type Api, Refused } from "../client/api";
 import type { Store } from "../client/store";
 import type { Change } from "../model/edits";
@@ -35,13 +35,13 @@ export function barsBar(store: Store, api: Pick<Api, "proposeBars">, push: (chan
     isBusy = busy;
     element.classList.toggle("bad", bad);
     setText(words, text);
-    words.title = text;
+    setRead(words, "title", text);
     update();
   }
 
   function update(): void {
     start.disabled = isBusy || !isFresh() || store.solved?.provisional !== "";
-    start.title = isFresh() ? HINT : STALE;
+    setRead(start, "title", isFresh() ? HINT : STALE);
   }
 
   store.on(["solved", "doc", "waiting"], update);

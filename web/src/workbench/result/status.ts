@@ -1,6 +1,7 @@
 // The line above the result: what it is of, whether it is up to date, what the solver is doing.
 
 import { type Child, fill, h, setText } from "../../viewer/shared/dom";
+import { translate } from "../../viewer/shared/language";
 import type { Run, Solved, Store } from "../client/store";
 import { issueLine } from "../model/issues";
 
@@ -21,14 +22,14 @@ export function statusText(
   autosolve: boolean,
   issues: number,
 ): string {
-  const old = fresh === "stale" ? "These results are for an earlier version of the model. " : "";
+  const old = fresh === "stale" ? translate("These results are for an earlier version of the model. ") : "";
   switch (run.kind) {
     case "solving":
-      return `${old}Solving${run.text ? `: ${run.text}` : " …"}`;
+      return old + (run.text ? `${translate("Solving")}: ${translate(run.text)}` : translate("Solving …"));
     case "refused":
-      return `${old}Not solved: ${run.message || "the model has errors"}`;
+      return old + translate(`Not solved: ${run.message || "the model has errors"}`);
     case "cancelled":
-      return `${old}Solving was canceled.`;
+      return old + translate("Solving was canceled.");
     default:
       if (fresh === "none") return "Not solved yet.";
       if (fresh === "stale" && issues > 0) return `${old}Fix the ${issues === 1 ? "error" : "errors"} to update them.`;

@@ -1,4 +1,5 @@
 // The rows of a table: sorted, filtered, as text. No elements here.
+import { translate } from "../../viewer/shared/language";
 import type { ResultTable, TableCell, TableHead } from "../client/api";
 import { headWidth } from "../controls/virtual-rows";
 
@@ -22,7 +23,8 @@ export function numberOf(cell: TableCell | undefined): number {
 export function arrangeRows({ rows, heads }: ResultTable, filter: string, sorting: Sorting | null): number[] {
   const words = filter.toLowerCase().split(/\s+/).filter(Boolean);
   const holds = (row: readonly TableCell[]) => {
-    const text = row.map(textOf).join("\n").toLowerCase();
+    const texts = row.map(textOf);
+    const text = [...texts, ...texts.map(translate)].join("\n").toLowerCase();
     return words.every((word) => text.includes(word));
   };
   const positions = rows.flatMap((row, n) => (words.length === 0 || holds(row) ? [n] : []));

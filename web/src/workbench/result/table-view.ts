@@ -1,5 +1,7 @@
 // A table of results: only the rows in view are in the page; sorted, filtered, copied.
-import { button, fill, h, setText } from "../../viewer/shared/dom";
+
+import { button, fill, h, setRead, setText, verbatim } from "../../viewer/shared/dom";
+import { translate } from "../../viewer/shared/language";
 import { plainSymbols, symbolElement } from "../../viewer/shared/symbols";
 import type { ResultTable, TableCell, TableHead } from "../client/api";
 import { type RowBox, rangeInView, revealRow, rowsInView } from "../controls/virtual-rows";
@@ -59,12 +61,12 @@ export class TableView {
       this.scroller.scrollTop = 0;
     }
     this.table = table;
-    this.scroller.setAttribute("aria-label", table.title);
+    setRead(this.scroller, "aria-label", table.title);
     const widths = columnWidths(table);
     fill(this.columns, ...widths.map((width) => h("col", { style: `width:${width}ch` })));
     this.grid.style.width = `${widths.reduce((sum, width) => sum + width, 0)}ch`;
     this.grid.setAttribute("aria-rowcount", String(table.rows.length + 1));
-    fill(this.notes, ...table.notes.map((note) => h("p", {}, plainSymbols(note))));
+    fill(this.notes, ...table.notes.map((note) => h("p", {}, verbatim(plainSymbols(translate(note))))));
     this.arrange();
   }
 
@@ -85,7 +87,7 @@ export class TableView {
     const label = button("", "Sort by this column", () => this.sortBy(n), "link");
     const symbol = head.symbol ? [" ", symbolElement(head.symbol)] : [];
     const unit = head.unit ? [" ", h("span", { class: "unit" }, `[${head.unit}]`)] : [];
-    label.append(plainSymbols(head.text), ...symbol, ...unit);
+    label.append(plainSymbols(translate(head.text)), ...symbol, ...unit);
     const arrow = direction === "none" ? null : h("span", { class: "sorted" }, direction === "ascending" ? " ▴" : " ▾");
     return h("th", { scope: "col", "aria-sort": direction, class: head.number ? "number" : null }, label, arrow);
   }
@@ -164,7 +166,7 @@ export class TableView {
 function makeCell(cell: TableCell, head: TableHead | undefined): HTMLElement {
   const [text, under, kind] = typeof cell === "string" ? [cell, "", ""] : cell;
   const ours = kind === "words" || kind === "symbol";
-  const shown = ours ? plainSymbols(text) : text;
+  const shown = verbatim(ours ? plainSymbols(translate(text)) : translate(text));
   const names = [head?.number ? "number" : "", kind === "good" || kind === "bad" ? kind : ""].filter(Boolean).join(" ");
   const more = under ? h("small", {}, ` ${under}`) : null;
   return h("td", { class: names || null, title: textOf(cell).length > 24 ? shown : null }, shown, more);

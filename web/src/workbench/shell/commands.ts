@@ -121,6 +121,12 @@ export class Commands {
     if (await this.change(make)) this.resetResult();
   };
 
+  /** Send what is being typed and what waits. */
+  settle = async (): Promise<void> => {
+    this.flush();
+    await this.queue.run();
+  };
+
   solve = async (): Promise<void> => {
     if ((this.store.doc?.issues.length ?? 0) > 0) return this.openIssues();
     await this.run(async () => void (await this.api.solve()));
@@ -145,8 +151,7 @@ export class Commands {
 
   /** Ask what to do with unsaved work before another document is opened. */
   private async confirmLeaving(): Promise<boolean> {
-    this.flush();
-    await this.queue.run();
+    await this.settle();
     if (this.store.doc?.dirty !== true) return true;
     const words =
       "The current case has unsaved changes. If you don't save them, you can restore them when you open the case again.";
@@ -173,8 +178,7 @@ export class Commands {
   }
 
   private async run(run: () => Promise<void>, known: (error: Refused) => boolean = () => false): Promise<boolean> {
-    this.flush();
-    await this.queue.run();
+    await this.settle();
     try {
       await run();
       return true;

@@ -1,5 +1,5 @@
 // All issues of the case file below the model, and remarks on one without any; each leads to its field.
-import { fill, h } from "../../viewer/shared/dom";
+import { fill, h, setText } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
 import { type Push, repairButtons } from "../form/repairs";
 import type { Issue, Remark } from "../model/issues";
@@ -37,8 +37,8 @@ export function issueList(store: Store, onChoose: (chosen: Issue | Remark) => vo
     element.classList.toggle("bad", issues.length > 0);
     element.classList.toggle("doubtful", issues.length === 0 && remarks.some((remark) => remark.doubtful));
     element.classList.toggle("filled", !isEmpty);
-    count.textContent = store.doc?.checking ? "Checking …" : countText(issues.length, remarks.length);
-    first.textContent = issues[0] ? issueLine(issues[0]) : (remarks[0]?.words ?? "");
+    setText(count, store.doc?.checking ? "Checking …" : countText(issues.length, remarks.length));
+    setText(first, issues[0] ? issueLine(issues[0]) : (remarks[0]?.words ?? ""));
     if (isEmpty) element.open = false;
     fill(rows, ...issues.map(makeRow), ...remarks.map(makeRemark));
   });

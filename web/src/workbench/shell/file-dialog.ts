@@ -1,6 +1,6 @@
 // Choosing a case file on the server's machine: to open, or to save under a name.
 
-import { button, fill, h, newId } from "../../viewer/shared/dom";
+import { button, fill, h, newId, setText, verbatim } from "../../viewer/shared/dom";
 import { type Api, type Folder, Refused } from "../client/api";
 import { ask, closeDialog, openDialog } from "../controls/dialogs";
 
@@ -99,10 +99,10 @@ class FileDialog {
       if (turn !== this.turn) return false;
       this.folder = found;
     } catch (error) {
-      this.message.textContent = error instanceof Refused ? error.message : "The server is not responding.";
+      setText(this.message, error instanceof Refused ? error.message : "The server is not responding.");
       return false;
     }
-    this.message.textContent = "";
+    setText(this.message, "");
     this.place.value = this.folder.folder;
     const { folders } = this.folder;
     const drawings = this.purpose === "open" ? (this.folder.drawings ?? []) : [];
@@ -130,7 +130,7 @@ class FileDialog {
     const button = h(
       "button",
       { type: "button", class: isFolder ? "entry folder" : "entry", role: "option", tabindex: -1, ondblclick: open },
-      isFolder ? `${name}/` : name,
+      verbatim(isFolder ? `${name}/` : name),
     );
     button.addEventListener("click", () => {
       if (isFolder) return open();
@@ -158,7 +158,7 @@ class FileDialog {
   private async accept(): Promise<void> {
     let name = this.name.value.trim();
     if (!name) {
-      this.message.textContent = "Choose a file or enter a name.";
+      setText(this.message, "Choose a file or enter a name.");
       return;
     }
     const folder = this.place.value.trim();

@@ -1,6 +1,6 @@
 // The button that has a report made while one works on, says how far it is, and saves it.
 
-import { h, setText } from "../../viewer/shared/dom";
+import { h, setRead, setText } from "../../viewer/shared/dom";
 import { type Api, Refused } from "../client/api";
 import type { Store } from "../client/store";
 import { ask } from "../controls/dialogs";
@@ -47,7 +47,7 @@ export function reportButton(store: Store, api: Pick<Api, "report">, solve: () =
   store.on(["solved", "run", "doc", "waiting", "report"], () => {
     const { report, solved, run } = store;
     setText(element, report ? `Report ${Math.round(100 * report.share)} %` : "Report");
-    element.title = report ? `The report is being made: ${report.text || "begun"}` : title;
+    setRead(element, "title", report ? `The report is being made: ${report.text || "begun"}` : title);
     element.setAttribute("aria-busy", String(report !== null));
     element.disabled = solved === null || report !== null;
     if (isAwaitingResult && run.kind === "idle" && solved && !solved.provisional && !isStale()) {

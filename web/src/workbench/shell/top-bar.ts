@@ -1,10 +1,13 @@
 // The bar across the top: the file, undo and redo, solving, the report, light and dark.
-import { button, h, setText } from "../../viewer/shared/dom";
+
+import { button, h, setRead, setText, verbatim } from "../../viewer/shared/dom";
+import { translate } from "../../viewer/shared/language";
 import { switchTheme } from "../../viewer/shared/theme";
 import type { Api } from "../client/api";
 import type { Store } from "../client/store";
 import { icon } from "../controls/icons";
 import type { Commands } from "./commands";
+import { languageSwitch } from "./language-switch";
 import { reportButton } from "./report-button";
 
 type Files = Pick<Api, "report" | "archiveAddress">;
@@ -31,6 +34,7 @@ export function topBar(store: Store, api: Files, commands: Commands, showKeys: (
     reportButton(store, api, commands.solve),
     archiveLink(store, api),
     themeButton(),
+    languageSwitch(store, commands.settle),
     h(
       "button",
       { type: "button", title: "Keyboard shortcuts (?)", "aria-label": "keyboard shortcuts", onclick: showKeys },
@@ -43,12 +47,12 @@ export function topBar(store: Store, api: Files, commands: Commands, showKeys: (
 export function viewBar(store: Store, api: Pick<Api, "report">): HTMLElement {
   const name = h("h1", { class: "brand" }, "groundslab");
   const report = reportButton(store, api, async () => {}); // what is looked at does not change
-  return h("header", { class: "top" }, name, fileTitle(store), report, themeButton());
+  return h("header", { class: "top" }, name, fileTitle(store), report, themeButton(), languageSwitch(store));
 }
 
 function themeButton(): HTMLButtonElement {
   const theme = makeIconButton("theme", "light or dark", switchTheme);
-  theme.title = "Light or dark";
+  setRead(theme, "title", "Light or dark");
   return theme;
 }
 
@@ -65,8 +69,8 @@ function historyButtons(store: Store, commands: Commands): HTMLElement[] {
     const { doc } = store;
     undo.disabled = doc?.can_undo !== true;
     redo.disabled = doc?.can_redo !== true;
-    undo.title = doc?.can_undo ? `Undo: ${doc.undo_text} (Ctrl+Z)` : "Nothing to undo";
-    redo.title = doc?.can_redo ? `Redo: ${doc.redo_text} (Ctrl+Y)` : "Nothing to redo";
+    setRead(undo, "title", doc?.can_undo ? `Undo: ${doc.undo_text} (Ctrl+Z)` : "Nothing to undo");
+    setRead(redo, "title", doc?.can_redo ? `Redo: ${doc.redo_text} (Ctrl+Y)` : "Nothing to redo");
     setText(last, doc?.can_undo ? doc.undo_text : "");
   });
   return [h("div", { class: "gs-group", role: "group", "aria-label": "edits" }, undo, redo), last];
@@ -78,10 +82,10 @@ function fileTitle(store: Store): HTMLElement {
   store.on(["doc", "waiting"], () => {
     const { doc } = store;
     const file = doc?.file ?? null;
-    const title = file === null ? "untitled" : (file.split(/[\\/]/).at(-1) ?? file);
+    const title = file === null ? translate("untitled") : (file.split(/[\\/]/).at(-1) ?? file);
     const isDirty = doc !== null && (doc.dirty || store.waitingCount > 0);
-    setText(name, title);
-    name.title = file ?? "not saved yet";
+    setText(name, verbatim(title));
+    setRead(name, "title", file === null ? "not saved yet" : verbatim(file));
     setText(mark, isDirty ? "● unsaved" : "");
     document.title = `${isDirty ? "● " : ""}${title} – groundslab`;
   });
@@ -99,7 +103,11 @@ function solveControls(store: Store, commands: Commands): HTMLElement[] {
     const isFaulty = (store.doc?.issues.length ?? 0) > 0;
     setText(solve, isSolving ? "Cancel" : "Solve");
     solve.classList.toggle("solving", isSolving);
-    solve.title = isSolving ? "Stop solving" : isFaulty ? "Fix the errors first" : "Solve all combinations (F9)";
+    setRead(
+      solve,
+      "title",
+      isSolving ? "Stop solving" : isFaulty ? "Fix the errors first" : "Solve all combinations (F9)",
+    );
     solve.setAttribute("aria-disabled", String(!isSolving && isFaulty));
     auto.checked = store.autosolve;
   });

@@ -1,5 +1,5 @@
 // A table as a grid: only the rows in view are in the page.
-import { fill, h } from "../../viewer/shared/dom";
+import { fill, h, setRead, verbatim } from "../../viewer/shared/dom";
 import { symbolElement } from "../../viewer/shared/symbols";
 import { headWidth, type RowBox, revealRow, rowsInView } from "../controls/virtual-rows";
 import { defaultText, hintOf } from "../form/labels";
@@ -57,7 +57,7 @@ export class Grid {
       this.element.scrollTo(0, 0);
     }
     this.block = clampBlock(this.block, this.rowCount, open.columns.length);
-    this.table.setAttribute("aria-label", open.sheet.title);
+    setRead(this.table, "aria-label", open.sheet.title);
     this.table.setAttribute("aria-rowcount", String(this.rowCount + 1));
     this.table.setAttribute("aria-colcount", String(open.columns.length + 1));
     const widths = [5, ...open.columns.map((column, n) => widthOf(open, column, n))];
@@ -145,12 +145,12 @@ export class Grid {
       {
         id: `cell-${cell.row}-${cell.column}`,
         class: names.filter(Boolean).join(" ") || null,
-        title: issues.join(" ") || (text.length > WIDEST ? text : null),
+        title: issues.join(" ") || (text.length > WIDEST ? verbatim(text) : null),
         "aria-selected": inBlock ? "true" : "false",
         "aria-invalid": issues.length > 0 ? "true" : null,
         "aria-readonly": isEditable(column) ? null : "true",
       },
-      text || (standard && h("span", { class: "standard" }, standard)),
+      text ? verbatim(text) : standard && h("span", { class: "standard" }, verbatim(standard)),
     );
   }
 

@@ -1,5 +1,5 @@
 // The case file as text: editable, colored, issues beside their lines.
-import { fill, h } from "../../viewer/shared/dom";
+import { fill, h, verbatim } from "../../viewer/shared/dom";
 import { debounce } from "../client/debounce";
 import type { Store } from "../client/store";
 import type { Issue } from "../model/issues";
@@ -121,7 +121,7 @@ function makeLine(row: readonly Piece[], issues: readonly Issue[]): HTMLElement 
   return h(
     "span",
     { class: issues.length > 0 ? "line bad" : "line" },
-    ...row.map((piece) => h("span", { class: `t-${piece.style}` }, piece.text)),
+    ...row.map((piece) => h("span", { class: `t-${piece.style}` }, verbatim(piece.text))),
     text ? h("span", { class: "line-issue" }, `   ◂ ${text}`) : null,
   );
 }

@@ -1,6 +1,6 @@
 // A list of points in plan as a table of x and y.
 
-import { button, fill, h } from "../../../viewer/shared/dom";
+import { button, fill, h, setText } from "../../../viewer/shared/dom";
 import { iconButton } from "../../controls/icons";
 import { type Json, listAt, type Path } from "../../model/paths";
 import { formatLike, parsePoint } from "../../model/quantities";
@@ -30,7 +30,7 @@ export function pointsInput(ctx: FormContext, path: Path, each: Node): Input {
   const build = (length: number) => {
     // few points are shown at once, many when the user unfolds them
     if (inputs.length === 0) fold.open = length <= FEW;
-    count.textContent = length === 1 ? "1 point" : `${length} points`;
+    setText(count, length === 1 ? "1 point" : `${length} points`);
     inputs = Array.from({ length }, (_, n) => tupleInput(ctx, [...path, n], each, 2, ["x", "y"], undefined));
     const makeRow = (input: Input, n: number) => {
       const add = iconButton("add", "insert after", `insert a point after ${n + 1}`, () => insert(n + 1));

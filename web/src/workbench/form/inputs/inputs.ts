@@ -1,6 +1,7 @@
 // Elements that edit one value of the case file, by what the value is.
 
-import { fill, h, newId } from "../../../viewer/shared/dom";
+import { fill, h, newId, setRead, type Text, verbatim } from "../../../viewer/shared/dom";
+import { translate } from "../../../viewer/shared/language";
 import { debounce } from "../../client/debounce";
 import { referencedNames } from "../../model/changes/references";
 import { issuesAt } from "../../model/issues";
@@ -28,7 +29,7 @@ function inputText(value: Json | undefined): string {
 
 export interface TextOptions {
   label?: string;
-  placeholder?: string;
+  placeholder?: Text;
   /** Another way to write the value, for cells of lists. */
   write?: (value: Json | undefined, typing: boolean) => void;
 }
@@ -95,11 +96,13 @@ function choiceInput(ctx: FormContext, path: Path, words: readonly string[], sta
   const update = () => {
     const value = valueAt(ctx.data(), path);
     const chosen = inputText(value ?? standard);
-    const odd = words.includes(chosen) ? [] : [h("option", { value: chosen }, chosen === "" ? "choose …" : chosen)];
-    fill(select, ...odd, ...words.map((word) => h("option", { value: word }, word)));
+    const odd = words.includes(chosen)
+      ? []
+      : [h("option", { value: chosen }, chosen === "" ? "choose …" : verbatim(chosen))];
+    fill(select, ...odd, ...words.map((word) => h("option", { value: word }, verbatim(word))));
     select.value = chosen;
     select.classList.toggle("by-default", value === undefined);
-    select.title = value === undefined && standard !== undefined ? "default" : "";
+    setRead(select, "title", value === undefined && standard !== undefined ? "default" : "");
   };
   select.addEventListener("change", () => setValue(ctx, path, select.value === "" ? undefined : select.value));
   return { element: select, focus: select, update };
@@ -120,7 +123,11 @@ function flagInput(ctx: FormContext, path: Path, standard: Json | undefined): In
 /** A choice of several options. */
 function choicesInput(ctx: FormContext, path: Path, words: readonly string[], standard: Json | undefined): Input {
   const boxes = words.map((word) => h("input", { type: "checkbox", value: word }));
-  const group = h("span", { class: "checks", role: "group" }, ...boxes.map((box) => h("label", {}, box, box.value)));
+  const group = h(
+    "span",
+    { class: "checks", role: "group" },
+    ...boxes.map((box) => h("label", {}, box, verbatim(box.value))),
+  );
   const update = () => {
     const value = valueAt(ctx.data(), path) ?? standard;
     for (const box of boxes) box.checked = Array.isArray(value) && value.includes(box.value);
@@ -152,7 +159,7 @@ export function tupleInput(
   const cells = Array.from({ length }, (_, n) =>
     textInput(ctx, [...path, n], each, {
       label: labels[n] ?? String(n + 1),
-      placeholder: Array.isArray(standard) ? defaultText(standard[n]) : (labels[n] ?? ""),
+      placeholder: Array.isArray(standard) ? verbatim(defaultText(standard[n])) : (labels[n] ?? ""),
       write: write(n),
     }),
   );
@@ -214,7 +221,9 @@ export function inputFor(ctx: FormContext, path: Path, field: Field): Input {
       return valuesInput(ctx, path, node.each);
     default:
       return textInput(ctx, path, node, {
-        placeholder: defaultText(field.default) || (node.is === "quantity" ? `e.g. ${node.example}` : ""),
+        placeholder: verbatim(
+          defaultText(field.default) || (node.is === "quantity" ? `${translate("e.g.")} ${node.example}` : ""),
+        ),
       });
   }
 }

@@ -1,6 +1,6 @@
 // One key of a part as a row: label, input, hint, issues.
 
-import { h, newId } from "../../../viewer/shared/dom";
+import { h, newId, setRead } from "../../../viewer/shared/dom";
 import { type Path, pathKey } from "../../model/paths";
 import type { Field } from "../../model/schema";
 import type { FormContext, Widget } from "../context";
@@ -26,7 +26,7 @@ export function valueField(ctx: FormContext, path: Path, field: Field): Widget {
 /** A key's input alone, for a cell of a table; other messages stand at the end of the row. */
 export function cellField(ctx: FormContext, path: Path, field: Field, label: string): Widget {
   const input = makeInput(ctx, path, field);
-  input.focus.setAttribute("aria-label", label);
+  setRead(input.focus, "aria-label", label);
   return inputCell(ctx, path, input);
 }
 

@@ -1,5 +1,5 @@
 // The items of a list that fold, each with a summary.
-import { h, setText } from "../../../viewer/shared/dom";
+import { h, setRead, setText, verbatim } from "../../../viewer/shared/dom";
 import { issueCount, issuesAt } from "../../model/issues";
 import { titleAt } from "../../model/items";
 import { listAt, type Path, pathKey, tableAt } from "../../model/paths";
@@ -37,7 +37,8 @@ function foldedItem(ctx: FormContext, path: Path, of: Node, makeItem: (path: Pat
     () => makeItem(path),
     () => {
       const table = tableAt(ctx.data(), path);
-      setText(title, summaryOf(table, ctx.schema.partOf(of, table)) || titleAt(ctx.data(), path));
+      const summary = summaryOf(table, ctx.schema.partOf(of, table));
+      setText(title, summary ? verbatim(summary) : titleAt(ctx.data(), path));
     },
   );
 }
@@ -66,7 +67,7 @@ export function foldedWidget(
     updateHead();
     const count = issuesAt(ctx.issues(), path).length;
     setText(badge, count > 0 ? String(count) : "");
-    badge.title = issueCount(count);
+    setRead(badge, "title", issueCount(count));
     if (body) body.update();
     else build();
   };

@@ -1,5 +1,5 @@
 // A list of tables: as rows of a table where its tables are flat, else as items that fold.
-import { button, fill, h } from "../../../viewer/shared/dom";
+import { button, fill, h, setText } from "../../../viewer/shared/dom";
 import { defaultPlacement } from "../../model/changes/variants";
 import { defaultsFor } from "../../model/defaults";
 import { issuesOfList } from "../../model/issues";
@@ -58,7 +58,7 @@ export function listWidget(
       shown = part && isFlat(part) ? tableRows(ctx, path, part) : foldedRows(ctx, path, of, makeItem);
       fill(rows, shown.element);
     }
-    count.textContent = items.length > 0 ? String(items.length) : "";
+    setText(count, items.length > 0 ? String(items.length) : "");
     given?.update();
     shown.update();
     showIssues(messages, issuesOfList(ctx.issues(), path), ctx.change);
@@ -72,7 +72,7 @@ export function listWidget(
 }
 
 /** Return one item's name, from the list's: `Columns` to `column`. */
-function singular(title: string): string {
+export function singular(title: string): string {
   const lower = title.charAt(0).toLowerCase() + title.slice(1);
   return lower.endsWith("s") ? lower.slice(0, -1) : lower;
 }

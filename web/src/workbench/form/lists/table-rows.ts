@@ -1,5 +1,5 @@
 // A list of flat tables as rows: one row for each table, one column for each key.
-import { fill, h } from "../../../viewer/shared/dom";
+import { fill, h, verbatim } from "../../../viewer/shared/dom";
 import { issuesAt, issuesOfPart } from "../../model/issues";
 import { namesIn } from "../../model/names";
 import { listAt, type Path, startsWith, tableAt } from "../../model/paths";
@@ -73,7 +73,7 @@ function caseNames(ctx: FormContext, path: Path): string[] {
 /** Return one column for each load case. */
 function factorColumns(ctx: FormContext, path: Path, field: Field): Column[] {
   return caseNames(ctx, path).map((name) => ({
-    head: h("th", { scope: "col", class: "factor", title: `${field.hint}: ${name}` }, name),
+    head: h("th", { scope: "col", class: "factor", title: `${field.hint}: ${name}` }, verbatim(name)),
     makeCell: (row, position) => factorCell(ctx, [...row, field.name], name, `factor of ${name} in item ${position}`),
   }));
 }

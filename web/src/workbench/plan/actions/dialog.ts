@@ -1,5 +1,5 @@
 // The dialog of an action: its numbers, below the plan that shows what they make.
-import { button, fill, h, newId } from "../../../viewer/shared/dom";
+import { button, fill, h, newId, verbatim } from "../../../viewer/shared/dom";
 import type { Additions } from "../../model/changes/copies";
 import { Impossible } from "../../model/changes/transform";
 import type { Point } from "../../model/geometry";
@@ -150,7 +150,13 @@ export class ActionDialog {
     const attributes = { name: key, "data-is": is };
     const input =
       is === "choice" || is === "case"
-        ? h("select", attributes, ...choices.map((each) => h("option", { selected: each === value }, each)))
+        ? h(
+            "select",
+            attributes,
+            ...choices.map((each) =>
+              h("option", { value: each, selected: each === value }, is === "case" ? verbatim(each) : each),
+            ),
+          )
         : is === "flag"
           ? h("input", { ...attributes, type: "checkbox", checked: value === "yes" })
           : h("input", { ...attributes, value, autocomplete: "off", spellcheck: "false" });

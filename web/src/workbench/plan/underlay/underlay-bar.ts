@@ -1,6 +1,6 @@
 // The underlay's button in the corner of the plan: whether it is shown, its unit, and where it lies.
 
-import { button, h, newId } from "../../../viewer/shared/dom";
+import { button, h, newId, verbatim } from "../../../viewer/shared/dom";
 import type { Store } from "../../client/store";
 import { formatDecimals, parseTyped } from "../../model/quantities";
 import { type Underlay, unitsFor } from "../../model/survey";
@@ -41,7 +41,7 @@ function makeFields(store: Store, underlay: Underlay, change: (changes: Partial<
   const shown = h("input", { type: "checkbox", checked: underlay.shown });
   shown.addEventListener("change", () => change({ shown: shown.checked }));
   const units = unitsFor(underlay.survey).map((name) =>
-    h("option", { value: name, selected: name === underlay.unit }, name),
+    h("option", { value: name, selected: name === underlay.unit }, verbatim(name)),
   );
   const unit = h("select", {}, ...units);
   unit.addEventListener("change", () => change({ unit: unit.value }));
