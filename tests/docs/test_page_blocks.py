@@ -123,11 +123,12 @@ def test_commands_of_the_page_on_plots(raft: tuple[groundslab.Results, Path], mo
     """Each command draws."""
     monkeypatch.chdir(raft[1])
     commands = [shlex.split(line, comments=True) for line in blocks("plots.md", "sh")[0].splitlines() if line]
-    assert len(commands) == 9
+    assert len(commands) == 10
     for command in commands:
         assert command[:2] == ["groundslab", "plot"]
         assert main.main(command[1:]) == 0, command
     assert (raft[1] / "bottom.svg").exists()
+    assert (raft[1] / "plan.dxf").exists()
 
 
 @pytest.mark.slow
