@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ast
 import re
-import time
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
@@ -49,11 +48,9 @@ def test_catalogues_have_the_same_messages(language: Language) -> None:
 def test_translations_have_the_gaps_of_their_messages(language: Language) -> None:
     """Each gap once; those with numbers all of them; and no translation is empty."""
     for message, translation in messages(language).items():
-        gaps = GAP.findall(translation)
-        count = len(GAP.findall(message))
-        assert gaps in ([""] * count, sorted(gaps, key=int) if all(gaps) else None) or Counter(gaps) == Counter(
-            str(number + 1) for number in range(count)
-        ), message
+        gaps, count = GAP.findall(translation), len(GAP.findall(message))
+        in_order, numbered = [""] * count, [str(number) for number in range(1, count + 1)]
+        assert gaps == in_order or sorted(gaps) == numbered, message
         assert translation.strip() or not message.strip(), message
         assert not re.search(r"[{}]", GAP.sub("", message + translation)), message
 
@@ -151,12 +148,12 @@ def test_clauses_in_brackets_of_messages_keep_their_points() -> None:
     assert translate("by moment (9.2)") == "nach Moment (9.2)"
 
 
-def test_long_texts_end_soon() -> None:
-    """A text of a thousand parts that nothing knows takes no time that is noticed."""
-    translate = translator("de")
-    start = time.process_time()
-    translate(", ".join(f"unknown {number} and none; or (such) / that: this" for number in range(1000)))
-    assert time.process_time() - start < 20
+def test_long_texts_are_looked_at_once() -> None:
+    """A text of a thousand parts that nothing knows is not parted again and again."""
+    translate = catalogue(("{} and {}", "{} und {}"), ("such", "solch"))
+    text = ", ".join(f"unknown {number} and none; or (such) / that: this" for number in range(1000))
+    assert translate(text).count("unknown") == 1000
+    assert len(translate._known) < 100
 
 
 def made_messages() -> Iterator[str]:

@@ -217,7 +217,7 @@ def test_a_drawing_that_takes_too_long_or_too_much(drawing: Path, tmp_path: Path
     """The process is ended, and the words say so; the next drawing is read by another."""
     long = tmp_path / "long.dxf"
     long.write_text(bombs.circles(5000, "HOLES"))
-    with pytest.raises(InputError, match=r"found a drawing that takes longer than 0.01 s to read, expected a smaller"):
+    with pytest.raises(InputError, match=r"found a drawing that takes longer than 0.01 s to read, expected a sound"):
         DrawingReader(seconds=0.01).survey(long)
     with pytest.raises(InputError, match="a drawing that takes too much memory to read"):
         DrawingReader(memory=1_000_000).survey(long)
@@ -227,7 +227,7 @@ def test_a_drawing_that_takes_too_long_or_too_much(drawing: Path, tmp_path: Path
 def test_a_drawing_that_breaks_the_reader_is_an_issue(drawing: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Whatever the error of reading is, it is told in words."""
     monkeypatch.setattr("groundslab.workbench.checking.drawings.survey_drawing", int)  # fails in the process
-    with pytest.raises(InputError, match=r"found a damaged DXF file \(ValueError: invalid literal"):
+    with pytest.raises(InputError, match=r"found a damaged file \(ValueError: invalid literal"):
         DrawingReader().survey(drawing)
 
 
