@@ -21,7 +21,6 @@ MOST_KEYS = 10  # joined by dots; those of a case are five at most, and tomllib'
 _KEY = r"""(?:[\w-]++|"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+')"""
 _DOTTED = re.compile(rf"{_KEY}(?:[ \t]*+\.[ \t]*+{_KEY})*+")
 _PLACE = re.compile(r"\s*\(at (?:line (\d+), column (\d+)|end of document)\)$")
-_HEADING = re.compile(r"\s*\[\[?\s*([\w-]+)")
 _BARE_UNIT = re.compile(r"=\s*[-+0-9.eE]+\s*[A-Za-zµμ]")
 
 
@@ -124,29 +123,6 @@ def lines_of(parts: Mapping[str, Any], kind: type[Section]) -> list[str]:
     vars(part).update(kind.field_defaults, **parts)
     fields = {name: field for name, field in kind.model_fields.items() if name in parts}
     return list(_lines(part, "", fields))
-
-
-def with_reinforcement(text: str, model: Model, folder: Path) -> str:
-    """Return a case's text with the reinforcement of a model in place of its own, all else with its comments.
-
-    Where that does not describe the model, as with tables in a line, it is the model as `to_toml` writes it.
-    """
-    kept, inside = list[str](), False
-    for line in text.splitlines():
-        heading = _HEADING.match(line)
-        if heading:
-            inside = heading[1] == "reinforcement"
-        if not inside:
-            kept.append(line)
-    assert model.reinforcement is not None
-    heading_and_keys = ["", "[reinforcement]", *_lines(model.reinforcement, "reinforcement"), ""]
-    new = "\n".join(["\n".join(kept).rstrip(), *heading_and_keys])
-    try:
-        if from_table(tables(new), folder) == model:
-            return new
-    except InputError:
-        pass
-    return to_toml(model)
 
 
 def _unreadable(path: str | Path, found: str, expected: str = "a TOML file") -> InputError:

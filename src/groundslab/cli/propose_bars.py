@@ -36,7 +36,7 @@ def run(options: argparse.Namespace) -> int:
     """Propose bars for a case and write the case with them; exit code 3 if a check of these bars fails."""
     from dataclasses import replace
 
-    from groundslab.case import casefile
+    from groundslab.case.editing.reinforcement import with_reinforcement
     from groundslab.design.checks import check_design
     from groundslab.design.proposal.propose import propose_bars
 
@@ -45,7 +45,7 @@ def run(options: argparse.Namespace) -> int:
     if not results.results:
         raise next(iter(results.refused.values()))
     proposal = propose_bars(results)
-    write_or_print(casefile.with_reinforcement(text, proposal.model, _folder(path)), options.out)
+    write_or_print(with_reinforcement(text, proposal.model, _folder(path)), options.out)
     units = proposal.model.units
     print_stderr("\n".join(words_in(line, units) for line in _words(proposal, units)))
     checks = check_design(replace(results, model=proposal.model)).checks

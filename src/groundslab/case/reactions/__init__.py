@@ -23,7 +23,7 @@ from groundslab.case.reactions.matching import (
 )
 from groundslab.case.reactions.numbers import format_number
 from groundslab.case.reactions.table import read_table
-from groundslab.case.reactions.text import CaseText
+from groundslab.case.reactions.text import LoadsText
 from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
 from groundslab.model.reactions import Reactions
@@ -127,7 +127,7 @@ def import_into(
     text = text.replace("\r\n", "\n") if windows else text
     data = casefile.tables(text, "the case")
     before = _model_before(data, folder)
-    document = CaseText(text, data)
+    document = LoadsText(text, data)
     remarks, moved = _take(document, table, before, _reading(before, table.name, choices), choices)
     after = casefile.from_table(document.data, folder)
     old, new = resultants(before), resultants(after)
@@ -171,7 +171,7 @@ def _reading(model: Model, file: str, choices: Choices) -> Reactions:
 
 
 def _take(
-    document: CaseText, path: Path, model: Model, reading: Reactions, choices: Choices
+    document: LoadsText, path: Path, model: Model, reading: Reactions, choices: Choices
 ) -> tuple[list[str], tuple[Moved, ...]]:
     """Put the loads of a table into a case; return remarks, and what the table has elsewhere."""
     table = read_table(path, reading)
@@ -206,7 +206,7 @@ def _take(
     return [*said, *left_out], matched.moved
 
 
-def _push(document: CaseText, sums: Mapping[str, Sequence[Decimal]], unit: str) -> None:
+def _push(document: LoadsText, sums: Mapping[str, Sequence[Decimal]], unit: str) -> None:
     """Set the horizontal forces of load cases; of 0 only where they were not."""
     for position, case in enumerate(document.data.get("cases", [])):
         for key, force in zip(("H_x", "H_y"), sums.get(case["name"], ()), strict=False):
@@ -214,7 +214,7 @@ def _push(document: CaseText, sums: Mapping[str, Sequence[Decimal]], unit: str) 
                 document.set(("cases", position, key), f"{format_number(force)} {unit}")
 
 
-def _move(document: CaseText, moved: tuple[Moved, ...]) -> None:
+def _move(document: LoadsText, moved: tuple[Moved, ...]) -> None:
     """Move columns to where a table has them."""
     positions = {column["name"]: n for n, column in enumerate(document.data.get("columns", []))}
     for each in moved:

@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import Any
 
 from groundslab.case import casefile
+from groundslab.case.editing import lengths
 from groundslab.case.editing.toml_edits import TomlEditor
 from groundslab.case.editing.toml_inline import Replacement, apply_replacements
 from groundslab.case.editing.toml_layout import TomlLayout
@@ -17,7 +18,6 @@ from groundslab.case.editing.toml_values import MISSING, Path, equal_values, get
 from groundslab.errors import InputError, Issue
 from groundslab.model.model import Model
 from groundslab.schema.wording import describe
-from groundslab.workbench.editing import lengths
 from groundslab.workbench.editing.diagnostics import format_path
 
 Edit = Mapping[str, Any]

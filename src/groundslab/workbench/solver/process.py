@@ -356,10 +356,10 @@ def _write_archive(solved: Solved, file: str, told: Told) -> bytes:
 
 def _write_bars(solved: Solved, folder: str, _: Told) -> bytes:
     """Return the text of the case with bars that are proposed; relative names of files are those in a folder."""
-    from groundslab.case import casefile
+    from groundslab.case.editing.reinforcement import with_reinforcement
     from groundslab.design.proposal.propose import propose_bars
 
-    return casefile.with_reinforcement(solved.text, propose_bars(solved.results).model, Path(folder)).encode()
+    return with_reinforcement(solved.text, propose_bars(solved.results).model, Path(folder)).encode()
 
 
 def _write_table(solved: Solved, name: str, _: Told | None = None) -> bytes:

@@ -9,9 +9,10 @@ from typing import Any
 import pytest
 
 from groundslab.case import casefile
+from groundslab.case.editing import lengths
 from groundslab.case.editing.toml_positions import read_statements
 from groundslab.errors import InputError, Issue
-from groundslab.workbench.editing import diagnostics, lengths
+from groundslab.workbench.editing import diagnostics
 from groundslab.workbench.editing.document import Document
 from groundslab.workbench.editing.undo import MAX_LENGTH, MAX_STEPS, History
 from helpers.paths import EXAMPLES

@@ -1,0 +1,58 @@
+"""The text of a case with another reinforcement, all else as it is, with its comments."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from groundslab.case import casefile
+from groundslab.case.editing.case_text import CaseText
+from groundslab.errors import InputError
+from groundslab.model.model import Model
+from groundslab.unit_systems import INCH, System
+from groundslab.units import format_number, parse
+
+#: Significant digits of lengths.
+DIGITS = 12
+#: Lengths of bars, which are in millimeters on drawings.
+OF_BARS = ("diameter", "spacing")
+
+
+def with_reinforcement(text: str, model: Model, folder: Path) -> str:
+    """Return a case's text with the reinforcement of a model; keys that mean the same stay as they are written.
+
+    Where the text's layout allows no such edit, it is the model as ``casefile.to_toml`` writes it.
+    """
+    assert model.reinforcement is not None
+    data = casefile.tables(text)
+    document = CaseText(text, data)
+    try:
+        before = casefile.from_table(data, folder).reinforcement
+        written = _in_customary_units(casefile.tables(casefile.to_toml(model.reinforcement)), model.units)
+        kept = {
+            name: value
+            for name, value in data.get("reinforcement", {}).items()
+            if before is not None and getattr(before, name) == getattr(model.reinforcement, name)
+        }
+        old = [name for name in data.get("reinforcement", {}) if name in kept or name in written]
+        order = dict.fromkeys([*old, *written])
+        document.set(("reinforcement",), {name: kept.get(name, written.get(name)) for name in order})
+        if casefile.from_table(document.data, folder) == model:
+            return document.text
+    except InputError:
+        pass
+    return casefile.to_toml(model)
+
+
+def _in_customary_units(value: Any, system: System, key: str = "") -> Any:
+    """Return tables with lengths in inches, or those of bars in millimeters, where these mean the same."""
+    if isinstance(value, dict):
+        return {name: _in_customary_units(each, system, name) for name, each in value.items()}
+    if isinstance(value, list):
+        return [_in_customary_units(each, system, key) for each in value]
+    if not isinstance(value, str) or not value.endswith(" m") or (system == "SI" and key not in OF_BARS):
+        return value
+    length = parse(value, "length")
+    size, unit = (INCH, "in") if system == "US" else (1e-3, "mm")
+    text = f"{format_number(length / size, DIGITS, trim=True)} {unit}"
+    return text if parse(text, "length") == length else value
