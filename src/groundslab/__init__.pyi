@@ -124,6 +124,9 @@ from .model.varying_ground import SoilZone as SoilZone
 from .model.varying_ground import Void as Void
 from .results.results import CombinationResult as CombinationResult
 from .results.results import Results as Results
+from .study.alternatives.comparison import DesignAlternative as DesignAlternative
+from .study.alternatives.comparison import DesignComparison as DesignComparison
+from .study.alternatives.comparison import compare_designs as compare_designs
 from .study.evaluation.study import open_study as open_study
 from .views.bars import write_bars as write_bars
 from .views.files.results_folder import load_results as load_results

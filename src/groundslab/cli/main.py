@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 from groundslab._version import __version__
 from groundslab.cli import (
     case,
-    compare_ground,
+    compare,
     console,
     ifc,
     import_reactions,
@@ -129,18 +129,11 @@ def _parser() -> argparse.ArgumentParser:
 
     solve.describe(_command(commands, "solve", solve.run, "analyze a case and keep the results"))
     meaning = "compare the ground of a case with an elastic continuum, and fit springs to it"
-    compare_ground.describe(_command(commands, "compare-ground", compare_ground.run, meaning))
+    compare.describe_grounds(_command(commands, "compare-ground", compare.compare_grounds, meaning))
+    meaning = "compare thicknesses, drop panels and bars for a slab: utilizations and quantities"
+    compare.describe_designs(_command(commands, "compare-designs", compare.compare_designs, meaning))
     plot.describe(_command(commands, "plot", plot.run, "draw figures of results: PDF, SVG or PNG"))
-    app = _command(commands, "app", _app, "edit a case in the browser and see its results immediately")
-    app.epilog = "The page is served on this machine only, until Ctrl-C. Unsaved work is kept and offered next time."
-    app.add_argument("case", nargs="?", help="case file (TOML; default: a new one)")
-    app.add_argument("--port", type=int, default=0, metavar="N", help="port of the server (default: any free port)")
-    app.add_argument("--no-browser", action="store_true", help="print the address only")
-    view = _command(commands, "view", _view, "view saved results in the browser, read-only")
-    view.epilog = "The page is served on this machine only, until Ctrl-C. Nothing is written."
-    view.add_argument("results", metavar="RESULTS", help="folder written by groundslab solve, or a saved ZIP file")
-    view.add_argument("--port", type=int, default=0, metavar="N", help="port of the server (default: any free port)")
-    view.add_argument("--no-browser", action="store_true", help="print the address only")
+    _add_pages(commands)
     study.describe(_command(commands, "study", study.run, "solve many variants of a case and save one row per variant"))
     study.describe_evaluation(
         _command(commands, "evaluate", study.evaluate, "make the report and the tables of a study from its rows")
@@ -175,6 +168,20 @@ def _parser() -> argparse.ArgumentParser:
 
     _command(commands, "schema", case.print_schema, "print the JSON schema of a case file")
     return parser
+
+
+def _add_pages(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Add the commands that serve a page."""
+    app = _command(commands, "app", _app, "edit a case in the browser and see its results immediately")
+    app.epilog = "The page is served on this machine only, until Ctrl-C. Unsaved work is kept and offered next time."
+    app.add_argument("case", nargs="?", help="case file (TOML; default: a new one)")
+    app.add_argument("--port", type=int, default=0, metavar="N", help="port of the server (default: any free port)")
+    app.add_argument("--no-browser", action="store_true", help="print the address only")
+    view = _command(commands, "view", _view, "view saved results in the browser, read-only")
+    view.epilog = "The page is served on this machine only, until Ctrl-C. Nothing is written."
+    view.add_argument("results", metavar="RESULTS", help="folder written by groundslab solve, or a saved ZIP file")
+    view.add_argument("--port", type=int, default=0, metavar="N", help="port of the server (default: any free port)")
+    view.add_argument("--no-browser", action="store_true", help="print the address only")
 
 
 def _add_exchange(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:

@@ -1,0 +1,134 @@
+"""Alternatives to a design as rows: quantities and utilizations, with a column for each alternative."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from groundslab.study.alternatives.comparison import DesignAlternative, DesignComparison
+from groundslab.study.alternatives.proposals import PANELS
+from groundslab.unit_systems import unit_in, words_in
+from groundslab.units import format_number
+
+if TYPE_CHECKING:
+    from groundslab.views.report.table_layout import TableLayout
+
+#: Significant digits of numbers.
+DIGITS = 4
+#: What stands where links do not suffice.
+NOT_ENOUGH = "not enough"
+BEYOND_PANELS = "Punching of the slab around drop panels is not checked (EN 1992-1-1 6.4.2(8), ACI 318-19 22.6.4.1)."
+UTILIZATION_NOTE = "Below the quantities: the largest utilization of each kind of check; above 1 it exceeds its limit."
+
+
+@dataclass(frozen=True, slots=True)
+class ComparedRow:
+    """One quantity: what it is called, its unit, and for each alternative its value as text, and whether it is bad."""
+
+    label: str
+    unit: str
+    cells: tuple[str, ...]
+    bad: tuple[bool, ...]
+
+
+def rows(comparison: DesignComparison) -> list[ComparedRow]:
+    """Return the outcome, the quantities and the utilizations of all alternatives."""
+    alternatives = comparison.alternatives
+    statuses = tuple(alternative.status for alternative in alternatives)
+    return [
+        ComparedRow("outcome", "", statuses, tuple(status == "fails" for status in statuses)),
+        *_quantities(comparison),
+        *(_utilization(alternatives, name) for name in _checks(alternatives)),
+    ]
+
+
+def _quantities(comparison: DesignComparison) -> Iterator[ComparedRow]:
+    """Yield concrete, bars, links and settlement."""
+    alternatives = comparison.alternatives
+    yield _amounts("concrete", "m3", comparison, [each.concrete for each in alternatives])
+    if any(each.bars is not None for each in alternatives):
+        yield _amounts("bars", "kg", comparison, [each.bars for each in alternatives])
+        links = [each.links for each in alternatives]
+        masses = _amounts("links", "kg", comparison, links)
+        lacking = tuple(mass is None for mass in links)
+        shown = tuple(NOT_ENOUGH if bad else cell for cell, bad in zip(masses.cells, lacking, strict=True))
+        yield ComparedRow(masses.label, masses.unit, shown, lacking)
+        counts = tuple(str(each.places_of_links) for each in alternatives)
+        yield ComparedRow("columns, piles, walls with links", "", counts, (False,) * len(counts))
+    yield _amounts("largest settlement", "mm", comparison, [1e3 * each.settlement for each in alternatives])
+
+
+def _amounts(label: str, unit: str, comparison: DesignComparison, values: list[float | None]) -> ComparedRow:
+    """Return a row of amounts in the units of the case."""
+    shown, factor = unit_in(unit, comparison.model.units)
+    cells = tuple("" if value is None else format_number(value * factor, DIGITS, trim=True) for value in values)
+    return ComparedRow(label, shown, cells, (False,) * len(cells))
+
+
+def _checks(alternatives: tuple[DesignAlternative, ...]) -> list[str]:
+    """Return the kinds of checks, the most used first."""
+    largest = dict[str, float]()
+    for alternative in alternatives:
+        for name, value in alternative.utilizations.items():
+            largest[name] = max(value, largest.get(name, 0.0))
+    return sorted(largest, key=lambda name: -largest[name])
+
+
+def _utilization(alternatives: tuple[DesignAlternative, ...], name: str) -> ComparedRow:
+    values = [alternative.utilizations.get(name) for alternative in alternatives]
+    cells = tuple("" if value is None else f"{value:.2f}" for value in values)
+    return ComparedRow(name, "", cells, tuple(value is not None and value > 1 for value in values))
+
+
+def notes(comparison: DesignComparison) -> tuple[str, ...]:
+    """Return what each alternative is, and what a reader must know."""
+    units = comparison.model.units
+    about = [f"{each.words}." for each in comparison.alternatives if each.words.startswith(PANELS)]
+    about += [BEYOND_PANELS] if about else []
+    remarks = dict.fromkeys(f"{remark}." for each in comparison.alternatives for remark in each.notes)
+    return tuple(words_in(note, units) for note in (UTILIZATION_NOTE, *about, *remarks, *comparison.notes))
+
+
+def layout_rows(comparison: DesignComparison) -> TableLayout:
+    """Return the rows as a table of a page."""
+    from groundslab.views.report.table_layout import Cell, TableHeader, TableLayout
+
+    heads = (
+        TableHeader(""),
+        TableHeader("unit"),
+        *(TableHeader(alternative.name, number=True) for alternative in comparison.alternatives),
+    )
+    cells = tuple(
+        (
+            Cell(row.label, "words"),
+            Cell(row.unit),
+            *(Cell(value, "bad" if bad else "number") for value, bad in zip(row.cells, row.bad, strict=True)),
+        )
+        for row in rows(comparison)
+    )
+    return TableLayout("Alternatives compared", heads, cells, notes(comparison))
+
+
+def to_json(comparison: DesignComparison) -> dict[str, Any]:
+    """Return a comparison as data: all amounts in SI units."""
+    return {
+        "format": "groundslab design comparison 1",
+        "title": comparison.model.title,
+        "alternatives": [
+            {
+                "name": each.name,
+                "words": each.words,
+                "status": each.status,
+                "concrete": each.concrete,
+                "bars": each.bars,
+                "links": each.links,
+                "places_of_links": each.places_of_links,
+                "settlement": each.settlement,
+                "utilizations": each.utilizations,
+                "notes": list(each.notes),
+            }
+            for each in comparison.alternatives
+        ],
+        "notes": list(comparison.notes),
+    }

@@ -1,0 +1,228 @@
+"""Alternatives to a design: what is tried, with quantities by hand and utilizations of the case that is written."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+import groundslab
+from groundslab.analysis.driver import solve
+from groundslab.case import casefile
+from groundslab.cli import main
+from groundslab.design.checks import check_design
+from groundslab.errors import InputError
+from groundslab.study.alternatives.comparison import DesignComparison, compare_designs, compare_texts
+from groundslab.study.alternatives.proposals import other_thicknesses, thickness_step
+from groundslab.study.alternatives.rows import layout_rows, rows
+from groundslab.unit_systems import INCH
+
+#: Two columns on a raft of 8 m x 5 m x 0.5 m, thicker over 1.1 m x 5 m at the left; one of them needs links.
+RAFT = """\
+# A raft under two columns
+[plate]
+length_x = "8 m"
+length_y = "5 m"
+thickness = "500 mm"   # first guess
+E = "33 GPa"
+nu = 0.2
+
+[[plate.zones]]
+thickness = "0.6 m"
+shape = {kind = "rectangle", x = ["-4 m", "-2.9 m"], y = ["-2.5 m", "2.5 m"]}
+
+[ground]
+kind = "winkler"
+k = "25 MPa/m"
+
+[mesh]
+size = "0.5 m"
+
+[reinforcement]
+f_ck = "30 MPa"   # C30/37
+f_yk = "500 MPa"
+bottom = ["50 mm", "66 mm"]
+top = ["50 mm", "66 mm"]
+
+[[columns]]
+name = "A"
+x = "-1 m"
+y = "0 m"
+width_x = "0.4 m"
+width_y = "0.4 m"
+
+[[columns]]
+name = "B"
+x = "2 m"
+y = "0 m"
+width_x = "0.6 m"
+width_y = "0.6 m"
+
+[[cases]]
+name = "G"
+
+[[combinations]]
+name = "ultimate"
+factors = {G = 1.35}
+
+[[loads]]
+case = "G"
+kind = "point"
+column = "A"
+P = "1800 kN"
+
+[[loads]]
+case = "G"
+kind = "point"
+column = "B"
+P = "900 kN"
+"""
+#: The same without bars, on larger elements.
+PLAIN = (RAFT[: RAFT.index("[reinforcement]")] + RAFT[RAFT.index("[[columns]]") :]).replace('"0.5 m"', '"1 m"')
+
+
+@cache
+def raft() -> DesignComparison:
+    """Return the comparison of the raft."""
+    return compare_texts(RAFT, None)
+
+
+@pytest.mark.slow
+def test_concrete_is_that_by_hand() -> None:
+    """Of zones and slab, which change together; of drop panels, 2 x 50 mm over the column and 2 x 0.6 m beyond it."""
+    drawn = 8 * 5 * 0.5 + 1.1 * 5 * 0.1
+    panel = (0.4 + 2 * 1.2) ** 2 * 0.1
+    expected = {
+        "as drawn": drawn,
+        "bars proposed": drawn,
+        "50 mm thinner": drawn - 40 * 0.05,
+        "50 mm thicker": drawn + 40 * 0.05,
+        "100 mm thicker": drawn + 40 * 0.1,
+        "drop panels, 100 mm": drawn + panel,
+    }
+    assert {each.name: each.concrete for each in raft().alternatives} == pytest.approx(expected)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["50 mm thicker", "drop panels, 100 mm"])
+def test_utilizations_are_those_of_the_case_that_is_written(name: str) -> None:
+    """Its text, solved and checked by itself, has the utilizations, the status and the settlement that are listed."""
+    alternative = raft()[name]
+    results = solve(casefile.loads(alternative.text))
+    design = check_design(results)
+    for check in design.checks:
+        if check.utilisation is not None:
+            assert alternative.utilizations[check.name] >= check.utilisation * (1 - 1e-12)
+    used = {check.name for check in design.checks if check.utilisation is not None}
+    assert set(alternative.utilizations) == used
+    assert alternative.status == design.status
+    assert alternative.settlement == pytest.approx(results.plate.settlement.max())
+
+
+@pytest.mark.slow
+def test_texts_keep_what_is_not_changed() -> None:
+    """The first is the case itself; others keep comments and units, change thicknesses, and have bars."""
+    assert raft()["as drawn"].text == RAFT
+    text = raft()["50 mm thicker"].text
+    for line in ("# A raft under two columns", 'thickness = "550 mm"   # first guess', 'f_ck = "30 MPa"   # C30/37'):
+        assert line in text
+    model = casefile.loads(text)
+    assert (model.plate.thickness, model.plate.zones[0].thickness) == (0.55, 0.65)
+    assert model.reinforcement is not None
+    assert model.reinforcement.laid
+    panel = casefile.loads(raft()["drop panels, 100 mm"].text).plate.zones[1]
+    assert panel.thickness == pytest.approx(0.6)
+    assert panel.shape.ring().bounds == pytest.approx((-2.4, 0.4, -1.4, 1.4))
+
+
+@pytest.mark.slow
+def test_thicker_slabs_punch_less() -> None:
+    """Punching falls as the slab gets thicker; a drop panel relieves it, too; one column needs links."""
+    names = ("50 mm thinner", "bars proposed", "50 mm thicker", "100 mm thicker")
+    used = [raft()[name].utilizations["punching within 2 d"] for name in names]
+    assert used == sorted(used, reverse=True)
+    assert raft()["drop panels, 100 mm"].utilizations["punching within 2 d"] < used[1]
+    assert raft()["bars proposed"].places_of_links == 1
+
+
+@pytest.mark.slow
+def test_rows_have_a_cell_for_each_alternative() -> None:
+    """Bad cells are those of failing checks and of what exceeds its limit."""
+    count = len(raft().alternatives)
+    for row in rows(raft()):
+        assert len(row.cells) == len(row.bad) == count
+    outcome, concrete, *_ = rows(raft())
+    assert list(outcome.bad) == [each.status == "fails" for each in raft().alternatives]
+    assert concrete.cells[0] == "20.55"
+    assert len(layout_rows(raft()).heads) == count + 2
+
+
+def test_steps_are_a_tenth_in_round_numbers() -> None:
+    """50 mm or 2 in, more for thick slabs; thin ones are not made thinner than they can be; all plates change."""
+    data = casefile.tables(RAFT)
+    model = casefile.loads(RAFT)
+    assert thickness_step(model) == 0.05
+    thick = model.replace(plate=model.plate.replace(thickness=1.4))
+    assert thickness_step(thick) == pytest.approx(0.15)
+    customary = casefile.loads(RAFT + '[project]\nunits = "US"\n')
+    assert thickness_step(customary) == pytest.approx(2 * INCH)
+    thin = PLAIN.replace('"500 mm"', '"60 mm"').replace('"0.6 m"\nshape', '"70 mm"\nshape')
+    names = [each.name for each in other_thicknesses(casefile.loads(thin), casefile.tables(thin))]
+    assert names == ["50 mm thicker", "100 mm thicker"]
+    edits = next(iter(other_thicknesses(model, data))).edits
+    assert edits == ((("plate", "thickness"), "450 mm"), (("plate", "zones", 0, "thickness"), "0.55 m"))
+
+
+def test_without_reinforcement_there_is_concrete_alone() -> None:
+    """Neither bars nor links are counted, which is said."""
+    comparison = compare_texts(PLAIN, None)
+    assert [each.bars for each in comparison.alternatives] == [None] * 4
+    assert any("reinforcement" in note for note in comparison.notes)
+    assert all(row.label != "links" for row in rows(comparison))
+
+
+def test_alternatives_without_a_result_are_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One that cannot be solved is left out with its reason; if the slab as drawn cannot be, that is the error."""
+    floating = RAFT.replace("1800 kN", "-1800 kN").replace("900 kN", "-900 kN")
+    with pytest.raises(groundslab.NoEquilibrium):
+        compare_texts(floating, None)
+    from groundslab.study.alternatives import comparison as module
+
+    def refuse_thicker(model: groundslab.Model) -> groundslab.Results:
+        if model.plate.thickness > 0.5:
+            raise groundslab.NoResult("too stiff")
+        return solve(model)
+
+    monkeypatch.setattr(module, "solve", refuse_thicker)
+    compared = compare_texts(PLAIN, None)
+    assert [each.name for each in compared.alternatives] == ["as drawn", "50 mm thinner"]
+    assert sum("too stiff" in note for note in compared.notes) == 2
+
+
+@pytest.mark.slow
+def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """It prints a table or JSON, and writes the case with the alternative that is taken."""
+    case, target = tmp_path / "raft.toml", tmp_path / "thicker.toml"
+    case.write_text(RAFT.replace('size = "0.5 m"', 'size = "1 m"'), encoding="utf-8")
+    command = ["compare-designs", str(case)]
+    assert main.main([*command, "--take", "50 mm thicker"]) == 2
+    assert main.main([*command, "--take", "50 mm thicker", "-o", str(target), "--json"]) == 0
+    shown = json.loads(capsys.readouterr().out)
+    assert [each["name"] for each in shown["alternatives"]][:2] == ["as drawn", "bars proposed"]
+    assert groundslab.load(target).plate.thickness == 0.55
+    assert main.main([*command, "--take", "thicker", "-o", str(tmp_path / "other.toml")]) == 2
+    out, err = capsys.readouterr()
+    assert "concrete" in out
+    assert "50 mm thicker" in err
+
+
+def test_a_model_is_compared_like_its_file(tmp_path: Path) -> None:
+    """Names, and a file that does not exist."""
+    with pytest.raises(InputError):
+        compare_designs(tmp_path / "none.toml")
+    model = casefile.loads(PLAIN)
+    path = tmp_path / "raft.toml"
+    path.write_text(casefile.to_toml(model), encoding="utf-8")
+    assert compare_designs(model) == compare_designs(path)
