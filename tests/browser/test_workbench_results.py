@@ -107,8 +107,26 @@ def test_grounds_without_layers_cannot_be_compared(server: Server, bench: Bench,
     open_two(server, bench, case)
     bench.page.locator(".result").get_by_role("tab", name="Ground").click()
     bench.page.get_by_role("button", name="Compare ground models").click()
-    bench.wait_seen(".comparison-words", "without layers of soil")
+    bench.wait_seen(".comparison-words:visible", "without layers of soil")
     bench.page.get_by_role("button", name="Compare ground models").wait_for()
+
+
+def test_an_alternative_is_taken_into_the_case(server: Server, bench: Bench, case: Path) -> None:
+    """Thicknesses are tried beside the solver; one is put into the case as one step of undo."""
+    open_two(server, bench, case)
+    page = bench.page
+    page.locator(".result").get_by_role("tab", name="Alternatives").click()
+    page.get_by_role("button", name="Try alternatives").click()
+    choice = page.get_by_label("Alternative", exact=True)
+    choice.wait_for(timeout=120_000)
+    name = next(each for each in choice.locator("option").all_inner_texts() if each.endswith("thicker"))
+    page.locator(".result-table:visible").get_by_text("concrete").wait_for()
+    choice.select_option(name)
+    page.get_by_role("button", name="Take it").click()
+    bench.wait_text('thickness = "300 mm"  # as on the drawing')
+    page.get_by_role("button", name="Take it").wait_for(state="hidden")
+    page.keyboard.press("Control+z")
+    bench.wait_text('thickness = "250 mm"  # as on the drawing')
 
 
 def test_a_section_that_was_cut_is_kept_as_line_and_as_strip(server: Server, bench: Bench, case: Path) -> None:

@@ -10,7 +10,7 @@ from groundslab.errors import InputError, Issue
 from groundslab.workbench.checking.parsing import CheckResult
 from groundslab.workbench.checking.revision import Revision
 from groundslab.workbench.events import Hub
-from groundslab.workbench.solver.ground_comparison import GroundComparer
+from groundslab.workbench.solver.comparer import Comparer
 from groundslab.workbench.solver.process import OUTDATED
 from groundslab.workbench.solver.thread import DELAY, Solver
 
@@ -22,7 +22,7 @@ class Analyses:
 
     def __init__(self, lock: RLock, hub: Hub, solver: Solver) -> None:
         self.solver = solver
-        self.comparer = GroundComparer(hub.publish)
+        self.comparer = Comparer(hub.publish)
         self._lock, self._hub = lock, hub
         self._autosolve = True
 

@@ -27,8 +27,7 @@ from groundslab.workbench.server.public import Run, add_document_route, describe
 from groundslab.workbench.server.security import Guard
 from groundslab.workbench.server.session import Session, State
 from groundslab.workbench.server.tickets import Tickets
-from groundslab.workbench.solver.ground_comparison import GroundComparer
-from groundslab.workbench.solver.thread import Solver
+from groundslab.workbench.solver.comparer import TASKS, Kind
 
 UNTITLED = Path("case.toml")
 STATIC = Path(__file__).parents[1] / "static"
@@ -118,7 +117,7 @@ def create_app(session: Session, tickets: Tickets, port: int, token: str, static
     _add_import_routes(app, session)
     _add_solver_routes(app, session)
     _add_file_routes(app, session)
-    _add_table_routes(app, session.analyses.solver, session.analyses.comparer)
+    _add_table_routes(app, session)
     add_example_routes(app, session)
     return guard_app(app, tickets, port, token, static)
 
@@ -340,32 +339,39 @@ def _add_file_routes(app: FastAPI, session: Session) -> None:
         return respond_download(name, content, "application/zip")
 
 
-def _add_table_routes(app: FastAPI, solver: Solver, comparer: GroundComparer) -> None:
-    """Add the routes of the tables of results, and of the comparison of grounds, which is one when it has been made."""
+def _add_table_routes(app: FastAPI, session: Session) -> None:
+    """Add the routes of the tables of results, and of comparisons, each of which is a table when it has been made."""
+    solver, comparer = session.analyses.solver, session.analyses.comparer
 
     @app.get("/api/results/{run}/tables")
     def list_tables(run: int) -> Response:
         result = solver.schedule.results.get(run)
         if result is None:
             return respond_not_kept()
-        compared = ["comparison"] if comparer.get(run) else []
-        return JSONResponse([*result.answer.tables, *compared])
+        return JSONResponse([*result.answer.tables, *comparer.list_kinds(run)])
 
     @app.get("/api/results/{run}/tables/{name}")
     def get_table(run: int, name: str) -> Response:
         result = solver.schedule.results.get(run)
-        content = comparer.get(run) if name == "comparison" else None
-        if content is None and (result is None or name not in result.answer.tables):
+        compared = next((comparer.get(kind, run) for kind in TASKS if kind == name), None)
+        if compared is not None:
+            return Response(compared.table, media_type="application/json")
+        if result is None or name not in result.answer.tables:
             return respond_not_kept()
-        return Response(content or solver.make_view(("table", run, name)), media_type="application/json")
+        return Response(solver.make_view(("table", run, name)), media_type="application/json")
 
-    @app.post("/api/results/{run}/comparison")
-    def compare_grounds(run: int) -> Response:
+    @app.post("/api/results/{run}/{kind}")
+    def compare(run: int, kind: Kind) -> Response:
         result = solver.schedule.results.get(run)
         if result is None:
             return respond_not_kept()
-        comparer.start(run, result.text)
+        comparer.start(kind, run, result.text, session.file.folder)
         return JSONResponse({})
+
+    @app.get("/api/results/{run}/alternatives")
+    def get_alternatives(run: int) -> Response:
+        compared = comparer.get("alternatives", run)
+        return respond_not_kept() if compared is None else JSONResponse(compared.cases)
 
     @app.post("/api/comparison/cancel")
     def cancel_comparison() -> dict[str, Any]:

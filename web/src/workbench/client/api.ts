@@ -7,6 +7,9 @@ import { isTable, type Json, type Table, tableAt } from "../model/paths";
 import type { ReactionChanges, ReactionChoice } from "../model/reactions";
 import type { DrawingChoice, Survey } from "../model/survey";
 
+/** What can be compared of a run: ground models, or alternatives to the design; the names of their tables. */
+export type ComparisonKind = "comparison" | "alternatives";
+
 /** Unsaved work that an earlier run of the server has kept. */
 export interface Offer {
   file: string | null;
@@ -211,7 +214,8 @@ export class HttpApi {
   summary = (run: number) => this.json<Summary>(`results/${run}/summary`);
   tables = (run: number) => this.json<string[]>(`results/${run}/tables`);
   table = (run: number, name: string) => this.json<ResultTable>(`results/${run}/tables/${name}`, undefined, 120_000);
-  compareGrounds = async (run: number) => void (await this.json(`results/${run}/comparison`, {}));
+  compare = async (run: number, kind: ComparisonKind) => void (await this.json(`results/${run}/${kind}`, {}));
+  alternatives = (run: number) => this.json<Record<string, string>>(`results/${run}/alternatives`);
   cancelComparison = async () => void (await this.json("comparison/cancel", {}));
   scene = async (run: number) => (await this.request(`results/${run}/scene`, undefined, 120_000)).arrayBuffer();
   preview = async (run: number) => (await this.request(`results/${run}/preview`, undefined, 120_000)).arrayBuffer();

@@ -155,12 +155,11 @@ export class Connection {
       if (this.store.report?.run === making.run) this.store.set("report", making);
     });
     const setComparison = (comparison: Comparison) => this.store.set("comparison", comparison);
-    on<{ run: number; text: string; share: number }>("comparing", (about) =>
-      setComparison({ ...about, state: "running" }),
-    );
-    on<{ run: number }>("compared", ({ run }) => setComparison({ run, state: "done", text: "", share: 1 }));
-    on<{ run: number; message: string }>("not compared", ({ run, message }) =>
-      setComparison({ run, state: "failed", text: message, share: 0 }),
+    type Told = Pick<Comparison, "kind" | "run">;
+    on<Told & { text: string; share: number }>("comparing", (about) => setComparison({ ...about, state: "running" }));
+    on<Told>("compared", (about) => setComparison({ ...about, state: "done", text: "", share: 1 }));
+    on<Told & { message: string }>("not compared", ({ kind, run, message }) =>
+      setComparison({ kind, run, state: "failed", text: message, share: 0 }),
     );
     on("cancelled", () => setRun({ kind: "cancelled" }));
     source.addEventListener("error", () => {

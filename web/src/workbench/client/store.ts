@@ -5,7 +5,7 @@ import type { Change, Edit } from "../model/edits";
 import type { Issue } from "../model/issues";
 import { type Path, pathKey, samePath, type Table } from "../model/paths";
 import type { Underlay } from "../model/survey";
-import type { CombinationSummary, DocState } from "./api";
+import type { CombinationSummary, ComparisonKind, DocState } from "./api";
 
 /** The state of the connection. */
 export type Connection = "ok" | "away" | "unauthorized";
@@ -38,8 +38,9 @@ export interface Preview {
   figures: CombinationSummary;
 }
 
-/** The comparison of ground models: of which run, how far it is; why there is none. */
+/** The comparison made last: of what, of which run, how far it is; why there is none. */
 export interface Comparison {
+  kind: ComparisonKind;
   run: number;
   state: "running" | "done" | "failed";
   text: string;

@@ -6,8 +6,9 @@ import { type Api, Lost, Refused, type Summary } from "../client/api";
 import type { Store } from "../client/store";
 import { splitter } from "../controls/splitter";
 import type { Change } from "../model/edits";
+import { AlternativesBar } from "./alternatives-bar";
 import { barsBar } from "./bars-bar";
-import { comparisonBar } from "./comparison-bar";
+import { comparisonBar, GROUNDS } from "./comparison-bar";
 import { keepSection } from "./keep-section";
 import { LowerPanels } from "./lower-panels";
 import { Picture } from "./picture";
@@ -21,12 +22,16 @@ export interface ModelActions {
 }
 
 /** The panel of results, kept in step with the store's `solved`; without a model it only shows. */
+/** The tabs in which something can be compared before there is a table. */
+const COMPARISONS = ["ground", "alternatives"];
+
 export class ResultPanel {
   readonly element = h("section", { class: "result", "aria-label": "result" });
   private readonly full = h("div", { class: "result-full", hidden: true });
   private readonly empty;
   private readonly picture: Picture;
   private readonly lower: LowerPanels;
+  private alternatives: AlternativesBar | null = null;
   private readonly canCompare: boolean;
   private summary: Summary | null = null;
   private shownName: string | null = "";
@@ -44,7 +49,8 @@ export class ResultPanel {
       | "table"
       | "preview"
       | "setShown"
-      | "compareGrounds"
+      | "compare"
+      | "alternatives"
       | "cancelComparison"
       | "proposeBars"
     >,
@@ -96,9 +102,12 @@ export class ResultPanel {
       // a newer result is on its way, whose tables follow it
       if (error instanceof Lost || store.solved?.run === this.shownRun) this.handleError(error);
     });
-    const bar = model && comparisonBar(store, api, (error) => this.handleError(error));
-    if (bar) lower.tables.addTo("ground", bar);
-    if (model) lower.tables.addTo("reinforcement", barsBar(store, api, model.push));
+    if (!model) return lower;
+    const onError = (error: unknown) => this.handleError(error);
+    this.alternatives = new AlternativesBar(store, api, model.push, onError);
+    lower.tables.addTo("ground", comparisonBar(GROUNDS, store, api, onError));
+    lower.tables.addTo("alternatives", this.alternatives.element);
+    lower.tables.addTo("reinforcement", barsBar(store, api, model.push));
     return lower;
   }
 
@@ -141,14 +150,15 @@ export class ResultPanel {
     }
   }
 
-  /** Offer the tabs that have a table; grounds can always be compared. */
+  /** Offer the tabs that have a table; grounds and alternatives can always be compared. */
   private offerTables(run: number | null, names: readonly string[]): void {
+    if (run !== null && names.includes("alternatives")) void this.alternatives?.offer(run);
     this.lower.tables.set(run, this.shownUpdate, names, (tab, offered) =>
-      this.lower.tabs.offer(tab, offered || (tab === "ground" && this.canCompare && run !== null)),
+      this.lower.tabs.offer(tab, offered || (COMPARISONS.includes(tab) && this.canCompare && run !== null)),
     );
   }
 
-  /** Show the comparison of grounds that has been made for the run shown. */
+  /** Show the comparison that has been made for the run shown. */
   private async takeComparison(): Promise<void> {
     const { comparison } = this.store;
     if (comparison?.state !== "done" || comparison.run !== this.shownRun) return;
@@ -156,7 +166,7 @@ export class ResultPanel {
       const names = await this.api.tables(comparison.run);
       if (comparison.run !== this.shownRun) return;
       this.offerTables(comparison.run, names);
-      this.lower.tables.choose("ground", "comparison");
+      this.lower.tables.choose(comparison.kind === "alternatives" ? "alternatives" : "ground", comparison.kind);
     } catch (error) {
       this.handleError(error);
     }

@@ -29,6 +29,7 @@ const GROUPS: readonly { name: string; label: string; tables: Record<string, str
     label: "Reinforcement",
     tables: { reinforcement: "required", shear_reinforcement: "links against punching", bars: "bar quantities" },
   },
+  { name: "alternatives", label: "Alternatives", tables: { alternatives: "alternatives" } },
   {
     name: "ground",
     label: "Ground",
