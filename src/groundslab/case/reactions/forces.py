@@ -23,7 +23,7 @@ from groundslab.schema.wording import listed
 #: Kind of load, column or wall, and load case: of each there is one imported load.
 Key = tuple[str, str, str]
 #: Digits of loads along walls, which are computed.
-DIGITS = 9
+DIGITS = 12
 #: Moments on walls below this share of force times length are rounding.
 ROUNDING = 1e-9
 
