@@ -31,7 +31,7 @@ Translator = Callable[[str], str]
 PARTED = ("; ", ": ", ", ", " + ", " / ")
 WORDS_BETWEEN: Mapping[str, Mapping[str, str]] = {
     "de": {" and ": " und ", " or ": " oder "},
-    "fr": {" and ": " et ", " or ": " ou "},
+    "fr": {"; ": " ; ", ": ": " : ", " and ": " et ", " or ": " ou "},
     "es": {" and ": " y ", " or ": " o "},
     "pl": {" and ": " i ", " or ": " lub "},
 }
@@ -43,6 +43,10 @@ DEEPEST = 8
 _GAP = re.compile(r"\{(\d*)\}")
 #: Between sentences.
 _SENTENCES = re.compile(r"(?<=[.!?]) (?=[^\W\d_a-z])")
+#: The point of an abbreviation and that of a sentence.
+_TWO_STOPS = re.compile(r"(?<=[^\W\d_])\.\.(?!\.)")
+#: A space that French does not break at.
+_BEFORE_MARKS = re.compile(r" (?=[;:!?])")
 _QUOTED = re.compile(r'"[^"]*"(?: \.\.\.)?')
 _WHOLE_WORDS = re.compile(r"(?<![\0\w])[^\W\d_]+(?![\0\w])")
 _WORDS = re.compile(r"[^\W\d_]+")
@@ -58,6 +62,8 @@ _WORD = re.compile(
 _ONE = NUMBER.replace("[+-]", "[+\N{MINUS SIGN}-]")
 #: A place, or a number with a fraction that is none of a clause such as "6.4.4(2)", of an edition or of an annex.
 _PLACE = re.compile(rf"[(\[]{_ONE}(?:, {_ONE})+[)\]]")
+_LISTED = re.compile(rf"{_ONE}(?:, {_ONE})+")
+_PLACES = re.compile(rf"{_PLACE.pattern}(?: {_PLACE.pattern})+(?: \w+)?")
 _FRACTION = re.compile(r"(?<![\w.,])([+\N{MINUS SIGN}-]?\d*)\.(\d+(?:[eE][+-]?\d+)?)(?![\w.(])")
 #: Clauses: of three parts, in brackets but for places, or behind a code.
 _CLAUSE = re.compile(
@@ -105,15 +111,17 @@ class Template:
         filled.append(text[at:end])
         return filled if all(map(_balanced, filled)) else None
 
-    def has_clause(self, gap: int, filling: str) -> bool:
-        """Return whether what fills a gap is one clause or several, in brackets."""
-        bracketed = self.pieces[gap].endswith("(") and self.pieces[gap + 1].startswith(")")
-        return bracketed and _CLAUSES.fullmatch(filling) is not None
+    def keeps(self, gap: int, filling: str) -> bool:
+        """Return whether what fills a gap stays: one clause or several in brackets, or the name of a file."""
+        before, behind = self.pieces[gap], self.pieces[gap + 1]
+        bracketed = before.endswith("(") and behind.startswith(")")
+        return before.endswith("/") or (bracketed and _CLAUSES.fullmatch(filling) is not None)
 
     def filled(self, fillings: Sequence[str]) -> str:
         """Return the translation with its gaps filled."""
         order = iter(range(len(fillings)))
-        return _GAP.sub(lambda gap: fillings[int(gap[1]) - 1 if gap[1] else next(order)], self.translation)
+        filled = _GAP.sub(lambda gap: fillings[int(gap[1]) - 1 if gap[1] else next(order)], self.translation)
+        return _TWO_STOPS.sub(".", filled)
 
 
 #: A template, and what fills its gaps in a text.
@@ -136,7 +144,8 @@ class Catalogue:
 
     def __call__(self, text: str) -> str:
         """Return a text in the language; what has no translation stays."""
-        return self._translated(text, 0)
+        translated = self._translated(text, 0)
+        return _BEFORE_MARKS.sub("\N{NO-BREAK SPACE}", translated) if self.language == "fr" else translated
 
     def _translated(self, text: str, depth: int) -> str:
         found = self._found(text, depth)
@@ -194,10 +203,11 @@ class Catalogue:
     def _by(self, fits: Iterable[Fit], depth: int) -> str | None:
         """Return what the first template says all of whose fillings are known; None if there is none."""
         for template, fillings in fits:
-            kept = [template.has_clause(gap, filling) for gap, filling in enumerate(fillings)]
             known = self._all_found(fillings, depth)
             if known is not None:
-                return template.filled([a if keep else b for a, b, keep in zip(fillings, known, kept, strict=True)])
+                kept = [template.keeps(gap, filling) for gap, filling in enumerate(fillings)]
+                stay = [filling.replace("Table ", f"{self.whole.get('Table', 'Table')} ") for filling in fillings]
+                return template.filled([a if keep else b for a, b, keep in zip(stay, known, kept, strict=True)])
         return None
 
     def _parted(self, bare: str, depth: int) -> str | None:
@@ -228,8 +238,10 @@ def with_commas(text: str) -> str:
 
     Clauses keep their points: "w_k 0.256 <= 0.3 mm (7.3.4)" is "w_k 0,256 <= 0,3 mm (7.3.4)".
     """
-    if _PLACE.fullmatch(text.strip()):
+    if _PLACE.fullmatch(text.strip()) or _PLACES.fullmatch(text.strip()):
         return _commas(text)
+    if _LISTED.fullmatch(text.strip()):
+        return _commas(text.replace(", ", "; "))
     pieces, at = [], 0
     for clause in _CLAUSE.finditer(text):
         pieces += [_commas(text[at : clause.start()]), clause[0]]

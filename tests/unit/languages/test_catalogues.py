@@ -134,11 +134,40 @@ def test_sentences_are_known_by_themselves() -> None:
         ("1.5e-06", "1,5e-06"),
         ("±1.4 %", "±1,4 %"),
         ("case.toml", "case.toml"),
+        ("(0.15, 2) (11.85, 0.15) m", "(0,15; 2) (11,85; 0,15) m"),
+        ("1.35, 1", "1,35; 1"),
     ],
 )
 def test_decimal_commas(text: str, expected: str) -> None:
     """Numbers have them, clauses keep their points."""
     assert with_commas(text) == expected
+
+
+def test_names_of_files_stay() -> None:
+    """A table's file is where it is, though the table's name has a translation."""
+    translate = catalogue(("tables/{}.csv", "tables/{}.csv"), ("columns", "Stützen"))
+    assert translate("tables/columns.csv") == "tables/columns.csv"
+
+
+def test_an_abbreviation_ends_a_sentence_with_its_point() -> None:
+    """One point is enough."""
+    translate = catalogue(("Governs the {}.", "Maßgebend: {}."), ("largest settlement", "Setzung max."))
+    assert translate("Governs the largest settlement.") == "Maßgebend: Setzung max."
+
+
+def test_french_has_spaces_before_marks() -> None:
+    """Also where messages are joined, and no line breaks there."""
+    translate = translator("fr")
+    assert translate("settlement: C4; mesh") == "tassement\xa0: C4\xa0; maillage"
+
+
+def test_combinations_and_uses_of_cases() -> None:
+    """Limit states by their names, and factors with commas."""
+    translate = translator("es", ["G", "Q", "ULS 1"])
+    assert translate("ultimate 1.05 to 1.5 (6 of 10); characteristic 1 (5 of 5)") == (
+        "ELU 1,05 a 1,5 (6 de 10); característica 1 (5 de 5)"
+    )
+    assert translate("ULS 1 (ultimate, EN 1990 6.10): 1.35 G + 1.5 Q") == "ULS 1 (ELU, EN 1990 6.10): 1,35 G + 1,5 Q"
 
 
 def test_clauses_in_brackets_of_messages_keep_their_points() -> None:

@@ -138,3 +138,12 @@ def test_figures_are_translated(house: Results) -> None:
     texts = [text.get_text() for text in figure.findobj(Text)]
     assert any("Setzung" in text for text in texts)
     assert not any("settlement" in text.lower() for text in texts)
+
+
+def test_figures_show_as_much_in_each_language(house: Results) -> None:
+    """Numbers at axes in another language do not widen these."""
+    limits = [
+        [(axes.get_xlim(), axes.get_ylim()) for axes in plot(results, mesh=True, combination="ULS 1").axes]
+        for results in (house, in_language(house, "fr"))
+    ]
+    assert limits[0] == limits[1]

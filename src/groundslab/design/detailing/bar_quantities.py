@@ -22,9 +22,9 @@ LINKS = "links"
 def bars(model: Model, links: Sequence[LinkLayout] = ()) -> Table:
     """Return the quantities of the bars provided, and of links against punching, with their sum in the last row."""
     heads = [
-        ("mark", ""), ("layer", ""), ("zone", ""), ("mesh", ""), ("shape", ""), ("diameter", "mm"), ("spacing", "mm"),
-        ("number", ""), ("least length", "m"), ("greatest length", "m"), ("lap", "m"), ("total length", "m"),
-        ("mass", "kg"), ("mass per area", "kg/m2"),
+        ("mark", ""), ("layer", ""), ("zone", ""), ("welded mesh", ""), ("shape", ""), ("diameter", "mm"),
+        ("spacing", "mm"), ("number", ""), ("least length", "m"), ("greatest length", "m"), ("lap", "m"),
+        ("total length", "m"), ("mass", "kg"), ("mass per area", "kg/m2"),
     ]  # fmt: skip
     area = PlateRegion(model.plate, model.plates).area.area
     listed = positions(model)

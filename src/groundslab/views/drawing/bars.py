@@ -54,9 +54,9 @@ DOT, MOST_DOT = 0.2, 0.025
 LONG = 0.6
 #: Columns of the table of quantities that the drawing has, and what stands above them.
 COLUMNS = {
-    "mark": "mark", "layer": "layer", "zone": "zone", "mesh": "mesh", "shape": "shape", "diameter": "diameter",
-    "spacing": "spacing", "number": "number", "least length": "length", "greatest length": "to", "lap": "lap",
-    "total length": "total", "mass": "mass", "mass per area": "per area",
+    "mark": "mark", "layer": "layer", "zone": "zone", "welded mesh": "welded mesh", "shape": "shape",
+    "diameter": "diameter", "spacing": "spacing", "number": "number", "least length": "length", "greatest length": "to",
+    "lap": "lap", "total length": "total", "mass": "mass", "mass per area": "per area",
 }  # fmt: skip
 #: What is written below the table, and what of the quantities without detailing and with it.
 NOTE = {

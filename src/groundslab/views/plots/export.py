@@ -16,12 +16,13 @@ from groundslab.schema.wording import listed, quote
 from groundslab.storage import atomic, checksums
 from groundslab.storage.ownership import check_replaceable, is_figure
 from groundslab.views.drawing import dxf
-from groundslab.views.plots.style import PAGE_COLORS, apply_style, show_in
+from groundslab.views.plots.style import PAGE_COLORS, apply_style, show_in, translate_figure
 
 if TYPE_CHECKING:
     from markupsafe import Markup
     from matplotlib.figure import Figure
 
+    from groundslab.languages import Translator
     from groundslab.unit_systems import System
     from groundslab.views.drawing.shapes import Layer, Shape
 
@@ -95,8 +96,11 @@ def to_inline_svg(
     label: str,
     changes: Mapping[str, Any] = MappingProxyType({}),
     units: System = "SI",
+    translate: Translator = str,
 ) -> Markup:
     """Return a figure as an SVG element for an HTML page; the label is its title for screen readers.
+
+    Its words are translated before they are placed, as legends are as wide as their words.
 
     Colors of the palette become those of the page, in light and dark; letters become those of the page; ids begin with
     the name. There is neither a style element nor a style attribute, so that a Content Security Policy may forbid them.
@@ -105,9 +109,11 @@ def to_inline_svg(
 
     file = BytesIO()
     with apply_style(changes):
-        show_in(draw(), units).savefig(
-            file, format="svg", metadata=dict.fromkeys(("Creator", "Date", "Format", "Type"))
-        )
+        figure = show_in(draw(), units)
+        if translate is not str:
+            translate_figure(figure, translate)
+            label = translate(label)
+        figure.savefig(file, format="svg", metadata=dict.fromkeys(("Creator", "Date", "Format", "Type")))
     root = ElementTree.fromstring(file.getvalue())
     for parent in [*root.iter()]:
         for child in [*parent]:

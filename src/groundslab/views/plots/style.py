@@ -138,11 +138,11 @@ def show_for(figure: Figure, results: Results) -> Figure:
     translate = translator_of(results)
     show_in(figure, results.model.units)
     if translate is not str:
-        _translate(figure, translate)
+        translate_figure(figure, translate)
     return figure
 
 
-def _translate(figure: Figure, translate: Translator) -> None:
+def translate_figure(figure: Figure, translate: Translator) -> None:
     """Put the words of a figure, and the numbers at its axes, into another language."""
     from matplotlib.text import Text
     from matplotlib.ticker import FixedFormatter
@@ -150,7 +150,8 @@ def _translate(figure: Figure, translate: Translator) -> None:
     figure.draw_without_rendering()
     for axes in figure.axes:
         for axis in (axes.xaxis, axes.yaxis):
-            places = axis.get_majorticklocs()
+            low, high = sorted(axis.get_view_interval())
+            places = [place for place in axis.get_majorticklocs() if low <= place <= high]  # others would widen it
             labels = axis.get_major_formatter().format_ticks([float(place) for place in places])
             axis.set_ticks(places)
             axis.set_major_formatter(FixedFormatter([translate(label) for label in labels]))

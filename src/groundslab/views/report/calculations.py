@@ -29,6 +29,8 @@ _TOKENS = re.compile(
     r"(?P<digits>\d[\d.]*)e(?P<exponent>[-+]\d+)|\^\((?P<power>[^()]+)\)|\^(?P<raised>[\d.]+|[A-Za-z])"
     rf"|(?P<symbol>{SYMBOL.pattern})|(?P<rest>[^^A-Za-z\d]+|[\d.]+(?![\d.e])|.)"
 )
+#: A decimal point.
+_POINT = re.compile(r"(?<=\d)\.(?=\d)")
 #: How functions and numbers with a name are written, if not by their names.
 WRITTEN = {"sqrt": "√", "pi": "π"}
 
@@ -117,3 +119,8 @@ def split_formula(formula: str) -> list[Piece]:
         else:
             pieces.append((match["rest"].replace(" * ", " · ").replace("-", "\N{MINUS SIGN}"), ""))
     return pieces
+
+
+def split_with_commas(formula: str) -> list[Piece]:
+    """Return a formula in pieces with decimal commas, and semicolons between what stands in brackets."""
+    return [(_POINT.sub(",", text.replace(", ", "; ")), kind) for text, kind in split_formula(formula)]

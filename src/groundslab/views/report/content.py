@@ -30,6 +30,7 @@ from groundslab.views.summary import combinations, sections
 from groundslab.views.summary.discretization import coarse_words, provisional_words
 from groundslab.views.summary.rows import SummarySection
 from groundslab.views.summary.terminal import between_text, error_text, shown_row, step_texts
+from groundslab.views.translation import translator_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -128,7 +129,7 @@ def _chapters(
             "beams": lambda: list(drawings.draw_beams(combined)),
         },
         "drawings": {"drawings": lambda: list(_drawings(combined, leading))},
-        "loads": {"loads": lambda: list(drawings.draw_loads(model, combined.solved_model))},
+        "loads": {"loads": lambda: list(drawings.draw_loads(model, combined.solved_model, translator_of(combined)))},
         "grounds": {"grounds": lambda: None if comparison is None else build_chapter(comparison)},
         "assumptions": {"assumptions": lambda: list_assumptions(combined)},
         "tables": {
@@ -300,7 +301,7 @@ def list_constants(entries: Sequence[Entry], units: System) -> TableLayout:
 
 def _drawings(combined: Results, leading: CombinationResult | None) -> Iterator[drawings.Drawing]:
     """Yield the plan of the case, the mesh, stresses in the ground if they are known, and the ground in section."""
-    yield drawings.draw_case(combined.model, combined.solved_model)
+    yield drawings.draw_case(combined.model, combined.solved_model, translator_of(combined))
     if leading is not None:
         yield drawings.draw_mesh_plan(leading)
     soil = None if leading is None else drawings.draw_soil(leading)

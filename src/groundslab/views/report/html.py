@@ -24,7 +24,7 @@ from groundslab.results.results import CombinationResult, Results, results_of
 from groundslab.storage import atomic, checksums
 from groundslab.storage.ownership import check_replaceable, is_page
 from groundslab.views.plots.export import write_file
-from groundslab.views.report.calculations import split_formula
+from groundslab.views.report.calculations import split_formula, split_with_commas
 from groundslab.views.report.content import build_page
 from groundslab.views.report.table_layout import split_symbol, split_words
 from groundslab.views.scene.binary import pack
@@ -292,5 +292,6 @@ def render_page(template: Path, translate: Translator = str, language: Language 
         "tr": lambda text: translate(str(text)),
         "tr_svg": lambda svg: Markup(translate_drawing(svg, translate)) if language != "en" else svg,
     }
-    environment.filters |= {"pieces": split_symbol, "word_pieces": split_words, "formula_pieces": split_formula}
+    split = split_formula if language == "en" else split_with_commas
+    environment.filters |= {"pieces": split_symbol, "word_pieces": split_words, "formula_pieces": split}
     return _CONTROL.sub("\ufffd", environment.get_template(template.name).render(values, language=language))

@@ -155,7 +155,8 @@ def _several(key: ListOf, values: Sequence[Any], units: System) -> str:
         return f"{_places(values, units)} {unit_in('m', units)[0]}"
     if isinstance(item, Quantity):
         texts, unit = together(values, item.dimension, units)
-        return f"{' to '.join(texts)} {unit}" if key.rising else f"({', '.join(texts)}) {unit}"
+        is_range = key.rising and len(texts) == 2
+        return f"{' to '.join(texts)} {unit}" if is_range else f"({', '.join(texts)}) {unit}"
     return ", ".join(format_value(item, value, units) for value in values)
 
 
@@ -269,15 +270,15 @@ def _combinations(combinations: Sequence[Combination]) -> TableLayout:
 
 def _acting(model: Model, combinations: Sequence[Combination]) -> TableLayout:
     """Return with which factors each case acts in the combinations of each limit state, and in how many of them."""
-    states = list(dict.fromkeys(combination.limit_state for combination in combinations))
-    heads = headers("case", "action", "#loads", *states)
+    heads = headers("case", "action", "#loads", "limit state", "factors")
     rows = []
     for use in case_uses(model, combinations):
-        words = {
-            factors.limit_state: factors.words().removeprefix(factors.limit_state).strip() for factors in use.acting
-        }
-        cells = [Cell(words.get(state, "-")) for state in states]
-        rows.append((Cell(use.case.name), Cell(use.case.action), Cell(str(use.loads), "number"), *cells))
+        about = (Cell(use.case.name), Cell(use.case.action), Cell(str(use.loads), "number"))
+        for acting in use.acting:
+            words = acting.words().removeprefix(acting.limit_state).strip()
+            rows.append((*about, Cell(acting.limit_state), Cell(words)))
+        if not use.acting:
+            rows.append((*about, Cell("-"), Cell("-")))
     notes = ("Factors, and the number of combinations in which the case acts.",)
     return TableLayout("what acts where", heads, tuple(rows), notes)
 

@@ -102,7 +102,7 @@ def _print_several(combined: Results, entries: Sequence[Entry], console: Console
     _print_lines([translate("Combinations")], "bold cyan", console)
     of_figures = (unit_in("kN", units)[0], unit_in("mm", units)[0], unit_in("mm", units)[0], "%", "steps")
     for heading in (("load", "settlement", "uplift", "contact", "iteration"), of_figures):
-        _print_lines(["   " + "".join(f"{translate(word):>12}" for word in heading)], "dim", console)
+        _print_lines(["   " + "".join(f"{translate(word):>14}" for word in heading)], "dim", console)
     for entry in entries:
         for line in _entry(entry, units, translate):
             console.print(line, soft_wrap=True)
@@ -132,7 +132,7 @@ def _entry(entry: Entry, units: System, translate: Translator) -> Iterator[Text]
 
     about, factors = entry.combination, combinations.factors_text(entry.combination)
     rule = f", {about.rule}" if about.rule else ""
-    name, *more = textwrap.wrap(f"{about.name} ({translate(about.limit_state)}{rule}): {factors}", 74)
+    name, *more = textwrap.wrap(translate(f"{about.name} ({about.limit_state}{rule}): {factors}"), 74)
     yield Text(f"{entry.number:>3} {name}", style="bold")
     yield from (Text(f"    {line}", style="bold") for line in more)
     if entry.results is not None:
@@ -141,7 +141,7 @@ def _entry(entry: Entry, units: System, translate: Translator) -> Iterator[Text]
         force, length = in_system(UNITS["kN"], units).scale, in_system(UNITS["mm"], units).scale
         figures = (entry.results.certificate.load * force, w.max() * length, uplift * length, contact * 100)
         texts = [*map(format_number, figures), str(len(entry.results.steps))]
-        line = Text("   " + "".join(f"{translate(text):>12}" for text in texts))
+        line = Text("   " + "".join(f"{translate(text):>14}" for text in texts))
         if entry.refused is None:
             line.append("  ok", style="green")
         yield line

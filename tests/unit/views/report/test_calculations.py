@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from groundslab.design.tables.table import table_of
-from groundslab.views.report.calculations import Piece, build_sheets, split_formula
+from groundslab.views.report.calculations import Piece, build_sheets, split_formula, split_with_commas
 
 HEADS = (
     ("check", ""), ("of", ""), ("combination", ""), ("quantity", ""), ("symbol", ""), ("formula", ""),
@@ -28,6 +28,12 @@ HEADS = (
 def test_formulas_in_pieces(formula: str, pieces: list[Piece]) -> None:
     """Powers are raised, indices lowered, Greek letters are letters, and products have a dot."""
     assert split_formula(formula) == pieces
+
+
+def test_formulas_with_decimal_commas() -> None:
+    """Semicolons then part what stands in brackets, and commas of indices stay."""
+    pieces = split_with_commas("max(0.26 * f_ctm, 1.5e-03) - v_Rd,c")
+    assert "".join(text for text, _ in pieces) == "max(0,26 · fctm; 1,5 × 10-3) − vRd,c"
 
 
 @pytest.mark.parametrize("formula", ["max(0.26 * f_ctm / f_yk, 0.0013) * d * 10000", "u_1 * (d + 2.5)^0.5", "0.0005"])

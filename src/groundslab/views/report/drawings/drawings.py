@@ -24,11 +24,13 @@ from groundslab.views.plots.style import place_words
 from groundslab.views.report.drawings.case_plan import describe_omissions, draw_case_plan
 from groundslab.views.report.drawings.load_plan import LoadPlan, plan_base
 from groundslab.views.report.drawings.maps import draw_maps
+from groundslab.views.translation import translator_of
 
 if TYPE_CHECKING:
     from markupsafe import Markup
 
     from groundslab.arrays import Array
+    from groundslab.languages import Translator
     from groundslab.model.model import Model
     from groundslab.results.results import CombinationResult, Results
     from groundslab.unit_systems import System
@@ -55,28 +57,30 @@ class Drawing:
     caption: str
 
 
-def draw_case(model: Model, placed: Model) -> Drawing:
+def draw_case(model: Model, placed: Model, translate: Translator = str) -> Drawing:
     """Return the plan of a case as written, with the loads of the case as solved."""
     caption = " ".join(("Plan.", *describe_omissions(model)))
-    svg = to_inline_svg(lambda: draw_case_plan(model, placed), "plan", "Plan of the plate", units=model.units)
+    draw = partial(draw_case_plan, model, placed)
+    svg = to_inline_svg(draw, "plan", "Plan of the plate", units=model.units, translate=translate)
     return Drawing(svg, words_in(caption, model.units))
 
 
-def draw_loads(model: Model, placed: Model) -> Iterator[Drawing]:
+def draw_loads(model: Model, placed: Model, translate: Translator = str) -> Iterator[Drawing]:
     """Yield the plan of each load case's loads, without factors; of all loads where there are no cases."""
     base = plan_base(model, placed)
     for number, case in enumerate(model.cases or (None,), 1):
         plan = LoadPlan(base, case)
         if plan.has_loads:
             caption = words_in(plan.describe(), model.units)
-            yield Drawing(to_inline_svg(plan.draw, f"loads{number}", caption, units=model.units), caption)
+            svg = to_inline_svg(plan.draw, f"loads{number}", caption, units=model.units, translate=translate)
+            yield Drawing(svg, caption)
 
 
 def draw_mesh_plan(results: CombinationResult) -> Drawing:
     """Return the plan of the elements."""
     caption = "Mesh: the elements of the plate."
     draw, units = partial(draw_mesh, results, titled=False), results.model.units
-    return Drawing(to_inline_svg(draw, "mesh", caption, units=units), caption)
+    return Drawing(to_inline_svg(draw, "mesh", caption, units=units, translate=translator_of(results)), caption)
 
 
 def draw_soil(results: CombinationResult) -> Drawing | None:
@@ -87,7 +91,7 @@ def draw_soil(results: CombinationResult) -> Drawing | None:
     if not known:
         return None
     draw, units = partial(draw_columns, results.model, known), results.model.units
-    return Drawing(to_inline_svg(draw, "soil", "Columns of soil", units=units), "")
+    return Drawing(to_inline_svg(draw, "soil", "Columns of soil", units=units, translate=translator_of(results)), "")
 
 
 def draw_stress(results: CombinationResult) -> Drawing | None:
@@ -96,7 +100,8 @@ def draw_stress(results: CombinationResult) -> Drawing | None:
         return None
     caption = f"Vertical stress in the ground, without the soil's own weight, of the combination {results.combination}."
     request = parse_request(results_of(results), (), "stress", None, None, None)
-    return Drawing(to_inline_svg(lambda: draw_sheet(request), "stress", caption, units=results.model.units), caption)
+    draw, units = partial(draw_sheet, request), results.model.units
+    return Drawing(to_inline_svg(draw, "stress", caption, units=units, translate=translator_of(results)), caption)
 
 
 def draw_beams(combined: Results) -> Iterator[Drawing]:
@@ -109,7 +114,8 @@ def draw_beams(combined: Results) -> Iterator[Drawing]:
         forces = "shear force, and axial force" if any("axial" in beam.values for beam in part) else "and shear force"
         caption = f"Bending moment, positive downwards where the beam sags, {forces} along {names}."
         draw = partial(beams.draw_curves, request, part, titled=False)
-        yield Drawing(to_inline_svg(draw, f"beams{number}", caption, units=combined.model.units), caption)
+        units, translate = combined.model.units, translator_of(combined)
+        yield Drawing(to_inline_svg(draw, f"beams{number}", caption, units=units, translate=translate), caption)
 
 
 def find_governing(combined: Results) -> dict[str, str]:
