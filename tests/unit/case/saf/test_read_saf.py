@@ -184,7 +184,7 @@ def test_results_give_the_loads_of_columns_and_walls(tmp_path: Path, sheets: saf
     assert pytest.approx(70e3) == points["LC3", (4.0, 10.5)].P
     (line,) = (load for load in case.model.loads if load.name == "S1, n")
     assert line == gs.LineLoad(name="S1, n", case="LC2", q=30e3, q_end=50e3, points=((0, 0), (5, 0)))
-    assert "without its moments and shear forces" in case.report_text()
+    assert "B1 in LC2: N = -400 kN as a load with its moments and shear forces" in case.report_text()
     assert "1 rows of combinations, not read" in case.report_text()
 
 

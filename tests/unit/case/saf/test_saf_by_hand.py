@@ -343,3 +343,58 @@ def test_a_category_that_is_not_defined_is_noted(tmp_path: Path) -> None:
     case = read(tmp_path, combinations(["C", None, "Not defined", None, "Linear", *_ALL]))
     assert [each.limit_state for each in case.parts["combinations"]] == ["ultimate"]
     assert 'the category "not defined", taken as ultimate' in notes(case)
+
+
+def column(upwards: bool, rotation: float, *results: float) -> saf_files.Sheets:
+    """Return the slab with a column of 3 m at (2, 1), whose local y is along y of the file unless it is turned."""
+    sheets = slab()
+    sheets["StructuralPointConnection"].append(["T", 2, 1, 3])
+    sheets["StructuralCrossSection"] = [
+        ["Name", "Material", "Cross-section type", "Shape", "Parameters [mm]"],
+        ["CS", "C", "Parametric", "Rectangle", "400; 300"],
+    ]
+    sheets["StructuralCurveMember"] = [
+        ["Name", "Type", "Cross section", "Nodes", "Segments", "LCS", "LCS Rotation [deg]", "Coordinate X [m]",
+         "Coordinate Y [m]", "Coordinate Z [m]", "System line"],
+        ["C", "Column", "CS", "I; T" if upwards else "T; I", "Line", "y by vector", rotation, 0, 1, 0, "Centre"],
+    ]  # fmt: skip
+    sheets["ResultInternalForce1D"] = [
+        ["Result on", "Member", "Result for", "Load case", "Section at [m]", "Index", "N [kN]", "Vy [kN]", "Vz [kN]",
+         "Mx [kNm]", "My [kNm]", "Mz [kNm]"],
+        ["On beam", "C", "Load case", "Q", 0 if upwards else 3, 1, *results],
+    ]  # fmt: skip
+    return sheets
+
+
+# Tension on the side of -z (M_y = 7 kNm) and of -y (M_z = 11 kNm) presses the slab on the side of z and of y. V_y = 3
+# and V_z = 5 kN act on a foot where x begins along y and z, and so on the slab the other way; where x ends, along them.
+@pytest.mark.parametrize(
+    ("upwards", "rotation", "moments", "horizontal"),
+    [
+        (True, 0, (-7, 11), (5, -3)),  # x up, y along y: z = x cross y along -x
+        (True, 90, (-11, -7), (3, 5)),  # y turned to where z was, along -x; z along -y
+        (False, 0, (7, 11), (5, 3)),  # x down, y along y: z along x
+    ],
+)
+def test_moments_at_the_foot_of_a_column(
+    upwards: bool, rotation: float, moments: tuple[float, float], horizontal: tuple[float, float], tmp_path: Path
+) -> None:
+    """By statics of fibers, whichever end is the foot and however the column is turned."""
+    case = read(tmp_path, column(upwards, rotation, -100, 3, 5, 0, 7, 11))
+    (load,) = case.model.loads
+    assert isinstance(load, gs.PointLoad)
+    assert (load.P, load.M_x, load.M_y) == pytest.approx((100e3, *(1e3 * each for each in moments)))
+    assert (case_of(case.model).H_x, case_of(case.model).H_y) == pytest.approx(tuple(1e3 * each for each in horizontal))
+
+
+def test_a_column_that_is_pushed_at_its_top(tmp_path: Path) -> None:
+    """A column that is pushed along x at its top presses the side of larger x down, and pushes the slab along x.
+
+    10 kN, 3 m up, where z is along -x: the foot is held by 10 kN along z, V_z = 10 as at the start of the beam in the
+    documentation. Tension is on the side of smaller x, that of z: M_y = -30, and dM_y / dx = V_z as there.
+    """
+    case = read(tmp_path, column(True, 0, -50, 0, 10, 0, -30, 0))
+    (load,) = case.model.loads
+    assert isinstance(load, gs.PointLoad)
+    assert (load.P, load.M_x, load.M_y) == pytest.approx((50e3, 30e3, 0))
+    assert (case_of(case.model).H_x, case_of(case.model).H_y) == pytest.approx((10e3, 0))

@@ -15,7 +15,7 @@ FORCES: dict[str, str] = {
     "mx": "line moment", "my": "line moment", "mxy": "line moment", "vx": "line force", "vy": "line force",
     "nx": "line force", "ny": "line force", "nxy": "line force",
 }  # fmt: skip
-#: What the signs of a file mean, which the format's documentation does not state.
+#: What the signs of a file mean, of which the format's documentation has a picture alone.
 SIGNS = (
     "in the slab's local axes, x and y as in the case and z up: mx and my are positive with tension below, mxy where "
     "tau_xy is positive below, vx = d mx/dx + d mxy/dy, vy = d my/dy + d mxy/dx"

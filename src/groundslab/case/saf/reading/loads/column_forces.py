@@ -7,10 +7,11 @@ from collections import Counter, defaultdict
 from collections.abc import Mapping
 from itertools import pairwise
 
-from groundslab.case.saf.reading.context import ReadContext, RowFault, text, texts, word
+from groundslab.case.saf.reading.context import ReadContext, RowFault, Vector, text, texts, word
 from groundslab.case.saf.reading.geometry import CLOSE, Edge
 from groundslab.case.saf.reading.loads.forces import Loads, add_at_point
 from groundslab.case.saf.reading.slab import Slab
+from groundslab.case.saf.reading.structure import member_axes
 from groundslab.case.saf.reading.workbook import Row
 from groundslab.geometry.plan import make_segments
 from groundslab.model.loads.lines import LineLoad
@@ -23,7 +24,7 @@ COLUMNS, WALLS = "ResultInternalForce1D", "ResultInternalForce2DEdge"
 
 
 def read_forces(context: ReadContext, slab: Slab, cases: set[str], found: Loads) -> None:
-    """Add the normal forces at the feet of columns and walls as loads of their cases."""
+    """Add the forces at the feet of columns, and normal forces at those of walls, as loads of their cases."""
     _read_columns(context, slab, cases, found)
     _read_walls(context, slab, cases, found)
     standing = len(slab.columns) + len(slab.walls)
@@ -54,7 +55,7 @@ def _of_cases(
 
 
 def _read_columns(context: ReadContext, slab: Slab, cases: set[str], found: Loads) -> None:
-    """Add the normal force at the foot of each column, compression negative in the file."""
+    """Add forces and moments at the foot of each column, compression negative in the file."""
     members = {row.name: row for row in context.rows("StructuralCurveMember") if row.name in slab.columns}
     for (member, case), rows in _of_cases(context, COLUMNS, "member", members, cases).items():
         with context.reading(rows[0]):
@@ -70,12 +71,31 @@ def _read_columns(context: ReadContext, slab: Slab, cases: set[str], found: Load
                 context.note(None, f"{member} in {case}: no section at its foot, not read", COLUMNS)
                 continue
             N = context.number(foot, "n", "force")
-            others = [context.number(foot, key, "moment", 0.0) for key in ("my", "mz")]
-            shear = [context.number(foot, key, "force", 0.0) for key in ("vy", "vz")]
-            add_at_point(found, case, slab.columns[member], f"{member}, N", [member], P=-N + 0.0)
-            left = ", without its moments and shear forces, of which the format does not state the signs"
-            why = f"{member} in {case}: N = {N / 1e3:.6g} kN as a load{left if any(others) or any(shear) else ''}"
+            axes = member_axes(context, members[member], (nodes[0], nodes[1]))
+            moments, shear, left = _bent(context, foot, axes, upwards)
+            add_at_point(found, case, slab.columns[member], f"{member}, N", [member], P=-N + 0.0, **moments)
+            found.push(case, *shear)
+            taken = " with its moments and shear forces" if any(moments.values()) or any(shear) else ""
+            why = f"{member} in {case}: N = {N / 1e3:.6g} kN as a load{taken}{left}"
             context.note(None, why, COLUMNS)
+
+
+def _bent(
+    context: ReadContext, foot: Row, axes: tuple[Vector, Vector, Vector], upwards: bool
+) -> tuple[dict[str, float], tuple[float, float], str]:
+    """Return the moments [N m] and the horizontal force [N] on the slab of a section at a foot, and what is left out.
+
+    The documentation of SAF 2.1.0 shows a beam with its local axes, loads and results (page ResultInternalForce1D): by
+    these M_y = -int z sigma dA and M_z = -int y sigma dA, and V_y, V_z are along y and z what acts on the face to which
+    x is inward. The slab is pressed by -sigma: its moments do not depend on which end of the member is the foot.
+    """
+    _, z, y = axes
+    M_y, M_z = (context.number(foot, key, "moment", 0.0) for key in ("my", "mz"))
+    V_y, V_z = (context.number(foot, key, "force", 0.0) for key in ("vy", "vz"))
+    left = ", without its torsional moment" if context.number(foot, "mx", "moment", 0.0) else ""
+    on = -1.0 if upwards else 1.0
+    moments = {"M_x": M_y * z[0] + M_z * y[0] + 0.0, "M_y": M_y * z[1] + M_z * y[1] + 0.0}
+    return moments, (on * (V_y * y[0] + V_z * z[0]), on * (V_y * y[1] + V_z * z[1])), left
 
 
 def _read_walls(context: ReadContext, slab: Slab, cases: set[str], found: Loads) -> None:
