@@ -398,3 +398,39 @@ def test_a_column_that_is_pushed_at_its_top(tmp_path: Path) -> None:
     assert isinstance(load, gs.PointLoad)
     assert (load.P, load.M_x, load.M_y) == pytest.approx((50e3, 30e3, 0))
     assert (case_of(case.model).H_x, case_of(case.model).H_y) == pytest.approx((10e3, 0))
+
+
+def parts_of_a_support(*parts: tuple[float, float, float]) -> saf_files.Sheets:
+    """Return the slab with a support in parts of its first edge: start and end over the edge's 6 m, MN/m per meter."""
+    sheets = slab()
+    sheets["StructuralSurfaceAction"] = [
+        ["Name", "2D Member", "Load case", "Value [kN/m2]", "Direction", "Coordinate system", "Location"],
+        ["p", "S", "Q", -3, "Z", "Global", "Length"],
+    ]
+    sheets["StructuralEdgeConnection"] = [
+        ["Name", "Boundary condition", "2D Member", "Edge", "ux", "uy", "uz", "fix", "fiy", "fiz",
+         "Stiffness Z [MN/m2]", "Coordinate definition", "Origin", "Start point [m]", "End point [m]"],
+        *(["L", "On edge", "S", 1, *["Free"] * 2, "Flexible", *["Free"] * 3, k, "Relative", "From start", *ends]
+          for *ends, k in parts),
+    ]  # fmt: skip
+    return sheets
+
+
+def test_rows_of_one_line_support_are_one(tmp_path: Path) -> None:
+    """In whatever order they stand; what lies between two that adjoin is no point of it."""
+    case = read(tmp_path, parts_of_a_support((0.5, 0.75, 5), (0, 0.5, 5), (0.75, 1, 5)))
+    (support,) = case.model.supports
+    assert isinstance(support, gs.LineSupport)
+    assert sorted(support.points) == [(0, 0), (6, 0)]
+    assert support.stiffness == pytest.approx(5e6)
+
+
+@pytest.mark.parametrize(
+    "second", [(0.5, 1, 7), (0.6, 1, 5), (0.4, 1, 5), (0, 0.5, 5)], ids=["stiffer", "apart", "overlapping", "the same"]
+)
+def test_rows_of_one_line_support_that_do_not_fit_are_refused(
+    second: tuple[float, float, float], tmp_path: Path
+) -> None:
+    """With the row in which they stand."""
+    with pytest.raises(gs.InputError, match=r'StructuralEdgeConnection, row 3 .*support "L" again'):
+        read(tmp_path, parts_of_a_support((0, 0.5, 5), second))

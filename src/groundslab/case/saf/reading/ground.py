@@ -72,14 +72,56 @@ def read_supports(context: ReadContext, slab: Slab) -> list[PointSupport | LineS
     for row in context.rows("StructuralPointSupport"):
         with context.reading(row):
             supports += _read_point_support(context, row, slab)
+    lines = list[tuple[Row, LineSupport]]()
     for row in context.rows("StructuralEdgeConnection"):
         with context.reading(row):
-            supports += _read_line_support(context, row, find_edges(row, slab, text(row, "boundarycondition")))
+            edges = find_edges(row, slab, text(row, "boundarycondition"))
+            lines += [(row, support) for support in _read_line_support(context, row, edges)]
     for row in context.rows("StructuralCurveConnection"):
         with context.reading(row):
-            rib = text(row, "memberrib")
-            supports += _read_line_support(context, row, slab.ribs.get(rib, ()))
-    return supports
+            edges = slab.ribs.get(text(row, "memberrib"), ())
+            lines += [(row, support) for support in _read_line_support(context, row, edges)]
+    return [*supports, *_join_rows(context, lines)]
+
+
+def _join_rows(context: ReadContext, lines: Sequence[tuple[Row, LineSupport]]) -> list[LineSupport]:
+    """Return line supports, rows of one name as one where they adjoin and are alike; issues are the context's."""
+    parts: dict[str, list[tuple[Row, LineSupport]]] = {}
+    for row, support in lines:
+        parts.setdefault(support.name or f"row {row.number} of {row.sheet}", []).append((row, support))
+    joined = []
+    for (_, support), *left in parts.values():
+        while adjoining := next((pair for pair in left if _chain(support, pair[1])), None):
+            left.remove(adjoining)
+            support = support.replace(points=_chain(support, adjoining[1]))
+        joined.append(support)
+        for row, _ in left:
+            with context.reading(row):
+                found = f"support {describe(support.name)} again, apart from its other rows or unlike them"
+                raise RowFault("", found, "parts that adjoin, as stiff and fixed as each other, or another name")
+    return joined
+
+
+def _chain(one: LineSupport, other: LineSupport) -> tuple[Place, ...]:
+    """Return the points of two parts of a support in order; none if they are unlike or do not adjoin."""
+    if one.replace(points=other.points) != other:
+        return ()
+    for first in (one.points, one.points[::-1]):
+        for second in (other.points, other.points[::-1]):
+            if math.dist(first[-1], second[0]) <= CLOSE and not _overlap(first, second):
+                (ax, ay), (bx, by), (cx, cy) = first[-2], first[-1], second[1]
+                turn = (bx - ax) * (cy - by) - (by - ay) * (cx - bx)
+                straight = abs(turn) <= CLOSE * math.dist(first[-2], second[1])
+                return (*(first[:-1] if straight else first), *second[1:])
+    return ()
+
+
+def _overlap(first: Sequence[Place], second: Sequence[Place]) -> bool:
+    """Return whether the second line goes back along the first one from where that ends."""
+    (ax, ay), (bx, by), (cx, cy) = first[-2], first[-1], second[1]
+    along = (bx - ax) * (cx - bx) + (by - ay) * (cy - by)
+    across = (bx - ax) * (cy - by) - (by - ay) * (cx - bx)
+    return along < 0 and abs(across) <= CLOSE * math.dist(first[-1], second[1])
 
 
 def _read_vertical(context: ReadContext, row: Row, quantity: str) -> dict[str, Any] | None:
