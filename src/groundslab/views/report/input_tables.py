@@ -270,10 +270,10 @@ def _combinations(combinations: Sequence[Combination]) -> TableLayout:
 
 def _acting(model: Model, combinations: Sequence[Combination]) -> TableLayout:
     """Return with which factors each case acts in the combinations of each limit state, and in how many of them."""
-    heads = headers("case", "action", "#loads", "limit state", "factors")
+    heads = headers("case", "#loads", "limit state", "factors")
     rows = []
     for use in case_uses(model, combinations):
-        about = (Cell(use.case.name), Cell(use.case.action), Cell(str(use.loads), "number"))
+        about = (Cell(use.case.name), Cell(str(use.loads), "number"))
         for acting in use.acting:
             words = acting.words().removeprefix(acting.limit_state).strip()
             rows.append((*about, Cell(acting.limit_state), Cell(words)))
