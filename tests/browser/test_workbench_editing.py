@@ -126,7 +126,7 @@ def test_items_go_from_one_workbench_to_another(
 
 
 def test_what_is_turned_and_mirrored_is_written_exactly(server: Server, bench: Bench, case: Path) -> None:
-    """A turned patch load becomes a polygon; a column that cannot be turned says why; a mirror image is a copy."""
+    """A turned patch load becomes a polygon; a column gets an angle; a mirror image is a copy."""
     case.write_text(
         case.read_text() + '\n[[loads]]\nkind = "patch"\nq = "20 kPa"\nx = ["1 m", "2 m"]\ny = ["0 m", "1 m"]\n'
     )
@@ -146,9 +146,8 @@ def test_what_is_turned_and_mirrored_is_written_exactly(server: Server, bench: B
     bench.page.keyboard.press("Escape")
     bench.click(-2.0, 1.0)
     bench.page.keyboard.press("r")
-    bench.page.locator('.action-dialog [name="angle"]').fill("30")
-    bench.wait_seen(".action-message", "rotate by multiples of 90°, or give it a diameter")
-    bench.page.keyboard.press("Escape")
+    _enter(bench, angle="30")
+    bench.until(lambda: _data(bench)["columns"][0].get("angle") == 30)
     bench.page.keyboard.press("i")
     _enter(bench, x="0")
     bench.until(lambda: _places(bench) == [("-2 m", "1 m"), ("2 m", "1 m")])

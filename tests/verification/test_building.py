@@ -72,6 +72,29 @@ def test_a_portal_whose_bases_settle_apart() -> None:
     assert pytest.approx(V * L - 2 * (V * L / 2 - M)) == 2 * M
 
 
+def test_a_frame_that_is_turned_with_its_columns() -> None:
+    """Turned by 30 degrees it is as stiff in its own directions; columns at 90 degrees have their sides exchanged."""
+
+    def stiffness(turn: float, sides: tuple[float, float] = (0.3, 0.6), angle: float = 0.0) -> Array:
+        c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+        places = {
+            name: (c * x - s * y, s * x + c * y) for name, x, y in (("A", -3.0, 1.0), ("B", 2.0, 1.0), ("C", 2.0, -2.0))
+        }
+        widths = dict(zip(("width_x", "width_y"), sides, strict=True))
+        columns = [{"name": name, "x": x, "y": y, "angle": turn + angle} | widths for name, (x, y) in places.items()]
+        bar = {"kind": "rectangle", "width": 0.3, "height": 0.6}
+        frame = {"storeys": [3.5, 3.0], "E": E, "beams": [{"through": ["A", "B", "C"], "section": bar}]}
+        return stiffness_of(raft(columns, [load("A", 1.0)], building=frame))
+
+    c, s = math.cos(math.radians(30)), math.sin(math.radians(30))
+    T = np.kron(np.eye(3), [[1, 0, 0], [0, c, -s], [0, s, c]])
+    K = stiffness(0.0)
+    near = 1e-8 * np.abs(K).max()
+    assert stiffness(30.0) == pytest.approx(T @ K @ T.T, rel=1e-6, abs=near)
+    assert stiffness(0.0, (0.6, 0.3), 90.0) == pytest.approx(K, rel=1e-12, abs=near)
+    assert np.abs(stiffness(0.0, (0.6, 0.3)) - K).max() > 0.1 * np.abs(K).max()
+
+
 def slope_deflection(L: float, h: float) -> Array:
     """Return the stiffness (4, 4) of a portal for w_A, slope_A, w_B, slope_B of its bases, by slope deflection.
 

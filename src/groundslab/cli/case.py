@@ -122,7 +122,8 @@ def _structure_and_supports(model: Model) -> list[str]:
         if column.diameter is not None:
             size = f"diameter {column.diameter:g} m"
         else:
-            size = f"{column.width_x:g} m x {column.width_y:g} m"
+            turned = f", turned by {column.angle:g} degrees," if column.angle else ""
+            size = f"{column.width_x:g} m x {column.width_y:g} m{turned}"
         lines.append(f"  column {column.name}: {size} at {format_place((column.x, column.y))} m")
     for wall in model.placed_walls:
         size = f"{wall.thickness:g} m thick, {wall.length:.6g} m long"

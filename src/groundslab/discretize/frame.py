@@ -11,6 +11,7 @@ import numpy as np
 
 from groundslab.arrays import Array, Integers
 from groundslab.fem.parts.frame import Members, condense
+from groundslab.geometry.rectangles import direction_at
 from groundslab.model.structure.building import Base, Building, BuildingBeams
 from groundslab.model.structure.frame_members import CircularMember, MemberProperties, RectangularMember
 
@@ -101,8 +102,9 @@ def _section_of(building: Building, base: Base, storey: int) -> tuple[Array, Mem
         along = np.subtract(edge.end, edge.start) / edge.length
         wall = RectangularMember(width=edge.length, height=base.wall.thickness)
         return np.array([*along, 0.0]), wall.properties
-    column, x = base.column, np.array([1.0, 0.0, 0.0])
+    column = base.column
     assert column is not None
+    x = np.array([*direction_at(column.angle), 0.0])
     for own in building.columns:
         if base.name in own.names and (own.storeys is None or storey in own.storeys):
             return x, own.section.properties

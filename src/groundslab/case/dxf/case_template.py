@@ -114,7 +114,7 @@ def _column_lines(drawing: Drawing, source: str) -> tuple[list[Footprint], list[
         if isinstance(column, Ring):
             lines, why = _point_lines(column.points, column.bulges), "it is not on the plate"
             if footprint is None:
-                why = "a column is a rectangle along x and y, a circle, or as compact; punching is not checked"
+                why = "a column is a rectangle, a circle, or as compact; punching is not checked"
         else:
             lines, why = [f"point = {_point_text(column)}"], "a point has no size"
         text += ["", f"# Column {number} of the {source}, for information only: {why}."]
@@ -154,7 +154,8 @@ def _footprint_lines(column: Footprint, what: str) -> list[str]:
     # sums and differences of coordinates, freed of what rounding has left
     x, y, width_x, width_y = (_length_text(float(f"{value:.12g}")) for value in (*column.centre, *column.widths))
     size = [f"diameter = {width_x}"] if column.round else [f"width_x = {width_x}", f"width_y = {width_y}"]
-    remark = f"# {what}, as a circle of the same area: its sides do not run along x and y."
+    size += [f"angle = {column.angle!r}"] if column.angle else []
+    remark = f"# {what}, as a circle of the same area: it is no rectangle."
     return [*([remark] if column.shape else []), "[[columns]]", f"name = {quote(column.name)}", f"x = {x}", f"y = {y}",
             *size]  # fmt: skip
 
@@ -222,9 +223,7 @@ def _column_tree(columns: list[Footprint]) -> STRtree:
 
     centers = np.reshape([column.centre for column in columns], (-1, 2))
     # what is drawn of another shape reaches beyond its circle, by less than its diameter
-    reach = np.reshape(
-        [(0.5 if column.shape is None else 1.5) * np.array(column.widths) for column in columns], (-1, 2)
-    )
+    reach = np.reshape([(1 if column.shape is None else 3) * np.array(column.reach) for column in columns], (-1, 2))
     return STRtree(box(*(centers - (1 + SAME) * reach).T, *(centers + (1 + SAME) * reach).T))
 
 

@@ -9,11 +9,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from groundslab.case.dxf.chaining import ClosedCurve, PointIndex
 from groundslab.case.dxf.drawing import DOUBLE, GAP, Drawing, ReadContext, ReportLine, Source, place
 from groundslab.errors import Issue
 from groundslab.geometry.intersections import find_meeting
 from groundslab.geometry.plan import Place, Ring, bounding_box
+from groundslab.geometry.rectangles import direction_at, rectangle_at
 from groundslab.geometry.regions import Region
 from groundslab.schema.wording import describe
 
@@ -133,7 +136,7 @@ ALIGNED = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class Footprint:
-    """A column that a case can hold: a rectangle along x and y, or a circle if both widths are its diameter.
+    """A column that a case can hold: a rectangle at an angle [degrees], or a circle if both widths are its diameter.
 
     A column of another compact shape has a circle of the same area, and ``shape`` as it is drawn.
     """
@@ -143,21 +146,28 @@ class Footprint:
     widths: Place
     round: bool
     shape: Ring | None = None
+    angle: float = 0.0
+
+    @property
+    def reach(self) -> Place:
+        """How far it reaches from its center along x and along y [m]."""
+        (c, s), (a, b) = map(abs, direction_at(self.angle)), self.widths
+        return (c * a + s * b) / 2, (s * a + c * b) / 2
 
     def covers(self, x: float, y: float) -> bool:
         """Return whether a place lies on it."""
         if self.shape is not None:
             return Region(self.shape.segments()).holds((x, y))
-        dx, dy = abs(x - self.centre[0]), abs(y - self.centre[1])
+        (c, s), dx, dy = direction_at(self.angle), x - self.centre[0], y - self.centre[1]
         reach = 0.5 + SAME
         if self.round:
             return math.hypot(dx, dy) <= reach * self.widths[0]
-        return dx <= reach * self.widths[0] and dy <= reach * self.widths[1]
+        return abs(c * dx + s * dy) <= reach * self.widths[0] and abs(c * dy - s * dx) <= reach * self.widths[1]
 
 
 def footprint_of(curve: Ring, name: str) -> Footprint | None:
-    """Return a closed curve as a column, None if it is neither a circle nor a rectangle along x and y nor compact."""
-    return _exact_footprint(curve, name) or _equal_circle(curve, name)
+    """Return a closed curve as a column, None if it is neither a circle nor a rectangle nor compact."""
+    return _exact_footprint(curve, name) or _turned_footprint(curve, name) or _equal_circle(curve, name)
 
 
 def _exact_footprint(curve: Ring, name: str) -> Footprint | None:
@@ -170,14 +180,39 @@ def _exact_footprint(curve: Ring, name: str) -> Footprint | None:
         whole = abs(abs(sum(arc.sweep for arc in arcs)) - 2 * math.pi) <= SAME
         return Footprint(name, centre, (2 * radius, 2 * radius), round=True) if alike and whole else None
     low, high = (min(xs), min(ys)), (max(xs), max(ys))
-    size = max(high[0] - low[0], high[1] - low[1])
-    near = max(SAME * size, min(GAP, OF_SIDE * size))
+    near = _rounding(curve)
     corners = {(low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1])}
     rectangle = len(curve.points) == 4 and not any(curve.bulges)
     if not rectangle or any(min(math.dist(corner, point) for point in curve.points) > near for corner in corners):
         return None
     centre = (low[0] + high[0]) / 2, (low[1] + high[1]) / 2
     return Footprint(name, centre, (high[0] - low[0], high[1] - low[1]), round=False)
+
+
+def _rounding(curve: Ring) -> float:
+    """Return how far corners may be off those of a rectangle [m]."""
+    size = max(curve.sides)
+    return max(SAME * size, min(GAP, OF_SIDE * size))
+
+
+def _turned_footprint(curve: Ring, name: str) -> Footprint | None:
+    """Return a closed curve as a column at an angle, of its widths the first closest to x; None if no rectangle."""
+    if len(curve.points) != 4 or any(curve.bulges):
+        return None
+    a, b, c, d = np.array(curve.points)
+    sides = [(b - a + c - d) / 2, (d - a + c - b) / 2]
+    u, v = (
+        sides if abs(sides[0][0]) * math.hypot(*sides[1]) >= abs(sides[1][0]) * math.hypot(*sides[0]) else sides[::-1]
+    )
+    u, v = u * math.copysign(1.0, u[0]), v * math.copysign(1.0, v[1])
+    # the longer side tells the direction best
+    along = u if math.hypot(*u) >= math.hypot(*v) else np.array([v[1], -v[0]])
+    angle = float(f"{math.degrees(math.atan2(along[1], along[0])):.9g}")
+    centre, widths = (a + b + c + d) / 4, (math.hypot(*u), math.hypot(*v))
+    corners = rectangle_at((float(centre[0]), float(centre[1])), widths, angle).points
+    if any(min(math.dist(corner, point) for point in curve.points) > _rounding(curve) for corner in corners):
+        return None
+    return Footprint(name, (float(centre[0]), float(centre[1])), widths, round=False, angle=angle)
 
 
 def _equal_circle(curve: Ring, name: str) -> Footprint | None:
@@ -206,7 +241,7 @@ def remark_on_column(curve: Ring) -> str:
     """Return the note on a column that is not read as drawn, none for others."""
     footprint = footprint_of(curve, "")
     if footprint is None:
-        return "neither a rectangle along x and y nor compact; a force on it is spread over it, punching is not checked"
+        return "neither a rectangle nor compact; a force on it is spread over it, punching is not checked"
     if footprint.shape is None:
         return ""
     return f"taken as a circle of the same area, {footprint.widths[0]:.4g} m in diameter, also for punching"
@@ -241,7 +276,8 @@ def faces_of_wall(points: Sequence[Place], bulges: Sequence[float]) -> tuple[tup
 def align(drawing: Drawing) -> Drawing:
     """Return a drawing turned so that the longest straight edge of its outline runs along x or y.
 
-    It is turned by at most 45 degrees about the origin. Rectangular columns of the same direction are then rectangles.
+    It is turned by at most 45 degrees about the origin. Rectangular columns of the same direction then
+    run along x and y.
     """
     straight = [edge for edge in drawing.outline.segments() if edge.straight]
     if not straight:

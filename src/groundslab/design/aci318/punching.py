@@ -79,10 +79,10 @@ def polar_moments(legs: Array, center: Array, d: float) -> Array:
     return d * second_moments(legs, center) + d**3 / 12 * directions(legs)
 
 
-def principal_axes(J: Array) -> Array:
-    """Return the principal axes (2, 2) of J_c (2, 2), a unit vector in each row; x and y if they are."""
-    if abs(J[0, 1]) <= MIXED * np.trace(J):
-        return np.eye(2)
+def principal_axes(J: Array, axes: Array) -> Array:
+    """Return the principal axes (2, 2) of J_c (2, 2), a unit vector in each row; given axes (2, 2) if they are."""
+    if abs(axes[0] @ J @ axes[1]) <= MIXED * np.trace(J):
+        return axes
     return np.asarray(np.linalg.eigh(J)[1].T)
 
 
@@ -109,7 +109,9 @@ def stress(V_u: float, moments: Array, legs: Array, d: float, whole: Array | Non
     return transfer(V_u, moments, legs, d, whole).v_u
 
 
-def transfer(V_u: float, moments: Array, legs: Array, d: float, whole: Array | None = None) -> Transfer:
+def transfer(
+    V_u: float, moments: Array, legs: Array, d: float, whole: Array | None = None, axes: Array | None = None
+) -> Transfer:
     """Return the shear force and the moments that shear transfers where v_u is largest on a critical section.
 
     Parameters
@@ -124,10 +126,12 @@ def transfer(V_u: float, moments: Array, legs: Array, d: float, whole: Array | N
         Effective depth [m].
     whole : (k, 2, 2) array of float, optional
         All sides, those that openings take off, too [m]; by default those that count.
+    axes : (2, 2) array of float, optional
+        Unit vectors of the column's own axes; by default x and y.
     """
     center = centroid(legs)
     J = polar_moments(legs, center, d)
-    axes = principal_axes(J)
+    axes = principal_axes(J, np.eye(2) if axes is None else axes)
     b_1, b_2 = np.ptp((legs if whole is None else whole).reshape(-1, 2) @ axes.T, axis=0)
     shares = np.array([gamma_v(b_1, b_2), gamma_v(b_2, b_1)])
     places = (legs.reshape(-1, 2) - center) @ axes.T

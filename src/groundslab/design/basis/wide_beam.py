@@ -71,7 +71,7 @@ def cuts(results: CombinationResult, steel: Reinforcement) -> Iterator[Cut]:
         plan = plans[region.plate_at((column.x, column.y))]
         d = effective_depth(results, footprint_of(column), steel)
         for axis in (0, 1):
-            half = (column.diameter or (column.width_x, column.width_y)[axis] or 0.0) / 2
+            half = column.extents[axis] / 2
             for side in (-1.0, 1.0):
                 at = (column.x, column.y)[axis] + side * (half + d)
                 legs = _legs(plan, columns, column, axis, at)

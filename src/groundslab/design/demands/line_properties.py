@@ -20,7 +20,7 @@ class Course(NamedTuple):
     """How a perimeter runs."""
 
     shape: Shape
-    frame: Array  # (2, 2): unit vectors from end to end and across; x and y of a closed one
+    frame: Array  # (2, 2): unit vectors from end to end and across; the own axes of what a closed one is around
     inward: Array  # (k, 2): unit vectors from the plate's edges inwards, where its two ends are; none of a closed one
 
 
@@ -107,13 +107,13 @@ def shape_of(legs: Array) -> Shape:
     return next(name for name, least in TURNED.items() if turned > least)
 
 
-def course(legs: Array) -> Course:
-    """Return how a perimeter of legs (l, 2, 2) runs, with its directions."""
+def course(legs: Array, axes: Array) -> Course:
+    """Return how a perimeter of legs (l, 2, 2) runs around what has own axes (2, 2), with its directions."""
     shape = shape_of(legs)
     longest = max(chains(legs), key=len)
     chord = longest[-1] - longest[0]
     if shape == "closed" or not chord.any():
-        return Course(shape, np.eye(2), np.empty((0, 2)))
+        return Course(shape, axes, np.empty((0, 2)))
     along = chord / np.linalg.norm(chord)
     ends = np.array([longest[1] - longest[0], longest[-2] - longest[-1]])
     inward = ends / np.linalg.norm(ends, axis=1, keepdims=True)

@@ -134,7 +134,7 @@ def footprint_of(column: Column) -> Footprint:
         return RoundColumn(column.x, column.y, column.diameter)
     assert column.width_x is not None
     assert column.width_y is not None
-    return RectangularColumn(column.x, column.y, column.width_x, column.width_y)
+    return RectangularColumn(column.x, column.y, column.width_x, column.width_y, column.angle)
 
 
 def thickness_at(results: CombinationResult, footprint: Footprint) -> float:

@@ -22,6 +22,7 @@ from groundslab.fem.mesh import sides_on_boundary
 from groundslab.fem.shape_functions import lagrange
 from groundslab.geometry.places import same_place
 from groundslab.geometry.plan import format_place
+from groundslab.geometry.rectangles import direction_at, rectangle_at
 from groundslab.results.mesh_results import PlateResult
 
 if TYPE_CHECKING:
@@ -42,19 +43,27 @@ SHADOW_STEP = np.pi / 4
 
 @dataclass(frozen=True, slots=True)
 class RectangularColumn:
-    """A column's footprint: a rectangle along x and y around its center [m]."""
+    """A column's footprint: a rectangle around its center [m], along x and y or turned by an angle [degrees]."""
 
     x: float
     y: float
     width_x: float
     width_y: float
+    angle: float = 0.0
 
     def footprint(self) -> Polygon:
         """Return the rectangle."""
         from shapely import box
 
-        a, b = self.width_x / 2, self.width_y / 2
-        return box(self.x - a, self.y - b, self.x + a, self.y + b)
+        ring = rectangle_at((self.x, self.y), (self.width_x, self.width_y), self.angle)
+        x0, x1, y0, y1 = ring.bounds
+        return box(x0, y0, x1, y1) if ring.is_rectangle else ring.polygon(np.inf)
+
+    @property
+    def axes(self) -> Array:
+        """Return the unit vectors (2, 2) along its widths."""
+        c, s = direction_at(self.angle)
+        return np.array([[c, s], [-s, c]])
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,6 +79,11 @@ class RoundColumn:
         from shapely import Point
 
         return Point(self.x, self.y).buffer(self.diameter / 2, quad_segs=QUARTER_CHORDS)
+
+    @property
+    def axes(self) -> Array:
+        """Return x and y (2, 2): it has no axes of its own."""
+        return np.eye(2)
 
 
 Footprint = RectangularColumn | RoundColumn
@@ -96,6 +110,7 @@ class Surroundings:
 
     footprint: Polygon
     center: Array  # (2,) of the footprint [m]
+    axes: Array  # (2, 2): unit vectors of the footprint's own axes
     plan: Polygon | MultiPolygon  # the plate, within reach
     boundary: BaseGeometry  # of the plate, its openings' too, within reach
     filled: Polygon | MultiPolygon  # the same without openings
@@ -183,6 +198,7 @@ def surroundings(plate: PlateResult, column: Footprint, within: float, openings:
     return Surroundings(
         footprint=footprint,
         center=center,
+        axes=column.axes,
         plan=intersection(plan, part),
         boundary=boundary,
         filled=intersection(filled, part),

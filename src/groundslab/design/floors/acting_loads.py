@@ -23,6 +23,7 @@ from groundslab.model.plates.region import get_plate_region
 from groundslab.results.results import CombinationResult
 
 if TYPE_CHECKING:
+    from shapely import Polygon
     from shapely.geometry.base import BaseGeometry
 
 #: Forces nearer to each other than so many thicknesses act as one on all that they enclose (TR34).
@@ -33,6 +34,8 @@ TURN = math.pi / 4 - 1e-9
 NEIGHBORS, RIGHT = 12, 1e-3
 #: A footprint that fills less of the rectangle around it is a circle: pi / 4 and a margin.
 ROUND = 0.8
+#: Areas that differ by a smaller share are the same.
+SAME = 1e-9
 WORST: tuple[Location, ...] = ("internal", "edge", "corner")
 
 
@@ -151,12 +154,25 @@ def groups(loads: list[Force], reach: float) -> Iterator[tuple[tuple[Force, ...]
 
 
 def as_column(load: Force) -> RectangularColumn | RoundColumn:
-    """Return a force's footprint for punching: a rectangle around it, or a circle where that is much larger."""
+    """Return a force's footprint for punching: a rectangle around it, or a circle where that is much larger.
+
+    What is a rectangle at an angle stays one.
+    """
     x0, y0, x1, y1 = load.shape.bounds
     x, y, width_x, width_y = (x0 + x1) / 2, (y0 + y1) / 2, x1 - x0, y1 - y0
     if load.shape.area < ROUND * width_x * width_y:
+        around = load.shape.oriented_envelope
+        if load.shape.area > (1 - SAME) * around.area:
+            return _turned_rectangle(around)
         return RoundColumn(x, y, 2 * load.a)
     return RectangularColumn(x, y, width_x, width_y)
+
+
+def _turned_rectangle(around: Polygon) -> RectangularColumn:
+    """Return a rectangle at an angle as a column's footprint."""
+    (x, y), ((ax, ay), (bx, by), (cx, cy)) = around.centroid.coords[0], around.exterior.coords[:3]
+    angle = math.degrees(math.atan2(by - ay, bx - ax))
+    return RectangularColumn(x, y, math.hypot(bx - ax, by - ay), math.hypot(cx - bx, cy - by), angle)
 
 
 def worst_location(loads: tuple[Force, ...]) -> Location:

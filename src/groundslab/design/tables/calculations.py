@@ -30,7 +30,7 @@ _HEADS: Heads = (
 _NOTES = (
     "Each at its governing place and in its governing combination, see the table checks. What a value is made of "
     "stands above it; angles in formulas are in radians. In punching axis 1 runs along the edge at a column beside "
-    "one; places are from the center of what counts of the perimeter.",
+    "one, and along c_x of one inside; places are from the center of what counts of the perimeter.",
 )
 
 

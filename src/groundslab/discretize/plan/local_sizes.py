@@ -46,7 +46,7 @@ def local_sizes(model: Model) -> Sources | None:
             found += _sizes_on(plate, model)
         footprints = [*_footprints(model)]
         across = ACROSS if len(footprints) <= MANY else ACROSS / 2
-        found += [(_raster(ring.bounds, 3, 3), min(ring.sides) / across) for ring in footprints]
+        found += [(places, width / across) for places, width in map(_inside, footprints)]
     if not found:
         return None
     places = np.concatenate([where for where, _ in found])
@@ -86,6 +86,16 @@ def _raster(bounds: tuple[float, float, float, float], nx: int, ny: int) -> Arra
     """Return nx times ny places (p, 2) on the rectangle x0, x1, y0, y1 [m]."""
     X, Y = np.meshgrid(np.linspace(*bounds[:2], nx), np.linspace(*bounds[2:], ny))
     return np.column_stack([X.ravel(), Y.ravel()])
+
+
+def _inside(ring: Ring) -> tuple[Array, float]:
+    """Return nine places (9, 2) on a footprint, and its least width [m]."""
+    if ring.rectilinear or not ring.straight:
+        return _raster(ring.bounds, 3, 3), min(ring.sides)
+    # a rectangle at an angle
+    a, b, _, d = np.array(ring.points)
+    u, v = (part.reshape(-1, 1) for part in np.meshgrid([0, 0.5, 1], [0, 0.5, 1]))
+    return a + u * (b - a) + v * (d - a), min(math.dist(a, b), math.dist(a, d))
 
 
 def _footprints(model: Model) -> Iterator[Ring]:

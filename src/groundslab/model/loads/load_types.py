@@ -20,7 +20,7 @@ from groundslab.model.loads.acting import (
 from groundslab.model.loads.base import Magnitude, Source, _Load
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Shape
-from groundslab.model.structure.columns import Column, check_footprint, footprint
+from groundslab.model.structure.columns import TURN, Column, check_angle, check_footprint, footprint
 from groundslab.schema.base import Check
 from groundslab.schema.fields import Boolean, Choice, Number, Quantity, Text, list_quantities
 from groundslab.schema.issues import RelativeIssue
@@ -153,9 +153,11 @@ def _check_position(
     width_x: float | None,
     width_y: float | None,
     diameter: float | None,
+    angle: float,
     column: str,
 ) -> Iterator[RelativeIssue]:
-    given = {"x": x, "y": y, "width_x": width_x, "width_y": width_y, "diameter": diameter}
+    size = {"width_x": width_x, "width_y": width_y, "diameter": diameter, "angle": angle or None}
+    given = {"x": x, "y": y, **size}
     if column:
         for name in (name for name, value in given.items() if value is not None):
             hint = "the column says where its load acts"
@@ -165,10 +167,15 @@ def _check_position(
             yield RelativeIssue((name,), "nothing", 'a position such as "1.5 m", or the name of a column')
 
 
+def _check_angle(width_x: float | None, diameter: float | None, angle: float, column: str) -> Iterator[RelativeIssue]:
+    if not column:
+        yield from check_angle(width_x, diameter, angle)
+
+
 class PointLoad(_Load):
     """A force and moments at a point, on a footprint or on a column."""
 
-    checks: ClassVar[tuple[Check, ...]] = (_check_position, check_footprint)
+    checks: ClassVar[tuple[Check, ...]] = (_check_position, check_footprint, _check_angle)
 
     kind: Annotated[Literal["point"], Table("force and moments at a point, on a footprint or on a column")] = "point"
     P: Annotated[float, Quantity("force", "P", "force, downwards positive; 0 for moments alone")]
@@ -204,6 +211,9 @@ class PointLoad(_Load):
         float | None,
         Quantity("length", "d", "diameter of the area over which it is spread, instead of both widths", POSITIVE),
     ] = None
+    angle: Annotated[float, Number("alpha", "angle of its widths from x and y in degrees, counterclockwise", TURN)] = (
+        0.0
+    )
     column: Annotated[str, Text("column on which it acts and over which it is spread, one of [[columns]]")] = ""
     source: Source = ""
 
@@ -217,7 +227,7 @@ class PointLoad(_Load):
         """The force with its couples."""
         assert self.x is not None
         assert self.y is not None
-        ring = footprint(self.x, self.y, self.width_x, self.width_y, self.diameter)
+        ring = footprint((self.x, self.y), (self.width_x, self.width_y), self.diameter, self.angle)
         return (PointForce((self.x, self.y), self.P, (self.M_x, self.M_y), ring),)
 
     def to_shapely(self, chord: float) -> BaseGeometry:
@@ -229,7 +239,7 @@ class PointLoad(_Load):
         if not self.column:
             return self
         column = next(column for column in columns if column.name == self.column)
-        place = {name: getattr(column, name) for name in ("x", "y", "width_x", "width_y", "diameter")}
+        place = {name: getattr(column, name) for name in ("x", "y", "width_x", "width_y", "diameter", "angle")}
         # nothing is checked again: a column's place and widths are valid for a load, too
         return self.model_copy(update={"column": "", **place})
 

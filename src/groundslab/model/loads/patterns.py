@@ -22,7 +22,7 @@ from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate
 from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import Place
-from groundslab.model.structure.columns import check_footprint
+from groundslab.model.structure.columns import TURN, check_footprint
 from groundslab.model.structure.lines import NO_LENGTH
 from groundslab.model.supports import check_names
 from groundslab.schema.base import Check, Section
@@ -44,7 +44,6 @@ SQUARE = 1e-9
 
 Width = float | None
 Offset = Quantity("length", "y", "")
-TURN = Range(at_least=-360, at_most=360)
 
 
 class Wheel(Section):

@@ -6,12 +6,14 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
-from groundslab.geometry.plan import Ring, circle, rectangle
+from groundslab.geometry.plan import Place, Ring, circle
+from groundslab.geometry.rectangles import direction_at, rectangle_at
 from groundslab.model.ground import POSITIVE
 from groundslab.schema.base import Check, Section
-from groundslab.schema.fields import Quantity, Text
+from groundslab.schema.fields import Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.places import coordinate
+from groundslab.schema.ranges import Range
 from groundslab.schema.repairs import remove
 
 if TYPE_CHECKING:
@@ -19,6 +21,8 @@ if TYPE_CHECKING:
 
 #: Footprints that share less than this part of their area touch each other.
 SAME = 1e-6
+#: By how much something is turned [degrees].
+TURN = Range(at_least=-360, at_most=360)
 
 
 def check_footprint(width_x: float | None, width_y: float | None, diameter: float | None) -> Iterator[RelativeIssue]:
@@ -33,12 +37,23 @@ def check_footprint(width_x: float | None, width_y: float | None, diameter: floa
         yield RelativeIssue((missing,), "nothing", "width_x and width_y, both of them")
 
 
-def footprint(x: float, y: float, width_x: float | None, width_y: float | None, diameter: float | None) -> Ring | None:
-    """Return the curve around a footprint centred at (x, y) [m], None if it is a point."""
+def check_angle(width_x: float | None, diameter: float | None, angle: float) -> Iterator[RelativeIssue]:
+    """Find an angle of what has no sides."""
+    if angle and width_x is None:
+        found = "an angle of a circle" if diameter is not None else "an angle without widths"
+        repairs = (remove(("angle",)),)
+        yield RelativeIssue(("angle",), found, "width_x and width_y, or no angle", repairs=repairs)
+
+
+def footprint(
+    centre: Place, widths: tuple[float | None, float | None], diameter: float | None, angle: float = 0.0
+) -> Ring | None:
+    """Return the curve around a footprint, its widths [m] turned by an angle [degrees]; None if it is a point."""
     if diameter is not None:
-        return circle((x, y), diameter / 2)
+        return circle(centre, diameter / 2)
+    width_x, width_y = widths
     if width_x is not None and width_y is not None:
-        return rectangle(x - width_x / 2, x + width_x / 2, y - width_y / 2, y + width_y / 2)
+        return rectangle_at(centre, (width_x, width_y), angle)
     return None
 
 
@@ -52,7 +67,7 @@ def _check_footprint_given(
 class Column(Section):
     """A column that stands on the plate."""
 
-    checks: ClassVar[tuple[Check, ...]] = (check_footprint, _check_footprint_given)
+    checks: ClassVar[tuple[Check, ...]] = (check_footprint, _check_footprint_given, check_angle)
 
     name: Annotated[str, Text("name of the column, used by loads")]
     x: Annotated[float, coordinate(0, "its center")]
@@ -60,12 +75,26 @@ class Column(Section):
     width_x: Annotated[float | None, Quantity("length", "c_x", "width along x", POSITIVE)] = None
     width_y: Annotated[float | None, Quantity("length", "c_y", "width along y", POSITIVE)] = None
     diameter: Annotated[float | None, Quantity("length", "d", "diameter, instead of both widths", POSITIVE)] = None
+    angle: Annotated[
+        float,
+        Number("alpha", "angle of its widths from x and y in degrees, counterclockwise", TURN),
+    ] = 0.0
 
     def ring(self) -> Ring:
         """Return the curve around the column."""
-        ring = footprint(self.x, self.y, self.width_x, self.width_y, self.diameter)
+        ring = footprint((self.x, self.y), (self.width_x, self.width_y), self.diameter, self.angle)
         assert ring is not None
         return ring
+
+    @property
+    def extents(self) -> tuple[float, float]:
+        """Return how wide it is along x and along y [m]."""
+        if self.diameter is not None:
+            return self.diameter, self.diameter
+        assert self.width_x is not None
+        assert self.width_y is not None
+        c, s = map(abs, direction_at(self.angle))
+        return c * self.width_x + s * self.width_y, s * self.width_x + c * self.width_y
 
     def to_shapely(self, chord: float) -> BaseGeometry:
         """Return the footprint, arcs replaced by chords at most so far off [m]."""

@@ -1081,15 +1081,16 @@ class TestOutput:
         assert (loads[100e3].column, loads[100e3].M_x, loads[100e3].M_y) == ("C1", 0, 0)
         assert loads[200e3].column == "C2"
         assert (loads[200e3].M_x, loads[200e3].M_y) == pytest.approx((20e3, -10e3))
-        # a square turned by 45 degrees, 0.2 m x 0.4 m / 2 x 2: its area as a circle's, its load at its center
+        # a square at 45 degrees, 0.2 m x 0.4 m / 2 x 2, its load at its center
         assert (third.name, third.x, third.y) == ("C3", pytest.approx(3), pytest.approx(1.2))
-        assert third.diameter == pytest.approx(2 * math.sqrt(0.08 / math.pi))
+        assert (third.width_x, third.width_y) == pytest.approx((math.sqrt(0.08), math.sqrt(0.08)))
+        assert abs(third.angle) == pytest.approx(45)
         assert fourth.diameter == pytest.approx(0.2)  # a quarter of a circle with a radius of 0.2 m
         assert (loads[300e3].column, loads[300e3].M_x, loads[300e3].M_y) == ("C3", 0, 0)
         assert (loads[400e3].column, loads[400e3].x, loads[400e3].y) == ("", 6, 2.3)
         unknown = [load for load in model.loads if isinstance(load, PointLoad) and not load.name]
         assert [(load.column, load.x) for load in unknown] == [("", 1.35), ("C2", None)]
-        assert text.count("as a circle of the same area: its sides do not run along x and y.") == 2
+        assert text.count("as a circle of the same area: it is no rectangle.") == 1
         assert text.count("for information only: it is not on the plate.") == 2
         assert "# Column 7 of the drawing, for information only: a point has no size." in text
 

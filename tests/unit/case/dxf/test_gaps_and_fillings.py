@@ -259,26 +259,38 @@ class TestColumns:
     """Columns whose sides do not run along x and y."""
 
     @pytest.mark.parametrize(("width", "depth"), [(0.4, 0.4), (0.3, 0.6)])
-    def test_a_turned_rectangle_is_a_circle_of_its_area(self, width: float, depth: float, tmp_path: Path) -> None:
-        """The load is kept exactly on a column, whose perimeters are shorter than the rectangle's: on the safe side."""
+    def test_a_turned_rectangle_is_a_column_at_its_angle(self, width: float, depth: float, tmp_path: Path) -> None:
+        """It is read with its sides and its angle, and has its load."""
         drawing = with_column(turned(width, depth, 30, 5, 3), tmp_path)
         model = case_of(drawing)
         (column,) = model.columns
-        assert column.diameter == pytest.approx(math.sqrt(4 * width * depth / math.pi))
+        assert (column.width_x, column.width_y, column.angle) == pytest.approx((width, depth, 30), abs=1e-9)
         assert (column.x, column.y) == pytest.approx((5, 3))
-        assert math.pi * column.diameter < 2 * (width + depth)
         (load,) = (load for load in model.loads if isinstance(load, PointLoad))
         assert (load.P, load.column, load.M_x, load.M_y) == (600.5e3, "C1", 0, 0)
+        assert not remarks(drawing, "circle")
+
+    def test_a_hexagon_is_a_circle_of_its_area(self, tmp_path: Path) -> None:
+        """What is compact and no rectangle has a circle's perimeters, shorter than its own: on the safe side."""
+        corners = [(5 + 0.2 * math.cos(n * math.pi / 3), 3 + 0.2 * math.sin(n * math.pi / 3)) for n in range(6)]
+        drawing = with_column(corners, tmp_path)
+        (column,) = case_of(drawing).columns
+        assert column.diameter == pytest.approx(math.sqrt(4 * 6 * math.sqrt(3) / 4 * 0.04 / math.pi))
         assert len(remarks(drawing, "taken as a circle of the same area")) == 1
 
-    def test_a_turned_wall_spreads_its_load(self, tmp_path: Path) -> None:
-        """0.2 m x 1.5 m is too long for a circle: the load is spread over it; that nothing is punched is said."""
-        drawing = with_column(turned(1.5, 0.2, 30, 5, 3), tmp_path)
+    def test_a_long_rectangle_is_a_column_whichever_way_it_runs(self, tmp_path: Path) -> None:
+        """0.2 m x 1.5 m is a column along x and y, and so it is at 30 degrees, of its widths the first closest to x."""
+        (column,) = case_of(with_column(turned(0.2, 1.5, -60, 5, 3), tmp_path)).columns
+        assert (column.width_x, column.width_y, column.angle) == pytest.approx((1.5, 0.2, 30), abs=1e-9)
+
+    def test_a_long_parallelogram_spreads_its_load(self, tmp_path: Path) -> None:
+        """It is no rectangle, and too long for a circle: the load is spread over it, which is not punched."""
+        drawing = with_column([(4.2, 2.9), (5.6, 2.9), (5.8, 3.1), (4.4, 3.1)], tmp_path)
         model = case_of(drawing)
         assert model.columns == ()
         (load,) = model.loads
         assert isinstance(load, AreaLoad)
-        assert load.q * 0.3 == pytest.approx(600.5e3, rel=1e-12)
+        assert load.q * 0.28 == pytest.approx(600.5e3, rel=1e-12)
         assert len(remarks(drawing, "punching is not checked")) == 1
 
     def test_corners_that_are_off_by_less_than_a_millimeter(self, tmp_path: Path) -> None:

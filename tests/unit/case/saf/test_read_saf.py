@@ -309,17 +309,17 @@ def test_wrong_rows_of_the_slab_are_issues(
     assert message in str(issue)
 
 
-def test_turned_columns_are_circles_of_their_area(tmp_path: Path, sheets: saf_files.Sheets) -> None:
-    """By 90 degrees the sides change places; by 30 a circle of as much area takes its place, which is reported."""
+def test_turned_columns_keep_their_angle(tmp_path: Path, sheets: saf_files.Sheets) -> None:
+    """By 90 degrees the sides change places; by 30 and by 120 its height is at that angle, or the opposite one."""
     cell(sheets, "StructuralCurveMember", "B1", "LCS Rotation [deg]", 90)
     first, _ = read(tmp_path, sheets).model.columns
     assert (first.width_x, first.width_y) == (0.25, 0.4)
-    cell(sheets, "StructuralCurveMember", "B1", "LCS Rotation [deg]", 30)
-    case = read(tmp_path, sheets)
-    diameter = case.model.columns[0].diameter
-    assert diameter is not None
-    assert math.pi * diameter**2 / 4 == pytest.approx(0.1)
-    assert any("circle of the same area" in why for why in said(case, "B1"))
+    for turn, angle in ((30, 30), (120, -60)):
+        cell(sheets, "StructuralCurveMember", "B1", "LCS Rotation [deg]", turn)
+        case = read(tmp_path, sheets)
+        column = case.model.columns[0]
+        assert (column.width_x, column.width_y, column.angle) == pytest.approx((0.4, 0.25, angle))
+        assert not any("circle" in why for why in said(case, "B1"))
 
 
 def test_curves_of_all_kinds_make_outlines(tmp_path: Path, sheets: saf_files.Sheets) -> None:

@@ -37,6 +37,7 @@ LEFT = {
     "joined_bays": ["case loads: own", "loads: cases", "load wheel: footprint", "plates"],
     "l_raft": [],
     "neighbours": ["self-weight: pressures", "load fill along both: second order", "plates"],
+    "oblique_facade": ["case G: own", "combine"],
     "pad": ["case G: own", "combine"],
     "pavement": [],
     "piled_raft": [
@@ -64,6 +65,7 @@ NO_PLACE = {
     "house_raft": "beyond boreholes output reinforcement limits soil_strength mesh ground",
     "industrial_floor": "floor mesh", "joined_bays": "joints mesh",
     "l_raft": "beyond boreholes output reinforcement mesh ground", "neighbours": "beyond limits mesh ground",
+    "oblique_facade": "reinforcement limits",
     "pad": "beyond reinforcement limits mesh ground", "pavement": "mesh", "piled_raft": "beyond limits mesh ground",
     "raft_on_continuum": "output mesh ground", "raft_under_a_frame": "building reinforcement limits ground",
     "ribbed_raft": "reinforcement limits ground", "second_generation": "reinforcement mesh",

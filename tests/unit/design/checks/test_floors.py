@@ -192,6 +192,16 @@ def test_punching_by_hand() -> None:
     assert mesh.resistance == pytest.approx(0.12 * k * (100 * rho * 30) ** (1 / 3))
 
 
+def test_a_footprint_at_an_angle_punches_as_one_along_x_and_y() -> None:
+    """A rectangle keeps its sides, perimeters and demand at any angle; a circle of its area would have others."""
+    flat, askew = (
+        checks(model_with(FIBERS, [leg(0, 0, P=400e3) | {"width_y": 0.3, "angle": angle}])) for angle in (0.0, 30.0)
+    )
+    for name, of in (("punching at the footprint", "internal"), ("punching", "internal")):
+        assert askew[name, of].demand == pytest.approx(flat[name, of].demand, rel=1e-3)
+        assert askew[name, of].resistance == pytest.approx(flat[name, of].resistance)
+
+
 def test_one_way_shear_is_that_beyond_2_d_of_forces_whose_punching_is_checked() -> None:
     """Beside a leg the shear force of a floor by ACI 360 is one-way shear from d on; by TR34 it is punching up to 2 d.
 

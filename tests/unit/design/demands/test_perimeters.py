@@ -50,6 +50,39 @@ def test_an_edge_column(back: float) -> None:
     assert u(column, 0.7) == pytest.approx(0.6 + 2 * (0.4 + back) + np.pi * 0.7, rel=CHORDS)
 
 
+@pytest.mark.parametrize("angle", [30.0, 45.0, -20.0, 120.0])
+def test_a_column_at_an_angle(angle: float) -> None:
+    """Far from edges as one along x and y; near an edge straight out from its outermost corners, by hand."""
+    assert u(RectangularColumn(4, 3, 0.5, 0.3, angle), 0.7) == pytest.approx(1.6 + 2 * np.pi * 0.7, rel=CHORDS)
+    a, b, back = 0.5, 0.3, 0.1
+    c, s = abs(np.cos(np.radians(angle))), abs(np.sin(np.radians(angle)))
+    wide, deep = c * a + s * b, s * a + c * b  # along the edge x = 0 it measures deep, across it wide
+    column = RectangularColumn(back + wide / 2, 3, a, b, angle)
+    # the two sides that look inwards; the outermost corners lie opposite, so that their distances to the edge add up to
+    # twice that of the center
+    out = 2 * (back + wide / 2)
+    assert u(column, 0.7) == pytest.approx(out + a + b + np.pi * 0.7, rel=CHORDS)
+    # the corner nearest to the edge is at `back`: at the face 3 d + the width along the edge + twice the setback
+    assert u_0(column, 0.05) == pytest.approx(deep + 2 * back + 0.15, rel=1e-9)
+    assert u_0(column, 0.5) == pytest.approx(min(2 * (a + b), out + a + b), rel=1e-9)
+
+
+def test_square_corners_of_a_column_at_an_angle() -> None:
+    """By ACI 318 sides run parallel to the column's at the distance: b_o = 2 (a + b) + 8 distances."""
+    line = perimeter(SLAB, RectangularColumn(4, 3, 0.5, 0.3, 25.0), 0.2, square=True, near=np.inf)
+    assert line.u == pytest.approx(1.6 + 8 * 0.2, rel=1e-9)
+
+
+def test_the_shadow_of_an_opening_at_a_column_at_an_angle() -> None:
+    """At 45 degrees the perimeter before an opening is an arc about the corner, which the tangents cut by the sines."""
+    plate = plate_of(without(straight(16, 12, 8.0, 6.0), (6.0, 7.0), (2.5, 3.5)))
+    column, distance = RectangularColumn(4, 3, 0.4, 0.4, 45.0), 0.5
+    whole, theta, corner = 1.6 + 2 * np.pi * distance, np.arctan(0.5 / 2), 0.2 * np.sqrt(2)
+    half = theta + np.arcsin(corner * np.sin(theta) / distance)
+    assert u(column, distance, plate, reach=1.6) == pytest.approx(whole, rel=CHORDS)
+    assert u(column, distance, plate, reach=1.8) == pytest.approx(whole - 2 * half * distance, rel=CHORDS)
+
+
 def test_a_corner_column() -> None:
     """Near a corner: out to both edges and a quarter of a circle between."""
     column = RectangularColumn(8 - 0.3, 6 - 0.4, 0.4, 0.6)

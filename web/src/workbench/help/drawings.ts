@@ -106,6 +106,7 @@ function drawFootprint(): Mark[] {
     mark("width_x", ...dimension(84, 18, 128, 18, "c_x")),
     mark("width_y", ...dimension(78, 62, 78, 26, "c_y")),
     mark("diameter", svg("circle", { class: "outline", cx: 106, cy: 44, r: 18 }), letter(97, 41, "d")),
+    mark("angle", path("M84 62L108 52M108 62A24 24 0 0 0 106 53", "line thin"), letter(120, 60, "alpha", "start")),
     mark("x", path("M106 44V92", "line thin"), arrow(52, 92, 106, 92), letter(100, 87, "x", "end")),
     mark("y", path("M106 44H150", "line thin"), arrow(150, 92, 150, 44), letter(158, 72, "y", "start")),
     mark("P", svg("circle", { class: "load", cx: 106, cy: 44, r: 3.5 }), letter(114, 56, "P", "start")),

@@ -11,6 +11,7 @@ import {
   rectangleCorners,
   ringOf,
 } from "./geometry";
+import { applyTo, rotation } from "./isometry";
 import { formatPath, isTable, type Json, listAt, type Path, samePath, type Table, tableAt, valueAt } from "./paths";
 import { patternFeet } from "./patterns";
 import { readJoint } from "./plates";
@@ -187,7 +188,9 @@ export function footprintOf(table: Table, geometry: Geometry): Ring | null {
     return ringOf({ type: "circle", at: [], center: [x, y], radius: diameter / 2 });
   const [width, depth] = [parseLength(table.width_x), parseLength(table.width_y)];
   if (width === null || depth === null || width <= 0 || depth <= 0) return null;
-  return rectangleCorners([x - width / 2, x + width / 2], [y - depth / 2, y + depth / 2]);
+  const turn = rotation(typeof table.angle === "number" ? table.angle : 0, [x, y]);
+  const corners = rectangleCorners([x - width / 2, x + width / 2], [y - depth / 2, y + depth / 2]);
+  return corners.map((corner) => applyTo(turn, corner));
 }
 
 /** Return a geometry from the server's plan, which can be moved but not reshaped. */

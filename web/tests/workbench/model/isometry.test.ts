@@ -46,8 +46,20 @@ describe("a transformed item", () => {
       width_y: "2 m",
     });
     expect(transformTable({ M_x: "10 kNm" }, rotation(90, [0, 0]))).toEqual({ M_x: "0 kNm", M_y: "10 kNm" });
-    expect(() => transformTable({ ...load, ...sides }, rotation(30, [0, 0]))).toThrow("multiples of 90°");
     expect(() => transformTable({ ...load, M_y: "4 Nm" }, rotation(30, [0, 0]))).toThrow("different units");
+  });
+  it("has its footprint at an angle, which comes back", () => {
+    const column = { name: "A", x: "0 m", y: "0 m", width_x: "2 m", width_y: "1 m" };
+    const turned = { ...column, angle: 30 };
+    expect(transformTable(column, rotation(30, [0, 0]))).toEqual(turned);
+    expect(transformTable(turned, rotation(-30, [0, 0]))).toEqual(column);
+    expect(transformTable(turned, rotation(60, [0, 0]))).toEqual({ ...column, width_x: "1 m", width_y: "2 m" });
+    expect(transformTable(turned, rotation(180, [0, 0]))).toEqual(turned);
+    expect(transformTable(turned, translation([0, 0]))).toEqual(turned);
+    expect(transformTable(turned, reflection([0, 0], [0, 1]))).toEqual({ ...column, angle: -30 });
+    expect(transformTable({ ...column, angle: 120 }, rotation(30, [0, 0]))).toEqual({ ...column, angle: -30 });
+    const round = { name: "B", x: "0 m", y: "0 m", diameter: "1 m" };
+    expect(transformTable(round, rotation(30, [0, 0]))).toEqual(round);
   });
   it("has the same pressure at the images of the places", () => {
     const slope = ["3 kPa/m", "-1 kPa/m"];

@@ -102,6 +102,6 @@ describe("a head", () => {
     expect(keysOf("A\t1\t2", "columns")).toEqual(["name", "x", "y"]);
     expect(keysOf("name\tx", "columns")).toEqual(["name", "x"]);
     expect(readBlock(splitCells("A1\tx\nA2\ty"), columnsFor("columns"), 0).rows).toHaveLength(2);
-    expect(keysOf("1\t2\t3\t4", "columns", 3)).toEqual(["width_x", "width_y", "diameter", null]);
+    expect(keysOf("1\t2\t3\t4", "columns", 3)).toEqual(["width_x", "width_y", "diameter", "angle"]);
   });
 });

@@ -219,9 +219,10 @@ def _read_column(
         width_x, width_y = (H, B) if abs(upright[0]) > 0.5 else (B, H)
         context.take(row, "column")
         return [Column(**where, width_x=width_x, width_y=width_y)]
-    context.note(row, "its sides do not run along x and y: a circle of the same area takes its place")
+    # H is along the upright axis, which points either way
+    angle = float(f"{math.remainder(math.degrees(math.atan2(upright[1], upright[0])), 180):.12g}")
     context.take(row, "column")
-    return [Column(**where, diameter=float(f"{math.sqrt(4 * H * B / math.pi):.12g}"))]
+    return [Column(**where, width_x=H, width_y=B, angle=angle)]
 
 
 def member_axes(context: ReadContext, row: Row, ends: tuple[Vector, Vector]) -> tuple[Vector, Vector, Vector]:

@@ -149,8 +149,8 @@ def write_columns(sheets: Sheets, model: Model, material: str) -> dict[str, str]
         sheets.add(
             "StructuralCurveMember", column.name, "B", type="Column", crosssection=section,
             nodes=f"{feet[column.name]}; {sheets.node((column.x, column.y), HEIGHT)}", segments="Line", length=HEIGHT,
-            geometricalshape="Line", lcs="y by vector", lcsrotation=0, coordinatex=0, coordinatey=1, coordinatez=0,
-            systemline="Centre", behaviourinanalysis="Standard", analysisyeccentricityofbegnode=0,
+            geometricalshape="Line", lcs="y by vector", lcsrotation=column.angle, coordinatex=0, coordinatey=1,
+            coordinatez=0, systemline="Centre", behaviourinanalysis="Standard", analysisyeccentricityofbegnode=0,
             analysiszeccentricityofbegnode=0, analysisyeccentricityofendnode=0, analysiszeccentricityofendnode=0,
         )  # fmt: skip
     return feet

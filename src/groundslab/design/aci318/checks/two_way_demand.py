@@ -57,6 +57,7 @@ class CriticalSection:
     d: float  # effective depth [m]
     line: Perimeter
     center: Array  # (2,): of the sides that count [m]
+    axes: Array  # (2, 2): unit vectors of the column's own axes
     beta: float
     alpha_s: float
     loads: PerimeterLoads
@@ -127,7 +128,7 @@ def section_at(
     sides = column.width_x or 1.0, column.width_y or 1.0  # a round column has none, and beta = 1
     loads = perimeter_loads.loads_near(results, punching, distance).inside(results, line.inside)
     center = line_properties.centroid(line.legs)
-    return CriticalSection(d, line, center, max(sides) / min(sides), aci318.ALPHA_S[shape], loads)
+    return CriticalSection(d, line, center, footprint.axes, max(sides) / min(sides), aci318.ALPHA_S[shape], loads)
 
 
 def openings_of(results: CombinationResult, punching: PunchingForce) -> Openings:
@@ -173,7 +174,7 @@ def _shear(
 
 def _transfer(shear: PunchingShear, section: CriticalSection) -> aci318.Transfer:
     """Return what makes v_u on a critical section."""
-    return aci318.transfer(shear.V, shear.moments, section.line.legs, section.d, section.line.whole)
+    return aci318.transfer(shear.V, shear.moments, section.line.legs, section.d, section.line.whole, section.axes)
 
 
 def strength(demand: TwoWay, steel: Reinforcement) -> float:

@@ -169,7 +169,7 @@ def _control(
     """Return a perimeter with what EN 1992-1-1 needs of it."""
     from shapely import get_coordinates
 
-    course = line_properties.course(line.ring)
+    course = line_properties.course(line.ring, around.axes)
     center = line_properties.centroid(line.legs)
     frame = course.frame
     points = get_coordinates(around.footprint)

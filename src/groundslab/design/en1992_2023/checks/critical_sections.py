@@ -125,7 +125,7 @@ def critical_section(
         side: Literal["bottom", "top"] = "top" if punching.from_below else "bottom"
         ratio = punching_ratio(model.plate, steel, punching.column, d, model.plates, side)
     near = perimeter_loads.loads_near(results, punching, d)
-    course, center = line_properties.course(line.ring), line_properties.centroid(legs)
+    course, center = line_properties.course(line.ring, around.axes), line_properties.centroid(legs)
     chain = max(line_properties.chains(line.whole), key=len)
     compressed = steel.bottom_axes if punching.from_below else steel.top_axes
     return CriticalSection(

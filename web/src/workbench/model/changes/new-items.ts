@@ -159,7 +159,7 @@ export function addPoint(kind: NewKind, data: Table, at: Point, loadCase: string
 /** Return the cross-section of the last column, else a usual one. */
 function columnSize(data: Table): Table {
   const last = listAt(data, ["columns"]).findLast(isTable) ?? {};
-  const size = Object.entries(last).filter(([key]) => ["diameter", "width_x", "width_y"].includes(key));
+  const size = Object.entries(last).filter(([key]) => ["diameter", "width_x", "width_y", "angle"].includes(key));
   return size.length > 0 ? Object.fromEntries(size) : { width_x: "400 mm", width_y: "400 mm" };
 }
 

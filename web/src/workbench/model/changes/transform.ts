@@ -2,7 +2,7 @@
 
 import type { Edit } from "../edits";
 import { rectangleCorners } from "../geometry";
-import { applyTo, type Isometry, isReflection, keepsAxes } from "../isometry";
+import { applyTo, type Isometry, isReflection, keepsAxes, rotation } from "../isometry";
 import { isTable, type Json, type Path, sameValue, type Table } from "../paths";
 import { formatExact, parseLength, parsePoint } from "../quantities";
 
@@ -16,8 +16,8 @@ const ZERO = ["0 m", "0 m"];
 
 /** Return a table of the case file under an isometry; throws Impossible where the case file cannot say that. */
 export function transformTable(table: Table, by: Isometry): Table {
-  const placed = placeCoordinates(placeParts(table, by), by);
-  return { ...placed, ...turnVectors(table, by), ...turnFootprint(table, by), ...turnPattern(table, by) };
+  const placed = turnFootprint(placeCoordinates(placeParts(table, by), by), by);
+  return { ...placed, ...turnVectors(table, by), ...turnPattern(table, by) };
 }
 
 /** Return the edits that write a table in place of an older one, key by key. */
@@ -89,15 +89,17 @@ function firstOf(value: Json | undefined): Json | undefined {
   return Array.isArray(value) ? value[0] : value;
 }
 
-/** Return the widths of a footprint, which is a rectangle along x and y. */
+/** Return a table with its footprint turned: its sides change places at right angles, else they have an angle. */
 function turnFootprint(table: Table, by: Isometry): Table {
-  const { width_x, width_y } = table;
-  if (width_x === undefined || width_y === undefined || by.b === 0) return {};
-  if (by.a === 0) return { width_x: width_y, width_y: width_x };
-  const size = `${String(width_x)} by ${String(width_y)}`;
-  throw new Impossible(
-    `its ${size} rectangle is aligned with x and y; rotate by multiples of 90°, or give it a diameter`,
-  );
+  const { width_x, width_y, angle, ...others } = table;
+  const known = typeof angle === "number" ? angle : 0;
+  if (width_x === undefined || width_y === undefined || (by.b === 0 && known === 0)) return table;
+  const [dx, dy] = applyTo({ ...by, u: 0, v: 0 }, applyTo(rotation(known, [0, 0]), [1, 0]));
+  // after half a turn a rectangle is the same
+  const degrees = Number(((Math.atan2(dy, dx) * 180) / Math.PI).toFixed(9));
+  const turned = degrees > 90 ? degrees - 180 : degrees <= -90 ? degrees + 180 : degrees;
+  if (turned === 90) return { ...others, width_x: width_y, width_y: width_x };
+  return { ...others, width_x, width_y, ...(turned === 0 ? {} : { angle: turned }) };
 }
 
 /** Return moments, slope and second derivatives of a load. */

@@ -51,8 +51,9 @@ describe("several items", () => {
       plate: { openings: [{ centre: ["-1 m", "1 m"] }] },
       columns: [{ x: "-1 m", y: "4 m" }],
     });
-    expect(() => transformItems(DATA, paths, rotation(30, [0, 0]), "rotate")).toThrow(
-      "column A1: its 400 mm by 400 mm rectangle",
+    const data = { ...DATA, columns: [{ name: "A1", x: "4 m", y: "far" }] };
+    expect(() => transformItems(data, paths, rotation(30, [0, 0]), "rotate")).toThrow(
+      'column A1: ["4 m","far"] is not a point',
     );
   });
   it("are removed with the loads on them, each once, the last first", () => {
