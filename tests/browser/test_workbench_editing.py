@@ -146,7 +146,7 @@ def test_what_is_turned_and_mirrored_is_written_exactly(server: Server, bench: B
     bench.page.keyboard.press("Escape")
     bench.click(-2.0, 1.0)
     bench.page.keyboard.press("r")
-    _enter(bench, angle="30")
+    _enter(bench, angle="30", x="-2 m", y="1 m")
     bench.until(lambda: _data(bench)["columns"][0].get("angle") == 30)
     bench.page.keyboard.press("i")
     _enter(bench, x="0")
