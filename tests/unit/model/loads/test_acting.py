@@ -145,3 +145,18 @@ def test_corners_of_lines_are_their_ends_and_bends() -> None:
     smooth = LineForce((segment((0.0, 0.0), (1.0, 0.0)), segment((1.0, 0.0), (2.0, 1.0), np.tan(np.pi / 8))))
     assert smooth.corners == ((0.0, 0.0), (2.0, 1.0))
     assert LineForce(groundslab.Circle(radius=1.0).ring().segments()).corners == ()
+
+
+def test_elements_at_a_footprint_at_an_angle_are_as_small_as_along_x_and_y() -> None:
+    """Its least width, not that of the rectangle around it, has so many elements across, all over the footprint."""
+    found = []
+    for angle in (0.0, 45.0):
+        load = {"kind": "point", "P": 1e3, "x": 1.0, "y": 0.5, "width_x": 0.8, "width_y": 0.2, "angle": angle}
+        slab = model(load).model_copy(update={"mesh": groundslab.Mesh()})
+        sizes = local_sizes(slab)
+        assert sizes is not None
+        found.append((np.min(sizes[1]), sizes[0][sizes[1] == np.min(sizes[1])] - (1.0, 0.5)))
+    (size, places), (size_askew, askew) = found
+    assert size_askew == pytest.approx(size)
+    c = np.sqrt(0.5)
+    assert sorted(map(tuple, np.round(askew, 9))) == sorted(map(tuple, np.round(places @ [[c, c], [-c, c]], 9)))
