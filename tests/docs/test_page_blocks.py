@@ -44,7 +44,9 @@ def run(text: str, **names: object) -> dict[str, object]:
 def test_cases_of_the_page_on_input_load(tmp_path: Path) -> None:
     """The smallest case loads, and with each of the other blocks put behind it."""
     smallest, *others = blocks("input.md", "toml")
-    assert len(others) == 14
+    assert len(others) == 15
+    askew, *others = others
+    assert casefile.loads(f"{smallest}\n{askew}").columns[0].angle == -20.556
     shapes, wall, outer, stiff, beams, frame, matrix, checks, aci, cracks, combinations, moves, floor, table = others
     assert len(casefile.loads(f"{smallest}\n{shapes}").loads) == 5
     core = casefile.loads(f"{smallest}\n{wall}")
