@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -99,6 +100,10 @@ BAR_SIZES: Mapping[str, float] = MappingProxyType(
         )
     }
 )  # fmt: skip
+#: Pressures from here on [Pa] are strengths and stiffnesses.
+LEAST_STRENGTH = 1e6
+#: Numbers that are round: these, times a power of ten.
+_ROUND = (1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10)
 #: A diameter within this of a size [m] has its name.
 NEAR = 5e-5
 
@@ -171,6 +176,25 @@ def words_in(text: str, system: System) -> str:
     if system == "SI":
         return text
     return _QUANTITY.sub(_converted, text)
+
+
+def customary_example(text: str, dimension: str) -> str:
+    """Return a round quantity of about the size of another one in units customary in the United States.
+
+    Those of a dimension that keeps its units stay as they are. Lengths below a meter are in inches, strengths in psi.
+    """
+    value = units.parse(text, dimension)
+    steps: Sequence[Step] = CUSTOMARY_STEPS.get(dimension, ())
+    if not steps or value == 0:
+        return text
+    if dimension == "length" and value < 1:
+        steps = steps[:1]
+    elif dimension == "pressure" and value >= LEAST_STRENGTH:
+        steps = ((POUND_FORCE / INCH**2, "psi"), *steps[2:])
+    size, unit = next((step for step in reversed(steps) if value >= step[0]), steps[0])
+    power = 10.0 ** math.floor(math.log10(value / size))
+    rounded = min((each * power for each in _ROUND), key=lambda each: abs(math.log(each * size / value)))
+    return f"{format_number(rounded, 2, trim=True)} {unit}"
 
 
 def bar_size(diameter: float, system: System) -> str:

@@ -38,6 +38,7 @@ function wordsOfSchema(): string[] {
     ...fields.flatMap((field) => (field.node.is === "list" ? [singular(heading(labelOf(field) || field.name))] : [])),
     ...fields.flatMap(({ name, node }) => (["part", "kinds", "list"].includes(node.is) ? [heading(name)] : [])),
     ...fields.flatMap(({ node }) => (node.is === "quantity" ? [node.dimension] : [])),
+    ...fields.flatMap(({ node }) => (node.is === "tuple" ? node.members.filter((each) => !each.includes("_")) : [])),
     ...schema.part("").fields.map((field) => sectionTitle(field.name)),
     ...sheetsOf(schema).flatMap(({ title }) => [title, title.toLowerCase()]),
   ];

@@ -38,8 +38,8 @@ FormulasKey = Annotated[
 class Selvadurai(Section):
     """Soil from which Selvadurai's formula finds the modulus of subgrade reaction."""
 
-    E: Annotated[float, Quantity("pressure", "E_s", "Young's modulus of the soil", POSITIVE)]
-    depth: Annotated[float, Quantity("length", "H", "depth of the soil over the rigid base", POSITIVE)]
+    E: Annotated[float, Quantity("pressure", "E_s", "Young's modulus of the soil", POSITIVE, example="20 MPa")]
+    depth: Annotated[float, Quantity("length", "H", "depth of the soil over the rigid base", POSITIVE, example="8 m")]
 
 
 def _check_stiffness(k: float | None, selvadurai: Selvadurai | None) -> Iterator[RelativeIssue]:
@@ -55,7 +55,9 @@ class Winkler(Section):
     checks: ClassVar[tuple[Check, ...]] = (_check_stiffness,)
 
     kind: Annotated[Literal["winkler"], Table("independent springs")] = "winkler"
-    k: Annotated[float | None, Quantity("pressure per length", "k", "modulus of subgrade reaction", POSITIVE)] = None
+    k: Annotated[
+        float | None, Quantity("pressure per length", "k", "modulus of subgrade reaction", POSITIVE, example="20 MPa/m")
+    ] = None
     selvadurai: Annotated[Selvadurai | None, Table("soil that gives k, instead of k")] = None
 
     def modulus(self, a: float) -> float:
@@ -71,8 +73,12 @@ class Pasternak(Section):
     """Springs under a layer that carries shear only."""
 
     kind: Annotated[Literal["pasternak"], Table("springs under a shear layer, both given")] = "pasternak"
-    k0: Annotated[float, Quantity("pressure per length", "k_0", "modulus of subgrade reaction", POSITIVE)]
-    k1: Annotated[float, Quantity("pressure times length", "k_1", "stiffness of the shear layer", SHEAR)]
+    k0: Annotated[
+        float, Quantity("pressure per length", "k_0", "modulus of subgrade reaction", POSITIVE, example="20 MPa/m")
+    ]
+    k1: Annotated[
+        float, Quantity("pressure times length", "k_1", "stiffness of the shear layer", SHEAR, example="5 MN/m")
+    ]
 
 
 def _check_variation(variation: str, E_bottom: float | None, given: set[str]) -> Iterator[RelativeIssue]:
@@ -86,22 +92,28 @@ class SoilLayer(Section):
 
     checks: ClassVar[tuple[Check, ...]] = (_check_variation,)
 
-    E: Annotated[float, Quantity("pressure", "E", "Young's modulus, at the top of the layer", POSITIVE)]
+    E: Annotated[
+        float, Quantity("pressure", "E", "Young's modulus, at the top of the layer", POSITIVE, example="20 MPa")
+    ]
     E_bottom: Annotated[
         float | None,
-        Quantity("pressure", "E_b", "Young's modulus at the bottom of the layer; E by default", POSITIVE),
+        Quantity(
+            "pressure", "E_b", "Young's modulus at the bottom of the layer; E by default", POSITIVE, example="40 MPa"
+        ),
     ] = None
     variation: Annotated[Variation, Choice(Variation, "how the modulus varies from E to E_bottom")] = "linear"
     nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]
-    thickness: Annotated[float, Quantity("length", "h", "thickness", Range(above=0, at_most=10_000))]
+    thickness: Annotated[float, Quantity("length", "h", "thickness", Range(above=0, at_most=10_000), example="3 m")]
     sublayers: Annotated[int, Integer("number of equal sublayers, for consistent coupling only", at_most=100)] = 1
 
 
 class InterfaceLayer(Section):
     """A layer given by the two stiffnesses between its top and its bottom."""
 
-    k0: Annotated[float, Quantity("pressure per length", "k_0", "stiffness against compression", POSITIVE)]
-    k1: Annotated[float, Quantity("pressure times length", "k_1", "stiffness against shear", SHEAR)]
+    k0: Annotated[
+        float, Quantity("pressure per length", "k_0", "stiffness against compression", POSITIVE, example="20 MPa/m")
+    ]
+    k1: Annotated[float, Quantity("pressure times length", "k_1", "stiffness against shear", SHEAR, example="5 MN/m")]
 
 
 def _check_sublayers(
@@ -207,6 +219,7 @@ CellSide = Annotated[
         "side of the cells on which the pressure is constant; by default half a side of the mesh's elements, so that a "
         "finer mesh has a finer grid of cells",
         POSITIVE,
+        example="1 m",
     ),
 ]
 
@@ -214,7 +227,7 @@ CellSide = Annotated[
 class HalfSpace(Section):
     """Half-space of soil below the layers."""
 
-    E: Annotated[float, Quantity("pressure", "E", "Young's modulus", POSITIVE)]
+    E: Annotated[float, Quantity("pressure", "E", "Young's modulus", POSITIVE, example="40 MPa")]
     nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]
 
 
@@ -304,7 +317,13 @@ class ConstrainedModulus(Section):
     ]  # fmt: skip
     relief: Annotated[
         float,
-        Quantity("pressure", "sigma_e", "weight removed by the excavation under the slab", Range(at_least=0)),
+        Quantity(
+            "pressure",
+            "sigma_e",
+            "weight removed by the excavation under the slab",
+            Range(at_least=0),
+            example="40 kPa",
+        ),
     ] = 0.0
     reloading: Annotated[
         float | None,
@@ -324,13 +343,16 @@ class ConstrainedModulus(Section):
         ),
     ] = None
     unit_weight: Annotated[
-        float | None, Quantity("weight per volume", "gamma", "weight of the soil, for the overburden", POSITIVE)
+        float | None,
+        Quantity("weight per volume", "gamma", "weight of the soil, for the overburden", POSITIVE, example="19 kN/m^3"),
     ] = None
     groundwater: Annotated[
-        float | None, Quantity("length", "z_w", "depth of the groundwater below the slab", Range(at_least=0))
+        float | None,
+        Quantity("length", "z_w", "depth of the groundwater below the slab", Range(at_least=0), example="2 m"),
     ] = None
     unit_weight_below_water: Annotated[
-        float | None, Quantity("weight per volume", "gamma'", "effective weight of the soil below it", POSITIVE)
+        float | None,
+        Quantity("weight per volume", "gamma'", "effective weight of the soil below it", POSITIVE, example="10 kN/m^3"),
     ] = None
     cell: CellSide = None
 

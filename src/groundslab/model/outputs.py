@@ -121,7 +121,9 @@ class OutputStrip(Section):
     name: Annotated[str, Text("name of the strip")]
     start: Annotated[tuple[float, float], Place]
     end: Annotated[tuple[float, float], Place]
-    width: Annotated[float, Quantity("length", "b", "its width, half of it on each side of the axis", POSITIVE)]
+    width: Annotated[
+        float, Quantity("length", "b", "its width, half of it on each side of the axis", POSITIVE, example="1 m")
+    ]
     stations: Annotated[
         int, Integer("number of cuts across it, evenly spaced from start to end", at_least=2, at_most=1000)
     ] = 21

@@ -20,7 +20,7 @@ from groundslab.schema.wording import quote
 SHEAR_FACTOR = Number("kappa", "shear correction factor, 5/6 by default", Range(above=0, at_most=1))
 #: Key of the thermal expansion.
 THERMAL_EXPANSION = Quantity(
-    "strain per temperature", "alpha_T", "strain per temperature; of concrete by default", POSITIVE
+    "strain per temperature", "alpha_T", "strain per temperature; of concrete by default", POSITIVE, example="1e-5 1/K"
 )
 
 Element = Literal["mitc9", "q9", "heterosis"]
@@ -38,8 +38,12 @@ class Zone(Section):
     checks: ClassVar[tuple[Check, ...]] = (_check_zone_differs,)
 
     shape: Annotated[Shape, Table("where; what reaches over the plate's edge is cut off")]
-    thickness: Annotated[float | None, Quantity("length", "t", "thickness there; else the plate's", POSITIVE)] = None
-    E: Annotated[float | None, Quantity("pressure", "E", "Young's modulus there; else the plate's", POSITIVE)] = None
+    thickness: Annotated[
+        float | None, Quantity("length", "t", "thickness there; else the plate's", POSITIVE, example="0.6 m")
+    ] = None
+    E: Annotated[
+        float | None, Quantity("pressure", "E", "Young's modulus there; else the plate's", POSITIVE, example="30 GPa")
+    ] = None
     nu: Annotated[float | None, Number("nu", "Poisson's ratio there; else the plate's", POISSON)] = None
 
 
@@ -119,16 +123,17 @@ class Plate(Section):
 
     name: Annotated[str, Text("name of the plate, needed if there are several and loads name it")] = ""
     length_x: Annotated[
-        float | None, Quantity("length", "L_x", "side along x of a rectangle about the origin", POSITIVE)
+        float | None,
+        Quantity("length", "L_x", "side along x of a rectangle about the origin", POSITIVE, example="12 m"),
     ] = None
     length_y: Annotated[
-        float | None, Quantity("length", "L_y", "side along y of a rectangle about the origin", POSITIVE)
+        float | None, Quantity("length", "L_y", "side along y of a rectangle about the origin", POSITIVE, example="8 m")
     ] = None
     outline: Annotated[Shape | None, Table("outline of any shape, instead of length_x and length_y")] = None
     openings: Annotated[tuple[Shape, ...], Table("what is cut out of the plate")] = ()
     zones: Annotated[tuple[Zone, ...], Table("parts with another thickness or material")] = ()
-    thickness: Annotated[float, Quantity("length", "t", "thickness", POSITIVE)]
-    E: Annotated[float, Quantity("pressure", "E", "Young's modulus", POSITIVE)]
+    thickness: Annotated[float, Quantity("length", "t", "thickness", POSITIVE, example="0.4 m")]
+    E: Annotated[float, Quantity("pressure", "E", "Young's modulus", POSITIVE, example="30 GPa")]
     nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]
     shear_factor: Annotated[float, SHEAR_FACTOR] = 5 / 6
     thermal_expansion: Annotated[float, THERMAL_EXPANSION] = 1e-5

@@ -12,9 +12,10 @@ from groundslab.model.loads.load_cases import LoadCase
 from groundslab.model.structure.columns import Column
 from groundslab.model.structure.walls import Wall
 from groundslab.schema.base import Check, Section
-from groundslab.schema.fields import Boolean, Choice, ListOf, Quantity, Text, list_quantities
+from groundslab.schema.fields import Boolean, Choice, ListOf, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.places import place_in_plan
+from groundslab.schema.quantity_lists import list_quantities
 from groundslab.schema.ranges import Range
 from groundslab.schema.repairs import use_nearest
 from groundslab.schema.section_fields import Table
@@ -127,13 +128,22 @@ class Reactions(Section):
     tolerance: Annotated[
         float,
         Quantity(
-            "length", "", "distance up to which a support stands for the nearest column or wall", Range(at_least=0)
+            "length",
+            "",
+            "distance up to which a support stands for the nearest column or wall",
+            Range(at_least=0),
+            example="0.1 m",
         ),
     ] = 0.1
     footprint: Annotated[
         tuple[float, float] | None,
         list_quantities(
-            "length", "c_x, c_y", "widths of the columns made for supports that nothing else stands for", 2, POSITIVE
+            "length",
+            "c_x, c_y",
+            "widths of the columns made for supports that nothing else stands for",
+            ("c_x", "c_y"),
+            POSITIVE,
+            example="0.4 m",
         ),
     ] = None
     without_cases: Annotated[

@@ -68,6 +68,7 @@ class Beyond(Section):
             "width of the meshed strip; needed for a margin; if infinite, by default the ground's decay length, and a "
             "width is refused if widening it changes settlements by more than 1 %",
             POSITIVE,
+            example="5 m",
         ),
     ] = None
     edge: Annotated[OuterEdge, Choice(OuterEdge, "outer edge of a margin")] = "free"
@@ -115,7 +116,9 @@ class Contact(Section):
     )
 
     tensionless: Annotated[bool, Boolean("whether the plate may lift off")] = True
-    gap: Annotated[float, Quantity("length", "g_0", "initial gap everywhere under the plate", Range(at_least=0))] = 0.0
+    gap: Annotated[
+        float, Quantity("length", "g_0", "initial gap everywhere under the plate", Range(at_least=0), example="5 mm")
+    ] = 0.0
     voids: Annotated[
         tuple[Void, ...], Table("parts with a further gap, or none to reach; the deeper counts where they overlap")
     ] = ()
@@ -131,6 +134,7 @@ class Contact(Section):
             "pressure at which the ground yields, no limit by default; line forces along the plate's edges do not "
             "count, but loads may not exceed this pressure over the whole plate",
             POSITIVE,
+            example="400 kPa",
         ),
     ] = None
 
@@ -139,7 +143,7 @@ class Refinement(Section):
     """A part of the plan with smaller elements."""
 
     shape: Annotated[Shape, Table("where")]
-    size: Annotated[float, Quantity("length", "h", "largest side of an element there", POSITIVE)]
+    size: Annotated[float, Quantity("length", "h", "largest side of an element there", POSITIVE, example="0.5 m")]
 
 
 def _check_size(
@@ -170,10 +174,11 @@ class Mesh(Section):
 
     size: Annotated[
         float | None,
-        Quantity("length", "h", "largest side of an element; smaller at edges where needed", POSITIVE),
+        Quantity("length", "h", "largest side of an element; smaller at edges where needed", POSITIVE, example="0.5 m"),
     ] = None
     counts: Annotated[
-        tuple[int, int] | None, ListOf(Integer("", at_most=100_000), "n_x, n_y", "elements over the whole plate", 2)
+        tuple[int, int] | None,
+        ListOf(Integer("", at_most=100_000), "n_x, n_y", "elements over the whole plate", 2, members=("n_x", "n_y")),
     ] = None
     accuracy: Annotated[
         float | Accuracy,
@@ -184,6 +189,7 @@ class Mesh(Section):
             "2 %; without size and counts the mesh is refined until errors are below it",
             SHARE,
             tuple(ACCURACIES),
+            example="5 %",
         ),
     ] = "normal"
     max_unknowns: Annotated[

@@ -91,7 +91,7 @@ class Circle(Section):
 
     kind: Annotated[Literal["circle"], Table("a circle")] = "circle"
     centre: Annotated[tuple[float, float], place_in_plan("its center")] = (0.0, 0.0)
-    radius: Annotated[float, Quantity("length", "r", "its radius", POSITIVE)]
+    radius: Annotated[float, Quantity("length", "r", "its radius", POSITIVE, example="5 m")]
 
     def ring(self) -> Ring:
         """Return the curve."""

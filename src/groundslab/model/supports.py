@@ -32,7 +32,14 @@ FACTOR = Range(at_least=1, at_most=10)
 SupportName = Annotated[str, Text("name of the support, used by loads and results")]
 ActsKey = Annotated[Acts, Choice(Acts, "in compression: it only pushes up; in tension: it only holds down")]
 GapKey = Annotated[
-    float, Quantity("length", "g_s", "distance that the plate moves freely before the support acts", Range(at_least=0))
+    float,
+    Quantity(
+        "length",
+        "g_s",
+        "distance that the plate moves freely before the support acts",
+        Range(at_least=0),
+        example="5 mm",
+    ),
 ]
 
 LimitIsKey = Annotated[
@@ -123,22 +130,35 @@ class PointSupport(_AtPoint):
     kind: Annotated[Literal["point"], Table("support at a point, such as a column below or a pile")] = "point"
     diameter: Annotated[
         float | None,
-        Quantity("length", "d", "diameter, for punching of the plate over it; not checked by default", POSITIVE),
+        Quantity(
+            "length",
+            "d",
+            "diameter, for punching of the plate over it; not checked by default",
+            POSITIVE,
+            example="0.4 m",
+        ),
     ] = None
     stiffness: Annotated[
-        float | None, Quantity("stiffness", "K", "force per settlement; rigid by default", POSITIVE)
+        float | None, Quantity("stiffness", "K", "force per settlement; rigid by default", POSITIVE, example="200 MN/m")
     ] = None
     acts: ActsKey = "both ways"
     gap: GapKey = 0.0
     limit: Annotated[
-        float | None, Quantity("force", "R_max", "largest force, at which the support yields", POSITIVE)
+        float | None,
+        Quantity("force", "R_max", "largest force, at which the support yields", POSITIVE, example="1200 kN"),
     ] = None
     limit_is: LimitIsKey = "ultimate resistance"
     gamma_R: GivenFactorKey = None
     rotation: Annotated[Turning, Choice(Turning, "whether the plate may turn there")] = "free"
     rotational_stiffness: Annotated[
         float | None,
-        Quantity("moment per angle", "K_r", "moment per rotation, about both axes; none by default", POSITIVE),
+        Quantity(
+            "moment per angle",
+            "K_r",
+            "moment per rotation, about both axes; none by default",
+            POSITIVE,
+            example="50 MNm/rad",
+        ),
     ] = None
 
     @property
@@ -163,12 +183,21 @@ class LineSupport(Section):
     points: Annotated[tuple[tuple[float, float], ...], ListOf(Place, "x, y", "the line's points, in order")]
     stiffness: Annotated[
         float | None,
-        Quantity("stiffness per length", "K_l", "force per length and settlement; rigid by default", POSITIVE),
+        Quantity(
+            "stiffness per length",
+            "K_l",
+            "force per length and settlement; rigid by default",
+            POSITIVE,
+            example="50 MN/m^2",
+        ),
     ] = None
     acts: ActsKey = "both ways"
     gap: GapKey = 0.0
     limit: Annotated[
-        float | None, Quantity("force per length", "r_max", "largest force per length, at which it yields", POSITIVE)
+        float | None,
+        Quantity(
+            "force per length", "r_max", "largest force per length, at which it yields", POSITIVE, example="300 kN/m"
+        ),
     ] = None
     limit_is: LimitIsKey = "ultimate resistance"
     gamma_R: GivenFactorKey = None
@@ -197,16 +226,19 @@ class Pile(_AtPoint):
     checks: ClassVar[tuple[Check, ...]] = (_check_slenderness, _check_pile_limit_is, _check_pile_factors)
 
     kind: Annotated[Literal["pile"], Table("a pile in ground of elastic layers, which give its stiffness")] = "pile"
-    length: Annotated[float, Quantity("length", "l", "length below the plate", POSITIVE)]
-    diameter: Annotated[float, Quantity("length", "d", "diameter", POSITIVE)]
-    E: Annotated[float, Quantity("pressure", "E_p", "Young's modulus; of concrete by default", POSITIVE)] = 30e9
+    length: Annotated[float, Quantity("length", "l", "length below the plate", POSITIVE, example="12 m")]
+    diameter: Annotated[float, Quantity("length", "d", "diameter", POSITIVE, example="0.6 m")]
+    E: Annotated[
+        float, Quantity("pressure", "E_p", "Young's modulus; of concrete by default", POSITIVE, example="30 GPa")
+    ] = 30e9
     limit: Annotated[
-        float | None, Quantity("force", "R_c", "largest force in compression; none by default", POSITIVE)
+        float | None,
+        Quantity("force", "R_c", "largest force in compression; none by default", POSITIVE, example="1200 kN"),
     ] = None
     limit_tension: Annotated[
         float | None,
         Quantity("force", "R_t", "largest force in tension; none by default, 0 for one that only pushes",
-                 Range(at_least=0)),
+                 Range(at_least=0), example="200 kN"),
     ] = None  # fmt: skip
     limit_is: LimitIsKey = "ultimate resistance"
     gamma_R: Annotated[

@@ -161,7 +161,7 @@ class GapPoint(Section):
 
     x: Annotated[float, coordinate(0, "position")]
     y: Annotated[float, coordinate(1, "position")]
-    gap: Annotated[float, Quantity("length", "g_0", "gap there; below 0 the ground is higher")]
+    gap: Annotated[float, Quantity("length", "g_0", "gap there; below 0 the ground is higher", example="5 mm")]
 
 
 def _check_extent(
@@ -182,7 +182,13 @@ class Void(Section):
 
     depth: Annotated[
         float | None,
-        Quantity("length", "d", "initial gap there; if omitted a cavity, whose bottom is never reached", POSITIVE),
+        Quantity(
+            "length",
+            "d",
+            "initial gap there; if omitted a cavity, whose bottom is never reached",
+            POSITIVE,
+            example="20 mm",
+        ),
     ] = None
     x: Annotated[
         tuple[float, float] | None,

@@ -16,6 +16,7 @@ from groundslab.schema import ranges, toml_writer
 from groundslab.schema.issues import FieldError, RelativeIssue, field_error
 from groundslab.schema.repairs import add_unit, meant_word
 from groundslab.schema.wording import describe, listed, quote
+from groundslab.unit_systems import customary_example
 
 MOST_ISSUES, MOST_VALUES = 100, 10_000  # reported for one table; of a list, unless its key says otherwise
 LARGEST_WHOLE = 2**31 - 1
@@ -78,6 +79,7 @@ class Quantity(FieldType):
     meaning: str
     range: ranges.Range = ranges.ANY
     words: tuple[str, ...] = ()
+    example: str = ""  # a usual value, by default the dimension's
 
     def read(self, value: Any, from_file: bool) -> float | str:
         """Return the quantity in SI units, or the word."""
@@ -102,6 +104,11 @@ class Quantity(FieldType):
             raise field_error(value, f"{units.DIMENSIONS[self.dimension].phrase} {wanted}")
         return number
 
+    @property
+    def usual(self) -> str:
+        """A usual value."""
+        return self.example or units.DIMENSIONS[self.dimension].example
+
     def expected(self) -> str:
         """Return an example, and the words."""
         return listed([units.expectation(self.dimension), *map(quote, self.words)])
@@ -112,7 +119,7 @@ class Quantity(FieldType):
 
     def type_text(self) -> str:
         """Return the dimension with an example of its units, and the words."""
-        example = f"{self.dimension} (`{quote(units.DIMENSIONS[self.dimension].example)}`)"
+        example = f"{self.dimension} (`{quote(self.usual)}`)"
         return listed([example, *(f"`{quote(word)}`" for word in self.words)])
 
     def range_text(self) -> str:
@@ -126,7 +133,7 @@ class Quantity(FieldType):
             "type": "string",
             "pattern": rf"^\s*{units.NUMBER}\s*(?:1/)?[A-Za-zµμ]",
             "maxLength": units.LONGEST,
-            "examples": [units.DIMENSIONS[self.dimension].example],
+            "examples": list(dict.fromkeys((self.usual, customary_example(self.usual, self.dimension)))),
             "x-dimension": self.dimension,
             "x-range": self.range_text(),
         }
@@ -305,6 +312,7 @@ class ListOf(FieldType):
     unique: bool = False
     least: int = 1  # values, where no length is fixed
     most: int = MOST_VALUES
+    members: tuple[str, ...] = ()  # what each of a fixed number of values is
 
     @property
     def _most(self) -> int:
@@ -347,14 +355,8 @@ class ListOf(FieldType):
         """Return an array."""
         count = {"minItems": self.length or self.least, "maxItems": self._most}
         unique = {"uniqueItems": True} if self.unique else {}
-        return {"type": "array", "items": self.each.json_schema(), **count, **unique}
-
-
-def list_quantities(
-    dimension: str, symbol: str, meaning: str, length: int, limits: ranges.Range = ranges.ANY, rising: bool = False
-) -> ListOf:
-    """Return the type of a list of so many quantities of one dimension."""
-    return ListOf(Quantity(dimension, symbol, "", limits), symbol, meaning, length, rising)
+        members = {"x-members": list(self.members)} if self.members else {}
+        return {"type": "array", "items": self.each.json_schema(), **count, **unique, **members}
 
 
 @dataclass(frozen=True)

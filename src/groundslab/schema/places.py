@@ -27,17 +27,17 @@ class Place(ListOf):
 
 def coordinate(axis: int, meaning: str) -> Coordinate:
     """Return the type of a coordinate along x (0) or y (1)."""
-    return Coordinate("length", "xy"[axis], meaning, ANYWHERE, axis=axis)
+    return Coordinate("length", "xy"[axis], meaning, ANYWHERE, example="2.5 m", axis=axis)
 
 
 def extent(axis: int, meaning: str) -> ListOf:
     """Return the type of an extent along x (0) or y (1)."""
-    return ListOf(coordinate(axis, ""), "xy"[axis], meaning, 2, rising=True)
+    return ListOf(coordinate(axis, ""), "xy"[axis], meaning, 2, rising=True, members=("from", "to"))
 
 
 def place_in_plan(meaning: str, symbol: str = "x, y") -> Place:
     """Return the type of a place."""
-    return Place(Quantity("length", symbol, "", ANYWHERE), symbol, meaning, 2)
+    return Place(Quantity("length", symbol, "", ANYWHERE, example="2.5 m"), symbol, meaning, 2, members=("x", "y"))
 
 
 Moved = TypeVar("Moved", bound=Section)

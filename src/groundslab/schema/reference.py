@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from groundslab import units
 from groundslab.schema.base import Section
-from groundslab.schema.fields import FieldType
+from groundslab.schema.fields import FieldType, ListOf, Quantity
 from groundslab.schema.section_fields import Field
 
 
@@ -65,9 +66,17 @@ def _default_schema(field: Field, key: FieldType) -> dict[str, Any]:
     default = field.default
     if field.required or default is None:
         return {}
-    written = key.write(default)
-    # a quantity's default is text in a file
-    return {"default": written.strip('"') if isinstance(default, float) and written.startswith('"') else default}
+    return {"default": _written(key, default)}
+
+
+def _written(key: FieldType, value: Any) -> Any:
+    """Return a value as a file has it, quantities in usual units where these say the same."""
+    if isinstance(key, ListOf) and isinstance(value, tuple):
+        return [_written(key.each, item) for item in value]
+    if not isinstance(key, Quantity) or isinstance(value, str):
+        return value
+    shown = units.show(value, key.dimension)
+    return shown if units.parse(shown, key.dimension) == value else units.write(value, key.dimension)
 
 
 def _tables(part: type[Section], path: str, kind: str, about: str) -> Iterator[str]:

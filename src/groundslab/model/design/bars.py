@@ -41,6 +41,7 @@ class Diameter(Quantity):
     meaning: str = ""
     range: Range = BAR
     words: tuple[str, ...] = tuple(BAR_SIZES)
+    example: str = "16 mm"
 
     def read(self, value: Any, from_file: bool) -> float:
         """Return the diameter [m]; raises FieldError."""
@@ -66,7 +67,7 @@ class Bars(Section):
     """Bars of one layer, all over the slab."""
 
     diameter: Annotated[float, Diameter(meaning="diameter of the bars")]
-    spacing: Annotated[float, Quantity("length", "s", "from axis to axis", APART)]
+    spacing: Annotated[float, Quantity("length", "s", "from axis to axis", APART, example="150 mm")]
 
 
 def bars_of_mesh(mesh: str) -> Bars:
@@ -99,7 +100,9 @@ class BarZone(Section):
     shape: Annotated[Shape, Table("where; what reaches over the plate's edge is cut off")]
     layers: Annotated[tuple[Layer, ...], ListOf(Choice(Layer, ""), "", "layers of the bars", unique=True)]
     diameter: Annotated[float | None, Diameter(meaning="diameter of the bars")] = None
-    spacing: Annotated[float | None, Quantity("length", "s", "of these bars, center to center", APART)] = None
+    spacing: Annotated[
+        float | None, Quantity("length", "s", "of these bars, center to center", APART, example="150 mm")
+    ] = None
     mesh: Annotated[
         MeshName | None,
         Choice(MeshName, "welded mesh in both layers of a face, instead of diameter and spacing", OTHER_MESH),

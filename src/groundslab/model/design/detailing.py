@@ -20,7 +20,7 @@ class Detailing(Section):
     """Laps, covers at ends and U-shaped bars at free edges, which the quantities and the drawing then have."""
 
     bar_length: Annotated[
-        float, Quantity("length", "", "of bars as they are delivered; longer ones are lapped", STOCK)
+        float, Quantity("length", "", "of bars as they are delivered; longer ones are lapped", STOCK, example="12 m")
     ] = 12.0
     edge_bars: Annotated[
         bool, Boolean("whether U-shaped bars hold the edges and openings, one at each end of a bar there")
@@ -42,7 +42,7 @@ class AllowedBars(Section):
     spacings: Annotated[
         tuple[float, ...],
         ListOf(
-            Quantity("length", "s", "", APART),
+            Quantity("length", "s", "", APART, example="150 mm"),
             "s",
             "spacings of the base; zones have the same, half or twice of it; with US units by default 4 in to 12 in",
             rising=True,
@@ -60,6 +60,7 @@ class AllowedBars(Section):
             "",
             "zones' borders lie at multiples of it from the slab's lower left corner; with US units by default 1 ft",
             STEP,
+            example="50 mm",
         ),
     ] = 0.25
     link_diameters: Annotated[
@@ -72,7 +73,8 @@ class AllowedBars(Section):
         ),
     ] = (0.008, 0.010, 0.012, 0.014, 0.016)
     least_size: Annotated[
-        float, Quantity("length", "", "least length and width of a zone; with US units by default 4 ft", STEP)
+        float,
+        Quantity("length", "", "least length and width of a zone; with US units by default 4 ft", STEP, example="1 m"),
     ] = 1.0
 
 

@@ -45,11 +45,17 @@ class _Floor(Section):
     ] = None
     joint_spacing: Annotated[
         float | None,
-        Quantity("length", "L", "spacing of joints that open, for the restraint of shrinkage", POSITIVE),
+        Quantity("length", "L", "spacing of joints that open, for the restraint of shrinkage", POSITIVE, example="6 m"),
     ] = None
     unit_weight: Annotated[
         float,
-        Quantity("weight per volume", "gamma", "unit weight of the concrete, for friction on the ground", POSITIVE),
+        Quantity(
+            "weight per volume",
+            "gamma",
+            "unit weight of the concrete, for friction on the ground",
+            POSITIVE,
+            example="25 kN/m^3",
+        ),
     ] = 24e3
 
 
@@ -87,23 +93,38 @@ class TR34Floor(_Floor):
     kind: Annotated[Literal["TR34"], Table("Concrete Society TR34, fourth edition: yield lines")] = "TR34"
     concrete: Annotated[ConcreteClass | None, ConcreteChoice] = None
     f_ck: Annotated[
-        float | None, Quantity("pressure", "f_ck", "characteristic strength of the concrete, if no class", CONCRETE)
+        float | None,
+        Quantity(
+            "pressure", "f_ck", "characteristic strength of the concrete, if no class", CONCRETE, example="30 MPa"
+        ),
     ] = None
     gamma_c: Annotated[float, Number("gamma_C", "partial factor of concrete, with fibers or without", PARTIAL)] = 1.5
     f_R1: Annotated[
-        float | None, Quantity("pressure", "f_R1", "residual strength of fiber concrete at 0.5 mm (EN 14651)", RESIDUAL)
+        float | None,
+        Quantity(
+            "pressure", "f_R1", "residual strength of fiber concrete at 0.5 mm (EN 14651)", RESIDUAL, example="2.5 MPa"
+        ),
     ] = None
     f_R4: Annotated[
-        float | None, Quantity("pressure", "f_R4", "residual strength of fiber concrete at 3.5 mm (EN 14651)", RESIDUAL)
+        float | None,
+        Quantity(
+            "pressure", "f_R4", "residual strength of fiber concrete at 3.5 mm (EN 14651)", RESIDUAL, example="2 MPa"
+        ),
     ] = None
     mesh_area: Annotated[
         float | None,
-        Quantity("area per length", "A_s", "bars at the bottom, the smaller amount of both directions", POSITIVE),
+        Quantity(
+            "area per length",
+            "A_s",
+            "bars at the bottom, the smaller amount of both directions",
+            POSITIVE,
+            example="5 cm^2/m",
+        ),
     ] = None
     mesh_axis: Annotated[
-        float | None, Quantity("length", "d_1", "bottom face to the axis of the inner bars", POSITIVE)
+        float | None, Quantity("length", "d_1", "bottom face to the axis of the inner bars", POSITIVE, example="50 mm")
     ] = None
-    f_yk: Annotated[float, Quantity("pressure", "f_yk", "yield strength of the bars", STEEL)] = 500e6
+    f_yk: Annotated[float, Quantity("pressure", "f_yk", "yield strength of the bars", STEEL, example="500 MPa")] = 500e6
     gamma_s: Annotated[float, Number("gamma_S", "partial factor of the bars", PARTIAL)] = 1.15
 
 
@@ -113,7 +134,7 @@ class ACI360Floor(_Floor):
     checks: ClassVar[tuple[Check, ...]] = (_check_restraint, _check_transfer)
 
     kind: Annotated[Literal["ACI 360"], Table("ACI 360R-10 and PCA: flexural stresses")] = "ACI 360"
-    f_r: Annotated[float, Quantity("pressure", "f_r", "modulus of rupture of the concrete", RUPTURE)]
+    f_r: Annotated[float, Quantity("pressure", "f_r", "modulus of rupture of the concrete", RUPTURE, example="4 MPa")]
     safety_factor: Annotated[float, Number("SF", "factor of safety, usually 1.4 to 2.0", SAFETY)] = 1.7
     repetitions: Annotated[
         float | None,

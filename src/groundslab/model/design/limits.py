@@ -25,10 +25,11 @@ class Limits(Section):
 
     checks: ClassVar[tuple[Check, ...]] = (_check_any,)
 
-    settlement: Annotated[float | None, Quantity("length", "w", "largest settlement", POSITIVE)] = None
-    uplift: Annotated[float | None, Quantity("length", "-w", "largest uplift", POSITIVE)] = None
+    settlement: Annotated[float | None, Quantity("length", "w", "largest settlement", POSITIVE, example="25 mm")] = None
+    uplift: Annotated[float | None, Quantity("length", "-w", "largest uplift", POSITIVE, example="5 mm")] = None
     differential_settlement: Annotated[
-        float | None, Quantity("length", "delta w", "largest less smallest settlement of the plate", POSITIVE)
+        float | None,
+        Quantity("length", "delta w", "largest less smallest settlement of the plate", POSITIVE, example="15 mm"),
     ] = None
     tilt: Annotated[
         float | None, Number("omega", "slope of the plane that fits the settlements best, such as 0.002", SLOPE)
@@ -41,9 +42,12 @@ class Limits(Section):
         float | None,
         Number("", "sag between two neighboring columns over their distance, such as 0.004", SLOPE),
     ] = None
-    pressure: Annotated[float | None, Quantity("pressure", "p", "largest pressure on the ground", POSITIVE)] = None
+    pressure: Annotated[
+        float | None, Quantity("pressure", "p", "largest pressure on the ground", POSITIVE, example="250 kPa")
+    ] = None
     mean_pressure: Annotated[
-        float | None, Quantity("pressure", "p_m", "force on the ground over the area in contact", POSITIVE)
+        float | None,
+        Quantity("pressure", "p_m", "force on the ground over the area in contact", POSITIVE, example="150 kPa"),
     ] = None
     contact_share: Annotated[
         float | None, Number("A'/A", "least share of the plate's area that is in contact", SHARE)
@@ -66,14 +70,29 @@ class SoilStrength(Section):
     checks: ClassVar[tuple[Check, ...]] = (_check_strength,)
 
     phi: Annotated[float | None, Number("phi'", "angle of shearing resistance in degrees, drained", ANGLE)] = None
-    c: Annotated[float, Quantity("pressure", "c'", "effective cohesion", NOT_NEGATIVE)] = 0.0
-    c_u: Annotated[float | None, Quantity("pressure", "c_u", "undrained shear strength", POSITIVE)] = None
+    c: Annotated[float, Quantity("pressure", "c'", "effective cohesion", NOT_NEGATIVE, example="10 kPa")] = 0.0
+    c_u: Annotated[
+        float | None, Quantity("pressure", "c_u", "undrained shear strength", POSITIVE, example="60 kPa")
+    ] = None
     unit_weight: Annotated[
-        float, Quantity("weight per volume", "gamma'", "effective unit weight of the soil below the base", POSITIVE)
+        float,
+        Quantity(
+            "weight per volume",
+            "gamma'",
+            "effective unit weight of the soil below the base",
+            POSITIVE,
+            example="18 kN/m^3",
+        ),
     ]
     overburden: Annotated[
         float,
-        Quantity("pressure", "q'", "pressure of the soil next to the slab at the level of its base", NOT_NEGATIVE),
+        Quantity(
+            "pressure",
+            "q'",
+            "pressure of the soil next to the slab at the level of its base",
+            NOT_NEGATIVE,
+            example="15 kPa",
+        ),
     ] = 0.0
     delta: Annotated[
         float | None, Number("delta", "angle of friction under the base in degrees; phi by default", ANGLE)

@@ -16,8 +16,9 @@ from groundslab.model.plates.region import PlateRegion
 from groundslab.model.shapes import CHORD
 from groundslab.model.supports import check_names
 from groundslab.schema.base import Check, Section
-from groundslab.schema.fields import Boolean, Choice, ListOf, Number, Quantity, list_quantities
+from groundslab.schema.fields import Boolean, Choice, ListOf, Number, Quantity
 from groundslab.schema.issues import RelativeIssue
+from groundslab.schema.quantity_lists import list_quantities
 from groundslab.schema.ranges import Range
 from groundslab.schema.section_fields import Table
 
@@ -169,6 +170,17 @@ def _check_fire(fire: str | None, given: set[str]) -> Iterator[RelativeIssue]:
         )
 
 
+BOTH = "both in accidental combinations, by default the annex's"
+COVER = list_quantities(
+    "length", "c_nom", "nominal cover of the outer bars at the bottom, at the top", ("bottom", "top"), POSITIVE, "40 mm"
+)
+
+
+def _to_axis(face: str) -> ListOf:
+    meaning = f"{face} face to the axis of bars along x, along y; or by cover and bars"
+    return list_quantities("length", "d_1", meaning, ("x", "y"), POSITIVE, "50 mm")
+
+
 class Reinforcement(Section):
     """Concrete, steel and where the bars lie, for reinforcement by EN 1992-1-1, both generations, or ACI 318."""
 
@@ -185,10 +197,16 @@ class Reinforcement(Section):
     concrete: Annotated[ConcreteClass | None, ConcreteChoice] = None
     steel: Annotated[SteelClass | None, SteelChoice] = None
     f_ck: Annotated[
-        float | None, Quantity("pressure", "f_ck", "characteristic strength of the concrete, if no class", CONCRETE)
+        float | None,
+        Quantity(
+            "pressure", "f_ck", "characteristic strength of the concrete, if no class", CONCRETE, example="30 MPa"
+        ),
     ] = None
     f_yk: Annotated[
-        float | None, Quantity("pressure", "f_yk", "characteristic yield strength of the steel, if no class", STEEL)
+        float | None,
+        Quantity(
+            "pressure", "f_yk", "characteristic yield strength of the steel, if no class", STEEL, example="500 MPa"
+        ),
     ] = None
     gamma_c: Annotated[
         float | None, Number("gamma_C", "partial factor of concrete, by default the annex's", PARTIAL)
@@ -198,7 +216,7 @@ class Reinforcement(Section):
     )
     accidental: Annotated[
         tuple[float, float] | None,
-        ListOf(Number("gamma", "", PARTIAL), "gamma", "both in accidental combinations, by default the annex's", 2),
+        ListOf(Number("gamma", "", PARTIAL), "gamma", BOTH, 2, members=("gamma_C", "gamma_S")),
     ] = None
     alpha_cc: Annotated[
         float | None,
@@ -227,6 +245,7 @@ class Reinforcement(Section):
             "D_lower",
             "least size of the coarsest aggregates, for shear by EN 1992-1-1:2023; 16 mm by default",
             D_LOWER,
+            example="16 mm",
         ),
     ] = None
     size_effect: Annotated[
@@ -241,7 +260,9 @@ class Reinforcement(Section):
     ] = False
     aggregate: Annotated[
         float | None,
-        Quantity("length", "d_g", "largest size of the aggregate, for the clear distance of bars", AGGREGATE),
+        Quantity(
+            "length", "d_g", "largest size of the aggregate, for the clear distance of bars", AGGREGATE, example="16 mm"
+        ),
     ] = None
     exposure: Annotated[
         Exposure | None,
@@ -254,30 +275,18 @@ class Reinforcement(Section):
     fire_from: Annotated[FireFrom, Choice(FireFrom, "where the fire is, above or below the slab", "")] = "above"
     cover: Annotated[
         tuple[float, float] | None,
-        list_quantities("length", "c_nom", "nominal cover of the outer bars at the bottom, at the top", 2, POSITIVE),
+        COVER,
     ] = None
     outer: Annotated[
         Literal["x", "y"], Choice(Literal["x", "y"], "direction of the outer bars, where cover gives the axes")
     ] = "x"
     bottom: Annotated[
         tuple[float, float] | None,
-        list_quantities(
-            "length",
-            "d_1",
-            "bottom face to the axis of bars along x, along y; or by cover and bars",
-            2,
-            POSITIVE,
-        ),
+        _to_axis("bottom"),
     ] = None
     top: Annotated[
         tuple[float, float] | None,
-        list_quantities(
-            "length",
-            "d_1",
-            "top face to the axis of bars along x, along y; or by cover and bars",
-            2,
-            POSITIVE,
-        ),
+        _to_axis("top"),
     ] = None
     bottom_x: Annotated[Bars | None, Table("bars provided at the bottom along x, to be checked")] = None
     bottom_y: Annotated[Bars | None, Table("bars provided at the bottom along y")] = None
@@ -302,6 +311,7 @@ class Reinforcement(Section):
             "w_max",
             "largest crack width in quasi-permanent combinations; by exposure if bars are provided",
             CRACK,
+            example="0.3 mm",
         ),
     ] = None
     restraint: Annotated[

@@ -22,5 +22,6 @@ class Restraint(Section):
             "f_ct,eff",
             "tensile strength of the concrete when cracks are first expected; f_ctm by default",
             TENSILE,
+            example="2.6 MPa",
         ),
     ] = None

@@ -81,7 +81,13 @@ OnLine = TypeVar("OnLine", "LineLoad", "LineMoment")
 
 LineWidth = Annotated[
     float | None,
-    Quantity("length", "t", "width across the line over which it is spread, as of a wall; none by default", POSITIVE),
+    Quantity(
+        "length",
+        "t",
+        "width across the line over which it is spread, as of a wall; none by default",
+        POSITIVE,
+        example="0.25 m",
+    ),
 ]
 OnWall = Annotated[
     str, Text("wall along which it acts and over whose thickness it is spread, one of [[walls]]; instead of points")
@@ -104,9 +110,10 @@ class LineLoad(_Load):
     checks: ClassVar[tuple[Check, ...]] = (_check_force, check_line_length)
 
     kind: Annotated[Literal["line"], Table("force per length along a line of straight pieces and arcs")] = "line"
-    q: Annotated[float, Quantity("force per length", "q", "force per length, downwards positive")]
+    q: Annotated[float, Quantity("force per length", "q", "force per length, downwards positive", example="80 kN/m")]
     q_end: Annotated[
-        float | None, Quantity("force per length", "q_e", "at the end, linear from q at the start; q by default")
+        float | None,
+        Quantity("force per length", "q_e", "at the end, linear from q at the start; q by default", example="40 kN/m"),
     ] = None
     points: LinePoints = None
     bulges: LineBulges = ()
@@ -147,10 +154,14 @@ class LineMoment(_Load):
             "m",
             "moment about the line, positive if it presses down the side to the left of the line's direction; for a "
             "circle this is the inside",
+            example="25 kNm/m",
         ),
     ]
     m_end: Annotated[
-        float | None, Quantity("moment per length", "m_e", "at the end, linear from m at the start; m by default")
+        float | None,
+        Quantity(
+            "moment per length", "m_e", "at the end, linear from m at the start; m by default", example="10 kNm/m"
+        ),
     ] = None
     points: LinePoints = None
     bulges: LineBulges = ()

@@ -61,10 +61,11 @@ class LoadCase(Section):
     group: Annotated[
         str, Text("variable cases of one group never act together, such as wind from the left and from the right")
     ] = ""
-    H_x: Annotated[float, Quantity("force", "H_x", "horizontal force on the slab along x, for sliding and bearing")] = (
-        0.0
-    )
-    H_y: Annotated[float, Quantity("force", "H_y", "horizontal force on the slab along y")] = 0.0
+    H_x: Annotated[
+        float,
+        Quantity("force", "H_x", "horizontal force on the slab along x, for sliding and bearing", example="100 kN"),
+    ] = 0.0
+    H_y: Annotated[float, Quantity("force", "H_y", "horizontal force on the slab along y", example="100 kN")] = 0.0
 
     @classmethod
     def complete(cls, data: Mapping[Any, Any]) -> Mapping[Any, Any]:
@@ -121,12 +122,12 @@ def _check_partial_factors(
 
 def _partial_factors(symbol: str, kind: Kind) -> ListOf:
     meaning = f"partial factors of {kind} actions, unfavourable and favourable; ultimate only"
-    return ListOf(Number(symbol, "", PARTIAL), symbol, meaning, 2)
+    return ListOf(Number(symbol, "", PARTIAL), symbol, meaning, 2, members=("unfavourable", "favourable"))
 
 
 def _three_factors(symbol: str, state: str) -> ListOf:
     meaning = f"partial factors of {state}: permanent actions unfavourable and favourable, variable actions"
-    return ListOf(Number(symbol, "", PARTIAL), symbol, meaning, 3)
+    return ListOf(Number(symbol, "", PARTIAL), symbol, meaning, 3, members=("unfavourable", "favourable", "variable"))
 
 
 def _check_expression(expression: str, given: set[str]) -> Iterator[RelativeIssue]:

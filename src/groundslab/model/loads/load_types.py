@@ -22,9 +22,10 @@ from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.shapes import AcrossX, AcrossY, AnyShape, Shape
 from groundslab.model.structure.columns import TURN, Column, check_angle, check_footprint, footprint
 from groundslab.schema.base import Check
-from groundslab.schema.fields import Boolean, Choice, Number, Quantity, Text, list_quantities
+from groundslab.schema.fields import Boolean, Choice, Number, Quantity, Text
 from groundslab.schema.issues import RelativeIssue
 from groundslab.schema.places import coordinate, place_in_plan
+from groundslab.schema.quantity_lists import list_quantities
 from groundslab.schema.ranges import Range
 from groundslab.schema.section_fields import ByKind, Table
 
@@ -40,14 +41,26 @@ PlateKey = Annotated[str, Text("name of the plate on which it acts, if there are
 class _Pressure(_Load):
     """A pressure, constant or up to quadratic in x and y."""
 
-    q: Annotated[float, Quantity("pressure", "q", "pressure, downwards positive")]
+    q: Annotated[float, Quantity("pressure", "q", "pressure, downwards positive", example="10 kN/m^2")]
     slope: Annotated[
         tuple[float, float],
-        list_quantities("pressure per length", "q_x, q_y", "growth of the pressure along x and along y", 2),
+        list_quantities(
+            "pressure per length",
+            "q_x, q_y",
+            "growth of the pressure along x and along y",
+            ("q_x", "q_y"),
+            example="1 kPa/m",
+        ),
     ] = (0.0, 0.0)
     bend: Annotated[
         tuple[float, float, float],
-        list_quantities("pressure per area", "q_xx, q_xy, q_yy", "second derivatives of the pressure", 3),
+        list_quantities(
+            "pressure per area",
+            "q_xx, q_xy, q_yy",
+            "second derivatives of the pressure",
+            ("q_xx", "q_xy", "q_yy"),
+            example="2 kPa/m^2",
+        ),
     ] = (0.0, 0.0, 0.0)
     about: Annotated[
         tuple[float, float],
@@ -132,7 +145,9 @@ class SelfWeight(_Load):
     kind: Annotated[Literal["self weight"], Table("self-weight of the plate, by its thickness in each zone")] = (
         "self weight"
     )
-    unit_weight: Annotated[float, Quantity("weight per volume", "gamma_c", "weight of the material", POSITIVE)]
+    unit_weight: Annotated[
+        float, Quantity("weight per volume", "gamma_c", "weight of the material", POSITIVE, example="25 kN/m^3")
+    ]
     beams: Annotated[bool, Boolean("whether ribs weigh, too, and of rectangles what is higher than the plate")] = False
     plate: PlateKey = ""
 
@@ -178,7 +193,7 @@ class PointLoad(_Load):
     checks: ClassVar[tuple[Check, ...]] = (_check_position, check_footprint, _check_angle)
 
     kind: Annotated[Literal["point"], Table("force and moments at a point, on a footprint or on a column")] = "point"
-    P: Annotated[float, Quantity("force", "P", "force, downwards positive; 0 for moments alone")]
+    P: Annotated[float, Quantity("force", "P", "force, downwards positive; 0 for moments alone", example="500 kN")]
     M_x: Annotated[
         float,
         Quantity(
@@ -186,6 +201,7 @@ class PointLoad(_Load):
             "M_x",
             "moment about the y axis, positive if it presses the side of larger x down: the sum of F (x - x_P) of "
             "downward forces F; other programs call it M_y, some with the other sign",
+            example="80 kNm",
         ),
     ] = 0.0
     M_y: Annotated[
@@ -195,21 +211,40 @@ class PointLoad(_Load):
             "M_y",
             "moment about the x axis, positive if it presses the side of larger y down: the sum of F (y - y_P) of "
             "downward forces F; other programs call it M_x, some with the other sign",
+            example="80 kNm",
         ),
     ] = 0.0
     x: Annotated[float | None, coordinate(0, "position")] = None
     y: Annotated[float | None, coordinate(1, "position")] = None
     width_x: Annotated[
         float | None,
-        Quantity("length", "c_x", "width along x of the area over which it is spread; a point by default", POSITIVE),
+        Quantity(
+            "length",
+            "c_x",
+            "width along x of the area over which it is spread; a point by default",
+            POSITIVE,
+            example="0.4 m",
+        ),
     ] = None
     width_y: Annotated[
         float | None,
-        Quantity("length", "c_y", "width along y of the area over which it is spread; a point by default", POSITIVE),
+        Quantity(
+            "length",
+            "c_y",
+            "width along y of the area over which it is spread; a point by default",
+            POSITIVE,
+            example="0.4 m",
+        ),
     ] = None
     diameter: Annotated[
         float | None,
-        Quantity("length", "d", "diameter of the area over which it is spread, instead of both widths", POSITIVE),
+        Quantity(
+            "length",
+            "d",
+            "diameter of the area over which it is spread, instead of both widths",
+            POSITIVE,
+            example="0.4 m",
+        ),
     ] = None
     angle: Annotated[float, Number("alpha", "angle of its widths from x and y in degrees, counterclockwise", TURN)] = (
         0.0
@@ -249,7 +284,8 @@ class TemperatureLoad(_Load):
 
     kind: Annotated[Literal["temperature"], Table("difference of temperature over the thickness")] = "temperature"
     difference: Annotated[
-        float, Quantity("temperature difference", "dT", "bottom less top: positive if the bottom is warmer")
+        float,
+        Quantity("temperature difference", "dT", "bottom less top: positive if the bottom is warmer", example="15 K"),
     ]
     plate: PlateKey = ""
 
@@ -288,7 +324,7 @@ class SettlementLoad(_Load):
 
     kind: Annotated[Literal["settlement"], Table("settlement forced on a support")] = "settlement"
     support: Annotated[str, Text("name of the support, one of [[supports]]")]
-    w: Annotated[float, Quantity("length", "w_s", "its settlement, downwards positive")]
+    w: Annotated[float, Quantity("length", "w_s", "its settlement, downwards positive", example="20 mm")]
 
     @property
     def magnitudes(self) -> tuple[Magnitude, ...]:

@@ -43,7 +43,7 @@ SAME_POSITION = 0.01
 SQUARE = 1e-9
 
 Width = float | None
-Offset = Quantity("length", "y", "")
+Offset = Quantity("length", "y", "", example="1.1 m")
 
 
 class Wheel(Section):
@@ -51,12 +51,16 @@ class Wheel(Section):
 
     checks: ClassVar[tuple[Check, ...]] = (check_footprint,)
 
-    P: Annotated[float, Quantity("force", "P", "force, downwards positive")]
-    x: Annotated[float, Quantity("length", "x", "distance ahead of the pattern's origin, in its direction")] = 0.0
-    y: Annotated[float, Quantity("length", "y", "distance to the left of the origin")] = 0.0
-    width_x: Annotated[Width, Quantity("length", "c_x", "width along the direction", POSITIVE)] = None
-    width_y: Annotated[Width, Quantity("length", "c_y", "width across it", POSITIVE)] = None
-    diameter: Annotated[Width, Quantity("length", "d", "diameter, instead of both widths", POSITIVE)] = None
+    P: Annotated[float, Quantity("force", "P", "force, downwards positive", example="40 kN")]
+    x: Annotated[
+        float, Quantity("length", "x", "distance ahead of the pattern's origin, in its direction", example="1.5 m")
+    ] = 0.0
+    y: Annotated[float, Quantity("length", "y", "distance to the left of the origin", example="1.5 m")] = 0.0
+    width_x: Annotated[Width, Quantity("length", "c_x", "width along the direction", POSITIVE, example="200 mm")] = None
+    width_y: Annotated[Width, Quantity("length", "c_y", "width across it", POSITIVE, example="200 mm")] = None
+    diameter: Annotated[
+        Width, Quantity("length", "d", "diameter, instead of both widths", POSITIVE, example="200 mm")
+    ] = None
 
 
 class Vehicle(Section):
@@ -78,16 +82,20 @@ class Rack(Section):
 
     kind: Annotated[Literal["rack"], Table("legs of racks, in frames one behind the other")] = "rack"
     name: Annotated[str, Text("name of the pattern, used by moves")]
-    P: Annotated[float, Quantity("force", "P", "force of each leg, downwards positive")]
+    P: Annotated[float, Quantity("force", "P", "force of each leg, downwards positive", example="60 kN")]
     frames: Annotated[int, Integer("number of frames in the direction of the rack", at_least=1, at_most=200)] = 1
-    bay: Annotated[float, Quantity("length", "b", "spacing of the frames", POSITIVE)] = 2.7
+    bay: Annotated[float, Quantity("length", "b", "spacing of the frames", POSITIVE, example="2.7 m")] = 2.7
     rows: Annotated[
         tuple[float, ...],
         ListOf(Offset, "y", "distances of a frame's legs across the rack, to the left of its origin", most=100),
     ] = (0.0,)
-    width_x: Annotated[Width, Quantity("length", "c_x", "width of a base plate along the rack", POSITIVE)] = None
-    width_y: Annotated[Width, Quantity("length", "c_y", "width across it", POSITIVE)] = None
-    diameter: Annotated[Width, Quantity("length", "d", "diameter, instead of both widths", POSITIVE)] = None
+    width_x: Annotated[
+        Width, Quantity("length", "c_x", "width of a base plate along the rack", POSITIVE, example="100 mm")
+    ] = None
+    width_y: Annotated[Width, Quantity("length", "c_y", "width across it", POSITIVE, example="100 mm")] = None
+    diameter: Annotated[
+        Width, Quantity("length", "d", "diameter, instead of both widths", POSITIVE, example="100 mm")
+    ] = None
 
     def forces(self) -> tuple[Wheel, ...]:
         """Return the forces of its legs, frame by frame."""
@@ -125,7 +133,7 @@ class Move(Section):
     ]
     step: Annotated[
         float | None,
-        Quantity("length", "s", "spacing of the positions along the path", Range(at_least=LEAST_STEP)),
+        Quantity("length", "s", "spacing of the positions along the path", Range(at_least=LEAST_STEP), example="0.5 m"),
     ] = None
     turn: Annotated[
         float, Number("alpha", "angle of the pattern's direction in degrees, from x, or from the path", TURN)

@@ -47,8 +47,8 @@ class FurtherPlate(Section):
     outline: Annotated[Shape, Table("its outline, of any shape")]
     openings: Annotated[tuple[Shape, ...], Table("what is cut out of it")] = ()
     zones: Annotated[tuple[Zone, ...], Table("parts with another thickness or material")] = ()
-    thickness: Annotated[float, Quantity("length", "t", "thickness", POSITIVE)]
-    E: Annotated[float, Quantity("pressure", "E", "Young's modulus", POSITIVE)]
+    thickness: Annotated[float, Quantity("length", "t", "thickness", POSITIVE, example="0.4 m")]
+    E: Annotated[float, Quantity("pressure", "E", "Young's modulus", POSITIVE, example="30 GPa")]
     nu: Annotated[float, Number("nu", "Poisson's ratio", POISSON)]
     shear_factor: Annotated[float, SHEAR_FACTOR] = 5 / 6
     thermal_expansion: Annotated[float, THERMAL_EXPANSION] = 1e-5

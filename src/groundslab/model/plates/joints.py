@@ -39,12 +39,21 @@ class Dowels(Section):
 
     checks: ClassVar[tuple[Check, ...]] = (_check_dowel,)
 
-    diameter: Annotated[float | None, Quantity("length", "d", "diameter of round dowels", STEEL_SIZE)] = None
-    width: Annotated[float | None, Quantity("length", "W", "width of plates along the joint", STEEL_SIZE)] = None
-    height: Annotated[float | None, Quantity("length", "T", "thickness of plates", STEEL_SIZE)] = None
-    spacing: Annotated[float, Quantity("length", "s", "from dowel to dowel along the joint", SPACING)]
-    opening: Annotated[float, Quantity("length", "x", "opening of the joint, which dowels bridge", OPENING)]
-    f_yk: Annotated[float, Quantity("pressure", "f_yk", "characteristic strength of the dowels' steel", DOWEL_STEEL)]
+    diameter: Annotated[
+        float | None, Quantity("length", "d", "diameter of round dowels", STEEL_SIZE, example="20 mm")
+    ] = None
+    width: Annotated[
+        float | None, Quantity("length", "W", "width of plates along the joint", STEEL_SIZE, example="150 mm")
+    ] = None
+    height: Annotated[float | None, Quantity("length", "T", "thickness of plates", STEEL_SIZE, example="8 mm")] = None
+    spacing: Annotated[float, Quantity("length", "s", "from dowel to dowel along the joint", SPACING, example="300 mm")]
+    opening: Annotated[
+        float, Quantity("length", "x", "opening of the joint, which dowels bridge", OPENING, example="10 mm")
+    ]
+    f_yk: Annotated[
+        float,
+        Quantity("pressure", "f_yk", "characteristic strength of the dowels' steel", DOWEL_STEEL, example="500 MPa"),
+    ]
 
 
 class _Joint(Section):
@@ -55,7 +64,14 @@ class _Joint(Section):
     kind: str
     name: Annotated[str, Text("name of the joint, for reference")] = ""
     between: Annotated[
-        tuple[str, str], ListOf(Text(""), "", "names of the two plates, which share a line of their outlines", 2)
+        tuple[str, str],
+        ListOf(
+            Text(""),
+            "",
+            "names of the two plates, which share a line of their outlines",
+            2,
+            members=("first plate", "second plate"),
+        ),
     ]
     dowels: Annotated[Dowels | None, Table("dowels, whose resistance is compared with what the joint carries")] = None
 
@@ -82,11 +98,18 @@ class ElasticJoint(_Joint):
             "k_j",
             "shear per length of the joint over the difference in settlement; 0 transfers nothing",
             Range(at_least=0),
+            example="100 MPa",
         ),
     ]
     gap: Annotated[
         float,
-        Quantity("length", "g_j", "play: difference in settlement before the joint carries load", Range(at_least=0)),
+        Quantity(
+            "length",
+            "g_j",
+            "play: difference in settlement before the joint carries load",
+            Range(at_least=0),
+            example="1 mm",
+        ),
     ] = 0.0
 
 

@@ -33,7 +33,11 @@ class Cracking(Section):
     f_ct: Annotated[
         float | None,
         Quantity(
-            "pressure", "f_ct", "stress at which the concrete cracks; f_ctm by default, less where restrained", POSITIVE
+            "pressure",
+            "f_ct",
+            "stress at which the concrete cracks; f_ctm by default, less where restrained",
+            POSITIVE,
+            example="2.9 MPa",
         ),
     ] = None
     limit_states: Annotated[

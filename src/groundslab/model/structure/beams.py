@@ -44,8 +44,10 @@ class _Rectangle(Section):
     """What a rectangle has."""
 
     kind: str
-    width: Annotated[float, Quantity("length", "b_w", "width", POSITIVE)]
-    height: Annotated[float, Quantity("length", "h_w", "height, of a rib that beside the plate", POSITIVE)]
+    width: Annotated[float, Quantity("length", "b_w", "width", POSITIVE, example="0.3 m")]
+    height: Annotated[
+        float, Quantity("length", "h_w", "height, of a rib that beside the plate", POSITIVE, example="0.5 m")
+    ]
 
     @property
     def second_moment(self) -> float:
@@ -101,6 +103,7 @@ class RibSection(_Rectangle):
             "b_eff",
             "width of the plate that acts as the flange; of an eccentric rib for its bars alone, by default its own",
             POSITIVE,
+            example="1.2 m",
         ),
     ] = None
     eccentric: Annotated[
@@ -132,13 +135,23 @@ class GivenSection(Section):
             "I",
             "second moment of area about the plate's middle plane, of an eccentric one about its own axis",
             POSITIVE,
+            example="0.003 m^4",
         ),
     ]
     torsion_constant: Annotated[
-        float, Quantity("second moment of area", "J", "torsion constant; 0 resists no torsion", Range(at_least=0))
+        float,
+        Quantity(
+            "second moment of area",
+            "J",
+            "torsion constant; 0 resists no torsion",
+            Range(at_least=0),
+            example="0.003 m^4",
+        ),
     ] = 0.0
-    shear_area: Annotated[float, Quantity("area", "A_v", "area that carries shear", POSITIVE)]
-    area: Annotated[float | None, Quantity("area", "A", "area, which an eccentric section needs", POSITIVE)] = None
+    shear_area: Annotated[float, Quantity("area", "A_v", "area that carries shear", POSITIVE, example="0.15 m^2")]
+    area: Annotated[
+        float | None, Quantity("area", "A", "area, which an eccentric section needs", POSITIVE, example="0.15 m^2")
+    ] = None
     eccentricity: Annotated[
         float | None,
         Quantity(
@@ -146,6 +159,7 @@ class GivenSection(Section):
             "e",
             "how far its centroid lies below the plate's middle plane, above it negative; with it, it stretches the "
             "plate in its plane",
+            example="0.3 m",
         ),
     ] = None
 
@@ -181,13 +195,20 @@ class Beam(Section):
     bulges: LineBulges = ()
     shape: LineShape = None
     section: Annotated[BeamSection, ByKind(), Table("the section")]
-    E: Annotated[float | None, Quantity("pressure", "E", "Young's modulus, by default that of the plate", POSITIVE)] = (
-        None
-    )
+    E: Annotated[
+        float | None,
+        Quantity("pressure", "E", "Young's modulus, by default that of the plate", POSITIVE, example="30 GPa"),
+    ] = None
     nu: Annotated[float | None, Number("nu", "Poisson's ratio, by default that of the plate", POISSON)] = None
     joined: Annotated[
         tuple[End, End],
-        ListOf(Choice(End, ""), "", "how its start and its end are joined to the plate; hinged ones bend freely", 2),
+        ListOf(
+            Choice(End, ""),
+            "",
+            "how its start and its end are joined to the plate; hinged ones bend freely",
+            2,
+            members=("start", "end"),
+        ),
     ] = ("fixed", "fixed")
     stiffness: Annotated[float, STIFFNESS] = 1.0
     bar_axis: Annotated[
@@ -197,6 +218,7 @@ class Beam(Section):
             "d_1",
             "distance of its bars' axes from its faces, by default the larger one of the plate's bars there",
             POSITIVE,
+            example="60 mm",
         ),
     ] = None
 

@@ -183,11 +183,12 @@ class Building(Section):
     checks: ClassVar[tuple[Check, ...]] = (_check_file, _check_kind, _check_storeys, _check_matrix)
 
     storeys: Annotated[
-        tuple[float, ...],
-        ListOf(Quantity("length", "h", "", POSITIVE), "h", "heights of the storeys, from the lowest one upwards",
-               most=MOST_STOREYS),
+        tuple[float, ...], ListOf(Quantity("length", "h", "", POSITIVE, example="3 m"), "h",
+                                  "heights of the storeys, from the lowest one upwards", most=MOST_STOREYS),
     ] = ()  # fmt: skip
-    E: Annotated[float | None, Quantity("pressure", "E", "Young's modulus of the frame", POSITIVE)] = None
+    E: Annotated[
+        float | None, Quantity("pressure", "E", "Young's modulus of the frame", POSITIVE, example="30 GPa")
+    ] = None
     nu: Annotated[float, Number("nu", "Poisson's ratio of the frame", POISSON)] = 0.2
     stiffness: Annotated[float, STIFFNESS] = 1.0
     rigid_floors: Annotated[

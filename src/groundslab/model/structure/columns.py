@@ -72,9 +72,11 @@ class Column(Section):
     name: Annotated[str, Text("name of the column, used by loads")]
     x: Annotated[float, coordinate(0, "its center")]
     y: Annotated[float, coordinate(1, "its center")]
-    width_x: Annotated[float | None, Quantity("length", "c_x", "width along x", POSITIVE)] = None
-    width_y: Annotated[float | None, Quantity("length", "c_y", "width along y", POSITIVE)] = None
-    diameter: Annotated[float | None, Quantity("length", "d", "diameter, instead of both widths", POSITIVE)] = None
+    width_x: Annotated[float | None, Quantity("length", "c_x", "width along x", POSITIVE, example="0.4 m")] = None
+    width_y: Annotated[float | None, Quantity("length", "c_y", "width along y", POSITIVE, example="0.4 m")] = None
+    diameter: Annotated[
+        float | None, Quantity("length", "d", "diameter, instead of both widths", POSITIVE, example="0.4 m")
+    ] = None
     angle: Annotated[
         float,
         Number("alpha", "angle of its widths from x and y in degrees, counterclockwise", TURN),

@@ -31,8 +31,10 @@ class RectangularMember(Section):
     """A rectangle: of a beam width and height, of a column what it measures along x and along y."""
 
     kind: Annotated[Literal["rectangle"], Table("a rectangle")] = "rectangle"
-    width: Annotated[float, Quantity("length", "b", "width of a beam; of a column along x", POSITIVE)]
-    height: Annotated[float, Quantity("length", "h", "height of a beam; of a column its width along y", POSITIVE)]
+    width: Annotated[float, Quantity("length", "b", "width of a beam; of a column along x", POSITIVE, example="0.3 m")]
+    height: Annotated[
+        float, Quantity("length", "h", "height of a beam; of a column its width along y", POSITIVE, example="0.5 m")
+    ]
 
     @property
     def properties(self) -> MemberProperties:
@@ -45,7 +47,7 @@ class CircularMember(Section):
     """A circle."""
 
     kind: Annotated[Literal["circle"], Table("a circle")] = "circle"
-    diameter: Annotated[float, Quantity("length", "d", "diameter", POSITIVE)]
+    diameter: Annotated[float, Quantity("length", "d", "diameter", POSITIVE, example="0.4 m")]
 
     @property
     def properties(self) -> MemberProperties:
@@ -60,11 +62,15 @@ class GivenMember(Section):
     kind: Annotated[Literal["properties"], Table("a section of which the properties are given, such as of steel")] = (
         "properties"
     )
-    area: Annotated[float, Quantity("area", "A", "area", POSITIVE)]
+    area: Annotated[float, Quantity("area", "A", "area", POSITIVE, example="0.15 m^2")]
     second_moment: Annotated[
         float,
         Quantity(
-            "second moment of area", "I", "for bending of a beam in a vertical plane, of a column along y", POSITIVE
+            "second moment of area",
+            "I",
+            "for bending of a beam in a vertical plane, of a column along y",
+            POSITIVE,
+            example="0.003 m^4",
         ),
     ]
     second_moment_across: Annotated[
@@ -74,13 +80,22 @@ class GivenMember(Section):
             "I_z",
             "for bending of a beam sideways, of a column along x; by default the same",
             POSITIVE,
+            example="0.003 m^4",
         ),
     ] = None
     torsion_constant: Annotated[
-        float, Quantity("second moment of area", "J", "torsion constant; 0 resists no torsion", Range(at_least=0))
+        float,
+        Quantity(
+            "second moment of area",
+            "J",
+            "torsion constant; 0 resists no torsion",
+            Range(at_least=0),
+            example="0.003 m^4",
+        ),
     ] = 0.0
     shear_area: Annotated[
-        float | None, Quantity("area", "A_v", "area that carries shear; by default nothing gives way", POSITIVE)
+        float | None,
+        Quantity("area", "A_v", "area that carries shear; by default nothing gives way", POSITIVE, example="0.15 m^2"),
     ] = None
 
     @property

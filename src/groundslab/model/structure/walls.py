@@ -77,9 +77,11 @@ class WallOpening(Section):
 
     checks: ClassVar[tuple[Check, ...]] = (_check_ends,)
 
-    start: Annotated[float, Quantity("length", "s_1", "where it begins, along the axis", Range(at_least=0))]
-    end: Annotated[float, Quantity("length", "s_2", "where it ends, along the axis", POSITIVE)]
-    height: Annotated[float, Quantity("length", "h_o", "height that is missing there", POSITIVE)]
+    start: Annotated[
+        float, Quantity("length", "s_1", "where it begins, along the axis", Range(at_least=0), example="1 m")
+    ]
+    end: Annotated[float, Quantity("length", "s_2", "where it ends, along the axis", POSITIVE, example="2 m")]
+    height: Annotated[float, Quantity("length", "h_o", "height that is missing there", POSITIVE, example="2.1 m")]
 
 
 class Wall(Section):
@@ -91,7 +93,7 @@ class Wall(Section):
     checks: ClassVar[tuple[Check, ...]] = (_check_place, check_line_length, _check_height)
 
     name: Annotated[str, Text("name of the wall, used by loads")]
-    thickness: Annotated[float, Quantity("length", "t_w", "thickness of the wall", POSITIVE)]
+    thickness: Annotated[float, Quantity("length", "t_w", "thickness of the wall", POSITIVE, example="250 mm")]
     points: LinePoints = None
     bulges: LineBulges = ()
     shape: LineShape = None
@@ -107,11 +109,13 @@ class Wall(Section):
     ] = None
     plate: Annotated[str, Text("name of the plate whose edge it is; the first one by default")] = ""
     height: Annotated[
-        float | None, Quantity("length", "h_w", "height, if the wall stiffens the plate as a deep beam", POSITIVE)
+        float | None,
+        Quantity("length", "h_w", "height, if the wall stiffens the plate as a deep beam", POSITIVE, example="3 m"),
     ] = None
-    E: Annotated[float | None, Quantity("pressure", "E", "Young's modulus, by default that of the plate", POSITIVE)] = (
-        None
-    )
+    E: Annotated[
+        float | None,
+        Quantity("pressure", "E", "Young's modulus, by default that of the plate", POSITIVE, example="30 GPa"),
+    ] = None
     nu: Annotated[float | None, Number("nu", "Poisson's ratio, by default that of the plate", POISSON)] = None
     stiffness: Annotated[float, STIFFNESS] = 1.0
     openings: Annotated[tuple[WallOpening, ...], Table("openings in it, where it is less high", 1000)] = ()

@@ -2,7 +2,7 @@
 import { translate } from "../../viewer/shared/language";
 import { defaultText, hintOf, labelOf } from "../form/labels";
 import { type Json, type Path, type Table, valueAt } from "../model/paths";
-import type { Field, Node, Part, Schema } from "../model/schema";
+import { exampleOf, type Field, type Node, type Part, type Schema } from "../model/schema";
 
 /** A field of the case file, and the part that it is in. */
 export interface FieldAt {
@@ -35,9 +35,9 @@ export function meaningOf({ field, part }: FieldAt): string {
 }
 
 /** Return the facts about a field, each with its name. */
-export function factsOf({ field }: FieldAt): [name: string, value: string][] {
+export function factsOf({ field }: FieldAt, data: Table): [name: string, value: string][] {
   const { node } = field;
-  const facts: [string, string][] = [[node.is === "quantity" ? "unit" : "value", kindOfValue(node)]];
+  const facts: [string, string][] = [[node.is === "quantity" ? "unit" : "value", kindOfValue(node, data)]];
   if (field.range && hintOf(field) !== field.hint) facts.push(["range", field.range]);
   facts.push(["default", field.needed ? "none (required)" : writtenDefault(field.default)]);
   return facts.filter(([, value]) => value !== "");
@@ -48,10 +48,10 @@ function writtenDefault(value: Json | undefined): string {
 }
 
 /** Return what values a field takes: a dimension with an example, words, a number. */
-function kindOfValue(node: Node): string {
+function kindOfValue(node: Node, data: Table): string {
   switch (node.is) {
     case "quantity":
-      return [`${node.dimension}, such as ${node.example}`, ...node.options].join(" or ");
+      return [`${node.dimension}, such as ${exampleOf(node, data)}`, ...node.options].join(" or ");
     case "choice":
       return node.options.join(", ");
     case "choices":
@@ -63,10 +63,10 @@ function kindOfValue(node: Node): string {
     case "boolean":
       return "true or false";
     case "tuple":
-      return `${node.length} values: ${kindOfValue(node.each)}`;
+      return `${node.length} values: ${kindOfValue(node.each, data)}`;
     case "values":
     case "points":
-      return `list: ${kindOfValue(node.each)}`;
+      return `list: ${kindOfValue(node.each, data)}`;
     case "factors":
       return "a number for each load case";
     default:

@@ -3,7 +3,7 @@ import { fill, h, newId, verbatim } from "../../viewer/shared/dom";
 import { readStored, writeStored } from "../../viewer/shared/storage";
 import { symbolElement } from "../../viewer/shared/symbols";
 import type { FormContext } from "../form/context";
-import type { Path } from "../model/paths";
+import type { Path, Table } from "../model/paths";
 import { drawPart } from "./drawings";
 import { anchorOf, type FieldAt, factsOf, findField, meaningOf, titleOf } from "./facts";
 import "./help.css";
@@ -48,7 +48,7 @@ export function fieldHelp(ctx: FormContext, watched: HTMLElement, open: (anchor:
     // the panel says what the hint beside the field says
     const others = before?.split(" ").filter((id) => !id.startsWith("hint-")) ?? [];
     input.setAttribute("aria-describedby", [`${element.id}-text`, ...others].join(" "));
-    fill(element, ...contents(element.id, path, about, () => open(anchorOf(ctx.data(), path)), close));
+    fill(element, ...contents(element.id, path, about, ctx.data(), () => open(anchorOf(ctx.data(), path)), close));
     element.hidden = false;
     input.scrollIntoView({ block: "nearest" });
   };
@@ -66,11 +66,18 @@ export function fieldHelp(ctx: FormContext, watched: HTMLElement, open: (anchor:
   return element;
 }
 
-function contents(id: string, path: Path, about: FieldAt, open: () => void, close: () => void): HTMLElement[] {
+function contents(
+  id: string,
+  path: Path,
+  about: FieldAt,
+  data: Table,
+  open: () => void,
+  close: () => void,
+): HTMLElement[] {
   const { field, part } = about;
   const symbol = field.symbol && !field.symbol.includes(",") ? symbolElement(field.symbol) : null;
   const key = h("code", {}, path.filter((step) => typeof step === "string").join("."));
-  const facts = factsOf(about).flatMap(([name, value]) => [
+  const facts = factsOf(about, data).flatMap(([name, value]) => [
     h("dt", {}, name),
     h("dd", {}, name === "default" && !about.field.needed ? verbatim(value) : value),
   ]);

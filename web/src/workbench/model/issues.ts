@@ -54,6 +54,8 @@ export type IssueText = Pick<Issue, "found" | "expected" | "hint">;
 
 /** Return what is wrong. */
 export function issueText({ found, expected, hint }: IssueText): string {
+  if (found === "nothing" && expected === "a table [ground]") return "choose a kind";
+  if (found === "nothing") return hint ? `not given yet — ${hint}` : `not given yet; expected ${expected}`;
   return `found ${found}, expected ${expected}${hint ? ` — ${hint}` : ""}`;
 }
 

@@ -4,14 +4,14 @@ import { isTable, type Json, type Table } from "./paths";
 
 /** What a value is, and so which element edits it. */
 export type Node =
-  | { is: "quantity"; dimension: string; example: string; options: readonly string[] }
+  | { is: "quantity"; dimension: string; examples: readonly string[]; options: readonly string[] }
   | { is: "number"; options: readonly string[] }
   | { is: "integer"; options: readonly string[] }
   | { is: "choice"; options: readonly string[] }
   | { is: "boolean" }
   | { is: "text" }
   | { is: "tag"; value: string }
-  | { is: "tuple"; each: Node; length: number }
+  | { is: "tuple"; each: Node; length: number; members: readonly string[] }
   | { is: "points"; each: Node }
   | { is: "values"; each: Node }
   | { is: "choices"; options: readonly string[] }
@@ -114,6 +114,13 @@ function readField(name: string, source: Table, needed: boolean): Field {
   return { name, node: readNode(source), symbol, hint, range, needed, default: source.default };
 }
 
+/** Return an example of a quantity in the units of the file: the first is in SI units, the last in those customary in the United States. */
+export function exampleOf(node: Node, data: Table): string {
+  if (node.is !== "quantity") return "";
+  const isCustomary = isTable(data.project) && data.project.units === "US";
+  return node.examples.at(isCustomary ? -1 : 0) ?? "";
+}
+
 function text(value: Json | undefined): string {
   return typeof value === "string" ? value : "";
 }
@@ -159,7 +166,7 @@ function readNode(source: Table): Node {
       return { is: "number", options: [] };
     default:
       return typeof source["x-dimension"] === "string"
-        ? { is: "quantity", dimension: source["x-dimension"], example: strings(source.examples)[0] ?? "", options: [] }
+        ? { is: "quantity", dimension: source["x-dimension"], examples: strings(source.examples), options: [] }
         : { is: "text" };
   }
 }
@@ -169,7 +176,8 @@ function readArray(source: Table): Node {
   if (each.is === "part" || each.is === "kinds") return { is: "list", of: each, least: number(source.minItems) ?? 0 };
   if (each.is === "choice" && source.uniqueItems === true) return { is: "choices", options: each.options };
   const length = number(source.maxItems);
-  if (length !== null && length === number(source.minItems)) return { is: "tuple", each, length };
+  const members = strings(source["x-members"]);
+  if (length !== null && length === number(source.minItems)) return { is: "tuple", each, length, members };
   return each.is === "tuple" ? { is: "points", each } : { is: "values", each };
 }
 

@@ -100,10 +100,11 @@ function singleColumn(field: Field): Column {
 }
 
 /** Return one column for each value of a list of fixed length. */
-function tupleColumns(field: Field, { each, length }: Extract<Node, { is: "tuple" }>): Column[] {
+function tupleColumns(field: Field, node: Extract<Node, { is: "tuple" }>): Column[] {
+  const { each, length } = node;
   const single = singleColumn(field);
-  const labels = tupleLabels(field, length);
-  const blanks = countTo(length).map((n) => defaultElement(each, field.default, n));
+  const labels = tupleLabels(field, node);
+  const blanks = countTo(length).map((n) => defaultElement(field.default, n));
   return countTo(length).map((n): Column => {
     const label = labels[n] ?? String(n + 1);
     const words = `${labelOf(field) || field.name} ${label}`;

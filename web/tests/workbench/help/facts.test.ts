@@ -24,10 +24,10 @@ test("a field is found in its part, also below a list, and by one of its values"
 
 test("unit, range and default of a field are those of the schema", () => {
   const thickness = findField(schema, data, ["plate", "thickness"])!;
-  expect(Object.fromEntries(factsOf(thickness)).default).toBe("none (required)");
-  expect(Object.fromEntries(factsOf(thickness)).unit).toBe("length, such as 0.2 m");
+  expect(Object.fromEntries(factsOf(thickness, {})).default).toBe("none (required)");
+  expect(Object.fromEntries(factsOf(thickness, {})).unit).toBe("length, such as 0.4 m");
   const gap = findField(schema, data, ["contact", "gap"])!;
-  expect(Object.fromEntries(factsOf(gap)).default).toBe("0 m");
+  expect(Object.fromEntries(factsOf(gap, {})).default).toBe("0 m");
   expect(meaningOf(gap)).toBe("Initial gap everywhere under the plate.");
 });
 

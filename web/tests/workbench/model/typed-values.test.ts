@@ -2,7 +2,7 @@
 import { expect, test } from "vitest";
 import { parseInput, parseTyped, replaceDecimalComma, unitIn } from "../../../src/workbench/model/quantities";
 
-const LENGTH = { is: "quantity", dimension: "length", example: "0.2 m", options: [] } as const;
+const LENGTH = { is: "quantity", dimension: "length", examples: ["0.2 m"], options: [] } as const;
 const NUMBER = { is: "number", options: ["auto"] } as const;
 
 test.each([

@@ -13,7 +13,7 @@ function factorInput(ctx: FormContext, path: Path, name: string, label: string):
     if (value === undefined && left.length === 0) setValue(ctx, path, undefined, typing);
     else setValue(ctx, [...path, name], value, typing);
   };
-  return textInput(ctx, [...path, name], { is: "number", options: [] }, { label, placeholder: "–", write });
+  return textInput(ctx, [...path, name], { is: "number", options: [] }, { label, placeholder: () => "–", write });
 }
 
 /** The factor of one load case as a cell of a table. */

@@ -1,13 +1,14 @@
 // Elements that edit one value of the case file, by what the value is.
 
-import { fill, h, newId, setRead, type Text, verbatim } from "../../../viewer/shared/dom";
+import { fill, h, newId, setRead, verbatim } from "../../../viewer/shared/dom";
 import { translate } from "../../../viewer/shared/language";
+import { symbolText } from "../../../viewer/shared/symbols";
 import { debounce } from "../../client/debounce";
 import { referencedNames } from "../../model/changes/references";
 import { issuesAt } from "../../model/issues";
-import { type Json, type Path, pathKey, startsWith, valueAt } from "../../model/paths";
+import { type Json, type Path, pathKey, startsWith, type Table, valueAt } from "../../model/paths";
 import { parseInput, unitIn } from "../../model/quantities";
-import type { Field, Node } from "../../model/schema";
+import { exampleOf, type Field, type Node } from "../../model/schema";
 import { type FormContext, isSentWhenComplete, setValue, type Widget } from "../context";
 import { showIssues } from "../errors";
 import { defaultText } from "../labels";
@@ -29,7 +30,8 @@ function inputText(value: Json | undefined): string {
 
 export interface TextOptions {
   label?: string;
-  placeholder?: Text;
+  /** What stands there while it is empty, in the language of the page. */
+  placeholder?: () => string;
   /** Another way to write the value, for cells of lists. */
   write?: (value: Json | undefined, typing: boolean) => void;
 }
@@ -40,7 +42,6 @@ export function textInput(ctx: FormContext, path: Path, node: Node, options: Tex
     type: "text",
     autocomplete: "off",
     spellcheck: "false",
-    placeholder: options.placeholder ?? "",
     "aria-label": options.label,
     class: node.is === "text" ? "wide" : "number",
     inputmode: node.is === "number" || node.is === "integer" ? "decimal" : null,
@@ -83,6 +84,7 @@ export function textInput(ctx: FormContext, path: Path, node: Node, options: Tex
   if (known) input.setAttribute("list", known.id);
   const update = () => {
     if (known) fill(known, ...names().map((name) => h("option", { value: name })));
+    input.placeholder = options.placeholder?.() ?? "";
     const value = valueAt(ctx.data(), path);
     if (typed || (document.activeElement === input && parseInput(node, input.value, unit) === value)) return;
     if (input.value !== inputText(value)) input.value = inputText(value);
@@ -150,7 +152,7 @@ export function tupleInput(
 ): Input {
   const write = (n: number) => (value: Json | undefined, typing: boolean) => {
     const old = valueAt(ctx.data(), path);
-    const elementAt = (k: number) => (Array.isArray(old) ? old[k] : undefined) ?? defaultElement(each, standard, k);
+    const elementAt = (k: number) => (Array.isArray(old) ? old[k] : undefined) ?? defaultElement(standard, k);
     const list = Array.from({ length }, (_, k) => elementAt(k));
     list[n] = value ?? "";
     const empty = value === undefined && list.every((item, k) => item === "" || (!Array.isArray(old) && k !== n));
@@ -159,7 +161,7 @@ export function tupleInput(
   const cells = Array.from({ length }, (_, n) =>
     textInput(ctx, [...path, n], each, {
       label: labels[n] ?? String(n + 1),
-      placeholder: Array.isArray(standard) ? verbatim(defaultText(standard[n])) : (labels[n] ?? ""),
+      placeholder: () => (Array.isArray(standard) ? defaultText(standard[n]) : translate(labels[n] ?? "")),
       write: write(n),
     }),
   );
@@ -171,21 +173,14 @@ export function tupleInput(
 }
 
 /** Return the default of a tuple's value, with a unit. */
-export function defaultElement(each: Node, standard: Json | undefined, n: number): Json {
-  const own = Array.isArray(standard) ? standard[n] : undefined;
-  if (own === undefined) return "";
-  if (each.is !== "quantity" || typeof own !== "number") return own;
-  return `${own} ${each.example.replace(/^[-+.\deE]+\s*/, "")}`;
+export function defaultElement(standard: Json | undefined, n: number): Json {
+  return (Array.isArray(standard) ? standard[n] : undefined) ?? "";
 }
 
-/** Names of the values of a tuple: from its symbols, else by what it says. */
-export function tupleLabels(field: Field, length: number): string[] {
-  const symbols = field.symbol.split(", ");
-  if (symbols.length === length) return symbols.map((symbol) => symbol.replace("_", ""));
-  if (length === 2 && (field.name === "x" || field.name === "y")) return ["from", "to"];
-  if (length === 2 && field.hint.includes("along x, along y")) return ["x", "y"];
-  if (length === 2 && field.hint.includes("unfavourable and favourable")) return ["unfavourable", "favourable"];
-  return length === 2 ? ["x", "y"] : [];
+/** Names of the values of a tuple: what its members are, or its symbols. */
+export function tupleLabels(field: Field, { members, length }: Extract<Node, { is: "tuple" }>): string[] {
+  const names = members.length === length ? members : field.symbol.split(", ");
+  return names.length === length ? names.map((name) => (name.includes("_") ? symbolText(name) : name)) : [];
 }
 
 /** Numbers with commas between. */
@@ -195,7 +190,7 @@ function valuesInput(ctx: FormContext, path: Path, each: Node): Input {
     const list = texts.map((text) => parseInput(each, text)).filter((item) => item !== undefined);
     setValue(ctx, path, list.length > 0 ? list : undefined, typing);
   };
-  const input = textInput(ctx, path, { is: "text" }, { placeholder: "0, 0, …", write });
+  const input = textInput(ctx, path, { is: "text" }, { placeholder: () => "0, 0, …", write });
   const element = input.focus as HTMLInputElement;
   const update = () => {
     const value = valueAt(ctx.data(), path);
@@ -203,6 +198,14 @@ function valuesInput(ctx: FormContext, path: Path, each: Node): Input {
       element.value = Array.isArray(value) ? value.map(inputText).join(", ") : inputText(value);
   };
   return { ...input, update };
+}
+
+/** What stands in an empty field: its default, else an example. */
+function placeholderOf({ node, default: standard }: Field, data: Table): string {
+  const written = defaultText(standard);
+  if (written) return `${translate("default")} ${written}`;
+  const example = exampleOf(node, data);
+  return example && `${translate("e.g.")} ${example}`;
 }
 
 /** The element for a node that is a single value. */
@@ -216,15 +219,11 @@ export function inputFor(ctx: FormContext, path: Path, field: Field): Input {
     case "choices":
       return choicesInput(ctx, path, node.options, field.default);
     case "tuple":
-      return tupleInput(ctx, path, node.each, node.length, tupleLabels(field, node.length), field.default);
+      return tupleInput(ctx, path, node.each, node.length, tupleLabels(field, node), field.default);
     case "values":
       return valuesInput(ctx, path, node.each);
     default:
-      return textInput(ctx, path, node, {
-        placeholder: verbatim(
-          defaultText(field.default) || (node.is === "quantity" ? `${translate("e.g.")} ${node.example}` : ""),
-        ),
-      });
+      return textInput(ctx, path, node, { placeholder: () => placeholderOf(field, ctx.data()) });
   }
 }
 
