@@ -66,6 +66,18 @@ def test_no_violations_from_an_empty_case_to_a_result(server: Server, bench: Ben
         assert find_violations(bench.page) == []
 
 
+def test_no_violations_in_lists_of_the_form(server: Server, bench: Bench, case: Path) -> None:
+    """The form's loads, folded and open, have no violation: no button is inside of another one."""
+    bench.open(server.start(case))
+    bench.tab("Form")
+    bench.page.locator('[data-section="loads"] > summary').click()
+    items = bench.page.locator('[data-section="loads"] .item')
+    items.first.wait_for()
+    assert find_violations(bench.page) == []
+    items.first.locator("> summary").click()
+    assert find_violations(bench.page) == []
+
+
 def test_no_violations_in_the_report(server: Server, bench: Bench, case: Path, tmp_path: Path) -> None:
     """The report's page has no violation."""
     bench.open(server.start(case))

@@ -93,7 +93,7 @@ function foldedSection(
     return { ...body, element: h("div", { class: "section-body" }, body.element) };
   };
   const attributes = { class: "section", "data-section": field.name, open };
-  const { element, update, reveal } = foldedWidget(ctx, path, attributes, [title, digest], [], makeBody, () =>
+  const { element, update, reveal } = foldedWidget(ctx, path, attributes, [title, digest], makeBody, () =>
     setText(digest, digestOf(field, ctx.data(), isOptional(ctx, field))),
   );
   element.addEventListener("toggle", () => opened(field.name, element.open));

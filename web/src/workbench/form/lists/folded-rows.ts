@@ -28,12 +28,11 @@ export function foldedRows(ctx: FormContext, path: Path, of: Node, makeItem: (pa
 function foldedItem(ctx: FormContext, path: Path, of: Node, makeItem: (path: Path) => Widget): Widget {
   const title = h("span", { class: "item-title" });
   const attributes = { class: "item", "data-item": pathKey(path) };
-  return foldedWidget(
+  const folded = foldedWidget(
     ctx,
     path,
     attributes,
     [title],
-    itemButtons(ctx, path),
     () => makeItem(path),
     () => {
       const table = tableAt(ctx.data(), path);
@@ -41,6 +40,9 @@ function foldedItem(ctx: FormContext, path: Path, of: Node, makeItem: (path: Pat
       setText(title, summary ? verbatim(summary) : titleAt(ctx.data(), path));
     },
   );
+  // beside the summary, which is a button itself and must hold no others
+  const buttons = h("span", { class: "item-buttons" }, ...itemButtons(ctx, path));
+  return { ...folded, element: h("div", { class: "item-row" }, folded.element, buttons) };
 }
 
 /** A part that folds, with a badge of its issues in its head; what is inside is made when it is first opened. */
@@ -49,12 +51,11 @@ export function foldedWidget(
   path: Path,
   attributes: Record<string, string | boolean>,
   before: readonly HTMLElement[],
-  after: readonly HTMLElement[],
   makeBody: () => Widget,
   updateHead: () => void,
 ): Widget & { element: HTMLDetailsElement } {
   const badge = h("span", { class: "badge" });
-  const element = h("details", attributes, h("summary", {}, ...before, badge, ...after));
+  const element = h("details", attributes, h("summary", {}, ...before, badge));
   let body: Widget | null = null;
   const build = () => {
     if (!element.open || body) return;
