@@ -17,13 +17,13 @@ pytestmark = [
 ]
 RUN = """async () => {
   const { violations } = await axe.run(document, { resultTypes: ["violations"] });
-  return violations.filter(({ impact }) => ["serious", "critical"].includes(impact))
+  return violations.filter(({ impact }) => ["moderate", "serious", "critical"].includes(impact))
     .flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.target.join(" ")}: ${node.failureSummary}`));
 }"""
 
 
 def find_violations(page: Any) -> list[str]:
-    """Return the serious and critical violations of a page, in light and in dark."""
+    """Return the violations that are moderate or worse of a page, in light and in dark."""
     if not page.evaluate("() => 'axe' in window"):
         page.evaluate(AXE.read_text())
     found = []
