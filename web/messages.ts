@@ -61,6 +61,7 @@ const NO_MESSAGES: ReadonlySet<string> = new Set([
     "main",
     "{} by {}",
     "Vlasov",
+    "ACI 318",
     "plates {}",
     "dx",
     "dy",

@@ -163,9 +163,22 @@ def _cases_and_combinations(model: Model, combinations: Sequence[Combination]) -
     from groundslab.views.summary.combinations import factors_text
 
     cases = [f"  case {use.case.name}: {use.about()}; {use.words()}" for use in case_uses(model, combinations)]
-    return cases + [
+    return cases + _sums(model) + [
         f"  combination {combination.name} ({combination.limit_state}): {factors_text(combination)}"
         for combination in combinations
+    ]
+
+
+def _sums(model: Model) -> list[str]:
+    """Return force and moments of each load case about the middle of the plan in words, a line each."""
+    from groundslab.geometry.plan import format_place
+    from groundslab.model.remarks.resultants import case_sums, middle
+
+    about = format_place(middle(model))
+    return [
+        f"  sum of case {name}: F = {total.F / 1e3:.6g} kN, M_x = {total.M_x / 1e3:.6g} kNm, "
+        f"M_y = {total.M_y / 1e3:.6g} kNm about {about} m"
+        for name, total in case_sums(model).items()
     ]
 
 

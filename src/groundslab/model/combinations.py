@@ -27,7 +27,7 @@ def list_combinations(model: Model) -> tuple[Combination, ...]:
     With cases and neither of them it is each case by itself; without cases one nameless combination of all loads. Both
     are without partial factors: characteristic (EN 1990 6.5.3), never ultimate.
     """
-    return expand(_list_unmoved(model), model.moves, _fixed_cases(model))
+    return expand(list_unmoved(model), model.moves, _fixed_cases(model))
 
 
 def as_solved(model: Model) -> Model:
@@ -46,8 +46,8 @@ def _fixed_cases(model: Model) -> frozenset[str]:
     return frozenset(load.case for load in model.loads) | {move.case for move in model.moves if not move.travels}
 
 
-def _list_unmoved(model: Model) -> tuple[Combination, ...]:
-    """Return the combinations as if nothing moved."""
+def list_unmoved(model: Model) -> tuple[Combination, ...]:
+    """Return the combinations as if nothing moved: those given first, then those made."""
     if not model.cases:
         return (Combination(name="all loads", limit_state="characteristic", factors={"": 1.0}),)
     made: tuple[Combination, ...] = ()

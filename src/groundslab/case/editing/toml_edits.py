@@ -54,6 +54,21 @@ class TomlEditor:
         sources = [index for index in range(len(old)) if index != step]
         return [Replacement(value.start, value.end, rewrite_list(self.text, value, old, rest, sources))]
 
+    def reorder(self, path: Path, index: int, to: int) -> list[Replacement]:
+        """Move an item of a list to another index, its comments with it."""
+        items = list(get_value(self.data, path))
+        items.insert(to, items.pop(index))
+        inside = self.layout.find_indices((*path, index))
+        if self.layout.is_inline(path) or not inside or inside[-1] - inside[0] + 1 != len(inside) or index == to:
+            return self._change(path, get_value(self.data, path), items)
+        statements = self.layout.statements
+        start = statements[inside[0]].start
+        start = self.layout.skip_comments_up(start) if index > 0 else start
+        block = self.text[start : self.layout.skip_comments_down(statements[inside[-1]].end)]
+        block += self.layout.complete_line(len(self.text)) if not block.endswith("\n") else ""
+        before = to + 1 if to > index else to
+        return [*self._remove_statements((*path, index)), self._insert_section(path, before, block)]
+
     def rename(self, path: Path, name: str) -> list[Replacement]:
         """Rename the key at a path that exists, wherever it stands; what it holds stays as it is written."""
         above = path[:-1]
@@ -201,7 +216,10 @@ class TomlEditor:
 
     def _insert_tables(self, path: Path, index: int, tables: list[Any]) -> Replacement:
         """Insert tables into a list of tables with headers, before the one with an index, or at the end."""
-        section = toml_writer.section(_select_keys(path), tables)
+        return self._insert_section(path, index, toml_writer.section(_select_keys(path), tables))
+
+    def _insert_section(self, path: Path, index: int, section: str) -> Replacement:
+        """Insert the text of tables of a list with headers, before the one with an index, or at the end."""
         following = self.layout.find_statements((*path, index))
         if following:
             start = self.layout.skip_comments_up(following[0].start) if index > 0 else following[0].start

@@ -7,12 +7,13 @@ reported. Of a load on the ground only what lies beside the plate acts.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from groundslab.arrays import Array
 from groundslab.geometry.plan import Segment, bounding_box
 from groundslab.model.loads.acting import AreaPressure, LineForce, Pressure
 from groundslab.model.loads.lines import LineLoad, LineMoment
@@ -259,8 +260,8 @@ def _off_line(region: PlateRegion, line: LineForce, spans: Sequence[Segment]) ->
     return share, total - sum(piece.couple for piece in pieces), total
 
 
-def integral(area: BaseGeometry, pressure: Pressure) -> float:
-    """Return the force [N] of a pressure [Pa], quadratic in x and y at most, on polygons."""
+def integral(area: BaseGeometry, pressure: Callable[[Array], Array]) -> float:
+    """Return the integral of a function of places, cubic in x and y at most, over polygons: of a pressure its force."""
     from shapely import get_coordinates, get_parts
 
     force = 0.0
@@ -268,12 +269,15 @@ def integral(area: BaseGeometry, pressure: Pressure) -> float:
         if part.geom_type != "Polygon":
             continue
         for sign, ring in ((1.0, part.exterior), *((-1.0, hole) for hole in part.interiors)):
-            # triangles with the first point; the rule of the sides' middles is exact for quadratic functions
+            # triangles with the first point; corners, middles of sides and center are exact for cubic functions
             at = get_coordinates(ring)
             a, b = at[:-1] - at[0], at[1:] - at[0]
             twice = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+            corners = at[0] + np.stack([0 * a, a, b], axis=1)
             middles = at[0] + np.stack([a, b, a + b], axis=1) / 2
-            force += sign * math.copysign(1.0, twice.sum()) * float(twice @ pressure(middles).sum(axis=1)) / 6
+            center = at[0] + (a + b) / 3
+            mean = pressure(corners).sum(axis=1) / 20 + pressure(middles).sum(axis=1) * 2 / 15 + pressure(center) * 9 / 20
+            force += sign * math.copysign(1.0, twice.sum()) * float(twice @ mean) / 2
     return force
 
 

@@ -28,6 +28,7 @@ class CheckResult:
     The fingerprint is the same for texts that describe the same model, and empty for one that describes none;
     ``issues_json`` and ``remarks_json`` hold the issues, and the remarks on a case without any, as the page shows them,
     with paths and lines. ``text`` describes the model by itself, with what another file holds, empty if none does.
+    ``cases`` has the sums of load cases and the combinations that are made of a case without issues.
     """
 
     fingerprint: str
@@ -36,6 +37,7 @@ class CheckResult:
     plan: dict[str, Any] | None
     remarks_json: list[dict[str, Any]] = field(default_factory=list)
     text: str = ""
+    cases: dict[str, Any] | None = None
 
 
 def warm_up() -> None:
@@ -62,12 +64,15 @@ def check(document: Document, folder: Path | None = None) -> CheckResult:
         from groundslab.model.combinations import list_combinations
         from groundslab.model.remarks.remarks import find_remarks
         from groundslab.views.scene.plan import plan_of
+        from groundslab.workbench.checking.cases import cases_to_json
 
         data = document.data
         model = casefile.loads(document.text, diagnostics.NAME) if data is None else casefile.from_table(data, folder)
         fingerprint = hashlib.sha256(casefile.to_toml(model).encode()).hexdigest()
-        remarks = diagnostics.remarks_to_json(find_remarks(model, list_combinations(model)), document.layout)
-        return CheckResult(fingerprint, (), [], plan_of(model), remarks, _by_itself(document, folder))
+        combinations = list_combinations(model)
+        remarks = diagnostics.remarks_to_json(find_remarks(model, combinations), document.layout)
+        cases = cases_to_json(model, combinations)
+        return CheckResult(fingerprint, (), [], plan_of(model), remarks, _by_itself(document, folder), cases)
     except InputError as error:
         issues = error.issues
     except MemoryError:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from groundslab.model.loads.load_cases import PSI
 from groundslab.workbench.checking.parsing import CheckResult
 from groundslab.workbench.editing.document import Document
 
@@ -49,4 +50,6 @@ class Revision:
             "issues": [] if self.result is None else self.result.issues_json,
             "remarks": [] if self.result is None else self.result.remarks_json,
             "plan": self.plan,
+            "cases": None if self.result is None else self.result.cases,
+            "psi": PSI,
         }

@@ -105,9 +105,11 @@ class Document:
             return self._add(editor, path, _get_value(edit), edit.get("at"))
         if op == "remove":
             return self._remove(editor, path)
+        if op == "reorder":
+            return self._reorder(editor, path, edit.get("value"))
         if op == "rename":
             return self._rename(editor, path, _get_value(edit))
-        raise InputError([Issue("the edit", describe(op), "one of set, length, add, remove, rename, move, text")])
+        raise InputError([Issue("the edit", describe(op), "one of set, length, add, remove, rename, reorder, move, text")])
 
     def _with_text(self, value: Any) -> Document:
         """Return the document with another text."""
@@ -154,6 +156,19 @@ class Document:
         else:
             rest = [item for index, item in enumerate(parent) if index != step]
         return self._replace(editor.remove(path, rest), replace_value(editor.data, above, rest))
+
+    def _reorder(self, editor: TomlEditor, path: Path, to: Any) -> Document:
+        """Return the document with an item of a list at another position, its comments with it."""
+        above: Any = get_value(editor.data, path[:-1], MISSING) if path else MISSING
+        if not isinstance(above, list) or get_value(editor.data, path, MISSING) is MISSING:
+            raise InputError([Issue(format_path(path), "nothing", "an item of a list to move")])
+        if isinstance(to, bool) or not isinstance(to, int) or not 0 <= to < len(above):
+            raise InputError([Issue(format_path(path), describe(to), f"a position from 0 to {len(above) - 1}")])
+        index = path[-1]
+        assert isinstance(index, int)
+        new = list(above)
+        new.insert(to, new.pop(index))
+        return self._replace(editor.reorder(path[:-1], index, to), replace_value(editor.data, path[:-1], new))
 
     def _rename(self, editor: TomlEditor, path: Path, name: Any) -> Document:
         """Return the document with another name for a key."""

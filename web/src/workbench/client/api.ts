@@ -1,6 +1,7 @@
 // The server's HTTP interface.
 
 import type { Messages } from "../../viewer/shared/catalogue";
+import type { CaseSums, Psi } from "../model/changes/load-cases";
 import type { Change } from "../model/edits";
 import { type Issue, issueLine, type Remark } from "../model/issues";
 import { isTable, type Json, type Table, tableAt } from "../model/paths";
@@ -30,6 +31,10 @@ export interface DocState {
   /** Remarks on a case that has no issues, such as loads that act in no combination. */
   remarks?: Remark[];
   plan: Table | null;
+  /** Sums of load cases and the combinations that are made; null while there are issues or they are not known yet. */
+  cases?: CaseSums | null;
+  /** psi_0, psi_1 and psi_2 by category of action. */
+  psi?: Psi;
   file: string | null;
   /** Where results that are only looked at are from; the page then edits and solves nothing. */
   view?: string;

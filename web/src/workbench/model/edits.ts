@@ -7,6 +7,7 @@ export type Edit =
   | { op: "add"; path: Path; value: Json; at?: number }
   | { op: "remove"; path: Path }
   | { op: "rename"; path: Path; value: string }
+  | { op: "reorder"; path: Path; value: number }
   | { op: "move"; path: Path; by: readonly [number, number] }
   | { op: "text"; value: string };
 

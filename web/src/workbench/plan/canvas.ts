@@ -10,7 +10,8 @@ import { readStored, writeStored } from "../../viewer/shared/storage";
 import type { Store } from "../client/store";
 import { type Geometry, isClosed, type Point, rectangleCorners, ringOf } from "../model/geometry";
 import { boundsOfItems, footprintOf, type Item, itemsOf } from "../model/items";
-import { type Path, pathKey } from "../model/paths";
+import { namesIn } from "../model/names";
+import { listAt, type Path, pathKey } from "../model/paths";
 import type { Underlay } from "../model/survey";
 import { drawAxes } from "./axes";
 import { drawDistances } from "./distances";
@@ -190,6 +191,7 @@ export class Canvas {
       hovered: this.hovered,
       faulty: (store.doc?.issues ?? []).map((fault) => fault.path),
       loadCase: this.loadCase,
+      cases: namesIn(listAt(store.data, ["cases"])),
     };
     this.grid.replaceChildren(...drawGrid(camera));
     this.below.replaceChildren(...(this.underlay ? [this.underlay.draw(camera)] : []));

@@ -1,7 +1,8 @@
 // What a new load case is asked for: its name, its action, and where loads belong that had no case before the first one.
-import { fillOptions, h, verbatim } from "../../viewer/shared/dom";
+import { fillOptions, h, setRead } from "../../viewer/shared/dom";
 import type { Store } from "../client/store";
-import { ACTIONS, type Action, addLoadCase, countUncased } from "../model/changes/new-items";
+import { CASE_TYPES, caseOf, meaningOf } from "../model/changes/load-cases";
+import { addLoadCase, countUncased } from "../model/changes/new-items";
 import type { Change } from "../model/edits";
 import { freeName, namesIn } from "../model/names";
 import { listAt } from "../model/paths";
@@ -22,7 +23,7 @@ export function newCase(store: Store, push: (change: Change) => void, done: (nam
   const show = (isAsked: boolean) => {
     element.hidden = !isAsked;
     name.value = "";
-    fillOptions(action, [["", "action?"], ...ACTIONS.map((each) => [each, verbatim(each)] as const)]);
+    fillOptions(action, [["", "action?"], ...CASE_TYPES.map(({ id, label }) => [id, label] as const)]);
     const count = countUncased(store.data);
     const words = count === 1 ? "the existing load?" : `the ${count} existing loads?`;
     fillOptions(others, [
@@ -31,6 +32,8 @@ export function newCase(store: Store, push: (change: Change) => void, done: (nam
       ["apart", "in a separate permanent case"],
     ]);
     others.hidden = count === 0;
+    for (const option of action.options)
+      if (option.value) setRead(option, "title", meaningOf(option.value, store.data, store.doc?.psi));
     // options that are the same keep what was chosen for the case before
     action.value = "";
     others.value = "";
@@ -44,7 +47,7 @@ export function newCase(store: Store, push: (change: Change) => void, done: (nam
       if (!action.value) return action.focus();
       if (!others.hidden && !others.value) return others.focus();
       const owner = others.value === "apart" ? ownCase() : text;
-      push(addLoadCase(store.data, text, action.value as Action, owner));
+      push(addLoadCase(store.data, text, caseOf(action.value), owner));
     }
     show(false);
     done(text);

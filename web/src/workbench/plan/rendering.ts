@@ -4,6 +4,7 @@ import { distanceBetween } from "../../viewer/data/points";
 import type { Camera } from "../../viewer/plan/camera";
 import { drawSymbol, drawText, type PlanSymbol } from "../../viewer/plan/symbols";
 import { svg } from "../../viewer/shared/dom";
+import { caseColor } from "../model/case-colors";
 import { isClosed, type Ring, readGeometry, ringOf } from "../model/geometry";
 import type { Item } from "../model/items";
 import { isTable, type Json, listAt, type Path, pathKey, samePath, startsWith } from "../model/paths";
@@ -18,6 +19,8 @@ export interface Highlights {
   faulty: readonly Path[];
   /** The load case whose loads stand out; empty for all. */
   loadCase: string;
+  /** The names of all load cases, whose order gives their loads colors; left out, loads have one. */
+  cases?: readonly string[];
 }
 
 /** Draw all items of a model, from below upwards. */
@@ -26,9 +29,17 @@ export function drawItems(camera: Camera, items: readonly Item[], highlights: Hi
   for (const item of items.filter((each) => each.kind === "load"))
     loadsAt.set(placeKey(item), [...(loadsAt.get(placeKey(item)) ?? []), item]);
   return items.map((item) => {
-    const attributes = { class: classesOf(item, highlights), "data-path": pathKey(item.path), "data-kind": item.kind };
+    const style = colorOf(item, highlights);
+    const classes = classesOf(item, highlights);
+    const attributes = { class: classes, style, "data-path": pathKey(item.path), "data-kind": item.kind };
     return svg("g", attributes, ...drawSymbol(camera, symbolOf(item, loadsAt.get(placeKey(item)) ?? [], highlights)));
   });
+}
+
+/** Return the color of a load's case as a style, null for that of all loads. */
+function colorOf({ kind, table }: Item, { cases = [] }: Highlights): string | null {
+  const position = kind === "load" || kind === "move" ? cases.indexOf(String(table.case ?? "")) : 0;
+  return position > 0 ? `--gs-load:${caseColor(position)}` : null;
 }
 
 /** Return a key that loads at the same place share. */

@@ -1,5 +1,6 @@
 // The page, made once schema and document are there.
 import { h } from "../../viewer/shared/dom";
+import { casesPanel } from "../cases/cases-panel";
 import type { DocState, HttpApi } from "../client/api";
 import { openSections } from "../client/browser-storage";
 import type { Connection } from "../client/connection";
@@ -89,6 +90,7 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
   const form = formPanel(ctx, openSections);
   const plan = planEditor(store, ctx, push);
   const sheets = new TablesPanel(store, ctx);
+  const cases = casesPanel(store, ctx);
   const text = new TextPanel(store, (value, continued) => {
     const change: Change = { edits: [{ op: "text", value }], text: "edit the text" };
     push(continued ? { ...change, merge: true } : change);
@@ -98,18 +100,21 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
   const formTab = h("div", { class: "panel scrolls" }, form.element);
   const tablesTab = h("div", { class: "panel" }, sheets.element);
   for (const panel of [planTab, formTab]) panel.append(fieldHelp(ctx, panel, openDocumentation));
+  const casesTab = h("div", { class: "panel" }, cases.element);
   const textTab = h("div", { class: "panel" }, text.element);
   const views = tabs(
     [
       { name: "plan", label: "Plan", panel: planTab },
       { name: "form", label: "Form", panel: formTab },
       { name: "tables", label: "Tables", panel: tablesTab },
+      { name: "cases", label: "Load cases", panel: casesTab },
       { name: "text", label: "Text", panel: textTab },
     ],
     "model",
     (name) => {
       if (name === "form") form.update();
       if (name === "tables") sheets.show();
+      if (name === "cases") cases.update();
       if (name === "text") text.draw();
     },
   );
@@ -128,11 +133,12 @@ function modelPanel(store: Store, schema: Schema, push: (change: Change) => void
     // what is hidden is updated when it is shown
     if (views.current() === "form") form.update();
     if (views.current() === "tables") sheets.update();
+    if (views.current() === "cases") cases.update();
     broken.hidden = !store.broken;
-    for (const tab of [formTab, tablesTab]) tab.toggleAttribute("inert", store.broken);
+    for (const tab of [formTab, tablesTab, casesTab]) tab.toggleAttribute("inert", store.broken);
   });
   const title = h("h2", { class: "unseen" }, "Model");
-  const children = [title, views.bar, broken, planTab, formTab, tablesTab, textTab, issues.element];
+  const children = [title, views.bar, broken, planTab, formTab, tablesTab, casesTab, textTab, issues.element];
   const flush = () => {
     sendTyped();
     text.flush();

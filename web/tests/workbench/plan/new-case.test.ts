@@ -87,7 +87,7 @@ test("a second case is asked again", () => {
 
 test("beside other cases loads without one are left to the user", () => {
   const data = { cases: [{ name: "G" }], loads: [WEIGHT] };
-  expect(addLoadCase(data, "Q", "variable").edits).toEqual([
+  expect(addLoadCase(data, "Q", { action: "variable" }).edits).toEqual([
     { op: "add", path: ["cases"], value: { name: "Q", action: "variable" } },
   ]);
 });

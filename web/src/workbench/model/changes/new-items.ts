@@ -192,19 +192,10 @@ function inCase(data: Table, chosen: string): Table {
   return name ? { case: name } : {};
 }
 
-/** What a load case can be; combinations depend on it, so that nobody but the user knows. */
-export const ACTIONS = ["permanent", "variable", "accidental", "seismic"] as const;
-export type Action = (typeof ACTIONS)[number];
-
 /** Return the change that adds a load case of an action; beside the first one loads without a case go to `owner`, a permanent case that is added if it is another one. */
-export function addLoadCase(data: Table, name: string, action: Action, owner = name): Change {
-  const added =
-    owner === name
-      ? [{ name, action }]
-      : [
-          { name: owner, action: "permanent" },
-          { name, action },
-        ];
+export function addLoadCase(data: Table, name: string, action: Table, owner = name): Change {
+  const own: Table = { name, ...action };
+  const added = owner === name ? [own] : [{ name: owner, action: "permanent" }, own];
   const edits: Edit[] = added.map((value) => ({ op: "add", path: ["cases"], value }));
   edits.push(...uncased(data).map((path): Edit => ({ op: "set", path: [...path, "case"], value: owner })));
   return { edits, text: `add load case ${name}` };

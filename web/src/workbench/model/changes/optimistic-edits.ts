@@ -24,6 +24,14 @@ export function applyOptimistic(data: Table, edit: Edit): Table {
       const without = replaceAt(data, edit.path, () => undefined);
       return replaceAt(without, [...above, edit.value], () => value);
     }
+    case "reorder": {
+      const [above, from] = [edit.path.slice(0, -1), edit.path.at(-1)];
+      return replaceAt(data, above, (list) => {
+        if (!Array.isArray(list) || typeof from !== "number" || from >= list.length) return list;
+        const others = list.toSpliced(from, 1);
+        return others.toSpliced(edit.value, 0, list[from]!);
+      });
+    }
     case "add": {
       const list = valueAt(data, edit.path);
       const items = Array.isArray(list) ? [...list] : [];
@@ -67,7 +75,8 @@ function replaceWithin(
 export function isUntouched(change: Change, before: Table, after: Table): boolean {
   return change.edits.every((edit) => {
     if (edit.op === "text") return false;
-    const path = edit.op === "add" ? edit.path : edit.path.slice(0, 2);
+    const whole = edit.op === "add" || edit.op === "reorder";
+    const path = whole ? edit.path.slice(0, edit.op === "add" ? undefined : -1) : edit.path.slice(0, 2);
     return sameValue(valueAt(before, path), valueAt(after, path));
   });
 }

@@ -40,6 +40,10 @@ export function renameReferences(data: Table, path: Path, to: string): Edit[] {
     referencesTo(data, caller, from).map((n): Edit => ({ op: "set", path: [caller.list, n, caller.key], value: to })),
   );
   if (path[0] === "cases") {
+    listAt(data, ["reactions", "cases"]).forEach((each, n) => {
+      if (isTable(each) && each.case === from)
+        edits.push({ op: "set", path: ["reactions", "cases", n, "case"], value: to });
+    });
     listAt(data, ["combinations"]).forEach((each, n) => {
       const factors = isTable(each) && isTable(each.factors) ? each.factors : {};
       if (!(from in factors)) return;

@@ -38,7 +38,7 @@ export function chosenCase(data: Table, values: Values, name: string): { edits: 
   const free = freeName(cases, name);
   const others = [...listAt(data, ["loads"]), ...listAt(data, ["moves"])].some(isTable);
   const before =
-    cases.length === 0 && others ? addLoadCase(data, freeName([free], "permanent"), "permanent").edits : [];
+    cases.length === 0 && others ? addLoadCase(data, freeName([free], "permanent"), { action: "permanent" }).edits : [];
   return {
     edits: [...before, { op: "add", path: ["cases"], value: { name: free, action: "variable" } }],
     case: free,
