@@ -54,7 +54,7 @@ def test_no_violations_from_an_empty_case_to_a_result(server: Server, bench: Ben
     assert find_violations(bench.page) == []
     bench.open(server.start(case))
     bench.wait_solved()
-    for tab in ("Form", "Tables", "Text", "Plan"):
+    for tab in ("Form", "Tables", "Load cases", "Text", "Plan"):
         bench.tab(tab)
         assert find_violations(bench.page) == []
     bench.page.locator("svg.drawing").press("?")

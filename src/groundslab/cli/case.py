@@ -163,10 +163,14 @@ def _cases_and_combinations(model: Model, combinations: Sequence[Combination]) -
     from groundslab.views.summary.combinations import factors_text
 
     cases = [f"  case {use.case.name}: {use.about()}; {use.words()}" for use in case_uses(model, combinations)]
-    return cases + _sums(model) + [
-        f"  combination {combination.name} ({combination.limit_state}): {factors_text(combination)}"
-        for combination in combinations
-    ]
+    return (
+        cases
+        + _sums(model)
+        + [
+            f"  combination {combination.name} ({combination.limit_state}): {factors_text(combination)}"
+            for combination in combinations
+        ]
+    )
 
 
 def _sums(model: Model) -> list[str]:

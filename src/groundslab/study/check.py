@@ -12,6 +12,7 @@ from groundslab.views.summary.json_summary import case_to_json, header
 
 if TYPE_CHECKING:
     from groundslab.model.model import Model
+    from groundslab.model.remarks.resultants import Resultant
 
 
 def check_file(path: Path, name: str) -> dict[str, Any]:
@@ -33,8 +34,10 @@ def check_case(model: Model, case: str) -> dict[str, Any]:
     from groundslab.model.combinations import list_combinations
     from groundslab.model.remarks.case_use import case_uses
     from groundslab.model.remarks.remarks import find_remarks
+    from groundslab.model.remarks.resultants import case_sums
 
     check(model)
+    sums = {name: _sum_to_json(total) for name, total in case_sums(model).items()}
     lost = find_unbalanced(model)
     combinations = list_combinations(model)
     return _begin(case, "no equilibrium" if lost else "fine") | {
@@ -43,13 +46,18 @@ def check_case(model: Model, case: str) -> dict[str, Any]:
         "ground": model.ground.kind,
         "plates": len(model.every_plate),
         "loads": len(model.loads),
-        "cases": [case_to_json(use) for use in case_uses(model, combinations)],
+        "cases": [case_to_json(use) | {"sum": sums[use.case.name]} for use in case_uses(model, combinations)],
         "combinations": [
             {"name": each.name, "limit_state": each.limit_state, "factors": dict(each.factors)} for each in combinations
         ],
         "without_equilibrium": {name: str(error) for name, error in lost.items()},
         "remarks": [remark.words for remark in find_remarks(model, combinations)],
     }
+
+
+def _sum_to_json(total: Resultant) -> dict[str, Any]:
+    units = {"F": "N", "M_x": "N m", "M_y": "N m"}
+    return {key: {"value": getattr(total, key), "unit": unit} for key, unit in units.items()}
 
 
 def refuse_file(error: InputError, name: str) -> dict[str, Any]:

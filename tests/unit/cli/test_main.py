@@ -447,6 +447,8 @@ class TestOthers:
             "  support 2: line, rigid, acts both ways, at (-3, 1) to (-1, 1) m",
             "  case dead: permanent, 1 load; ultimate 1 to 2 (3 of 4)",
             "  case wind: variable, 1 load; ultimate 1 to 1.5 (2 of 4)",
+            "  sum of case dead: F = 69.12 kN, M_x = 0 kNm, M_y = 0 kNm about (0, 0) m",
+            "  sum of case wind: F = -100 kN, M_x = -300 kNm, M_y = -200 kNm about (0, 0) m",
             "  combination Größe 1/2: dead + wind (ultimate): 1.35 dead + 1.5 wind",
             "  combination NUL (ultimate): 2 dead",
             "  combination uncertified (ultimate): 1 dead",

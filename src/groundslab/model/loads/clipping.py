@@ -15,7 +15,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.geometry.plan import Segment, bounding_box
-from groundslab.model.loads.acting import AreaPressure, LineForce, Pressure
+from groundslab.model.loads.acting import AreaPressure, LineForce
 from groundslab.model.loads.lines import LineLoad, LineMoment
 from groundslab.model.loads.load_types import AnyLoad, Spread
 from groundslab.model.plate import Plate
@@ -276,7 +276,9 @@ def integral(area: BaseGeometry, pressure: Callable[[Array], Array]) -> float:
             corners = at[0] + np.stack([0 * a, a, b], axis=1)
             middles = at[0] + np.stack([a, b, a + b], axis=1) / 2
             center = at[0] + (a + b) / 3
-            mean = pressure(corners).sum(axis=1) / 20 + pressure(middles).sum(axis=1) * 2 / 15 + pressure(center) * 9 / 20
+            mean = (
+                pressure(corners).sum(axis=1) / 20 + pressure(middles).sum(axis=1) * 2 / 15 + pressure(center) * 9 / 20
+            )
             force += sign * math.copysign(1.0, twice.sum()) * float(twice @ mean) / 2
     return force
 

@@ -123,6 +123,20 @@ class LoadCase(TypedDict):
     acting: dict[LimitState, Acting]
 
 
+class CaseSum(TypedDict):
+    """Vertical force of a case on the plates without factors, downwards positive, and moments about the plan's middle."""
+
+    F: Quantity
+    M_x: Quantity
+    M_y: Quantity
+
+
+class CheckedCase(LoadCase):
+    """A load case of a case file, with the sum of its loads."""
+
+    sum: CaseSum
+
+
 class Combination(TypedDict):
     """A combination of load cases and their factors."""
 
@@ -243,7 +257,7 @@ class CheckedFile(Header):
     ground: NotRequired[str]
     plates: NotRequired[int]
     loads: NotRequired[int]
-    cases: NotRequired[list[LoadCase]]
+    cases: NotRequired[list[CheckedCase]]
     combinations: NotRequired[list[Combination]]
     without_equilibrium: NotRequired[dict[str, str]]
     remarks: NotRequired[list[str]]

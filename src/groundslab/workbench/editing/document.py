@@ -109,7 +109,9 @@ class Document:
             return self._reorder(editor, path, edit.get("value"))
         if op == "rename":
             return self._rename(editor, path, _get_value(edit))
-        raise InputError([Issue("the edit", describe(op), "one of set, length, add, remove, rename, reorder, move, text")])
+        raise InputError(
+            [Issue("the edit", describe(op), "one of set, length, add, remove, rename, reorder, move, text")]
+        )
 
     def _with_text(self, value: Any) -> Document:
         """Return the document with another text."""

@@ -416,3 +416,46 @@ def test_history_is_bounded() -> None:
     history.undo("")
     history.undo("")
     assert not history.done
+
+
+CASES = """\
+# the cases
+[[cases]]
+name = "G"  # dead
+
+# what comes and goes
+[[cases]]
+name = "Q"
+action = "variable"
+
+[[cases]]
+name = "W"
+
+[[loads]]
+kind = "uniform"
+"""
+
+
+@pytest.mark.parametrize(("n", "to"), [(0, 1), (0, 2), (1, 0), (1, 2), (2, 0), (2, 1), (1, 1)])
+def test_items_change_places_with_their_comments(n: int, to: int) -> None:
+    """An item goes to another position in a list of tables, and in one in brackets; back it is the list of before."""
+    names = ["G", "Q", "W"]
+    names.insert(to, names.pop(n))
+    for text in (CASES, 'cases = [{ name = "G" }, { name = "Q" }, { name = "W" }]\n'):
+        document = Document(text)
+        moved = document.apply([{"op": "reorder", "path": ["cases", n], "value": to}])
+        assert moved.data is not None
+        assert [case["name"] for case in moved.data["cases"]] == names
+        assert moved.apply([{"op": "reorder", "path": ["cases", to], "value": n}]).data == document.data
+    moved = Document(CASES).apply([{"op": "reorder", "path": ["cases", n], "value": to}])
+    assert '# what comes and goes\n[[cases]]\nname = "Q"' in moved.text
+    assert 'name = "G"  # dead' in moved.text
+
+
+@pytest.mark.parametrize(
+    ("path", "value"), [(["cases", 0], 3), (["cases", 3], 0), (["cases"], 0), (["cases", 0], "1"), ([], 0)]
+)
+def test_items_go_to_no_other_places(path: list[str | int], value: object) -> None:
+    """Only items of lists are moved, to positions that there are."""
+    with pytest.raises(InputError):
+        Document(CASES).apply([{"op": "reorder", "path": path, "value": value}])

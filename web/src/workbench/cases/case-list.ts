@@ -50,8 +50,10 @@ export class CaseList {
   constructor(
     private readonly store: Store,
     private readonly ctx: FormContext,
+    /** Called when an update that was put off may be due. */
+    private readonly changed: () => void,
   ) {
-    this.element.addEventListener("focusout", () => queueMicrotask(() => this.update(this.sums)));
+    this.element.addEventListener("focusout", () => setTimeout(this.changed));
     this.body.addEventListener("keydown", (event) => this.press(event));
   }
 
@@ -174,6 +176,7 @@ export class CaseList {
       ...(known ? [] : [[type, verbatim(type)] as const]),
     ]);
     select.value = type;
+    select.dataset.value = type; // by which rows are compared
     select.addEventListener("change", () => this.ctx.change(retypeCase(this.store.data, n, select.value)));
     return select;
   }
@@ -194,6 +197,7 @@ export class CaseList {
       "aria-label": `self-weight in case ${n + 1}`,
     });
     box.checked = hasSelfWeight(this.store.data, name);
+    box.dataset.value = String(box.checked);
     box.disabled = name === "";
     box.addEventListener("change", () => this.ctx.change(setSelfWeight(this.store.data, name, box.checked)));
     return box;

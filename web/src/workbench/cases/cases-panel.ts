@@ -8,6 +8,7 @@ import { freeName, namesIn } from "../model/names";
 import { listAt } from "../model/paths";
 import { CaseList } from "./case-list";
 import { Matrix } from "./matrix";
+import { afterPress } from "./refill";
 import "./cases.css";
 
 const NONE_VARIABLE = "No case is variable: live loads would have the factors of permanent ones.";
@@ -19,8 +20,8 @@ export interface CasesPanel {
 
 /** The panel of load cases and combinations. */
 export function casesPanel(store: Store, ctx: FormContext): CasesPanel {
-  const list = new CaseList(store, ctx);
-  const matrix = new Matrix(store, ctx);
+  const list = new CaseList(store, ctx, () => update());
+  const matrix = new Matrix(store, ctx, () => update());
   const adding = addForm(store, ctx);
   const warning = h("p", { class: "cases-warning", role: "status" });
   const element = h(
@@ -34,7 +35,7 @@ export function casesPanel(store: Store, ctx: FormContext): CasesPanel {
   );
   // sums of before stay while the server reads the text
   let known: CaseSums | null = null;
-  const update = () => {
+  const update = afterPress(element, () => {
     const { doc } = store;
     if (doc && !doc.checking) known = doc.cases ?? null;
     setText(warning, lacksVariable(store.data) ? NONE_VARIABLE : "");
@@ -42,7 +43,7 @@ export function casesPanel(store: Store, ctx: FormContext): CasesPanel {
     adding.update();
     list.update(known);
     matrix.update(known);
-  };
+  });
   return { element, update };
 }
 

@@ -68,6 +68,7 @@ export class Matrix {
   constructor(
     private readonly store: Store,
     private readonly ctx: FormContext,
+    changed: () => void,
   ) {
     const title = "Add a combination with factors of your own";
     this.add = button("+ combination", title, () => this.addRow(), "small");
@@ -85,7 +86,7 @@ export class Matrix {
     );
     this.element = h("section", { class: "matrix-part" }, bar, this.scroller);
     this.scroller.addEventListener("scroll", () => this.draw());
-    this.scroller.addEventListener("focusout", () => queueMicrotask(() => this.draw()));
+    this.scroller.addEventListener("focusout", () => setTimeout(changed));
     new ResizeObserver(() => this.draw()).observe(this.scroller);
   }
 
@@ -161,6 +162,7 @@ export class Matrix {
       STATES.map((each) => [each, each] as const),
     );
     state.value = row.limit_state;
+    state.dataset.value = row.limit_state; // by which rows are compared
     state.addEventListener("change", () => setValue(this.ctx, ["combinations", at, "limit_state"], state.value));
     const remove = button("×", "Remove this combination", () => this.remove(at), "icon");
     remove.dataset.key = `remove-${at}`;

@@ -1,5 +1,4 @@
 // Controls that are made anew: the one with the keyboard keeps it, and what is being typed is never lost.
-import { type Child, fill } from "../../viewer/shared/dom";
 
 /** Whether a text in an element is being typed, and not taken yet. */
 export function isTyping(element: Element): boolean {
@@ -12,10 +11,42 @@ export function isTyping(element: Element): boolean {
   );
 }
 
-/** Replace the children of an element; the control with the same `data-key` as the one with the focus gets it. */
-export function refill(element: Element, children: readonly Child[], key = focusKey(element)): void {
-  fill(element, ...children);
-  if (key) element.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"]`)?.focus({ preventScroll: true });
+/** Replace the children of an element that differ; the control with the same `data-key` as the one with the focus gets it. */
+export function refill(element: Element, children: readonly (Element | null)[]): void {
+  const key = focusKey(element);
+  const old = [...element.children];
+  const made = children.filter((child) => child !== null);
+  made.forEach((child, n) => {
+    const before = old[n];
+    if (!before) element.append(child);
+    else if (!before.isEqualNode(child)) before.replaceWith(child);
+  });
+  for (const child of old.slice(made.length)) child.remove();
+  if (key && !element.contains(document.activeElement))
+    element.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"]`)?.focus({ preventScroll: true });
+}
+
+/** Return what calls a function, but never between press and release of a button, which would get lost; later then. */
+export function afterPress(element: Element, call: () => void): () => void {
+  let isPressed = false;
+  let waits = false;
+  const release = () => {
+    if (!isPressed) return;
+    // the click comes after the release
+    setTimeout(() => {
+      isPressed = false;
+      if (waits) call();
+      waits = false;
+    });
+  };
+  element.addEventListener("pointerdown", () => {
+    isPressed = true;
+  });
+  for (const type of ["pointerup", "pointercancel"]) document.addEventListener(type, release);
+  return () => {
+    if (isPressed) waits = true;
+    else call();
+  };
 }
 
 /** Return the key of the control with the focus in an element. */
