@@ -40,7 +40,7 @@ _AT, _SHARES = np.polynomial.legendre.leggauss(12)
 
 @dataclass(frozen=True, slots=True)
 class Resultant:
-    """A vertical force [N], downwards positive, and moments about a place [N m]: forces at larger x or y are positive."""
+    """A vertical force [N], downwards positive, and moments about a place [N m], of forces at larger x, y positive."""
 
     F: float = 0.0
     M_x: float = 0.0

@@ -124,7 +124,7 @@ class LoadCase(TypedDict):
 
 
 class CaseSum(TypedDict):
-    """Vertical force of a case on the plates without factors, downwards positive, and moments about the plan's middle."""
+    """Vertical force of a case without factors, downwards positive, and moments about the middle of the plan."""
 
     F: Quantity
     M_x: Quantity

@@ -89,7 +89,7 @@ def test_moments_about_the_middle(load: dict[str, Any], expected: tuple[float, f
 
 
 def test_a_case_that_moves_is_where_its_force_is_largest() -> None:
-    """Two wheels of 10 kN and 2 m apart leave the plate: both act at x = 5 m, one at x = 7 m; 5 kN stand beside them."""
+    """Of two wheels of 10 kN both act at x = 5 m, one at x = 7 m; 5 kN stand beside them."""
     model = Model(
         plate=PLAIN,
         ground={"kind": "winkler", "k": 2e7},
