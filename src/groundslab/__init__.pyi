@@ -34,6 +34,9 @@ from .errors import NoResult as NoResult
 from .errors import NotCertified as NotCertified
 from .errors import NotConverged as NotConverged
 from .errors import SingularMatrix as SingularMatrix
+from .model.axes.families import RayAxes as RayAxes
+from .model.axes.families import RingAxes as RingAxes
+from .model.axes.families import StraightAxes as StraightAxes
 from .model.combinations import place_patterns as place_patterns
 from .model.design.bars import Bars as Bars
 from .model.design.bars import BarZone as BarZone

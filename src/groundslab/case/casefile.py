@@ -144,7 +144,10 @@ def _syntax(text: str, name: str, message: str) -> Issue:
 def _lines(part: Section, path: str, fields: Mapping[str, Field] | None = None) -> Iterator[str]:
     """Yield the lines of a part: its values, then the parts in it; all of its fields, or some."""
     tables: list[tuple[str, Section]] = []
+    following = {key for name, keys in part.follow.items() if getattr(part, name) for key in keys}
     for name, field in (fields or type(part).model_fields).items():
+        if name in following:
+            continue
         value: Any = getattr(part, name)
         key = field.type
         inner = field.sections

@@ -116,6 +116,7 @@ def _check_as_json(file: str) -> int:
 def _structure_and_supports(model: Model) -> list[str]:
     """Return the columns, walls, beams, building and supports of a model in words, a line each."""
     from groundslab.geometry.plan import format_place
+    from groundslab.model.axes.hanging import name_of_crossing
 
     lines = []
     for column in model.columns:
@@ -124,7 +125,9 @@ def _structure_and_supports(model: Model) -> list[str]:
         else:
             turned = f", turned by {column.angle:g} degrees," if column.angle else ""
             size = f"{column.width_x:g} m x {column.width_y:g} m{turned}"
-        lines.append(f"  column {column.name}: {size} at {format_place((column.x, column.y))} m")
+        crossing = name_of_crossing((column.x, column.y), model.axes)
+        where = f"{crossing and f'{crossing}, '}{format_place((column.x, column.y))} m"
+        lines.append(f"  column {column.name}: {size} at {where}")
     for wall in model.placed_walls:
         size = f"{wall.thickness:g} m thick, {wall.length:.6g} m long"
         if wall.height is not None:

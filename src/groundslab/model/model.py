@@ -6,11 +6,14 @@ floats in SI units or text with units; InputError lists all issues at once. Posi
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar, Self
 
 from groundslab.geometry.plan import Place, Ring, Segment
 from groundslab.languages import Language
 from groundslab.model import consistency, varying_ground
+from groundslab.model.axes.families import AxesFamily, check_axes
+from groundslab.model.axes.hanging import hang
 from groundslab.model.design.floors import Floor, check_floor
 from groundslab.model.design.limits import Limits, SoilStrength
 from groundslab.model.design.reinforcement import Reinforcement, check_bar_distances, check_bar_zones
@@ -53,6 +56,7 @@ class Model(Section):
     checks: ClassVar[tuple[Check, ...]] = (
         check_plates,
         check_joints,
+        check_axes,
         consistency.check_plate_of_loads,
         consistency.check_sections_with_plates,
         consistency.check_supports_on_joints,
@@ -101,6 +105,10 @@ class Model(Section):
     plate: Annotated[Plate, Table("the plate")]
     plates: Annotated[tuple[FurtherPlate, ...], Table("further plates on the same ground", 100)] = ()
     joints: Annotated[tuple[Joint, ...], Table("joints between plates that share a line of their outlines", 1000)] = ()
+    axes: Annotated[
+        tuple[AxesFamily, ...],
+        Table("axes of the building, drawn in plans; columns, walls, beams, supports and loads may hang on them", 100),
+    ] = ()
     ground: Annotated[Ground, Table("the ground under the plate")]
     beyond: Annotated[Beyond, Table("ground beyond the plate, without effect where it carries no shear")] = Beyond()
     contact: Annotated[Contact, Table("contact between plate and ground")] = Contact()
@@ -161,6 +169,11 @@ class Model(Section):
     def root(cls) -> str:
         """Return nothing: paths of issues start with the section."""
         return ""
+
+    @classmethod
+    def complete(cls, data: Mapping[Any, Any]) -> Mapping[Any, Any]:
+        """Find the places of what hangs on axes."""
+        return hang(data)
 
     @property
     def origin(self) -> tuple[float, float]:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import Annotated, ClassVar, Literal
 
 from groundslab.geometry.plan import Plan, Ring, Segment, format_place
+from groundslab.model.axes.hanging import AtCrossing, AtCrossings
 from groundslab.model.ground import POSITIVE, AnyGround, ContinuousGround
 from groundslab.model.plate import Plate
 from groundslab.model.plates.further import FurtherPlate, first_sections, list_plates
@@ -106,10 +107,13 @@ def _check_rotation(rotation: str, rotational_stiffness: float | None) -> Iterat
 class _AtPoint(Section):
     """What supports at a point have."""
 
+    follow: ClassVar[Mapping[str, tuple[str, ...]]] = {"at": ("x", "y")}
+
     kind: str
     name: SupportName = ""
     x: Annotated[float, coordinate(0, "position")]
     y: Annotated[float, coordinate(1, "position")]
+    at: AtCrossing = ""
 
     @property
     def points(self) -> tuple[tuple[float, float]]:
@@ -178,9 +182,12 @@ class LineSupport(Section):
 
     checks: ClassVar[tuple[Check, ...]] = (_check_one_sided, _check_line_rotation, _check_limit_is, _check_factor)
 
+    follow: ClassVar[Mapping[str, tuple[str, ...]]] = {"at": ("points",)}
+
     kind: Annotated[Literal["line"], Table("support along straight lines, such as a wall")] = "line"
     name: SupportName = ""
     points: Annotated[tuple[tuple[float, float], ...], ListOf(Place, "x, y", "the line's points, in order")]
+    at: AtCrossings = ()
     stiffness: Annotated[
         float | None,
         Quantity(

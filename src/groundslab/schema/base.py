@@ -28,6 +28,8 @@ class Section(metaclass=SectionType):
     """A section of a model: immutable, without unknown keys, its issues reported at once as InputError."""
 
     checks: ClassVar[tuple[Check, ...]] = ()
+    #: Keys that follow from another one where that is given: files need them then no more, and leave them out.
+    follow: ClassVar[Mapping[str, tuple[str, ...]]] = {}
 
     def __init__(self, **data: Any) -> None:
         """Validate the data; raises InputError with all issues."""

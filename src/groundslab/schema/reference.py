@@ -31,7 +31,9 @@ def docs_table(root: type[Section]) -> str:
 def _part_schema(part: type[Section], definitions: dict[str, Any]) -> dict[str, Any]:
     properties = {name: _field_schema(field, definitions) for name, field in part.model_fields.items()}
     # the tag of a kind is required in a file, although Python knows it from the class
-    required = [name for name, field in part.model_fields.items() if field.required or field.is_tag]
+    following = {key for keys in part.follow.values() for key in keys}
+    needed = ((name, field) for name, field in part.model_fields.items() if name not in following)
+    required = [name for name, field in needed if field.required or field.is_tag]
     return {
         "type": "object",
         "description": part.summary(),

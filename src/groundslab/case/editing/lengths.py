@@ -105,7 +105,7 @@ def translate(item: Any, by: tuple[float, float], step: float, location: str) ->
     translated = _translate(item, by, step, location)
     if translated == item and any(by):
         host = next((key for key in ("column", "wall") if item.get(key)), None)
-        hint = f"move the {host} {describe(item[host])}" if host else ""
+        hint = f"move the {host} {describe(item[host])}" if host else "move its axes" if item.get("at") else ""
         raise InputError([Issue(location, "an item without coordinates", "an item with coordinates", hint)])
     return translated
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Annotated, ClassVar, Literal, TypeVar
 
+from groundslab.model.axes.hanging import AtCrossings
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.acting import LineForce
 from groundslab.model.loads.base import Magnitude, Source, _Load
@@ -108,6 +109,7 @@ class LineLoad(_Load):
     """A force per length along a line of straight pieces and arcs, along the edge of a shape, or on a wall."""
 
     checks: ClassVar[tuple[Check, ...]] = (_check_force, check_line_length)
+    follow: ClassVar[Mapping[str, tuple[str, ...]]] = {"at": ("points",)}
 
     kind: Annotated[Literal["line"], Table("force per length along a line of straight pieces and arcs")] = "line"
     q: Annotated[float, Quantity("force per length", "q", "force per length, downwards positive", example="80 kN/m")]
@@ -116,6 +118,7 @@ class LineLoad(_Load):
         Quantity("force per length", "q_e", "at the end, linear from q at the start; q by default", example="40 kN/m"),
     ] = None
     points: LinePoints = None
+    at: AtCrossings = ()
     bulges: LineBulges = ()
     shape: LineShape = None
     width: LineWidth = None
@@ -143,6 +146,7 @@ class LineMoment(_Load):
     """A moment per length along a line of straight pieces and arcs, along the edge of a shape, or on a wall."""
 
     checks: ClassVar[tuple[Check, ...]] = (_check_moment, check_line_length)
+    follow: ClassVar[Mapping[str, tuple[str, ...]]] = {"at": ("points",)}
 
     kind: Annotated[
         Literal["line moment"], Table("moment per length about a line, as from a wall fixed in the plate")
@@ -164,6 +168,7 @@ class LineMoment(_Load):
         ),
     ] = None
     points: LinePoints = None
+    at: AtCrossings = ()
     bulges: LineBulges = ()
     shape: LineShape = None
     width: LineWidth = None

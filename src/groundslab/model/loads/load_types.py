@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, TypeGuard
 
 from groundslab.geometry.areas import equal_area_polygon
 from groundslab.geometry.plan import rectangle
+from groundslab.model.axes.hanging import AtCrossing
 from groundslab.model.ground import POSITIVE
 from groundslab.model.loads.acting import (
     AreaPressure,
@@ -191,6 +192,7 @@ class PointLoad(_Load):
     """A force and moments at a point, on a footprint or on a column."""
 
     checks: ClassVar[tuple[Check, ...]] = (_check_position, check_footprint, _check_angle)
+    follow: ClassVar[Mapping[str, tuple[str, ...]]] = {"at": ("x", "y")}
 
     kind: Annotated[Literal["point"], Table("force and moments at a point, on a footprint or on a column")] = "point"
     P: Annotated[float, Quantity("force", "P", "force, downwards positive; 0 for moments alone", example="500 kN")]
@@ -216,6 +218,7 @@ class PointLoad(_Load):
     ] = 0.0
     x: Annotated[float | None, coordinate(0, "position")] = None
     y: Annotated[float | None, coordinate(1, "position")] = None
+    at: AtCrossing = ""
     width_x: Annotated[
         float | None,
         Quantity(

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from groundslab.geometry.plan import Segment
+from groundslab.model.axes.hanging import AtCrossings
 from groundslab.model.ground import POISSON, POSITIVE
 from groundslab.model.shapes import AnyShape
 from groundslab.model.structure.lines import (
@@ -189,9 +190,11 @@ class Beam(Section):
     """
 
     checks: ClassVar[tuple[Check, ...]] = (_check_points_or_shape, check_line_length, _check_ends)
+    follow: ClassVar[Mapping[str, tuple[str, ...]]] = {"at": ("points",)}
 
     name: Annotated[str, Text("name of the beam")]
     points: LinePoints = None
+    at: AtCrossings = ()
     bulges: LineBulges = ()
     shape: LineShape = None
     section: Annotated[BeamSection, ByKind(), Table("the section")]

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from groundslab.geometry.plan import Place, Ring, circle
 from groundslab.geometry.rectangles import direction_at, rectangle_at
+from groundslab.model.axes.hanging import AtCrossing
 from groundslab.model.ground import POSITIVE
 from groundslab.schema.base import Check, Section
 from groundslab.schema.fields import Number, Quantity, Text
@@ -68,10 +69,12 @@ class Column(Section):
     """A column that stands on the plate."""
 
     checks: ClassVar[tuple[Check, ...]] = (check_footprint, _check_footprint_given, check_angle)
+    follow: ClassVar[Mapping[str, tuple[str, ...]]] = {"at": ("x", "y")}
 
     name: Annotated[str, Text("name of the column, used by loads")]
     x: Annotated[float, coordinate(0, "its center")]
     y: Annotated[float, coordinate(1, "its center")]
+    at: AtCrossing = ""
     width_x: Annotated[float | None, Quantity("length", "c_x", "width along x", POSITIVE, example="0.4 m")] = None
     width_y: Annotated[float | None, Quantity("length", "c_y", "width along y", POSITIVE, example="0.4 m")] = None
     diameter: Annotated[

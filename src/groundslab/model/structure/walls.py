@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
@@ -10,6 +10,7 @@ import numpy as np
 
 from groundslab.geometry.offsets import parallel
 from groundslab.geometry.plan import Segment
+from groundslab.model.axes.hanging import AtCrossings
 from groundslab.model.ground import POISSON, POSITIVE
 from groundslab.model.plates.further import AnyPlate
 from groundslab.model.shapes import AnyShape
@@ -91,10 +92,12 @@ class Wall(Section):
     """
 
     checks: ClassVar[tuple[Check, ...]] = (_check_place, check_line_length, _check_height)
+    follow: ClassVar[Mapping[str, tuple[str, ...]]] = {"at": ("points",)}
 
     name: Annotated[str, Text("name of the wall, used by loads")]
     thickness: Annotated[float, Quantity("length", "t_w", "thickness of the wall", POSITIVE, example="250 mm")]
     points: LinePoints = None
+    at: AtCrossings = ()
     bulges: LineBulges = ()
     shape: LineShape = None
     edge: Annotated[

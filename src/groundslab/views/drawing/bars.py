@@ -43,6 +43,8 @@ BAR_LAYERS = {
 LAYERS = PLAN_LAYERS | BAR_LAYERS | {"LABELS": Layer(7), "TABLE": Layer(7)}
 #: Distances in heights of letters.
 GAP, LINE = 6.0, 1.9
+#: The headings of plans are so many heights of letters further up where bubbles of axes are above the slab.
+BUBBLES = 4.5
 #: Width of a letter on average, over its height.
 WIDE = 0.85
 #: Where the bar that is drawn stands among its set, and where along it the line of distribution crosses: for the bars
@@ -91,7 +93,8 @@ def draw(model: Model, links: Sequence[LinkLayout] = ()) -> list[Shape]:
 def _face(model: Model, face: str, h: float, listed: Sequence[Position]) -> Iterator[Shape]:
     """Yield the plan of one face, where the case has it, with letters of a height [m]."""
     x0, _, _, y1 = model.bounds
-    yield Text("LABELS", (x0, y1 + 1.5 * h), 1.4 * h, f"{face.capitalize()} bars")
+    above = (1.5 + (BUBBLES if model.axes else 0.0)) * h
+    yield Text("LABELS", (x0, y1 + above), 1.4 * h, f"{face.capitalize()} bars")
     yield from plan_shapes(model)
     for column in model.columns:
         yield Text("LABELS", (column.x + 0.6 * h, column.y + 0.6 * h), h, column.name)

@@ -10,6 +10,7 @@ import numpy as np
 
 from groundslab.arrays import Array
 from groundslab.geometry.plan import DRAWN_CHORD, Ring
+from groundslab.model.axes.drawn import drawn_axes
 from groundslab.model.model import Model
 
 if TYPE_CHECKING:
@@ -69,11 +70,12 @@ LETTERS = 1 / 90
 #: The layers of what lies on the plate.
 PLAN_LAYERS = {
     "OUTLINE": Layer(7), "OPENINGS": Layer(8), "COLUMNS": Layer(8), "WALLS": Layer(8), "BEAMS": Layer(8),
+    "AXES": Layer(8, broken=True), "AXES_NAMES": Layer(8),
 }  # fmt: skip
 
 
 def plan_shapes(model: Model) -> Iterator[Shape]:
-    """Yield outlines, openings, columns, and the faces of walls and beams, where the case has them."""
+    """Yield outlines, openings, columns, the faces of walls and beams, and axes, where the case has them."""
     chord = DRAWN_CHORD * max(model.sides)
     for plate in model.every_plate:
         yield closed("OUTLINE", plate.ring(), chord)
@@ -85,6 +87,10 @@ def plan_shapes(model: Model) -> Iterator[Shape]:
         yield from (Line("WALLS", np.asarray(ring.coords)[:-1], closed=True) for ring in rings(wall.area(chord)))
     for beam in model.beams:
         yield from (Line("BEAMS", np.asarray(ring.coords)[:-1], closed=True) for ring in rings(beam.area(chord)))
+    for axis in drawn_axes(model.axes, model.bounds):
+        yield Line("AXES", axis.points)
+        yield Circle("AXES_NAMES", axis.bubble, axis.radius)
+        yield Text("AXES_NAMES", axis.bubble, LETTERS * max(model.sides), axis.name, centered=True)
 
 
 def closed(layer: str, ring: Ring, chord: float) -> Line:

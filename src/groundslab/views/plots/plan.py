@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from groundslab.accuracy.mesh_statistics import mesh_statistics
+from groundslab.model.axes.drawn import limits_with_axes
 from groundslab.model.loads.load_types import presses_ground
 from groundslab.results.fields import BAR_FIELDS
 from groundslab.views.plots import symbols
@@ -181,7 +182,8 @@ def _limits(model: Model) -> tuple[float, float, float, float]:
     """Return the limits of a plan, x0, x1, y0, y1 [m]."""
     x0, x1, y0, y1 = model.bounds
     around = PADDING * max(x1 - x0, y1 - y0)
-    return x0 - around, x1 + around, y0 - around, y1 + around
+    limits = x0 - around, x1 + around, y0 - around, y1 + around
+    return limits_with_axes(limits, model.axes, model.bounds)
 
 
 def _ratio(model: Model) -> float:
@@ -218,6 +220,7 @@ def _draw_case(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool], 
     legend |= symbols.draw_voids(axes, model)
     legend |= symbols.draw_columns(axes, model, takes_part) | symbols.draw_walls(axes, model, takes_part)
     legend |= symbols.draw_beams(axes, model) | symbols.draw_building(axes, model)
+    symbols.draw_axes(axes, model)
     legend |= symbols.draw_supports(axes, model)
     legend |= symbols.draw_loads(axes, model, lambda load: takes_part(load) and not presses_ground(load))
     axes.set(xlim=(x0, x1), ylim=(y0, y1), aspect="equal")

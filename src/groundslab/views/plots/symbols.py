@@ -14,9 +14,10 @@ import numpy as np
 from groundslab.design.detailing.bar_layout import bar_sets
 from groundslab.fem.mesh import SIDES
 from groundslab.geometry.plan import DRAWN_CHORD
+from groundslab.model.axes.drawn import drawn_axes
 from groundslab.model.loads.acting import AreaPressure, LineForce, PlateAction, PointForce
 from groundslab.views.plots.contours import MOST_ELEMENTS
-from groundslab.views.plots.style import GREY, GROUND, INK, LOAD, SUPPORT, white_outline
+from groundslab.views.plots.style import GREY, GROUND, INK, LOAD, SMALL, SUPPORT, white_outline
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -194,6 +195,19 @@ def draw_walls(axes: Axes, model: Model, takes_part: Callable[[AnyLoad], bool]) 
         area = wall.area(DRAWN_CHORD * max(model.sides))
         entries["wall with load" if brings else "wall"] = _draw_area(axes, area, **look)
     return entries
+
+
+def draw_axes(axes: Axes, model: Model) -> None:
+    """Draw the axes of the building, each with its name in a bubble."""
+    from matplotlib.patches import Circle
+
+    for axis in drawn_axes(model.axes, model.bounds):
+        look: dict[str, Any] = {"color": GREY, "linewidth": 0.4, "clip_on": False}
+        axes.plot(*axis.points.T, linestyle=(0, (12, 2, 2, 2)), zorder=3.4, **look)
+        bubble = Circle(axis.bubble, axis.radius, edgecolor=GREY, facecolor="white", linewidth=0.4, zorder=6)
+        axes.add_patch(bubble).set_clip_on(False)
+        letters: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": SMALL, "color": INK, "zorder": 6.1}
+        axes.text(*axis.bubble, axis.name, parse_math=False, **letters)
 
 
 def draw_beams(axes: Axes, model: Model) -> Entries:

@@ -38,6 +38,7 @@ SECTIONS = {
     "plate": "Plate",
     "plates": "Further plates",
     "joints": "Joints",
+    "axes": "Axes of the building",
     "ground": "Ground",
     "soil_zones": "Zones of soil",
     "boreholes": "Boreholes",

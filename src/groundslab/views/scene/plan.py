@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from groundslab.geometry.plan import DRAWN_CHORD
+from groundslab.model.axes.drawn import drawn_axes
 from groundslab.model.loads.acting import AreaPressure, LineForce, PlateAction, PointForce
 from groundslab.unit_systems import in_system
 from groundslab.units import UNITS, Unit
@@ -81,6 +82,7 @@ def plan_of(model: Model) -> Data:
         "openings": listed("plate.openings", plate.openings, lambda hole: {"ring": ring(hole.ring())}),
         "zones": zones("plate.zones", plate),
         "plates": [further(number, other) for number, other in enumerate(model.plates, 1)],
+        "axes": list(_axes(model)),
         "columns": listed("columns", model.columns, lambda column: _place(column) | {"ring": ring(column.ring())}),
         "walls": listed("walls", model.placed_walls, lambda wall: _wall(wall, chord)),
         "beams": listed("beams", model.beams, lambda beam: _beam(beam, chord)),
@@ -94,6 +96,14 @@ def plan_of(model: Model) -> Data:
         "strips": listed("output.strips", output.strips, lambda strip: _ends(strip) | {"width": strip.width}),
         "points": listed("output.points", output.points, _place),
     }
+
+
+def _axes(model: Model) -> Iterator[Data]:
+    """Yield the name of each axis, the points of its line, and where its bubble is."""
+    numbers = [number for number, family in enumerate(model.axes, 1) for _ in family.axes]
+    for number, axis in zip(numbers, drawn_axes(model.axes, model.bounds), strict=True):
+        (bubble,) = _rounded([axis.bubble])
+        yield {"path": f"axes[{number}]", "name": axis.name, "points": _rounded(axis.points), "bubble": bubble}
 
 
 def _wall(wall: Wall, chord: float) -> Data:

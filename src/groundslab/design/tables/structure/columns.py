@@ -12,6 +12,7 @@ from groundslab.design.demands.loads import column_loads
 from groundslab.design.tables.punching import extremes_of_punching, punching_at_columns
 from groundslab.design.tables.table import Cell, Head, Table, table_of
 from groundslab.design.tilt import settlement_differences
+from groundslab.model.axes.hanging import name_of_crossing
 from groundslab.model.loads.load_cases import SERVICEABILITY, STRENGTH
 from groundslab.model.structure.columns import Column
 from groundslab.results.mesh_results import PlateResult
@@ -48,9 +49,11 @@ def column_table(combined: Results) -> Table:
         neighbor = _neighbors(result.plate, model.columns)
         for column in model.columns:
             force = column_loads.factored_sum(result, by_case[column.name])
-            row: list[Cell] = [result.combination, column.name, column.x, column.y, force / 1e3]
+            place: list[Cell] = [name_of_crossing((column.x, column.y), model.axes) or None] if model.axes else []
+            row: list[Cell] = [result.combination, column.name, *place, column.x, column.y, force / 1e3]
             rows.append([*row, *neighbor(column), *punched.cells(result.combination, column.name)])
-    about = [("combination", ""), ("column", ""), ("x", "m"), ("y", "m"), ("load", "kN"), ("settlement", "mm")]
+    axes = [("axes", "")] if model.axes else []
+    about = [("combination", ""), ("column", ""), *axes, ("x", "m"), ("y", "m"), ("load", "kN"), ("settlement", "mm")]
     return table_of("columns", "Columns", [*about, *_NEIGHBOURS, *punched.heads], rows, [*_NOTES, *punched.notes])
 
 

@@ -52,6 +52,7 @@ def draw_case_plan(model: Model, placed: Model) -> Figure:
     legend |= symbols.draw_voids(axes, model) | symbols.draw_supports(axes, model)
     legend |= symbols.draw_columns(axes, model, lambda _: True) | symbols.draw_walls(axes, model, lambda _: True)
     legend |= symbols.draw_beams(axes, model)
+    symbols.draw_axes(axes, model)
     legend |= symbols.draw_loads(axes, placed, everywhere=False)
     legend |= _draw_outputs(axes, plan, labels)
     _label_parts(plan, labels)
@@ -92,6 +93,7 @@ def nearby(plan: Data) -> Any:
     places += [end for name in ("lines", "strips") for line in plan[name] for end in (line["start"], line["end"])]
     places += [place for support in plan["supports"] for place in support["points"]]
     places += [place for load in plan["loads"] for place in load.get("ring") or load.get("points", ())]
+    places += [axis["bubble"] for axis in plan["axes"]]
     far = REACH * max(x1 - x0, y1 - y0)
     on_ground = np.array([place for load in plan["loads"] if "on" in load for place in load["ring"]]).reshape(-1, 2)
     places += np.clip(on_ground, (x0 - far, y0 - far), (x1 + far, y1 + far)).tolist()

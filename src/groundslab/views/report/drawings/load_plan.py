@@ -73,6 +73,7 @@ class LoadPlan:
         symbols.draw_columns(axes, placed, self._belongs)
         symbols.draw_walls(axes, placed, self._belongs)
         symbols.draw_beams(axes, model)
+        symbols.draw_axes(axes, model)
         for path in self._paths:
             axes.plot(*zip(*path.points, strict=True), color=style.LOAD, linewidth=0.6, linestyle=(0, (6, 3)))
         symbols.draw_loads(axes, placed, self._belongs, everywhere=False)

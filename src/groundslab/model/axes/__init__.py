@@ -1,0 +1,1 @@
+"""Axes of a building, and what hangs on their crossings."""

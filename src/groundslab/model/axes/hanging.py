@@ -1,0 +1,209 @@
+"""What hangs on axes: parts whose places are crossings of axes, such as `B/3`, found when a model is read."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Annotated, Any
+
+from groundslab import units
+from groundslab.geometry.plan import Place
+from groundslab.model.axes.families import BETWEEN, AnyAxes, Axis, RayAxes, RingAxes, StraightAxes, crossings
+from groundslab.schema.fields import ListOf, Text
+from groundslab.schema.issues import FieldError, RelativeIssue
+from groundslab.schema.repairs import remove
+from groundslab.schema.section_fields import sections_by_kind
+from groundslab.schema.wording import describe, one_of, suggestion
+
+#: Lists of parts that may hang on axes.
+HUNG = ("columns", "walls", "beams", "supports", "loads")
+#: Kinds of loads and supports that are at a point, and along a line.
+AT_POINT, ALONG_LINE = ("point", "pile"), ("line", "line moment")
+#: Places closer than this [m] are one.
+SAME = 1e-6
+
+
+@dataclass(frozen=True, slots=True)
+class Unhung:
+    """Stands for a reference to axes that cannot be followed, until the part that has it is read."""
+
+    issues: tuple[RelativeIssue, ...]
+
+
+@dataclass(frozen=True)
+class Crossing(Text):
+    """The names of two axes that cross, such as `B/3`."""
+
+    def read(self, value: Any, from_file: bool) -> str:
+        """Return the text; raises FieldError if it names no crossing."""
+        if isinstance(value, Unhung):
+            raise FieldError(*value.issues)
+        return super().read(value, from_file)
+
+
+@dataclass(frozen=True)
+class Crossings(ListOf):
+    """Crossings of axes through which a line runs."""
+
+    def read(self, value: Any, from_file: bool) -> tuple[Any, ...]:
+        """Return the texts; raises FieldError if one of them names no crossing."""
+        if isinstance(value, Unhung):
+            raise FieldError(*value.issues)
+        return super().read(value, from_file)
+
+
+AtCrossing = Annotated[str, Crossing('axes that cross where it is, such as "B/3", instead of x and y')]
+AtCrossings = Annotated[
+    tuple[str, ...],
+    Crossings(
+        Text(""), "", 'crossings of axes that it runs through, such as ["A/1", "A/4"], instead of points', least=0
+    ),
+]
+
+
+def hang(data: Mapping[Any, Any]) -> Mapping[Any, Any]:
+    """Return the tables of a model with the places of all parts that hang on axes.
+
+    Parameters
+    ----------
+    data : mapping
+        Tables or sections of a model by their keys. Those with the key `at` get x and y, or points.
+
+    Raises
+    ------
+    FieldError
+        If axes on which something hangs are not valid themselves.
+    """
+    lists = {name: data.get(name) for name in HUNG}
+    hung = {
+        name: parts for name, parts in lists.items() if isinstance(parts, list | tuple) and any(map(_reference, parts))
+    }
+    if not hung:
+        return data
+    axes = {axis.name: axis for family in _read(data.get("axes", ())) for axis in family.axes}
+    return {**data, **{name: [_hang_one(name, part, axes) for part in parts] for name, parts in hung.items()}}
+
+
+def _reference(part: Any) -> Any:
+    """Return the crossings that a part names, None if it hangs on nothing."""
+    at = part.get("at") if isinstance(part, Mapping) else getattr(part, "at", None)
+    return at or None
+
+
+def _read(families: Any) -> list[AnyAxes]:
+    """Return the families of axes; raises FieldError with all their issues."""
+    kinds = sections_by_kind((StraightAxes, RayAxes, RingAxes))
+    known, issues = list[AnyAxes](), list[RelativeIssue]()
+    for position, family in enumerate(families if isinstance(families, list | tuple) else ()):
+        kind = family.get("kind") if isinstance(family, Mapping) else getattr(family, "kind", None)
+        if not isinstance(kind, str) or kind not in kinds:
+            continue  # the model says so, and that its axes are not known
+        try:
+            known.append(kinds[kind].read(family, from_file=False))
+        except FieldError as error:
+            issues += [issue.below(("axes", position)) for issue in error.relative_issues]
+    if issues:
+        raise FieldError(*issues)
+    return known
+
+
+def _hang_one(name: str, part: Any, axes: Mapping[str, Axis]) -> Any:
+    """Return a part with its place, if it hangs on axes; with its issues instead of the reference if that is wrong."""
+    at = _reference(part)
+    if at is None:
+        return part
+    kind = part.get("kind") if isinstance(part, Mapping) else getattr(part, "kind", None)
+    is_point = name == "columns" or kind in AT_POINT
+    if not is_point and name in ("loads", "supports") and kind not in ALONG_LINE:
+        return part  # it has no such key, which is said where it is read
+    issues: tuple[RelativeIssue, ...] = ()
+    places = list[Place]()
+    try:
+        places = [find_crossing(text, axes) for text in ((at,) if is_point else _texts(at))]
+    except FieldError as error:
+        issues = error.relative_issues
+    given = _place_keys(places or [(0.0, 0.0), (1.0, 0.0)], is_point)
+    if not isinstance(part, Mapping):
+        if not issues:
+            return part.model_copy(update=given)
+        part = dict(part)
+    else:
+        issues = issues or tuple(_find_other_place(part, given))
+        given = {key: _written(value) for key, value in given.items()}
+    return {**part, **given, **({"at": Unhung(issues)} if issues else {})}
+
+
+def _texts(at: Any) -> Sequence[Any]:
+    """Return the crossings through which a line runs; raises FieldError if they are no list."""
+    if not isinstance(at, list | tuple):
+        raise FieldError(RelativeIssue((), describe(at), 'a list of crossings such as ["A/1", "A/4"]'))
+    return at
+
+
+def _place_keys(places: Sequence[Place], is_point: bool) -> dict[str, Any]:
+    """Return the keys that say where a part is."""
+    return {"x": places[0][0], "y": places[0][1]} if is_point else {"points": tuple(places)}
+
+
+def _written(value: Any) -> Any:
+    """Return a length, or a list of places, as files have them."""
+    if isinstance(value, float):
+        return units.write(value, "length")
+    return [[units.write(length, "length") for length in place] for place in value]
+
+
+def _find_other_place(part: Mapping[Any, Any], given: Mapping[str, Any]) -> Iterator[RelativeIssue]:
+    """Find a place that is given beside the axes, and is another one."""
+    for key, value in given.items():
+        if key in part and not _is_same(part[key], value):
+            hint = "the axes say where it is"
+            yield RelativeIssue((), f"axes together with {key}", "one of them", hint, (remove((), label="remove at"),))
+            return
+
+
+def _is_same(given: Any, value: Any) -> bool:
+    """Whether a length or a list of places, as files or Python have them, is a value [m]."""
+    if isinstance(value, float):
+        try:
+            length: float = units.parse(given, "length") if isinstance(given, str) else float(given)
+        except (TypeError, ValueError):
+            return False
+        return bool(abs(length - value) <= SAME)
+    if not isinstance(given, list | tuple) or len(given) != len(value):
+        return False
+    return all(_is_same(one, other) for one, other in zip(given, value, strict=True))
+
+
+def find_crossing(text: Any, axes: Mapping[str, Axis]) -> Place:
+    """Return where the axes cross that a text names [m]; raises FieldError if they do so nowhere, or twice."""
+    expected = 'the names of two axes that cross, such as "B/3"'
+    if not isinstance(text, str) or text.count(BETWEEN) != 1:
+        raise FieldError(RelativeIssue((), describe(text), expected))
+    names = [name.strip() for name in text.split(BETWEEN)]
+    for name in names:
+        if name not in axes:
+            known = f"one of the axes {one_of(list(axes))}" if axes else "axes, and [[axes]] that says where they are"
+            found = f"{describe(text)}, and no axis {describe(name)}"
+            raise FieldError(RelativeIssue((), found, known, suggestion(name, axes)))
+    places = crossings(axes[names[0]], axes[names[1]])
+    if len(places) == 1:
+        return places[0]
+    found = "that cross at two places" if places else "that do not cross"
+    hint = "rays cross rings once; give x and y" if places else ""
+    raise FieldError(RelativeIssue((), f"{describe(text)}, axes {found}", expected, hint))
+
+
+def name_of_crossing(place: Place, axes: Sequence[AnyAxes]) -> str:
+    """Return the names of the axes that cross at a place, in the order of the axes; empty if none do."""
+    near = [axis.name for family in axes for axis in family.axes if _runs_through(axis, place)]
+    return BETWEEN.join(near[:2]) if len(near) > 1 else ""
+
+
+def _runs_through(axis: Axis, place: Place) -> bool:
+    """Whether an axis runs through a place."""
+    dx, dy = place[0] - axis.place[0], place[1] - axis.place[1]
+    if axis.direction is None:
+        return abs(math.hypot(dx, dy) - axis.radius) <= SAME
+    u, v = axis.direction
+    return abs(dx * v - dy * u) <= SAME and (not axis.ray or dx * u + dy * v >= -SAME)
