@@ -31,15 +31,20 @@ def docs_table(root: type[Section]) -> str:
 def _part_schema(part: type[Section], definitions: dict[str, Any]) -> dict[str, Any]:
     properties = {name: _field_schema(field, definitions) for name, field in part.model_fields.items()}
     # the tag of a kind is required in a file, although Python knows it from the class
-    following = {key for keys in part.follow.values() for key in keys}
-    needed = ((name, field) for name, field in part.model_fields.items() if name not in following)
-    required = [name for name, field in needed if field.required or field.is_tag]
+    required = [name for name, field in part.model_fields.items() if field.required or field.is_tag]
+    # keys that follow from another one are not required where that is given
+    either = {
+        name: missing for name, keys in part.follow.items() if (missing := [key for key in keys if key in required])
+    }
+    required = [name for name in required if not any(name in keys for keys in either.values())]
+    choices = [{"anyOf": [{"required": keys}, {"required": [name]}]} for name, keys in either.items()]
     return {
         "type": "object",
         "description": part.summary(),
         "properties": properties,
         "additionalProperties": False,
         **({"required": required} if required else {}),
+        **({"allOf": choices} if choices else {}),
     }
 
 

@@ -141,7 +141,7 @@ def test_references_and_axes_that_are_wrong_are_refused(parts: dict[str, Any], w
 
 def test_a_ring_crossed_twice_is_no_place() -> None:
     """A straight axis crosses a ring at two places, which is said."""
-    rings = {"kind": "rings", "first": "R1", "centre": ["6 m", "5 m"], "distances": "2 m"}
+    rings = {"kind": "ring", "first": "R1", "centre": ["6 m", "5 m"], "distances": "2 m"}
     with pytest.raises(InputError, match="two places"):
         read(axes=[LETTERS, NUMBERS, rings], columns=[{"name": "C1", "at": "B/R1", **SIZE}])
 

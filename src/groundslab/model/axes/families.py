@@ -131,7 +131,7 @@ class RayAxes(Section):
 
     checks: ClassVar[tuple[Check, ...]] = (_check_names, _check_count_of_rays)
 
-    kind: Annotated[Literal["rays"], Table("axes that begin at a center")] = "rays"
+    kind: Annotated[Literal["ray"], Table("axes that begin at a center")] = "ray"
     first: FirstName = "1"
     names: Names = ()
     centre: Annotated[tuple[float, float], place_in_plan("where they begin")] = (0.0, 0.0)
@@ -155,7 +155,7 @@ class RingAxes(Section):
 
     checks: ClassVar[tuple[Check, ...]] = (_check_names, _check_count_of_rings)
 
-    kind: Annotated[Literal["rings"], Table("axes that are circles about a center")] = "rings"
+    kind: Annotated[Literal["ring"], Table("axes that are circles about a center")] = "ring"
     first: FirstName = "A"
     names: Names = ()
     centre: Annotated[tuple[float, float], place_in_plan("their center")] = (0.0, 0.0)

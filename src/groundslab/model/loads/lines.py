@@ -118,11 +118,11 @@ class LineLoad(_Load):
         Quantity("force per length", "q_e", "at the end, linear from q at the start; q by default", example="40 kN/m"),
     ] = None
     points: LinePoints = None
-    at: AtCrossings = ()
     bulges: LineBulges = ()
     shape: LineShape = None
     width: LineWidth = None
     wall: OnWall = ""
+    at: AtCrossings = ()
     source: Source = ""
 
     @property
@@ -168,11 +168,11 @@ class LineMoment(_Load):
         ),
     ] = None
     points: LinePoints = None
-    at: AtCrossings = ()
     bulges: LineBulges = ()
     shape: LineShape = None
     width: LineWidth = None
     wall: OnWall = ""
+    at: AtCrossings = ()
     source: Source = ""
 
     @property

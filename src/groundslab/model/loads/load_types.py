@@ -218,7 +218,6 @@ class PointLoad(_Load):
     ] = 0.0
     x: Annotated[float | None, coordinate(0, "position")] = None
     y: Annotated[float | None, coordinate(1, "position")] = None
-    at: AtCrossing = ""
     width_x: Annotated[
         float | None,
         Quantity(
@@ -253,6 +252,7 @@ class PointLoad(_Load):
         0.0
     )
     column: Annotated[str, Text("column on which it acts and over which it is spread, one of [[columns]]")] = ""
+    at: AtCrossing = ""
     source: Source = ""
 
     @property

@@ -74,7 +74,6 @@ class Column(Section):
     name: Annotated[str, Text("name of the column, used by loads")]
     x: Annotated[float, coordinate(0, "its center")]
     y: Annotated[float, coordinate(1, "its center")]
-    at: AtCrossing = ""
     width_x: Annotated[float | None, Quantity("length", "c_x", "width along x", POSITIVE, example="0.4 m")] = None
     width_y: Annotated[float | None, Quantity("length", "c_y", "width along y", POSITIVE, example="0.4 m")] = None
     diameter: Annotated[
@@ -84,6 +83,7 @@ class Column(Section):
         float,
         Number("alpha", "angle of its widths from x and y in degrees, counterclockwise", TURN),
     ] = 0.0
+    at: AtCrossing = ""
 
     def ring(self) -> Ring:
         """Return the curve around the column."""

@@ -97,7 +97,6 @@ class Wall(Section):
     name: Annotated[str, Text("name of the wall, used by loads")]
     thickness: Annotated[float, Quantity("length", "t_w", "thickness of the wall", POSITIVE, example="250 mm")]
     points: LinePoints = None
-    at: AtCrossings = ()
     bulges: LineBulges = ()
     shape: LineShape = None
     edge: Annotated[
@@ -121,6 +120,7 @@ class Wall(Section):
     ] = None
     nu: Annotated[float | None, Number("nu", "Poisson's ratio, by default that of the plate", POISSON)] = None
     stiffness: Annotated[float, STIFFNESS] = 1.0
+    at: AtCrossings = ()
     openings: Annotated[tuple[WallOpening, ...], Table("openings in it, where it is less high", 1000)] = ()
 
     def on(self, plates: Sequence[AnyPlate]) -> Wall:

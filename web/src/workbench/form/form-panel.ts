@@ -15,7 +15,7 @@ import { doesNothingUnlessThere, nodeWidget } from "./section";
 /** The sections: what there is, what acts, what is output, how it is computed. */
 const GROUPS: readonly { title: string; keys: readonly string[] }[] = [
   { title: "", keys: ["title"] },
-  { title: "Slab", keys: ["plate", "columns", "walls", "beams", "building", "supports"] },
+  { title: "Slab", keys: ["plate", "axes", "columns", "walls", "beams", "building", "supports"] },
   { title: "Ground", keys: ["ground", "soil_zones", "boreholes", "beyond", "contact"] },
   { title: "Loads", keys: ["cases", "loads", "patterns", "moves", "combinations", "combine"] },
   { title: "Results", keys: ["output", "reinforcement", "floor"] },
@@ -23,6 +23,7 @@ const GROUPS: readonly { title: string; keys: readonly string[] }[] = [
 ];
 const HEADINGS: Record<string, string> = {
   plate: "Slab",
+  axes: "Axes of the building",
   building: "Building above",
   cases: "Load cases",
   patterns: "Vehicles and racks",

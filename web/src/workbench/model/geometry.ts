@@ -2,8 +2,9 @@
 
 import { type Box, boxAround } from "../../viewer/data/boxes";
 import { distanceBetween, offset, pointBetween } from "../../viewer/data/points";
+import { axesIn, hungPlaces, isHung } from "./axes";
 import type { Edit } from "./edits";
-import { isTable, type Json, type Path, valueAt } from "./paths";
+import { isTable, type Json, listAt, type Path, type Table, valueAt } from "./paths";
 import { parseLength, parsePoint, parsePoints } from "./quantities";
 
 export type Point = readonly [number, number];
@@ -26,6 +27,13 @@ export type Geometry =
 export function readGeometry(data: Json, at: Path): Geometry | null {
   const table = valueAt(data, at);
   if (!isTable(table)) return null;
+  if (isHung(table)) {
+    const places = hungPlaces(table, axesIn(data));
+    if (!places) return null;
+    return Array.isArray(table.at)
+      ? { type: "line", at, points: places, bulges: bulgesOf(table) }
+      : { type: "point", at, x: places[0]![0], y: places[0]![1] };
+  }
   if (table.start !== undefined && table.end !== undefined) {
     const [start, end] = [parsePoint(table.start), parsePoint(table.end)];
     return start && end ? { type: "segment", at, start, end } : null;
@@ -42,11 +50,14 @@ export function readGeometry(data: Json, at: Path): Geometry | null {
   if (table.points !== undefined) {
     const points = parsePoints(table.points);
     if (!points || points.length === 0) return null;
-    const bulges = Array.isArray(table.bulges) ? table.bulges.map((each) => (typeof each === "number" ? each : 0)) : [];
-    return { type: table.kind === "polygon" ? "polygon" : "line", at, points, bulges };
+    return { type: table.kind === "polygon" ? "polygon" : "line", at, points, bulges: bulgesOf(table) };
   }
   const [x, y] = [parseLength(table.x), parseLength(table.y)];
   return x !== null && y !== null ? { type: "point", at, x, y } : null;
+}
+
+function bulgesOf(table: Table): number[] {
+  return listAt(table, ["bulges"]).map((each) => (typeof each === "number" ? each : 0));
 }
 
 /** The rectangle about the origin that length_x and length_y state, null if there is none. */

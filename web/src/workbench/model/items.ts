@@ -147,6 +147,7 @@ export function titleAt(data: Table, path: Path): string {
   const source = sourcesOf(data).find((each) => samePath(each.list, path.slice(0, -1)));
   const position = path.at(-1);
   if (source && typeof position === "number") return titleOf(source.word ?? source.kind, tableAt(data, path), position);
+  if (path[0] === "axes" && typeof position === "number") return `axes ${position + 1}`;
   return path[0] === "plate" && path.length < 3 ? "slab" : formatPath(path);
 }
 
@@ -164,9 +165,9 @@ export function titleOfAll(data: Table, paths: readonly Path[]): string {
 /** Return where the column is that a load names, null if it names none that is known. */
 function columnOf(data: Table, load: Table, at: Path): Geometry | null {
   if (typeof load.column !== "string" || !load.column) return null;
-  const column = listAt(data, ["columns"]).find((each) => isTable(each) && each.name === load.column);
-  const [x, y] = [parseLength(valueAt(column, ["x"])), parseLength(valueAt(column, ["y"]))];
-  return x !== null && y !== null ? { type: "point", at, x, y } : null;
+  const n = listAt(data, ["columns"]).findIndex((each) => isTable(each) && each.name === load.column);
+  const geometry = n < 0 ? null : readGeometry(data, ["columns", n]);
+  return geometry?.type === "point" ? { ...geometry, at } : null;
 }
 
 /** Return the axis of the wall that a load names, null if it names none that is known. */

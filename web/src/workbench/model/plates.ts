@@ -10,16 +10,21 @@ export interface PlateOutline {
   ring: Ring;
 }
 
-/** Return the outlines of all plates that have a name. */
-export function plateOutlines(data: Table): PlateOutline[] {
+/** Return the tables of all plates with the geometry of their outlines, those of which can be read here. */
+function allPlates(data: Table): { table: Table; geometry: Geometry }[] {
   const main = readGeometry(data, ["plate", "outline"]) ?? readSides(data);
   const further = listAt(data, ["plates"]).map((table, n): [Table, Geometry | null] => [
     isTable(table) ? table : {},
     readGeometry(data, ["plates", n, "outline"]),
   ]);
   const all: [Table, Geometry | null][] = [[tableAt(data, ["plate"]), main], ...further];
-  return all.flatMap(([{ name }, geometry]) =>
-    geometry && typeof name === "string" && name ? [{ name, ring: ringOf(geometry) }] : [],
+  return all.flatMap(([table, geometry]) => (geometry ? [{ table, geometry }] : []));
+}
+
+/** Return the outlines of all plates that have a name. */
+export function plateOutlines(data: Table): PlateOutline[] {
+  return allPlates(data).flatMap(({ table: { name }, geometry }) =>
+    typeof name === "string" && name ? [{ name, ring: ringOf(geometry) }] : [],
   );
 }
 
@@ -30,6 +35,32 @@ export function readJoint(data: Table, at: Path): Geometry | null {
   const [a, b] = names.map((name) => plates.find((plate) => plate.name === name));
   const shared = a && b ? sharedLine(a.ring, b.ring) : null;
   return shared && { type: "fixed", at, points: shared, closed: false };
+}
+
+const SIDES = ["bottom", "right", "top", "left"];
+
+/** Return the plate's edge that is nearest to a place, as walls name it; null if none is within reach [m]. */
+export function edgeAt(data: Table, at: Point, reach: number): Table | null {
+  let [best, least]: [Table | null, number] = [null, reach];
+  for (const { table, geometry } of allPlates(data)) {
+    const plate: Table = table === tableAt(data, ["plate"]) || !table.name ? {} : { plate: table.name };
+    for (const [n, edge] of edgesOf(geometry).entries()) {
+      const pieces = edge.slice(1).map((end, m) => nearestOnSegment(edge[m]!, end, at).distance);
+      const distance = Math.min(...pieces);
+      const name = geometry.type === "circle" ? "all" : geometry.type === "polygon" ? n + 1 : SIDES[n]!;
+      if (distance <= least) [best, least] = [{ edge: name, ...plate }, distance];
+    }
+  }
+  return best;
+}
+
+/** Return the edges of an outline, arcs as chords; of a rectangle those at the bottom, right, top and left. */
+function edgesOf(geometry: Geometry): Ring[] {
+  if (geometry.type === "circle") return [[...ringOf(geometry), ringOf(geometry)[0]!]];
+  if (geometry.type !== "polygon") return edges(ringOf(geometry));
+  return edges(geometry.points).map((points, n) =>
+    ringOf({ type: "line", at: [], points, bulges: [geometry.bulges[n] ?? 0] }),
+  );
 }
 
 /** Return the plates whose shared line is nearest to a place, null if none is within reach [m]. */

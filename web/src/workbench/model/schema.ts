@@ -1,6 +1,6 @@
 // The JSON schema of the case file, read into what a form needs of it.
 
-import { isTable, type Json, type Table } from "./paths";
+import { isTable, type Json, listAt, type Table } from "./paths";
 
 /** What a value is, and so which element edits it. */
 export type Node =
@@ -96,7 +96,9 @@ export class Schema {
 
 function readPart(name: string, source: Table): Part {
   const properties = isTable(source.properties) ? source.properties : {};
-  const needed = Array.isArray(source.required) ? source.required : [];
+  // of keys one of which follows from the other, those that are usually given
+  const usual = listAt(source, ["allOf"]).flatMap((choice) => listAt(choice, ["anyOf", 0, "required"]));
+  const needed = [...listAt(source, ["required"]), ...usual];
   const fields = Object.entries(properties).flatMap(([key, value]) =>
     isTable(value) ? [readField(key, value, needed.includes(key))] : [],
   );

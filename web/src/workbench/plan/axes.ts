@@ -1,12 +1,16 @@
-// Axes of columns that stand in line, and chains of dimensions between them and the slab's edges.
+// Axes of the building with their names, or of columns that stand in line, and chains of dimensions between them.
+
+import type { Point } from "../../viewer/data/scene";
 import type { Camera } from "../../viewer/plan/camera";
 import { drawPath, drawText } from "../../viewer/plan/symbols";
 import { svg } from "../../viewer/shared/dom";
-import type { Point } from "../model/geometry";
+import type { Axis } from "../model/axes";
+import { boundsOf, rectangleCorners, ringOf } from "../model/geometry";
 import { boundsOfItems, type Item } from "../model/items";
+import { type Path, samePath } from "../model/paths";
 import { formatDecimals } from "../model/quantities";
 
-export interface Axis {
+export interface ColumnAxis {
   /** Its x or y [m]. */
   at: number;
   /** How many columns stand on it. */
@@ -20,10 +24,11 @@ const CHAINS = [22, 42]; // px below and beside the slab: the chain, and the who
 const TICK = 4;
 const LEAST = 26; // px: a shorter length is not written
 const BUBBLE = 9;
+const OVER = 8; // px that axes reach beyond the slab
 const NAME = /^([A-Za-z]+)[-/]?(\d+)$/;
 
 /** Return the axes across x (0) or y (1) on which columns stand. */
-export function axesOf(items: readonly Item[], across: 0 | 1): Axis[] {
+export function axesOf(items: readonly Item[], across: 0 | 1): ColumnAxis[] {
   const columns = items.flatMap(({ kind, geometry, table }) =>
     kind === "column" && geometry.type === "point"
       ? [{ at: across === 0 ? geometry.x : geometry.y, name: NAME.exec(String(table.name ?? "")) }]
@@ -47,39 +52,134 @@ function shared(texts: readonly string[]): string {
   return texts.every((text) => text === texts[0]) ? (texts[0] ?? "") : "";
 }
 
+/** An axis of the building on the screen: its line, and where its bubble is. */
+interface DrawnAxis {
+  axis: Axis;
+  line: Point[];
+  bubble: Point;
+}
+
 /** Draw the axes with their names, and the dimensions between them, the edges of the slab, and in all. */
-export function drawAxes(camera: Camera, items: readonly Item[]): SVGElement[] {
-  const bounds = boundsOfItems(items.filter(({ kind }) => kind === "slab" || kind === "plate"));
-  if (!bounds) return [];
+export function drawAxes(
+  camera: Camera,
+  items: readonly Item[],
+  building: readonly Axis[],
+  selected: readonly Path[],
+): SVGElement[] {
+  const bounds = boundsOfPlates(items);
+  const drawn = place(camera, items, building).flatMap((each) =>
+    drawOne(
+      each,
+      selected.some((path) => samePath(path, each.axis.path)),
+    ),
+  );
+  if (!bounds) return drawn;
   const [x0, y0, x1, y1] = bounds;
   const [left, bottom] = camera.toPixel([x0, y0]);
   const [right, top] = camera.toPixel([x1, y1]);
-  const [xs, ys] = [axesOf(items, 0), axesOf(items, 1)];
-  const axes = (all: readonly Axis[]) => all.filter(({ columns }) => columns > 1);
-  const line = (from: Point, to: Point, name: string, at: Point) => [
-    drawPath([from, to], false, "axis"),
-    ...(name ? [svg("circle", { class: "axis-name", cx: at[0], cy: at[1], r: BUBBLE })] : []),
-    drawText(at, name, [0, 4], "axis-label middle"),
-  ];
-  const vertical = axes(xs).flatMap(({ at, name }) => {
-    const [x] = camera.toPixel([at, 0]);
-    return line([x, bottom + TICK], [x, top - 8], name, [x, top - 8 - BUBBLE]);
-  });
-  const horizontal = axes(ys).flatMap(({ at, name }) => {
-    const [, y] = camera.toPixel([0, at]);
-    return line([left - TICK, y], [right + 8, y], name, [right + 8 + BUBBLE, y]);
-  });
+  const [xs, ys] =
+    building.length > 0 ? [along(building, 0), along(building, 1)] : [axesOf(items, 0), axesOf(items, 1)];
+  const lines =
+    building.length > 0
+      ? []
+      : [...upright(camera, xs as ColumnAxis[], bottom, top), ...level(camera, ys as ColumnAxis[], left, right)];
   const chainX = chainOf(x0, x1, xs).map((places, n) =>
     drawChain(places, (x) => [camera.toPixel([x, 0])[0], bottom + CHAINS[n]!], false),
   );
   const chainY = chainOf(y0, y1, ys).map((places, n) =>
     drawChain(places, (y) => [left - CHAINS[n]!, camera.toPixel([0, y])[1]], true),
   );
-  return [...vertical, ...horizontal, ...chainX.flat(), ...chainY.flat()];
+  return [...drawn, ...lines, ...chainX.flat(), ...chainY.flat()];
+}
+
+/** Return the axis of the building whose bubble is under a pixel, null if none is. */
+export function axisUnder(
+  camera: Camera,
+  items: readonly Item[],
+  building: readonly Axis[],
+  pixel: Readonly<Point>,
+): Axis | null {
+  const reach = ({ bubble }: DrawnAxis) => Math.hypot(bubble[0] - pixel[0], bubble[1] - pixel[1]) <= BUBBLE + 2;
+  return place(camera, items, building).find(reach)?.axis ?? null;
+}
+
+function boundsOfPlates(items: readonly Item[]) {
+  return boundsOfItems(items.filter(({ kind }) => kind === "slab" || kind === "plate"));
+}
+
+/** Return the places of axes of the building that run along y (0) or x (1). */
+function along(building: readonly Axis[], across: 0 | 1): { at: number }[] {
+  const isAcross = ({ direction, ray }: Axis) => direction && !ray && Math.abs(direction[across]) < 1e-9;
+  return building
+    .filter(isAcross)
+    .map((axis) => ({ at: axis.place[across] }))
+    .sort((a, b) => a.at - b.at);
+}
+
+/** Return where axes of the building are on the screen: from beyond the slab on one side to beyond it on the other. */
+function place(camera: Camera, items: readonly Item[], building: readonly Axis[]): DrawnAxis[] {
+  const around = boundsOfPlates(items) ?? boundsOf(building.map((axis) => axis.place));
+  if (!around) return [];
+  const [x0, y0, x1, y1] = around;
+  const corners: Point[] = rectangleCorners([x0, x1], [y0, y1]).map(([x, y]) => [x, y]);
+  const over = OVER / camera.scale;
+  return building.map((axis): DrawnAxis => {
+    const { place: at, direction, radius, ray } = axis;
+    const pixel = ([x, y]: readonly [number, number]) => camera.toPixel([x, y]);
+    if (!direction) {
+      const ring = ringOf({ type: "circle", at: [], center: at, radius });
+      const turn = Math.PI / 8;
+      const bubble = pixel([at[0] + radius * Math.cos(turn), at[1] + radius * Math.sin(turn)]);
+      return { axis, line: [...ring, ring[0]!].map(pixel), bubble };
+    }
+    const leading = Math.abs(direction[1]) >= Math.abs(direction[0]) ? direction[1] : direction[0];
+    const [u, v] = ray || leading > 0 ? direction : [-direction[0], -direction[1]];
+    const ways = corners.map(([x, y]) => (x - at[0]) * u + (y - at[1]) * v);
+    const rings = building.filter((each) => !each.direction && each.place[0] === at[0] && each.place[1] === at[1]);
+    const far = ray && rings.length > 0 ? Math.max(...rings.map((each) => each.radius)) : Math.max(0, ...ways);
+    const [start, end] = ray ? [0, far + 2 * over] : [Math.min(...ways) - over, Math.max(...ways) + 2 * over];
+    const on = (way: number) => pixel([at[0] + way * u, at[1] + way * v]);
+    return { axis, line: [on(start), on(end)], bubble: on(end + BUBBLE / camera.scale) };
+  });
+}
+
+function drawOne({ axis, line, bubble }: DrawnAxis, isSelected: boolean): SVGElement[] {
+  const marks = isSelected ? " selected" : "";
+  const circle = svg("circle", { class: `axis-name${marks}`, cx: bubble[0], cy: bubble[1], r: BUBBLE });
+  circle.dataset.axis = axis.name;
+  return [drawPath(line, false, `axis${marks}`), circle, drawText(bubble, axis.name, [0, 4], "axis-label middle")];
+}
+
+function lineOf(from: Point, to: Point, name: string, at: Point): SVGElement[] {
+  return [
+    drawPath([from, to], false, "axis"),
+    ...(name ? [svg("circle", { class: "axis-name", cx: at[0], cy: at[1], r: BUBBLE })] : []),
+    drawText(at, name, [0, 4], "axis-label middle"),
+  ];
+}
+
+/** Draw the axes across x on which several columns stand. */
+function upright(camera: Camera, axes: readonly ColumnAxis[], bottom: number, top: number): SVGElement[] {
+  return axes
+    .filter(({ columns }) => columns > 1)
+    .flatMap(({ at, name }) => {
+      const [x] = camera.toPixel([at, 0]);
+      return lineOf([x, bottom + TICK], [x, top - OVER], name, [x, top - OVER - BUBBLE]);
+    });
+}
+
+/** Draw the axes across y on which several columns stand. */
+function level(camera: Camera, axes: readonly ColumnAxis[], left: number, right: number): SVGElement[] {
+  return axes
+    .filter(({ columns }) => columns > 1)
+    .flatMap(({ at, name }) => {
+      const [, y] = camera.toPixel([0, at]);
+      return lineOf([left - TICK, y], [right + OVER, y], name, [right + OVER + BUBBLE, y]);
+    });
 }
 
 /** Return the places of the chain and of the whole length; of the latter alone where there is no axis between. */
-function chainOf(from: number, to: number, axes: readonly Axis[]): number[][] {
+function chainOf(from: number, to: number, axes: readonly { at: number }[]): number[][] {
   const between = axes.map(({ at }) => at).filter((at) => at - from > SAME && to - at > SAME);
   const whole = [from, to];
   return between.length > 0 ? [[from, ...between, to], whole] : [whole];

@@ -8,12 +8,15 @@ import { drawPath, drawText } from "../../viewer/plan/symbols";
 import { svg } from "../../viewer/shared/dom";
 import { readStored, writeStored } from "../../viewer/shared/storage";
 import type { Store } from "../client/store";
+import { type Axis, axesIn, crossingsOf, distanceTo, nearestOn } from "../model/axes";
+import { applyOptimistic } from "../model/changes/optimistic-edits";
+import type { Edit } from "../model/edits";
 import { type Geometry, isClosed, type Point, rectangleCorners, ringOf } from "../model/geometry";
 import { boundsOfItems, footprintOf, type Item, itemsOf } from "../model/items";
 import { namesIn } from "../model/names";
-import { listAt, type Path, pathKey } from "../model/paths";
+import { listAt, type Path, pathKey, type Table } from "../model/paths";
 import type { Underlay } from "../model/survey";
-import { drawAxes } from "./axes";
+import { axisUnder, drawAxes } from "./axes";
 import { drawDistances } from "./distances";
 import { type Preview, shownBy } from "./interaction/gestures";
 import { type Handle, handlesOf } from "./interaction/handles";
@@ -37,6 +40,8 @@ export class Canvas {
   readonly element: SVGSVGElement;
   items: Item[] = [];
   preview: Preview | null = null;
+  /** Edits that are shown as if they were made, while an axis is dragged. */
+  trial: readonly Edit[] = [];
   /** What an action would make, drawn faintly. */
   ghosts: readonly Item[] = [];
   /** The corners of the rubber band, the first where it began. */
@@ -139,6 +144,21 @@ export class Canvas {
     return itemsAt(this.items, this.camera.toPlan(pixel), this.reach);
   }
 
+  /** The axes of the building. */
+  get buildingAxes(): readonly Axis[] {
+    return axesIn(this.shownData);
+  }
+
+  /** Return the axis whose bubble is under a pixel, null if none is. */
+  axisAt(pixel: Point): Axis | null {
+    return this.hasAxes ? axisUnder(this.camera, this.items, this.buildingAxes, pixel) : null;
+  }
+
+  /** The data that are drawn: those of the store, with what is tried. */
+  private get shownData(): Table {
+    return this.trial.reduce(applyOptimistic, this.store.data);
+  }
+
   /** Return the handle of the selected item under a pixel. */
   handleAt(pixel: Point): Handle | null {
     const item = this.selected;
@@ -151,9 +171,17 @@ export class Canvas {
   /** Return the place that a pixel means; `free` switches snapping off. */
   snap(at: Point, free: boolean, without: readonly Path[], own: readonly Point[] = []): Snapped {
     if (free) return { at, fromX: null, fromY: null, onPoint: false };
-    const places = [...snapPlaces(this.items, without), ...(this.underlay?.placesNear(at, this.reach) ?? [])];
+    const axes = this.hasAxes ? this.buildingAxes : [];
+    const places = [
+      ...crossingsOf(axes),
+      ...snapPlaces(this.items, without),
+      ...(this.underlay?.placesNear(at, this.reach) ?? []),
+    ];
     const points = [...places.map((place) => place.at), ...own];
     const snapped = snap({ at, points, step: this.step, reach: this.reach });
+    const near = axes.filter((axis) => distanceTo(axis, at) <= this.reach * 0.75);
+    if (near[0] && !snapped.onPoint && !snapped.fromX && !snapped.fromY)
+      return { ...snapped, at: nearestOn(near[0], snapped.at), onPoint: true, name: `axis ${near[0].name}` };
     const name = snapped.onPoint ? places.find((place) => place.at === snapped.at)?.name : undefined;
     return name ? { ...snapped, name } : snapped;
   }
@@ -185,7 +213,8 @@ export class Canvas {
     const changed = new Map(
       shownBy(preview).map(({ item, geometry }) => [pathKey(item.path), withGeometry(item, geometry)]),
     );
-    const shown = this.items.map((item) => changed.get(pathKey(item.path)) ?? item);
+    const items = this.trial.length > 0 ? itemsOf(this.shownData, store.doc?.plan ?? null) : this.items;
+    const shown = items.map((item) => changed.get(pathKey(item.path)) ?? item);
     const highlights = {
       selected: store.selected,
       hovered: this.hovered,
@@ -195,7 +224,7 @@ export class Canvas {
     };
     this.grid.replaceChildren(...drawGrid(camera));
     this.below.replaceChildren(...(this.underlay ? [this.underlay.draw(camera)] : []));
-    this.axes.replaceChildren(...(this.hasAxes ? drawAxes(camera, shown) : []));
+    this.axes.replaceChildren(...(this.hasAxes ? drawAxes(camera, shown, this.buildingAxes, store.selected) : []));
     this.symbols.replaceChildren(...drawItems(camera, shown, highlights));
     const ghosts = svg("g", { class: "ghosts" }, ...drawItems(camera, this.ghosts, { ...NOTHING_MARKED }));
     this.marks.replaceChildren(ghosts, ...this.drawMarks(shown.filter((item) => store.isSelected(item.path))));

@@ -14,11 +14,11 @@ export interface ToolBar {
 
 const GROUPS: readonly (readonly ToolName[])[] = [
   ["select"],
-  ["slab", "opening", "zone", "column", "wall", "beam", "plate", "joint"],
+  ["slab", "opening", "zone", "column", "wall", "edge wall", "beam", "plate", "joint"],
   ["point load", "line load", "area load"],
   ["support", "line support"],
   ["borehole", "soil zone", "void"],
-  ["section line", "refinement"],
+  ["section line", "strip", "refinement"],
 ];
 
 /** Make the tool bar; `onChange` is called with every tool that is chosen, `onGenerate` with a generator. */

@@ -25,6 +25,9 @@ const PATHS: Record<ToolName | GeneratorName, string> = {
   racks: "M2 4h2v2H2zM7 4h2v2H7zM12 4h2v2h-2zM2 10h2v2H2zM7 10h2v2H7zM12 10h2v2h-2z",
   vehicle: "M2 5h7v6H2zM9 7h3l2 2v2H9zM5 11a1.5 1.5 0 1 0 .01 0M11.5 11a1.5 1.5 0 1 0 .01 0",
   columns: "M4 1v14M12 1v14M1 5h14M1 11h14M3 4h2v2H3zM11 4h2v2h-2zM3 10h2v2H3zM11 10h2v2h-2z",
+  axes: "M5 5v10M11 5v10M2 10h12M5 1a2 2 0 1 0 .01 0M11 1a2 2 0 1 0 .01 0",
+  "edge wall": "M2 14V3h12M5 14V6h9",
+  strip: "M2 11L13 3M4 14L15 6",
   "section line": "M2 12L14 4M1 10.5l2.2 3M12.8 2.5l2.2 3",
 };
 

@@ -8,6 +8,7 @@ export type Draws = "nothing" | "point" | "line" | "segment" | "shape";
 
 const SHAPE = "Drag a rectangle (Ctrl: a circle), or click the corners one by one and press Enter to close.";
 const LINE = "Drag a straight line, or click points one by one and press Enter to finish.";
+const LINE_OR_RING = "Drag a straight line (Ctrl: a ring), or click points one by one and press Enter to finish.";
 const SELECT =
   "Click to select (Shift: several), drag to move; drag on empty space to select an area. Pan with Space or the right button, zoom with the wheel.";
 
@@ -17,10 +18,11 @@ const ROWS: readonly [ToolName, string, string, Draws, string][] = [
   ["opening", "Opening", "O", "shape", `Cut an opening. ${SHAPE}`],
   ["zone", "Thickness", "T", "shape", `Draw a zone with a different thickness. ${SHAPE}`],
   ["column", "Column", "C", "point", "Click to place columns. Press Escape to finish."],
-  ["wall", "Wall", "W", "line", `Draw the axis of a wall. ${LINE}`],
-  ["beam", "Beam", "", "line", `Draw the axis of a beam or rib. ${LINE}`],
+  ["wall", "Wall", "W", "line", `Draw the axis of a wall. ${LINE_OR_RING}`],
+  ["edge wall", "Wall on edge", "", "point", "Click an edge of the slab. Press Escape to finish."],
+  ["beam", "Beam", "", "line", `Draw the axis of a beam or rib. ${LINE_OR_RING}`],
   ["point load", "Point load", "P", "point", "Click a point or a column. Press Escape to finish."],
-  ["line load", "Line load", "L", "line", LINE],
+  ["line load", "Line load", "L", "line", LINE_OR_RING],
   ["area load", "Area load", "A", "shape", SHAPE],
   ["support", "Support", "S", "point", "Click to place point supports. Press Escape to finish."],
   ["line support", "Line support", "", "line", LINE],
@@ -30,6 +32,7 @@ const ROWS: readonly [ToolName, string, string, Draws, string][] = [
   ["plate", "Further plate", "E", "shape", `Draw another plate next to the slab. ${SHAPE}`],
   ["joint", "Joint", "J", "point", "Click the line shared by two plates. Press Escape to finish."],
   ["refinement", "Finer mesh", "F", "shape", `Draw an area with a finer mesh. ${SHAPE}`],
+  ["strip", "Strip", "", "segment", "Drag the axis of a strip, across which moments are summed."],
   ["section line", "Section", "X", "segment", "Drag a line to list values along it."],
 ];
 

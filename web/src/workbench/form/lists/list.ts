@@ -74,7 +74,7 @@ export function listWidget(
 /** Return one item's name, from the list's: `Columns` to `column`. */
 export function singular(title: string): string {
   const lower = title.charAt(0).toLowerCase() + title.slice(1);
-  return lower.endsWith("s") ? lower.slice(0, -1) : lower;
+  return lower.endsWith("s") && !lower.endsWith("axes") ? lower.slice(0, -1) : lower;
 }
 
 function isFlat(part: Part): boolean {
@@ -87,7 +87,7 @@ export function newItem(data: Table, path: Path, part: Part): Table {
   const value: Table = { ...kind, ...defaultsFor(part.name, data), ...defaultPlacement(data, [...path, 0], part) };
   const isNamed = part.fields.some((field) => field.name === "name" && field.needed);
   if (!isNamed && !part.name.endsWith("Support") && part.name !== "Borehole") return value;
-  const stems: Record<string, string> = { Column: "C1", Borehole: "B1" };
+  const stems: Record<string, string> = { Column: "C1", Borehole: "BH1" };
   const stem = stems[part.name] ?? `${String(path.at(-1)).replace(/s$/, "")} 1`;
   return { name: freeName(namesIn(listAt(data, path)), stem), ...value };
 }

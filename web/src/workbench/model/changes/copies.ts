@@ -1,11 +1,13 @@
 // Copies of items, and items transformed where they are: each one change.
 
+import { axesIn } from "../axes";
 import type { Change, Edit } from "../edits";
 import type { Isometry } from "../isometry";
 import { titleOfAll } from "../items";
 import { freeName, namesIn } from "../names";
 import { type Json, listAt, type Path, pathKey, type Table, tableAt, valueAt } from "../paths";
 import { formatLength, parseLength } from "../quantities";
+import { hangOn, takeOff } from "./hanging";
 import { outlineEdits } from "./new-items";
 import { editsToTable, hasPlace, Impossible, transformTable } from "./transform";
 
@@ -29,7 +31,11 @@ const FREE_NAMES: ReadonlySet<string> = new Set(["loads", "joints"]);
 /** Return the tables at some paths that can be copied: all but the slab. */
 export function tablesAt(data: Table, paths: readonly Path[]): ListedTable[] {
   const listed = paths.filter((path) => typeof path.at(-1) === "number");
-  return listed.map((path) => ({ list: path.slice(0, -1), table: structuredClone(tableAt(data, path)) }));
+  const axes = axesIn(data);
+  return listed.map((path) => ({
+    list: path.slice(0, -1),
+    table: structuredClone(takeOff(tableAt(data, path), axes)),
+  }));
 }
 
 /** Return the change that adds a copy of tables under each isometry; loads on copied columns stand on the copies. */
@@ -53,7 +59,7 @@ export function addCopies(
       const key = pathKey(list);
       const at = counts.get(key) ?? listAt(data, list).length;
       counts.set(key, at + 1);
-      edits.push({ op: "add", path: list, value: withReferences(table, renamed) });
+      edits.push({ op: "add", path: list, value: hangOn(withReferences(table, renamed), list[0], axesIn(data)) });
       paths.push([...list, at]);
     }
   }
@@ -112,7 +118,7 @@ export function transformItems(data: Table, paths: readonly Path[], isometry: Is
     try {
       return path[0] === "plate" && path.length < 3
         ? slabEdits(data, isometry)
-        : editsToTable(path, tableAt(data, path), transformTable(tableAt(data, path), isometry));
+        : editsToTable(path, tableAt(data, path), transformHung(data, path, isometry));
     } catch (error) {
       if (error instanceof Impossible) throw new Impossible(`${titleOfAll(data, [path])}: ${error.message}`);
       throw error;
@@ -120,6 +126,12 @@ export function transformItems(data: Table, paths: readonly Path[], isometry: Is
   });
   if (edits.length === 0) throw new Impossible("the selection would not change");
   return { edits, text: `${verb} ${titleOfAll(data, paths)}` };
+}
+
+/** Return a table under an isometry, taken off the axes that it hung on, and hung on those where it then is. */
+function transformHung(data: Table, path: Path, isometry: Isometry): Table {
+  const axes = axesIn(data);
+  return hangOn(transformTable(takeOff(tableAt(data, path), axes), isometry), path[0], axes);
 }
 
 /** Return the edits that transform the slab's outline; one given by its sides becomes an outline of its own. */

@@ -1,12 +1,14 @@
 // The changes that add what was drawn to the case file.
+import { axesIn, nameOfCrossing } from "../axes";
 import { defaultsFor } from "../defaults";
 import type { Addition, Change, Edit } from "../edits";
-import { isInside, type Point, type Ring } from "../geometry";
+import { isInside, type Point, type Ring, readGeometry } from "../geometry";
 import { footprintOf, titleAt } from "../items";
 import { freeName, namesIn } from "../names";
 import { isTable, type Json, listAt, type Path, type Table, tableAt } from "../paths";
-import { platesAt } from "../plates";
-import { formatLength, parseLength } from "../quantities";
+import { edgeAt, platesAt } from "../plates";
+import { formatLength } from "../quantities";
+import { hangOn } from "./hanging";
 
 /** What is added; slabs replace the one that is there. */
 export type NewKind =
@@ -25,6 +27,8 @@ export type NewKind =
   | "soil zone"
   | "void"
   | "section line"
+  | "strip"
+  | "edge wall"
   | "plate"
   | "joint"
   | "refinement";
@@ -46,16 +50,21 @@ function shapeTable(shape: DrawnShape): Table {
   return { kind: "rectangle", x: range(0), y: range(1) };
 }
 
-function addItem(data: Table, list: Path, value: Table, what: string): Addition {
+function addItem(data: Table, list: Path, table: Table, what: string): Addition {
+  const value = hangOn(table, list[0], axesIn(data));
   const change = { edits: [{ op: "add" as const, path: list, value }], text: `add ${what}` };
   return { change, path: [...list, listAt(data, list).length] };
 }
 
-/** Return the change that adds a drawn shape. */
+/** Kinds of lines that can be rings. */
+export const RINGS: ReadonlySet<string> = new Set(["wall", "beam", "line load"]);
+
+/** Return the change that adds a drawn shape, the edge of which is the axis of what is a line. */
 export function addShape(kind: NewKind, data: Table, drawn: DrawnShape, loadCase: string): Addition {
   const shape = shapeTable(drawn);
   const { kind: _, ...sides } = shape;
   const place: Table = drawn.kind === "rectangle" ? sides : { shape };
+  if (RINGS.has(kind)) return addAlong(kind, data, { shape }, loadCase);
   switch (kind) {
     case "opening":
       return addItem(data, ["plate", "openings"], shape, kind);
@@ -114,22 +123,38 @@ export function outlineEdits(data: Table, outline: Table): Edit[] {
 /** Return the change that adds a drawn line. */
 export function addLine(kind: NewKind, data: Table, line: Ring, loadCase: string): Addition {
   const points = line.map(toText);
+  const ends = { start: points[0] ?? [], end: points.at(-1) ?? [] };
   if (kind === "line support")
     return addItem(data, ["supports"], { ...defaultsFor("LineSupport", data), points }, "line support");
-  if (kind === "wall") {
+  if (kind === "section line") {
+    const name = freeName(namesIn(listAt(data, ["output", "lines"])), "line 1");
+    return addItem(data, ["output", "lines"], { name, ...ends }, `section ${name}`);
+  }
+  if (kind === "strip") {
+    const name = freeName(namesIn(listAt(data, ["output", "strips"])), "strip 1");
+    return addItem(data, ["output", "strips"], { name, ...ends, width: stripWidth(data) }, `strip ${name}`);
+  }
+  return addAlong(kind, data, { points }, loadCase);
+}
+
+/** Return the change that adds a wall, a beam or a line load along points, the edge of a shape or of a plate. */
+function addAlong(kind: NewKind, data: Table, line: Table, loadCase: string): Addition {
+  if (kind === "wall" || kind === "edge wall") {
     const name = freeName(namesIn(listAt(data, ["walls"])), "W1");
-    return addItem(data, ["walls"], { name, thickness: wallThickness(data), points }, `wall ${name}`);
+    return addItem(data, ["walls"], { name, thickness: wallThickness(data), ...line }, `wall ${name}`);
   }
   if (kind === "beam") {
     const name = freeName(namesIn(listAt(data, ["beams"])), "B1");
-    return addItem(data, ["beams"], { name, points, section: beamSection(data) }, `beam ${name}`);
+    return addItem(data, ["beams"], { name, ...line, section: beamSection(data) }, `beam ${name}`);
   }
-  if (kind === "section line") {
-    const name = freeName(namesIn(listAt(data, ["output", "lines"])), "line 1");
-    const value = { name, start: points[0] ?? [], end: points.at(-1) ?? [] };
-    return addItem(data, ["output", "lines"], value, `section ${name}`);
-  }
-  return addItem(data, ["loads"], { ...defaultsFor("LineLoad", data), ...inCase(data, loadCase), points }, "line load");
+  const load = { ...defaultsFor("LineLoad", data), ...inCase(data, loadCase), ...line };
+  return addItem(data, ["loads"], load, "line load");
+}
+
+/** Return the change that adds a wall along the edge of a plate at a place, null if there is none. */
+export function addEdgeWall(data: Table, at: Point, reach: number): Addition | null {
+  const edge = edgeAt(data, at, reach);
+  return edge && addAlong("edge wall", data, edge, "");
 }
 
 /** Return the change that adds something at a point. */
@@ -138,13 +163,16 @@ export function addPoint(kind: NewKind, data: Table, at: Point, loadCase: string
   if (kind === "support")
     return addItem(data, ["supports"], { ...defaultsFor("PointSupport", data), ...place }, "point support");
   if (kind === "borehole") {
-    const name = freeName(namesIn(listAt(data, ["boreholes"])), "B1");
+    const name = freeName(namesIn(listAt(data, ["boreholes"])), "BH1");
     const layers = listAt(data, ["boreholes", 0, "layers"]);
     const value = { ...defaultsFor("Borehole", data), ...(layers.length > 0 ? { layers } : {}) };
     return addItem(data, ["boreholes"], { name, ...place, ...value }, `borehole ${name}`);
   }
   if (kind === "column") {
-    const name = freeName(namesIn(listAt(data, ["columns"])), "C1");
+    // called by the axes that it stands on
+    const crossing = nameOfCrossing(at, axesIn(data)).replace("/", "");
+    const taken = namesIn(listAt(data, ["columns"]));
+    const name = crossing && !taken.includes(crossing) ? crossing : freeName(taken, "C1");
     return addItem(data, ["columns"], { name, ...place, ...columnSize(data) }, `column ${name}`);
   }
   const column = columnAt(data, at);
@@ -168,6 +196,11 @@ function wallThickness(data: Table): Json {
   return listAt(data, ["walls"]).findLast(isTable)?.thickness ?? "250 mm";
 }
 
+/** Return the width of the last strip, else a usual one. */
+function stripWidth(data: Table): Json {
+  return listAt(data, ["output", "strips"]).findLast(isTable)?.width ?? "1 m";
+}
+
 /** Return the section of the last beam, else a usual one. */
 function beamSection(data: Table): Json {
   const last = listAt(data, ["beams"]).findLast(isTable)?.section;
@@ -176,12 +209,12 @@ function beamSection(data: Table): Json {
 
 /** Return the name of the column that stands at a place, null if none does. */
 function columnAt(data: Table, at: Point): string | null {
-  for (const column of listAt(data, ["columns"])) {
+  for (const [n, column] of listAt(data, ["columns"]).entries()) {
     if (!isTable(column) || typeof column.name !== "string" || !column.name) continue;
-    const [x, y] = [parseLength(column.x), parseLength(column.y)];
-    if (x === null || y === null) continue;
-    const foot = footprintOf(column, { type: "point", at: [], x, y });
-    if (Math.hypot(x - at[0], y - at[1]) < 1e-9 || (foot && isInside(foot, at))) return column.name;
+    const geometry = readGeometry(data, ["columns", n]);
+    if (geometry?.type !== "point") continue;
+    const foot = footprintOf(column, geometry);
+    if (Math.hypot(geometry.x - at[0], geometry.y - at[1]) < 1e-9 || (foot && isInside(foot, at))) return column.name;
   }
   return null;
 }

@@ -3,13 +3,13 @@
 import type { Edit } from "../edits";
 import { rectangleCorners } from "../geometry";
 import { applyTo, type Isometry, isReflection, keepsAxes, rotation } from "../isometry";
-import { isTable, type Json, type Path, sameValue, type Table } from "../paths";
+import { isTable, type Json, listAt, type Path, sameValue, type Table } from "../paths";
 import { formatExact, parseLength, parsePoint } from "../quantities";
 
 /** Why an item cannot be transformed, in words for users. */
 export class Impossible extends Error {}
 
-const PLACES = ["start", "end", "centre", "about"];
+const PLACES = ["start", "end", "centre", "about", "origin"];
 const SHAPES = ["shape", "outline"];
 const SHAPE_LISTS = ["openings", "zones", "holes"];
 const ZERO = ["0 m", "0 m"];
@@ -17,7 +17,7 @@ const ZERO = ["0 m", "0 m"];
 /** Return a table of the case file under an isometry; throws Impossible where the case file cannot say that. */
 export function transformTable(table: Table, by: Isometry): Table {
   const placed = turnFootprint(placeCoordinates(placeParts(table, by), by), by);
-  return { ...placed, ...turnVectors(table, by), ...turnPattern(table, by) };
+  return { ...placed, ...turnVectors(table, by), ...turnPattern(table, by), ...turnAxes(table, by) };
 }
 
 /** Return the edits that write a table in place of an older one, key by key. */
@@ -65,7 +65,8 @@ function placeParts(table: Table, by: Isometry): Table {
   const result = { ...table };
   const varies = table.slope !== undefined || table.bend !== undefined;
   // a circle without a center lies about the origin, and so varies a pressure without a place
-  if (table.radius !== undefined) result.centre ??= ZERO;
+  if (table.radius !== undefined || table.kind === "ray" || table.kind === "ring") result.centre ??= ZERO;
+  if (table.kind === "straight") result.origin ??= ZERO;
   if (varies) result.about ??= ZERO;
   for (const key of PLACES) if (Array.isArray(result[key])) result[key] = placePoint(result[key] as Json[], by);
   if (Array.isArray(table.points))
@@ -155,6 +156,19 @@ function combine(factors: readonly number[], values: readonly (Json | undefined)
 function zeroLike(values: readonly Json[]): Json {
   const match = typeof values[0] === "string" ? QUANTITY.exec(values[0]) : null;
   return `0 ${match?.[2] ?? ""}`.trim();
+}
+
+/** Return the directions of axes. */
+function turnAxes(table: Table, by: Isometry): Table {
+  const isStraight = table.kind === "straight" && table.distances !== undefined;
+  if ((!isStraight && table.kind !== "rays") || (by.a === 1 && by.b === 0)) return {};
+  if (isReflection(by)) throw new Impossible("axes cannot be mirrored");
+  const turn = (Math.atan2(by.c, by.a) * 180) / Math.PI;
+  const turned = (angle: Json | undefined): Json => {
+    const sum = (typeof angle === "number" ? angle : 0) + turn;
+    return Number((sum > 360 ? sum - 360 : sum < -360 ? sum + 360 : sum).toFixed(9));
+  };
+  return isStraight ? { angle: turned(table.angle) } : { angles: listAt(table, ["angles"]).map(turned) };
 }
 
 /** Return the direction of a pattern that stands; one that moves has the direction of its path. */

@@ -1,5 +1,7 @@
 // Columns on the axes of a building, with a load each.
 
+import { axesIn, crossingsOf, letters } from "../../model/axes";
+import { hangOn } from "../../model/changes/hanging";
 import { Impossible } from "../../model/changes/transform";
 import type { Edit } from "../../model/edits";
 import { isInside, nearestOnSegment, type Point, type Ring, ringOf } from "../../model/geometry";
@@ -7,10 +9,18 @@ import { itemsOf } from "../../model/items";
 import { freeName, namesIn } from "../../model/names";
 import { listAt, type Path, type Table } from "../../model/paths";
 import { formatLength } from "../../model/quantities";
-import { force, forceOf, length, lengthOf, lengthsOf, sizeOf } from "../fields";
+import { force, forceOf, length, lengthOf, lengthsOf, sizeOf, type Values } from "../fields";
 import { CASE, chosenCase, formatForce, type Generator } from "./generator";
 
 const MOST = 1000;
+const ON = ["a grid", "crossings of axes"];
+
+const isGrid = ({ on }: Values) => on !== ON[1];
+
+interface Place {
+  name: string;
+  at: Point;
+}
 
 export const COLUMN_GRID: Generator = {
   name: "columns",
@@ -18,10 +28,11 @@ export const COLUMN_GRID: Generator = {
   key: "D",
   hint: "Add columns on a grid, each with a load",
   fields: [
-    length("x", "first x", "-5 m"),
-    length("y", "first y", "-3 m"),
-    { key: "spacing_x", label: "spacing in x", is: "lengths", initial: "2x5 m" },
-    { key: "spacing_y", label: "spacing in y", is: "lengths", initial: "6 m" },
+    { key: "on", label: "on", is: "choice", initial: ON[0]!, options: ON },
+    { ...length("x", "first x", "-5 m"), shown: isGrid },
+    { ...length("y", "first y", "-3 m"), shown: isGrid },
+    { key: "spacing_x", label: "spacing in x", is: "lengths", initial: "2x5 m", shown: isGrid },
+    { key: "spacing_y", label: "spacing in y", is: "lengths", initial: "6 m", shown: isGrid },
     length("width_x", "width in x", "400 mm"),
     length("width_y", "width in y", "400 mm"),
     force("P", "load per column", "500 kN"),
@@ -29,14 +40,9 @@ export const COLUMN_GRID: Generator = {
   ],
   places: [["x", "y"]],
   generate: (data, values) => {
-    const [xs, ys] = [
-      axes(lengthOf(values, "x"), lengthsOf(values, "spacing_x")),
-      axes(lengthOf(values, "y"), lengthsOf(values, "spacing_y")),
-    ];
-    if (xs.length * ys.length > MOST)
-      throw new Impossible(`${xs.length * ys.length} columns are too many, expected at most ${MOST}`);
     const on = makeIsOnSlab(data);
-    const all = ys.flatMap((y, row) => xs.map((x, n) => ({ name: `${letters(n)}${row + 1}`, at: [x, y] as Point })));
+    const all = isGrid(values) ? placesOfGrid(values) : placesOnAxes(data);
+    if (all.length > MOST) throw new Impossible(`${all.length} columns are too many, expected at most ${MOST}`);
     const kept = all.filter(({ at }) => on(at));
     if (kept.length === 0) throw new Impossible("none of them would be on the slab");
     const P = forceOf(values, "P");
@@ -51,7 +57,7 @@ export const COLUMN_GRID: Generator = {
       const free = freeName(taken, name);
       taken.push(free);
       const value = { name: free, x: formatLength(at[0]), y: formatLength(at[1]), ...size };
-      edits.push({ op: "add", path: ["columns"], value });
+      edits.push({ op: "add", path: ["columns"], value: hangOn(value, "columns", axesIn(data)) });
       if (P.value !== 0)
         edits.push({
           op: "add",
@@ -69,16 +75,29 @@ export const COLUMN_GRID: Generator = {
   },
 };
 
+function placesOfGrid(values: Values): Place[] {
+  const xs = axes(lengthOf(values, "x"), lengthsOf(values, "spacing_x"));
+  const ys = axes(lengthOf(values, "y"), lengthsOf(values, "spacing_y"));
+  if (xs.length * ys.length > MOST)
+    throw new Impossible(`${xs.length * ys.length} columns are too many, expected at most ${MOST}`);
+  return ys.flatMap((y, row) => xs.map((x, n): Place => ({ name: `${letters(n)}${row + 1}`, at: [x, y] })));
+}
+
+/** Return the crossings of the axes of the building where no column stands yet. */
+function placesOnAxes(data: Table): Place[] {
+  const places = crossingsOf(axesIn(data));
+  if (places.length === 0) throw new Impossible("there are no axes that cross, make some with Axes");
+  const columns = itemsOf(data, null).filter(({ kind }) => kind === "column");
+  const isTaken = ([x, y]: Point) =>
+    columns.some(({ geometry }) => geometry.type === "point" && Math.hypot(geometry.x - x, geometry.y - y) < 1e-6);
+  return places.filter(({ at }) => !isTaken(at)).map(({ name, at }) => ({ name: name.replace("/", ""), at }));
+}
+
 /** Return the places of axes from their distances. */
 function axes(first: number, distances: readonly number[]): number[] {
   const places = [first];
   for (const each of distances) places.push(places.at(-1)! + each);
   return places;
-}
-
-/** Return the letters of an axis: A to Z, then AA. */
-export function letters(n: number): string {
-  return n < 26 ? String.fromCharCode(65 + n) : letters(Math.floor(n / 26) - 1) + letters(n % 26);
 }
 
 /** Return what says whether a place lies on a plate, its edge included, and in no opening. */

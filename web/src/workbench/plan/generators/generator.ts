@@ -6,7 +6,7 @@ import { freeName, namesIn } from "../../model/names";
 import { isTable, listAt, type Table } from "../../model/paths";
 import type { ActionField, Force, Values } from "../fields";
 
-export type GeneratorName = "racks" | "vehicle" | "columns";
+export type GeneratorName = "racks" | "vehicle" | "columns" | "axes";
 
 export interface Generator {
   name: GeneratorName;

@@ -1,7 +1,17 @@
 // What pointers do between press and release: moving, reshaping and drawing.
 import { withMinus } from "../../../viewer/data/numbers";
 import { distanceBetween } from "../../../viewer/data/points";
-import { addJoint, addLine, addPoint, addShape, type DrawnShape } from "../../model/changes/new-items";
+import { type Axis, isHung } from "../../model/axes";
+import { hangOn, takeOff } from "../../model/changes/hanging";
+import {
+  addEdgeWall,
+  addJoint,
+  addLine,
+  addPoint,
+  addShape,
+  type DrawnShape,
+  RINGS,
+} from "../../model/changes/new-items";
 import { editsToTable, Impossible, transformTable } from "../../model/changes/transform";
 import type { Addition, Change, Edit } from "../../model/edits";
 import {
@@ -52,9 +62,10 @@ export function movePreview([first, ...others]: readonly Item[], by: Point, text
 }
 
 /** Return the change that moves items by a step [m]; loads on columns go with these. */
-export function moveChange(items: readonly Item[], by: Point): Change {
+export function moveChange(items: readonly Item[], by: Point, axes: readonly Axis[] = []): Change {
   const moved = items.filter((item) => item.movable);
-  const edits = moved.flatMap((item) => (moved.length > 1 ? translateItem(item, by) : moveItem(item, by)));
+  const isPlain = moved.length === 1 && axes.length === 0;
+  const edits = moved.flatMap((item) => (isPlain ? moveItem(item, by) : translateItem(item, by, axes)));
   return { edits, text: `move ${countItems(moved)}` };
 }
 
@@ -63,10 +74,11 @@ function moveItem(item: Item, by: Point): Edit[] {
 }
 
 /** Return the edits that write an item at its new place, which can be joined with those of others. */
-function translateItem(item: Item, by: Point): Edit[] {
+function translateItem(item: Item, by: Point, axes: readonly Axis[]): Edit[] {
   if (item.kind === "slab") return moveItem(item, by);
   try {
-    return editsToTable(item.path, item.table, transformTable(item.table, translation(by)));
+    const moved = transformTable(takeOff(item.table, axes), translation(by));
+    return editsToTable(item.path, item.table, hangOn(moved, item.path[0], axes));
   } catch (error) {
     if (error instanceof Impossible) return moveItem(item, by); // the server says what is wrong with it
     throw error;
@@ -96,6 +108,8 @@ export class MoveGesture implements DragGesture {
     item: Item,
     private readonly start: Point,
     others: readonly Item[] = [],
+    /** Those of the building, which what is moved leaves, or comes to hang on. */
+    private readonly axes: readonly Axis[] = [],
   ) {
     this.items = [item, ...others];
     this.held = nearestCorner(ringOf(item.geometry), start);
@@ -113,7 +127,7 @@ export class MoveGesture implements DragGesture {
 
   change(): Change | null {
     if (this.by[0] === 0 && this.by[1] === 0) return null;
-    return moveChange(this.items, this.by);
+    return moveChange(this.items, this.by, this.axes);
   }
 }
 
@@ -144,8 +158,11 @@ export class ReshapeGesture implements DragGesture {
   }
 
   change(): Change | null {
-    const edits = editsBetween(this.item.geometry, this.after);
-    if (edits.length === 0) return null;
+    const written = editsBetween(this.item.geometry, this.after);
+    if (written.length === 0) return null;
+    // a corner that is dragged leaves the axes, and the line with it
+    const leaves: Edit[] = isHung(this.item.table) ? [{ op: "remove", path: [...this.item.path, "at"] }] : [];
+    const edits = [...leaves, ...written];
     const corners = (geometry: Geometry) => ("points" in geometry ? geometry.points.length : 0);
     const verb = corners(this.after) > corners(this.item.geometry) ? "add a corner to" : "reshape";
     return { edits, text: `${verb} ${this.item.title}` };
@@ -187,11 +204,16 @@ export class DrawGesture {
     return true;
   }
 
+  /** Whether a circle is drawn: of shapes and lines that can be rings. */
+  private get isRound(): boolean {
+    return this.round && (this.tool.draws === "shape" || RINGS.has(this.tool.name));
+  }
+
   /** Return what is drawn if the pointer is released at a place. */
   preview({ at }: Snapped): Preview {
     const [first] = this.points;
     if (!first) return { geometry: { type: "point", at: [], x: at[0], y: at[1] }, item: null, text: formatPoint(at) };
-    if (this.tool.draws === "shape" && this.dragging && this.round) {
+    if (this.isRound && this.dragging) {
       const radius = roundOff(distanceBetween(first, at));
       const geometry: Geometry = { type: "circle", at: [], center: first, radius };
       return { geometry, item: null, text: `${formatPoint(first)}   ${measureText(geometry)}` };
@@ -214,13 +236,14 @@ export class DrawGesture {
     const [first, second] = points;
     if (!first || tool.name === "select") return null;
     if (tool.name === "joint") return addJoint(data, first, reach);
+    if (tool.name === "edge wall") return addEdgeWall(data, first, reach);
     if (tool.draws === "point") return addPoint(tool.name, data, first, loadCase);
     if (!second) return null;
-    if (tool.draws !== "shape") return addLine(tool.name, data, points, loadCase);
-    if (this.round && points.length === 2) {
+    if (this.isRound && points.length === 2) {
       const radius = roundOff(distanceBetween(first, second));
       return radius > 0 ? addShape(tool.name, data, { kind: "circle", center: first, radius }, loadCase) : null;
     }
+    if (tool.draws !== "shape") return addLine(tool.name, data, points, loadCase);
     const isBox = points.length === 2;
     if (isBox && (first[0] === second[0] || first[1] === second[1])) return null;
     const shape: DrawnShape = isBox ? { kind: "rectangle", from: first, to: second } : { kind: "polygon", points };

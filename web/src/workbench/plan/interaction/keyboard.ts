@@ -1,7 +1,8 @@
 // The keyboard in the drawing.
 import { ARROWS } from "../../../viewer/shared/keys";
 import type { Store } from "../../client/store";
-import type { Change } from "../../model/edits";
+import { isHung } from "../../model/axes";
+import type { Change, Edit } from "../../model/edits";
 import { editsBetween } from "../../model/geometry";
 import { loadsOn } from "../../model/items";
 import { samePath } from "../../model/paths";
@@ -137,7 +138,8 @@ export class Keyboard {
     const after = selected && corner !== null ? removeCorner(selected.geometry, corner) : null;
     if (selected && after) {
       this.canvas.corner = null;
-      const edits = editsBetween(selected.geometry, after);
+      const leaves: Edit[] = isHung(selected.table) ? [{ op: "remove", path: [...selected.path, "at"] }] : [];
+      const edits = [...leaves, ...editsBetween(selected.geometry, after)];
       this.push({ edits, text: `remove a corner of ${selected.title}` });
     } else this.actions.remove();
   }

@@ -29,7 +29,7 @@ export class Nudge {
     const by: Point = [roundOff(this.by[0]), roundOff(this.by[1])];
     this.by = [0, 0];
     this.canvas.preview = null;
-    if (by[0] !== 0 || by[1] !== 0) this.push(moveChange(items, by));
+    if (by[0] !== 0 || by[1] !== 0) this.push(moveChange(items, by, this.canvas.buildingAxes));
     this.canvas.redraw();
   }
 }

@@ -1,7 +1,9 @@
 // The pointer over the drawing: selecting, moving, reshaping, drawing, moving and zooming the view.
 import { isFar, pixelOf, Touches, zoomByWheel } from "../../../viewer/plan/navigation";
 import type { Store } from "../../client/store";
-import type { Addition, Change } from "../../model/edits";
+import type { Axis } from "../../model/axes";
+import { axisEdits } from "../../model/changes/hanging";
+import type { Addition, Change, Edit } from "../../model/edits";
 import type { Point } from "../../model/geometry";
 import { type Item, loadsOn } from "../../model/items";
 import { type Path, samePath } from "../../model/paths";
@@ -9,6 +11,7 @@ import type { Canvas } from "../canvas";
 import type { Tool } from "../tools";
 import { type DragGesture, DrawGesture, MoveGesture, ReshapeGesture } from "./gestures";
 import { itemsInBand } from "./rubber-band";
+import { roundTo } from "./snapping";
 import { alongAxis, typedPlace } from "./typed-input";
 
 const TYPED_REACH = 1e-9; // m: typed places are the same only if they are equal
@@ -26,6 +29,7 @@ type Press =
   | { kind: "pan" }
   | { kind: "item"; item: Item; start: Point; wasSelected: boolean; adds: boolean }
   | { kind: "drag"; gesture: DragGesture }
+  | { kind: "axis"; axis: Axis; start: Point; edits: readonly Edit[] }
   | { kind: "band"; start: Point; before: readonly Path[] }
   | { kind: "empty"; start: Point; adds: boolean };
 
@@ -111,6 +115,7 @@ export class Pointer {
     const isBusy = this.press !== null || this.drawing !== null;
     this.touches.clear();
     this.press = this.drawing = this.canvas.preview = this.canvas.guides = this.canvas.band = null;
+    this.canvas.trial = [];
     this.canvas.redraw();
     return isBusy;
   }
@@ -143,6 +148,8 @@ export class Pointer {
       canvas.redraw();
       return { kind: "drag", gesture: new ReshapeGesture(selected, handle) };
     }
+    const axis = canvas.axisAt(pixel);
+    if (axis) return { kind: "axis", axis, start: pixel, edits: [] };
     const items = canvas.itemsAt(pixel);
     const isRepeated = this.lastClick !== null && !isFar(this.lastClick, pixel);
     const own = isRepeated ? items.find((item) => samePath(item.path, store.selection)) : undefined;
@@ -166,6 +173,7 @@ export class Pointer {
     } else if (press?.kind === "item" || press?.kind === "empty") {
       if (isFar(press.start, pixel)) this.startDrag(press, pixel, event.pointerType === "touch");
     } else if (press?.kind === "band") this.stretchBand(press, pixel);
+    else if (press?.kind === "axis") this.dragAxis(press, pixel);
     else if (press) {
       const { gesture } = press;
       if (gesture instanceof ReshapeGesture) gesture.bends = event.ctrlKey || event.metaKey;
@@ -182,6 +190,22 @@ export class Pointer {
       canvas.preview = drawing.preview(canvas.guides);
       canvas.redraw();
     } else this.hover(pixel);
+  }
+
+  /** Move an axis sideways by round lengths, as far as its neighbors allow; what hangs on it follows. */
+  private dragAxis(press: Extract<Press, { kind: "axis" }>, pixel: Point): void {
+    const { canvas, store } = this;
+    const { axis, start } = press;
+    if (store.broken || !isFar(start, pixel)) return;
+    const [from, to] = [canvas.camera.toPlan(start), canvas.camera.toPlan(pixel)];
+    const by = axis.direction
+      ? (to[0] - from[0]) * axis.direction[1] - (to[1] - from[1]) * axis.direction[0]
+      : Math.hypot(to[0] - axis.place[0], to[1] - axis.place[1]) - axis.radius;
+    const edits = axisEdits(store.data, axis, roundTo(by, canvas.step));
+    if (!edits) return;
+    press.edits = edits;
+    canvas.trial = edits;
+    canvas.redraw();
   }
 
   private snapDrawing(drawing: DrawGesture, pixel: Point, event: PointerEvent) {
@@ -218,7 +242,7 @@ export class Pointer {
     }
     const others = selected.filter((each) => each !== held);
     const carried = loadsOn(canvas.items, [held, ...others]);
-    const gesture = new MoveGesture(held, canvas.camera.toPlan(start), [...others, ...carried]);
+    const gesture = new MoveGesture(held, canvas.camera.toPlan(start), [...others, ...carried], canvas.buildingAxes);
     this.press = { kind: "drag", gesture };
   }
 
@@ -257,13 +281,22 @@ export class Pointer {
     this.touches.delete(event.pointerId);
     this.press = null;
     if (this.drawing?.up(this.snapDrawing(this.drawing, pixel, event).at, canvas.reach)) this.complete();
-    if (press?.kind === "drag") this.drop(press.gesture);
+    if (press?.kind === "axis") this.dropAxis(press);
+    else if (press?.kind === "drag") this.drop(press.gesture);
     else if (press?.kind === "band") {
       canvas.band = null;
       canvas.redraw();
     } else if (press?.kind === "item" && press.adds) this.store.toggle(press.item.path);
     else if (press?.kind === "item") this.click(press.item, press.wasSelected, pixel);
     else if (press?.kind === "empty" && !press.adds) this.store.select(null);
+  }
+
+  /** Select the family of an axis, and make its move. */
+  private dropAxis({ axis, edits }: Extract<Press, { kind: "axis" }>): void {
+    this.canvas.trial = [];
+    if (edits.length > 0) this.hooks.push({ edits: [...edits], text: `move axis ${axis.name}` });
+    this.store.select(axis.path);
+    this.canvas.redraw();
   }
 
   /** A click selects; another one at the same place selects what lies below. */

@@ -1,10 +1,9 @@
 import { describe, expect, it } from "vitest";
-
+import { letters } from "../../../../src/workbench/model/axes";
 import { applyOptimistic } from "../../../../src/workbench/model/changes/optimistic-edits";
 import { itemsOf } from "../../../../src/workbench/model/items";
 import { isTable, listAt, type Table, valueAt } from "../../../../src/workbench/model/paths";
 import { lengthsOf } from "../../../../src/workbench/plan/fields";
-import { letters } from "../../../../src/workbench/plan/generators/column-grid";
 import type { Generator } from "../../../../src/workbench/plan/generators/generator";
 import { generatorForKey } from "../../../../src/workbench/plan/generators/generators";
 

@@ -1,0 +1,120 @@
+// What hangs on axes of the building: taken off them where it is moved, hung on others, and the axes themselves moved.
+import { type Axis, axesIn, hungPlaces, isHung, nameOfCrossing, parseDistances } from "../axes";
+import type { Edit } from "../edits";
+import { isTable, type Json, listAt, type Path, type Table, tableAt, valueAt } from "../paths";
+import { formatDecimals, formatLength, parsePoint, parsePoints } from "../quantities";
+import { editsToTable, Impossible } from "./transform";
+
+type Point = readonly [number, number];
+
+/** Lists of what may hang on axes. */
+const LISTS = ["columns", "walls", "beams", "supports", "loads"];
+/** Kinds of loads and supports that may. */
+const KINDS: readonly Json[] = ["point", "pile", "line", "line moment"];
+
+/** Return a table with places of its own instead of crossings of axes. */
+export function takeOff(table: Table, axes: readonly Axis[]): Table {
+  if (!isHung(table)) return table;
+  const places = hungPlaces(table, axes);
+  if (!places) throw new Impossible(`it hangs on axes that are not known, ${String(table.at)}`);
+  const { at, ...others } = table;
+  if (Array.isArray(at)) return { ...others, points: places.map(writePlace) };
+  const [x, y] = writePlace(places[0]!);
+  return { ...others, x: x!, y: y! };
+}
+
+/** Return a table of a list that hangs on axes if its places are crossings of these; a line only if all are. */
+export function hangOn(table: Table, list: Json | undefined, axes: readonly Axis[]): Table {
+  const mayHang =
+    list === "loads" || list === "supports" ? KINDS.includes(table.kind ?? "") : LISTS.includes(String(list));
+  if (axes.length < 2 || !mayHang || isHung(table)) return table;
+  const place = parsePoint([table.x ?? "", table.y ?? ""]);
+  if (place) {
+    const at = nameOfCrossing(place, axes);
+    return at ? withAt(table, at, ["x", "y"]) : table;
+  }
+  const names = parsePoints(table.points)?.map((each) => nameOfCrossing(each, axes));
+  if (!names || names.length < 2 || names.includes("") || Array.isArray(table.bulges)) return table;
+  return withAt(table, names, ["points"]);
+}
+
+/** Return a table with the crossings of axes where its first key with places was, and without these. */
+function withAt(table: Table, at: Json, places: readonly string[]): Table {
+  const entries = Object.entries(table).map(([key, value]): [string, Json] =>
+    key === places[0] ? ["at", at] : [key, value],
+  );
+  return Object.fromEntries(entries.filter(([key]) => !places.includes(key)));
+}
+
+function writePlace([x, y]: Point): Json[] {
+  return [formatLength(x), formatLength(y)];
+}
+
+/** Return the edits that hang on axes all that stands at their crossings. */
+export function hangAll(data: Table, axes: readonly Axis[]): Edit[] {
+  return LISTS.flatMap((list) =>
+    listAt(data, [list]).flatMap((table, n): Edit[] => {
+      if (!isTable(table)) return [];
+      const hung = hangOn(table, list, axes);
+      return hung === table ? [] : editsToTable([list, n], table, hung);
+    }),
+  );
+}
+
+/** Return the edits that take off what hangs on axes of some families, so that these can be removed. */
+export function takeOffFrom(data: Table, families: readonly Path[]): Edit[] {
+  const axes = axesIn(data);
+  const isRemoved = (name: string) =>
+    axes.some((axis) => axis.name === name.trim() && families.some((path) => path[1] === axis.path[1]));
+  return LISTS.flatMap((list) =>
+    listAt(data, [list]).flatMap((table, n): Edit[] => {
+      if (!isTable(table) || !isHung(table) || !hungPlaces(table, axes)) return [];
+      const texts = (Array.isArray(table.at) ? table.at : [table.at]).map(String);
+      const hangsThere = texts.some((text) => text.split("/").some(isRemoved));
+      return hangsThere ? editsToTable([list, n], table, takeOff(table, axes)) : [];
+    }),
+  );
+}
+
+/** Return how many parts hang on axes. */
+export function countHung(data: Table): number {
+  return LISTS.reduce(
+    (sum, list) => sum + listAt(data, [list]).filter((each) => isTable(each) && isHung(each)).length,
+    0,
+  );
+}
+
+/** Return distances as the case file writes them: equal ones in a row once. */
+export function formatDistances(distances: readonly number[]): string {
+  const texts = distances.map((each) => `${formatDecimals(each, 6)} m`);
+  const runs: [string, number][] = [];
+  for (const text of texts) {
+    const last = runs.at(-1);
+    if (last?.[0] === text) last[1] += 1;
+    else runs.push([text, 1]);
+  }
+  return runs.map(([text, count]) => (count > 1 ? `${count} x ${text}` : text)).join(", ");
+}
+
+/**
+ * Return the edits that move one axis sideways [m], the others stay; null where it would pass another one.
+ *
+ * A straight one moves to where the family counts on, a ring outwards.
+ */
+export function axisEdits(data: Table, { path, position }: Axis, by: number): Edit[] | null {
+  const family = tableAt(data, path);
+  const distances = parseDistances(family.distances);
+  if (!distances || family.kind === "ray") return null;
+  const isRing = family.kind === "ring";
+  const moved = [...distances];
+  const [before, after] = isRing ? [position, position + 1] : [position - 1, position];
+  if (before >= 0) moved[before]! += by;
+  if (after < moved.length) moved[after]! -= by;
+  if (!moved.every((each) => each > 1e-3)) return null;
+  const edits: Edit[] = [{ op: "set", path: [...path, "distances"], value: formatDistances(moved) }];
+  if (isRing || position > 0) return edits;
+  const origin = parsePoint(valueAt(data, [...path, "origin"])) ?? [0, 0];
+  const angle = ((typeof family.angle === "number" ? family.angle : 0) * Math.PI) / 180;
+  const place = [origin[0] + by * Math.cos(angle), origin[1] + by * Math.sin(angle)];
+  return [...edits, { op: "set", path: [...path, "origin"], value: place.map((each) => formatLength(each)) }];
+}
