@@ -44,16 +44,20 @@ def run(text: str, **names: object) -> dict[str, object]:
 def test_cases_of_the_page_on_input_load(tmp_path: Path) -> None:
     """The smallest case loads, and with each of the other blocks put behind it."""
     smallest, *others = blocks("input.md", "toml")
-    assert len(others) == 15
+    assert len(others) == 16
     askew, *others = others
     assert casefile.loads(f"{smallest}\n{askew}").columns[0].angle == -20.556
-    shapes, wall, outer, stiff, beams, frame, matrix, checks, aci, cracks, combinations, moves, floor, table = others
+    shapes, wall, outer, stiff, beams, frame, matrix, hung, checks, aci, cracks, combinations, moves, floor, table = (
+        others
+    )
     assert len(casefile.loads(f"{smallest}\n{shapes}").loads) == 5
     core = casefile.loads(f"{smallest}\n{wall}")
     assert core.acting[-1][1] == LineForce(core.walls[0].edges, q=(250e3, 250e3), width=0.3)
     (around,) = casefile.loads(f"{smallest}\n{outer}").placed_walls
     assert around.closed
     assert len(casefile.loads(f"{smallest}\n{beams}").beams) == 5
+    (column,) = casefile.loads(f"{smallest}\n{hung}").columns
+    assert (column.x, column.y) == (-0.5, 1.0)
     assert len(casefile.loads(f"{smallest}\n{stiff}").members) == 3
     columns = "".join(
         f'[[columns]]\nname = "A{n}"\nx = "{2 * n - 4} m"\ny = "0 m"\nwidth_x = "0.4 m"\nwidth_y = "0.4 m"\n'
@@ -74,8 +78,8 @@ def test_cases_of_the_page_on_input_load(tmp_path: Path) -> None:
     cases = "".join(f'[[cases]]\nname = "{name}"\n' for name in ("rack", "truck"))
     in_case = smallest.replace('q = "10 kPa"', 'q = "10 kPa"\ncase = "rack"')
     assert len(list_combinations(casefile.loads(f"{in_case}\n{cases}\n{moves}"))) == 1 + 14
-    column = columns[: columns.index("[[columns]]", 1)].replace("A1", "A")
-    read = casefile.loads(f"{in_case}\n{column}\n{cases.replace('truck', 'G')}\n{table}").reactions
+    one = columns[: columns.index("[[columns]]", 1)].replace("A1", "A")
+    read = casefile.loads(f"{in_case}\n{one}\n{cases.replace('truck', 'G')}\n{table}").reactions
     assert read is not None
     assert read == Reactions(
         file="reactions.csv",

@@ -12,7 +12,7 @@ import {
   ringOf,
 } from "./geometry";
 import { applyTo, rotation } from "./isometry";
-import { formatPath, isTable, type Json, listAt, type Path, samePath, type Table, tableAt, valueAt } from "./paths";
+import { formatPath, isTable, type Json, listAt, type Path, samePath, type Table, tableAt } from "./paths";
 import { patternFeet } from "./patterns";
 import { readJoint } from "./plates";
 import { parseLength } from "./quantities";
