@@ -47,9 +47,8 @@ def test_cases_of_the_page_on_input_load(tmp_path: Path) -> None:
     assert len(others) == 16
     askew, *others = others
     assert casefile.loads(f"{smallest}\n{askew}").columns[0].angle == -20.556
-    shapes, wall, outer, stiff, beams, frame, matrix, hung, checks, aci, cracks, combinations, moves, floor, table = (
-        others
-    )
+    shapes, wall, outer, stiff, beams, frame, matrix, hung, *others = others
+    checks, aci, cracks, combinations, moves, floor, table = others
     assert len(casefile.loads(f"{smallest}\n{shapes}").loads) == 5
     core = casefile.loads(f"{smallest}\n{wall}")
     assert core.acting[-1][1] == LineForce(core.walls[0].edges, q=(250e3, 250e3), width=0.3)

@@ -70,6 +70,11 @@ export interface Strip extends Line {
   width: number;
 }
 
+export interface BuildingAxis extends Named {
+  points: Point[];
+  bubble: Point; // where its name is
+}
+
 export interface FurtherPlate extends Area {
   name: string;
   thickness: number; // [m] outside its zones
@@ -98,6 +103,7 @@ export interface Plan {
   openings: Area[];
   zones: Zone[];
   plates?: FurtherPlate[]; // beside the first one
+  axes?: BuildingAxis[];
   columns: Column[];
   walls?: Wall[];
   beams?: Beam[];

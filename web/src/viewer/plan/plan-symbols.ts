@@ -1,7 +1,7 @@
 // The symbols of a solved plan.
 import { lengthsOf } from "../data/lengths";
 import { labelLoads } from "../data/load-labels";
-import type { Area, Beam, FrameLine, Line, Load, Place, Plan, Wall } from "../data/scene";
+import type { Area, Beam, BuildingAxis, FrameLine, Line, Load, Place, Plan, Wall } from "../data/scene";
 import { plainSymbols } from "../shared/symbols";
 import { type PlanSymbol, thicknessText } from "./symbols";
 
@@ -54,6 +54,7 @@ export function symbolsOf(plan: Plan, layers: Layers, factors: ReadonlyMap<strin
     area("slab", { ring: plan.outline }),
     ...further.map(({ ring }) => area("slab", { ring })),
     ...openings.map((each) => area("opening", each)),
+    ...(layers.columns ? (plan.axes ?? []).map(axisSymbol) : []),
     ...(layers.output ? output : []),
     ...(layers.loads ? labelLoads(plan.loads, factors).flatMap(({ load, text }) => loadSymbol(load, text)) : []),
     ...(layers.supports ? supports : []),
@@ -67,6 +68,11 @@ export function symbolsOf(plan: Plan, layers: Layers, factors: ReadonlyMap<strin
 
 function wallSymbol({ name, points, thickness }: Wall): PlanSymbol {
   return { kind: "wall", shape: "line", points, texts: [name], width: thickness };
+}
+
+/** Return the symbol of an axis, its name at the last of its points. */
+function axisSymbol({ name, points, bubble }: BuildingAxis): PlanSymbol {
+  return { kind: "axis", shape: "line", points: [...points, bubble], texts: [name] };
 }
 
 function beamSymbol({ name, points, width }: Beam): PlanSymbol {

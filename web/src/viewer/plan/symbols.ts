@@ -10,6 +10,7 @@ import "./symbols.css";
 
 export type Kind =
   | "slab"
+  | "axis"
   | "plate"
   | "joint"
   | "move"
@@ -58,6 +59,8 @@ export function drawSymbol(camera: Camera, symbol: PlanSymbol): SVGElement[] {
   switch (symbol.kind) {
     case "slab":
       return [drawArea(pixels)];
+    case "axis":
+      return drawAxis(pixels, text);
     case "plate":
       return [drawArea(pixels), drawText(leftTop(pixels), text, [6, 15])];
     case "beam of the building":
@@ -99,6 +102,13 @@ export function drawSymbol(camera: Camera, symbol: PlanSymbol): SVGElement[] {
     case "gap":
       return [...drawCross(at, 5), drawText(at, text, [7, -5])];
   }
+}
+
+/** Draw an axis of the building, with its name in a bubble at the last of the pixels. */
+function drawAxis(pixels: Ring, text: string): SVGElement[] {
+  const [cx, cy] = pixels.at(-1)!;
+  const name = drawText([cx, cy], text, [0, 4], "middle");
+  return [drawPath(pixels.slice(0, -1), false), svg("circle", { cx, cy, r: 9 }), name];
 }
 
 /** Draw a line through pixels. */

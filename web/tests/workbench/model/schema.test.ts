@@ -9,7 +9,12 @@ describe("the schema", () => {
   it("says what each key is", () => {
     const plate = schema.part("Plate");
     const node = (name: string) => plate.fields.find((field) => field.name === name)?.node;
-    expect(node("thickness")).toEqual({ is: "quantity", dimension: "length", examples: ["0.4 m", "15 in"], options: [] });
+    expect(node("thickness")).toEqual({
+      is: "quantity",
+      dimension: "length",
+      examples: ["0.4 m", "15 in"],
+      options: [],
+    });
     expect(node("nu")).toEqual({ is: "number", options: [] });
     expect(node("outline")).toEqual({ is: "kinds", parts: ["Rectangle", "Polygon", "Circle"] });
     expect(node("zones")).toEqual({ is: "list", of: { is: "part", part: "Zone" }, least: 0 });
