@@ -134,6 +134,7 @@ def test_rings_edges_and_strips_are_drawn(server: Server, bench: Bench, case: Pa
     (solved,) = solve(model).results.values()
     assert solved.certificate.load == pytest.approx(total, rel=1e-9)
     bench.wait_solved()
+    assert bench.largest("sum of the loads") == pytest.approx(total / 1e3, rel=1e-3)
     bench.tool("edge wall")
     bench.click(3, 0.3)
     bench.wait_text("[[walls]]", 'edge = "right"')

@@ -21,6 +21,7 @@ export interface Marks {
 /** Kinds whose texts get a place first. */
 const PRIORITY: readonly (Kind | "extreme")[] = [
   "extreme",
+  "axis",
   "zone",
   "borehole",
   "strip",
