@@ -13,6 +13,7 @@ from groundslab.model.remarks.case_use import case_uses
 from groundslab.model.remarks.remarks import find_remarks
 from groundslab.model.shapes import Circle, Polygon, Rectangle
 from groundslab.schema.base import Section
+from groundslab.schema.distances import Distances
 from groundslab.schema.fields import Boolean, Factors, FieldType, Integer, ListOf, Number, Quantity
 from groundslab.schema.section_fields import Field
 from groundslab.unit_systems import System, together, unit_in, words_in
@@ -115,6 +116,9 @@ def format_value(key: FieldType, value: Any, units: System) -> str:
         return f"{text} {unit}"
     if isinstance(key, ListOf):
         return _several(key, value, units)
+    if isinstance(key, Distances):
+        texts, unit = together(value, "length", units)
+        return f"{', '.join(texts)} {unit}"
     if isinstance(key, Boolean):
         return "yes" if value else "no"
     if isinstance(key, Number):
