@@ -56,6 +56,9 @@ export class ResultView {
   readonly modeGroup: HTMLElement;
   readonly fitButton = button("Fit", "Zoom to the whole plate (0)", () => this.fit());
   readonly meshButton = button("Mesh", "Show the mesh over the field", () => this.setMesh(!this.mesh));
+  readonly numbersButton = button("Numbers", "Show values on contours and where there is space", () =>
+    this.setNumbers(!this.numbers),
+  );
   /** Beside the picture: the scale. */
   readonly scaleBox = h("div", { class: "gs-scale" });
   /** The picture. */
@@ -69,6 +72,7 @@ export class ResultView {
   private readonly modes: Record<Mode, HTMLButtonElement>;
   private range: ScaleRange = "auto";
   private mesh = false;
+  private numbers = true;
   private name = ""; // of the combination, so that it stays chosen when their order changes
 
   /** `offerRefused`: whether combinations without values can be chosen. */
@@ -79,8 +83,10 @@ export class ResultView {
     this.tools = {
       pan: button("Pan", "Drag to pan; scroll or pinch to zoom", () => this.setTool("pan")),
       pick: button("Pick", "Click the plate to read all values at that point", () => this.setTool("pick")),
-      section: button("Section", "Click two points to cut a section; hold Shift to align it with x or y", () =>
-        this.setTool("section"),
+      section: button(
+        "Section",
+        "Drag from one point to another, or click both, to cut a section; hold Shift to align it with x or y",
+        () => this.setTool("section"),
       ),
     };
     this.modes = {
@@ -105,6 +111,7 @@ export class ResultView {
     this.setTool("pick");
     press(this.modes, "plan");
     this.setMesh(false);
+    this.setNumbers(true);
   }
 
   /** Show a scene; zoom, field and combination stay as far as it has them. */
@@ -169,6 +176,13 @@ export class ResultView {
     this.space?.setMesh(mesh);
   }
 
+  /** Show numbers on the field, or not. */
+  setNumbers(numbers: boolean): void {
+    this.numbers = numbers;
+    this.numbersButton.setAttribute("aria-pressed", String(numbers));
+    this.plan.setLayers({ numbers });
+  }
+
   setTool(tool: Tool): void {
     this.plan.setTool(tool);
     press(this.tools, tool);
@@ -188,7 +202,7 @@ export class ResultView {
   private setMode(mode: Mode): void {
     this.mode = mode;
     press(this.modes, mode);
-    for (const each of Object.values(this.tools)) each.disabled = mode === "space";
+    for (const each of [...Object.values(this.tools), this.numbersButton]) each.disabled = mode === "space";
     this.planBox.hidden = mode !== "plan";
     this.spaceBox.hidden = mode !== "space";
     if (mode === "space" && !this.space) {

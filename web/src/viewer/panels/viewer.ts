@@ -101,6 +101,7 @@ export class Viewer {
       view.modeGroup,
       view.fitButton,
       view.meshButton,
+      view.numbersButton,
       this.makeMenu(),
       this.enlargeButton,
       theme,

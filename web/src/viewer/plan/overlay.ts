@@ -1,12 +1,16 @@
 // What is drawn above the field: the plan's symbols, marks, rulers. All of it moves with the plan.
+import { type Box, boxAround } from "../data/boxes";
+import type { FieldNumber } from "../data/field-numbers";
+import { TakenBoxes } from "../data/label-placement";
 import { lengthsOf } from "../data/lengths";
 import type { Lengths, Plan, Point } from "../data/scene";
-import { svg } from "../shared/dom";
-import { FONT } from "../shared/palette";
-import type { Camera } from "./camera";
+import { h, svg } from "../shared/dom";
+import { Camera } from "./camera";
+import { drawLabels } from "./labels";
 import { type Layers, symbolsOf } from "./plan-symbols";
-import { drawRulers, drawScaleBar, RULER } from "./rulers";
-import { drawCross, drawEnds, drawPath, drawSymbol, drawText, type Kind } from "./symbols";
+import { drawRulers, drawScaleBar } from "./rulers";
+import { drawGroup, drawJoined } from "./symbol-groups";
+import { drawCross, drawEnds, drawPath, type PlanSymbol } from "./symbols";
 
 /** Marks that the user sets, and those of the field. */
 export interface Marks {
@@ -18,46 +22,63 @@ export interface Marks {
   factors: ReadonlyMap<string, number> | null; // of the load cases in what is shown; null: no one combination
 }
 
-/** Kinds whose texts get a place first. */
-const PRIORITY: readonly (Kind | "extreme")[] = [
-  "extreme",
-  "axis",
-  "zone",
-  "borehole",
-  "strip",
-  "section line",
-  "output point",
-  "load",
-  "support",
-];
+/** Return the numbers on a field where it is seen [m], at a scale [pixels per meter]. */
+export type NumbersAt = (box: Box, scale: number) => FieldNumber[];
+
+const MARGIN = 0.35; // of the view: how far beyond it symbols are drawn, so that they are there when it moves
+const CROWD = 15; // px: point loads so near to another one have no arrow
 
 export class Overlay {
-  readonly element: SVGSVGElement;
-  private readonly symbols = svg("g");
-  private readonly rulers = svg("g");
+  readonly element: HTMLElement;
+  private readonly symbols = svg("svg", { class: "moving" });
+  private readonly marks = svg("g");
+  private readonly rulers = svg("svg");
+  private drawn: { camera: Camera; when: number; cost: number } | null = null;
 
   constructor() {
-    this.element = svg(
-      "svg",
-      { class: "gs-overlay gs-symbols gs-on-field", "aria-hidden": "true" },
-      this.symbols,
-      this.rulers,
-    );
+    const about = { class: "gs-overlay gs-symbols gs-on-field", "aria-hidden": "true" };
+    this.element = h("div", about, this.symbols, this.rulers);
   }
 
-  /** Move what is drawn by pixels, until it is drawn again. */
-  shift(du: number, dv: number): void {
-    this.symbols.setAttribute("transform", `translate(${du} ${dv})`);
+  /** Move and stretch what is drawn to where it belongs now; false if it has to be drawn again. */
+  follow(camera: Camera): boolean {
+    const { drawn } = this;
+    if (!drawn) return false;
+    const zoom = camera.scale / drawn.camera.scale;
+    const [dx, dy] = [(drawn.camera.x - camera.x) * camera.scale, (camera.y - drawn.camera.y) * camera.scale];
+    const isNear =
+      zoom > 0.6 && zoom < 1.8 && Math.abs(dx) < MARGIN * camera.width && Math.abs(dy) < MARGIN * camera.height;
+    if (!isNear && performance.now() - drawn.when > 6 * drawn.cost) return false;
+    this.symbols.style.transform = `translate(${dx}px, ${dy}px) scale(${zoom})`;
+    return true;
   }
 
-  draw(camera: Camera, plan: Plan | null, layers: Layers, marks: Marks): void {
+  draw(camera: Camera, plan: Plan | null, layers: Layers, marks: Marks, numbers: NumbersAt | null = null): void {
+    const start = performance.now();
     this.drawRulers(camera, layers, lengthsOf(plan));
-    this.symbols.removeAttribute("transform");
-    const groups = plan
-      ? symbolsOf(plan, layers, marks.factors).map((symbol) => drawGroup(symbol.kind, drawSymbol(camera, symbol)))
-      : [];
-    if (layers.extremes) groups.push(...marks.extremes.map((mark) => drawExtreme(camera, mark)));
-    groups.push(...placeTexts(groups, camera));
+    this.symbols.style.transform = "";
+    const seen = plan ? symbolsOf(plan, layers, marks.factors).filter((symbol) => isSeen(symbol, camera)) : [];
+    const { groups, labels } = drawJoined(camera, thinLoads(seen, camera));
+    const taken = new TakenBoxes();
+    for (const symbol of seen) reserve(symbol, camera, taken);
+    for (const mark of layers.extremes ? marks.extremes : []) {
+      const at = camera.toPixel(mark.point);
+      groups.push(drawExtreme(at, mark.isMaximum));
+      taken.add([at[0] - 4, at[1] - 4, at[0] + 4, at[1] + 4]);
+      labels.push({ kind: "extreme", text: mark.text, at: [at[0] + 8, at[1] + 5], align: "" });
+    }
+    for (const { at, text } of numbers?.(camera.box, camera.scale) ?? [])
+      labels.push({ kind: "number", text, at: camera.toPixel(at), align: "over" });
+    this.drawMarks(camera, marks);
+    this.symbols.replaceChildren(...groups, ...drawLabels(labels, camera, taken), this.marks);
+    this.symbols.setAttribute("viewBox", `0 0 ${camera.width} ${camera.height}`);
+    const now = performance.now();
+    this.drawn = { camera: Object.assign(new Camera(), camera), when: now, cost: now - start };
+  }
+
+  /** Draw what the user has marked. */
+  drawMarks(camera: Camera, marks: Marks): void {
+    const groups: SVGElement[] = [];
     if (marks.selected) groups.push(drawSelected(camera, marks.selected));
     if (marks.section) {
       const pixels = marks.section.map((point) => camera.toPixel(point));
@@ -65,22 +86,15 @@ export class Overlay {
     }
     if (marks.place) groups.push(drawGroup("place", [drawDot(camera.toPixel(marks.place), 5)]));
     if (marks.pick) groups.push(drawGroup("pick", drawPick(camera.toPixel(marks.pick))));
-    this.symbols.replaceChildren(...groups);
+    this.marks.replaceChildren(...groups);
   }
 
   drawRulers(camera: Camera, layers: Layers, lengths: Lengths): void {
-    this.element.setAttribute("viewBox", `0 0 ${camera.width} ${camera.height}`);
+    this.rulers.setAttribute("viewBox", `0 0 ${camera.width} ${camera.height}`);
     this.rulers.replaceChildren(
       ...(layers.axes ? [...drawRulers(camera, lengths), ...drawScaleBar(camera, lengths)] : []),
     );
   }
-}
-
-/** Draw elements with a halo below them, so that they are seen on every color. */
-function drawGroup(kind: string, elements: SVGElement[]): SVGGElement {
-  const lines = elements.filter((element) => element.tagName !== "text");
-  const halo = svg("g", { class: "halo" }, ...lines.map((element) => element.cloneNode() as SVGElement));
-  return svg("g", { class: `symbol ${kind.replaceAll(" ", "-")}`, "data-kind": kind }, halo, ...elements);
 }
 
 /** Draw a selected item: a ring around a point, a thick line along a line or around an area. */
@@ -93,52 +107,40 @@ function drawDot([cx, cy]: Point, r: number): SVGElement {
   return svg("circle", { cx, cy, r });
 }
 
-function drawPick(at: Point): SVGElement[] {
-  return [svg("circle", { cx: at[0], cy: at[1], r: 7 }), ...drawCross(at, 12)];
-}
-
-function drawExtreme(camera: Camera, { point, text, isMaximum }: Marks["extremes"][number]): SVGGElement {
-  const at = camera.toPixel(point);
-  const group = drawGroup("extreme", [drawDot(at, 4), drawText(at, text, [8, 5])]);
+function drawExtreme(at: Point, isMaximum: boolean): SVGGElement {
+  const group = drawGroup("extreme", [drawDot(at, 4)]);
   group.classList.toggle("maximum", isMaximum);
   return group;
 }
 
-/**
- * Move the texts of groups above all of them, and remove those that would cover others or lie outside.
- *
- * Texts that would leave the view move to the other side of their symbol, or beside the ruler.
- */
-function placeTexts(groups: readonly SVGGElement[], { width, height }: Camera): SVGGElement[] {
-  const rank = (group: SVGGElement) => {
-    const position = PRIORITY.indexOf(group.dataset.kind as Kind);
-    return position < 0 ? PRIORITY.length : position;
-  };
-  const boxes: number[][] = [];
-  const context = document.createElement("canvas").getContext("2d");
-  if (context) context.font = `11px ${FONT}`;
-  const isPlaced = (text: SVGTextElement) => {
-    const [x, y] = [Number(text.getAttribute("x")), Number(text.getAttribute("y"))];
-    const length = context?.measureText(text.textContent ?? "").width ?? 0;
-    const before = text.classList.contains("middle") ? x - length / 2 : x;
-    const beside = before + length > width - 2 && x < width ? x - length - 16 : before;
-    const left = beside < RULER.left + 4 && x > RULER.left ? RULER.left + 4 : beside;
-    text.setAttribute("x", String(left));
-    text.setAttribute("class", "label");
-    const box = [left - 2, y - 11, left + length + 2, y + 4];
-    if (!text.textContent || y < -20 || y > height + 20 || boxes.some((other) => overlap(box, other))) return false;
-    boxes.push(box);
-    return true;
-  };
-  return [...groups]
-    .sort((a, b) => rank(a) - rank(b))
-    .map((group) => {
-      const texts = [...group.querySelectorAll("text")];
-      for (const text of texts) text.remove();
-      return svg("g", { class: group.getAttribute("class") }, ...texts.filter(isPlaced));
-    });
+function drawPick(at: Point): SVGElement[] {
+  return [svg("circle", { cx: at[0], cy: at[1], r: 7 }), ...drawCross(at, 12)];
 }
 
-function overlap(a: readonly number[], b: readonly number[]): boolean {
-  return a[0]! < b[2]! && b[0]! < a[2]! && a[1]! < b[3]! && b[1]! < a[3]!;
+/** Whether a symbol is in the view or near it. */
+function isSeen({ points }: PlanSymbol, { box, width, height, scale }: Camera): boolean {
+  const [x0, y0, x1, y1] = boxAround(points);
+  const [dx, dy] = [(MARGIN * width) / scale, (MARGIN * height) / scale];
+  return x1 >= box[0] - dx && x0 <= box[2] + dx && y1 >= box[1] - dy && y0 <= box[3] + dy;
+}
+
+/** Return the symbols, point loads that crowd others as dots. */
+function thinLoads(symbols: readonly PlanSymbol[], camera: Camera): PlanSymbol[] {
+  const taken = new Set<string>();
+  return symbols.map((symbol) => {
+    if (symbol.kind !== "load" || symbol.shape !== "point" || symbol.hidden) return symbol;
+    const [x, y] = camera.toPixel(symbol.points[0]!);
+    const [i, j] = [Math.round(x / CROWD), Math.round(y / CROWD)];
+    const isCrowded = [-1, 0, 1].some((di) => [-1, 0, 1].some((dj) => taken.has(`${i + di} ${j + dj}`)));
+    if (!isCrowded) taken.add(`${i} ${j}`);
+    return isCrowded ? { ...symbol, crowded: true } : symbol;
+  });
+}
+
+/** Let no label cover a column or a support. */
+function reserve({ kind, shape, points, foot }: PlanSymbol, camera: Camera, taken: TakenBoxes): void {
+  if (kind !== "column" && !(kind === "support" && shape === "point")) return;
+  const [x0, y0, x1, y1] = boxAround((foot?.length ? foot : points).map((point) => camera.toPixel(point)));
+  const below = kind === "support" ? 14 : 0;
+  taken.add([x0 - 2, y0 - 2, x1 + 2, y1 + 2 + below]);
 }

@@ -14,6 +14,7 @@ export const ALL_LAYERS = {
   ground: true, // boreholes, soil zones, voids
   output: true, // section lines, strips, points
   labels: true,
+  numbers: true, // on contours and on a raster
   extremes: true, // where the shown field has its minimum and maximum
   axes: true,
 };

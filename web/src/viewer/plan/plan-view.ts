@@ -1,5 +1,6 @@
 // The plate in plan: a field in colors, and above it the symbols of the plan.
 
+import { contourNumbers, rasterNumbers } from "../data/field-numbers";
 import {
   CONTACT,
   extremesOf,
@@ -18,7 +19,7 @@ import type { Picture } from "../renderer/renderer";
 import { h } from "../shared/dom";
 import { Camera } from "./camera";
 import { isFar, pixelOf, Touches, zoomByWheel } from "./navigation";
-import { type Marks, Overlay } from "./overlay";
+import { type Marks, type NumbersAt, Overlay } from "./overlay";
 import { ALL_LAYERS, type Layers } from "./plan-symbols";
 import { RULER } from "./rulers";
 import "./plan-view.css";
@@ -26,6 +27,7 @@ import "./plan-view.css";
 export type Tool = "pan" | "pick" | "section";
 
 const STILL = 140; // ms without movement until everything is drawn again
+const LONGEST = 600; // ms: movements farther apart are not one
 
 export class PlanView extends FieldView {
   /** A point of the plan was picked [m]. */
@@ -54,9 +56,11 @@ export class PlanView extends FieldView {
   private sectionStart: Point | null = null;
   private readonly touches = new Touches();
   private pressed: Point | null = null; // where a click may begin
+  private pulling = false; // whether a section is pulled from where the pointer was pressed
   private stillTimer = 0;
   private moving = false;
-  private drawn: Camera | null = null; // what the overlay shows
+  private movedAt = 0; // ms
+  private isDrawn = false; // whether the overlay shows what is to be shown
   private painted: { camera: Camera; when: number } | null = null; // what the renderer drew last
 
   constructor(container: HTMLElement) {
@@ -106,7 +110,7 @@ export class PlanView extends FieldView {
   /** Set a mark; null: remove it. */
   mark<K extends "pick" | "place" | "section" | "selected">(name: K, at: Marks[K]): void {
     this.marks[name] = at;
-    this.redraw();
+    super.redraw();
   }
 
   /** Return how far so many pixels reach on the plan [m]. */
@@ -135,7 +139,7 @@ export class PlanView extends FieldView {
     if (this.fitted) this.fitTo(camera);
     const picture = this.takePicture(width, height, ratio, () => this.paint(camera, ratio));
     const overlay = new Overlay();
-    overlay.draw(camera, this.plan, this.layers, this.marks);
+    overlay.draw(camera, this.plan, this.layers, this.marks, this.numbersAt);
     return h("div", { class: "gs-snapshot", style: `width:${width}px;height:${height}px` }, picture, overlay.element);
   }
 
@@ -178,34 +182,48 @@ export class PlanView extends FieldView {
   }
 
   protected override redraw(): void {
-    this.drawn = null;
+    this.isDrawn = false;
     super.redraw();
   }
 
   /** The user has moved the view: draw roughly until nothing has moved for a while. */
   private moved(): void {
+    const now = performance.now();
+    // where frames come slowly, movements do too
+    const apart = this.moving ? Math.min(now - this.movedAt, LONGEST) : 0;
     this.fitted = false;
     this.moving = true;
+    this.movedAt = now;
     clearTimeout(this.stillTimer);
-    this.stillTimer = window.setTimeout(() => {
-      this.moving = false;
-      this.redraw();
-    }, STILL);
+    this.stillTimer = window.setTimeout(
+      () => {
+        this.moving = false;
+        this.redraw();
+      },
+      Math.max(STILL, 2 * apart),
+    );
     super.redraw();
   }
 
   protected draw(): void {
-    const { camera, drawn } = this;
+    const { camera, plan, layers, marks, overlay } = this;
     if (!this.element.clientWidth || !this.element.clientHeight) return;
+    if (this.isDrawn && !this.moving) return overlay.drawMarks(camera, marks);
     this.drawField();
-    if (this.moving && drawn?.scale === camera.scale) {
-      this.overlay.shift((drawn.x - camera.x) * camera.scale, (camera.y - drawn.y) * camera.scale);
-      this.overlay.drawRulers(camera, this.layers, lengthsOf(this.plan));
-      return;
-    }
-    this.overlay.draw(camera, this.plan, this.layers, this.marks);
-    this.drawn = Object.assign(new Camera(), camera);
+    if (this.moving && this.isDrawn && overlay.follow(camera))
+      return overlay.drawRulers(camera, layers, lengthsOf(plan));
+    overlay.draw(camera, plan, layers, marks, this.numbersAt);
+    this.isDrawn = true;
   }
+
+  /** Return the numbers on the field. */
+  private readonly numbersAt: NumbersAt = (box, scale) => {
+    const { scene, picture, layers } = this;
+    if (!scene || !picture || !layers.numbers) return [];
+    const { values, scale: colors, lines } = picture;
+    const levels = lines ? contourNumbers(scene.mesh, values, colors, box, scale) : [];
+    return [...levels, ...rasterNumbers(scene.mesh, values, box, scale)];
+  };
 
   /**
    * Draw the field. Without a graphics card, while the view moves, the last drawing is moved and stretched instead, and
@@ -240,13 +258,15 @@ export class PlanView extends FieldView {
       element.setPointerCapture(event.pointerId);
       touches.set(event.pointerId, pixelOf(element, event));
       this.pressed = touches.size === 1 ? pixelOf(element, event) : null;
+      this.pulling = false;
     });
     element.addEventListener("pointermove", (event) => this.drag(event));
     const release = (event: PointerEvent) => {
       if (!touches.delete(event.pointerId)) return;
-      const isClick = event.type === "pointerup" && this.pressed && event.button === 0;
+      const isClick = event.type === "pointerup" && (this.pressed || this.pulling) && event.button === 0;
       if (isClick) this.click(camera.toPlan(pixelOf(element, event)), event.shiftKey);
       this.pressed = null;
+      this.pulling = false;
     };
     element.addEventListener("pointerup", release);
     element.addEventListener("pointercancel", release);
@@ -270,7 +290,13 @@ export class PlanView extends FieldView {
     const before = this.pressed ?? touches.get(event.pointerId);
     if (!before) return this.hover(camera.toPlan(at), event.shiftKey);
     if (this.pressed && !isFar(this.pressed, at)) return;
+    if (this.pressed && this.tool === "section" && event.buttons === 1) {
+      if (!this.sectionStart) this.sectionStart = this.round(camera.toPlan(this.pressed), false);
+      this.pulling = true;
+    }
     this.pressed = null;
+    if (this.pulling && touches.size === 1) return this.hover(camera.toPlan(at), event.shiftKey);
+    if (this.pulling) this.dropSection();
     if (!touches.pinch(camera, event.pointerId, at)) camera.pan(at[0] - before[0], at[1] - before[1]);
     this.moved();
   }
@@ -315,9 +341,15 @@ export class PlanView extends FieldView {
 
   protected override handleKey(event: KeyboardEvent): boolean {
     if (event.key !== "Escape" || !this.sectionStart) return super.handleKey(event);
+    this.dropSection();
+    return true;
+  }
+
+  /** Give up the section that was begun. */
+  private dropSection(): void {
+    this.pulling = false;
     this.sectionStart = null;
     this.mark("section", null);
-    return true;
   }
 }
 

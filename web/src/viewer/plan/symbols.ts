@@ -42,6 +42,7 @@ export interface PlanSymbol {
   foot?: Ring | null | undefined; // a column's cross-section, a load's footprint
   holes?: readonly Ring[]; // parts of an area that are not loaded
   hidden?: boolean; // a point load that another one at the same place stands for
+  crowded?: boolean; // a point load without space for its arrow
   upward?: boolean; // a point load that lifts
   elastic?: boolean; // a support
   width?: number; // of a strip, a wall, a beam [m]
@@ -161,8 +162,8 @@ function drawDiagonals(pixels: Ring): SVGElement[] {
 
 function drawColumn(at: Readonly<Point>, foot: Ring, name: string): SVGElement[] {
   const size = Math.max(0, ...foot.map(([x, y]) => Math.max(Math.abs(x - at[0]), Math.abs(y - at[1]))));
-  const body = size < 3.5 ? svg("rect", { x: at[0] - 3.5, y: at[1] - 3.5, width: 7, height: 7 }) : drawArea(foot);
-  return [body, drawText(at, name, [Math.max(size, 4) + 4, Math.max(size, 4) + 9])];
+  const least = offset(at, [-3.5, -3.5], [3.5, -3.5], [3.5, 3.5], [-3.5, 3.5]);
+  return [drawArea(size < 3.5 ? least : foot), drawText(at, name, [Math.max(size, 4) + 4, Math.max(size, 4) + 9])];
 }
 
 /** Draw a wall or a beam as wide as it is [px], at least as it can be seen. */
@@ -218,6 +219,7 @@ function drawLoad(symbol: PlanSymbol, pixels: Ring, toPixels: (points: Ring) => 
     texts.map((text, i) => drawText(at, text, [dx, dy + 12 * (up ? i - texts.length + 1 : i)]));
   if (symbol.shape === "point") {
     const foot = symbol.foot ? [drawArea(toPixels(symbol.foot))] : [];
+    if (symbol.crowded) return [...foot, drawPath(offset(pixels[0]!, [-1.5, 0], [1.5, 0]), false, "dot")];
     return symbol.hidden ? foot : [...foot, ...drawPointLoad(pixels[0]!, symbol.upward === true, texts)];
   }
   if (symbol.shape === "area") {

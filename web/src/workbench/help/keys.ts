@@ -28,6 +28,12 @@ const DRAWING: readonly KeyRow[] = [
   ["+, -, 0, Z", "zoom in, zoom out, show everything, toggle axes and dimensions"],
 ];
 
+const RESULTS: readonly KeyRow[] = [
+  ["F", "show the results alone, or beside the model"],
+  ["Arrows, +, -, 0", "pan, zoom in, zoom out, show everything"],
+  ["Shift", "with “Section”: along x or y"],
+];
+
 const TABLES: readonly KeyRow[] = [
   ["Arrows, Page Up, Page Down", "move between cells; with Ctrl, jump to the edge of the table"],
   ["Tab, Shift+Tab", "next cell, previous cell; press Escape first to leave the table with Tab"],
@@ -59,6 +65,7 @@ export function showKeys(tools: readonly { key: string; label: string }[], takeT
         "Plan tools",
         [...tools, ...GENERATORS].map(({ key, label }) => [key, label] as const),
       ),
+      keyTable("Results", RESULTS),
       keyTable("Tables", TABLES),
     ),
     h("div", { class: "answers" }, done),

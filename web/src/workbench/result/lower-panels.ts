@@ -11,7 +11,7 @@ import { Reference } from "./reference";
 import { ResultTables } from "./result-tables";
 import { showCertificates, showSummary, verdictOf } from "./summary";
 
-const SECTION_HINT = "Choose “Section” and click two points, or choose one of the model's section lines.";
+const SECTION_HINT = "Choose “Section” and drag from one point to another, or choose one of the model's section lines.";
 
 export class LowerPanels {
   readonly element: HTMLElement;

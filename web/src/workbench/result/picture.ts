@@ -49,9 +49,9 @@ export class Picture {
 
   /** Make the choices and tools that stand above the picture. */
   makeToolbar(): HTMLElement {
-    const { combinations, fields, toolGroup, modeGroup, fitButton, meshButton } = this.view;
+    const { combinations, fields, toolGroup, modeGroup, fitButton, meshButton, numbersButton } = this.view;
     const about = { class: "stage-bar", role: "toolbar", "aria-label": "result" };
-    return h("div", about, combinations, fields, toolGroup, modeGroup, fitButton, meshButton);
+    return h("div", about, combinations, fields, toolGroup, modeGroup, fitButton, meshButton, numbersButton);
   }
 
   /** Show a result; null: none. */

@@ -13,6 +13,7 @@ import { keepSection } from "./keep-section";
 import { LowerPanels } from "./lower-panels";
 import { Picture } from "./picture";
 import { emptyResult, freshness, statusLine } from "./status";
+import { wideButton } from "./wide";
 import "./result.css";
 
 /** What the panel can do with the model. */
@@ -62,7 +63,9 @@ export class ResultPanel {
     this.lower = this.makeLower(model);
     this.empty = emptyResult(store, model?.solve ?? null);
     const share = splitter(this.full, "--stage-share", "y", 0.62, [0.25, 0.85], "plot height");
-    this.full.append(this.picture.makeToolbar(), this.picture.element, share, this.lower.element);
+    const toolbar = this.picture.makeToolbar();
+    if (model) toolbar.append(wideButton(this.element));
+    this.full.append(toolbar, this.picture.element, share, this.lower.element);
     this.element.append(h("h2", { class: "unseen" }, "Result"), statusLine(store), this.empty.element, this.full);
     store.on(["solved"], () => void this.fetch());
     store.on(["comparison"], () => void this.takeComparison());
