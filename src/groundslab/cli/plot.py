@@ -7,9 +7,12 @@ from typing import TYPE_CHECKING
 
 from groundslab.cli.console import EXIT_OK, print_stderr
 from groundslab.errors import InputError, Issue
+from groundslab.schema.wording import one_of, quote
 
 if TYPE_CHECKING:
     import argparse
+
+    from groundslab.results.results import CombinationResult, Results
 
 
 def describe(plot: argparse.ArgumentParser) -> None:
@@ -57,6 +60,15 @@ def describe(plot: argparse.ArgumentParser) -> None:
         help="section line in meters, may be repeated (default: those in the case)",
     )
     plot.add_argument(
+        "--minus",
+        metavar="FOLDER",
+        help="other results, which are subtracted in plans: of the combination of the same name, or the only one; the "
+        "scale has zero in its middle",
+    )
+    plot.add_argument(
+        "--minus-combination", metavar="NAME", help="combination that is subtracted, of --minus or of the same results"
+    )
+    plot.add_argument(
         "--out",
         metavar="FILE",
         help="file to write: .pdf (pages of A4 width), .svg or .png (one sheet), or of a plan .dxf (contours and what "
@@ -72,6 +84,7 @@ def run(options: argparse.Namespace) -> int:
     from groundslab.views import plots
     from groundslab.views.files import results_folder
     from groundslab.views.plots.export import check
+    from groundslab.views.plots.panels import subtract
     from groundslab.views.plots.request import parse_request
 
     folder = Path(os.path.realpath(options.folder))
@@ -82,6 +95,9 @@ def run(options: argparse.Namespace) -> int:
     request = parse_request(
         combined, options.fields, options.kind, options.combination, options.envelope, lines, options.mesh
     )
+    if options.minus is not None or options.minus_combination is not None:
+        other = combined if options.minus is None else results_folder.load_results(options.minus)
+        request = subtract(request, _chosen(other, options.minus_combination))
     names = [quantity.name for quantity in request.quantities]
     what = "-".join(names) if options.fields and request.kind == "plan" else request.kind
     file = folder.with_name(f"{folder.name}-{what}.pdf") if options.out is None else Path(options.out)
@@ -92,6 +108,15 @@ def run(options: argparse.Namespace) -> int:
     pages = len(plots.write(request, file))
     print_stderr(f"wrote {file}" + (f", {pages} pages" if pages > 1 else ""))
     return EXIT_OK
+
+
+def _chosen(combined: Results, name: str | None) -> Results | CombinationResult:
+    """Return the results of a combination, all if none is named."""
+    if name is None:
+        return combined
+    if name not in combined.results:
+        raise InputError([Issue("--minus-combination", quote(name), one_of(list(combined.results)))])
+    return combined[name]
 
 
 def describe_bars(bars: argparse.ArgumentParser) -> None:

@@ -29,6 +29,7 @@ def plot(
     envelope: str | None = None,
     line: Sequence[Any] | None = None,
     mesh: bool = False,
+    minus: CombinationResult | Results | None = None,
     to: str | Path | None = None,
 ) -> Figure:
     """Draw results, and write the figure into a file if one is named.
@@ -51,6 +52,8 @@ def plot(
         Section line x1, y1, x2, y2 [m], or several of these; without any, the lines of the case.
     mesh : bool, default: False
         Whether the elements' sides are drawn over the fields, in plans and on the deformed plate.
+    minus : CombinationResult or Results, optional
+        Other results, on any mesh, subtracted in plans: the combination of the same name, or the only one.
     to : str or Path, optional
         File to write: .pdf (pages of A4 width), .svg or .png (one sheet), or of a plan .dxf (contours and what lies on
         the plate, on layers, where the case has them). An existing file is replaced only if groundslab drew it.
@@ -71,11 +74,18 @@ def plot(
     >>> results = groundslab.solve(groundslab.load("case.toml"))
     >>> figure = groundslab.plot(results, "settlement", "m_x")
     """
-    from groundslab.views.plots import export
+    from groundslab.views.plots.panels import subtract
     from groundslab.views.plots.request import parse_request
 
     combined = results_of(results) if isinstance(results, CombinationResult) else results
     request = parse_request(combined, fields, kind, combination, envelope, line, mesh)
+    return _drawn(request if minus is None else subtract(request, minus), to)
+
+
+def _drawn(request: PlotRequest, to: str | Path | None) -> Figure:
+    """Return the figure of a request, which is written into a file if one is named."""
+    from groundslab.views.plots import export
+
     if to is None:
         return _sheet(request)
     export.check(to)

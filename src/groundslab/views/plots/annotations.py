@@ -106,7 +106,7 @@ class TitleLine(NamedTuple):
 
 def panel_title(panel: Panel, width: float, *, with_source: bool) -> list[TitleLine]:
     """Return the lines above a plan: of what it is if that is to be facts, what it shows, its extremes, the contact."""
-    uplift = panel.quantity.name == "settlement" and goes_below_zero(panel.values)
+    uplift = panel.quantity.name == "settlement" and goes_below_zero(panel.values) and not panel.difference
     facts = []
     for word, value, where, whose in find_extremes(panel):
         called, shown = ("uplift", -value) if uplift and word == "smallest" else (word, value)

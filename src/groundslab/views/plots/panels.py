@@ -13,17 +13,21 @@ from groundslab.design.basis.combinations import ultimate_results
 from groundslab.design.envelope import envelope
 from groundslab.design.required_bars import bar_fields
 from groundslab.design.tables.quantities import nodal_values
-from groundslab.results.contact_zone import contact_function, has_line_force
+from groundslab.errors import InputError, Issue
+from groundslab.fem.mesh import Mesh, interpolate, locate_within
+from groundslab.results.contact_zone import contact_function, has_line_force, require_finite
 from groundslab.results.fields import BAR_FIELDS, LINE_FORCE, PLATE_FIELDS, extreme, extreme_node, place_of
+from groundslab.results.results import CombinationResult, Results, results_of
+from groundslab.schema.wording import one_of, quote
 from groundslab.views.plots.contours import ColorScale, make_scale
-from groundslab.views.plots.request import PlotQuantity
+from groundslab.views.plots.request import PlotQuantity, PlottedCombination, require_element_fields
 from groundslab.views.plots.symbols import load_filter
+from groundslab.views.summary.combinations import entries
 
 if TYPE_CHECKING:
     from groundslab.arrays import Array, Integers
     from groundslab.model.loads.load_types import AnyLoad
-    from groundslab.results.results import CombinationResult
-    from groundslab.views.plots.request import PlotRequest, PlottedCombination
+    from groundslab.views.plots.request import PlotRequest
 
 NOT_CERTIFIED = "NOT CERTIFIED: the certificate does not hold; the result must not be used"
 
@@ -44,6 +48,45 @@ class Panel:
     certified: bool = True
     governs: tuple[tuple[str, ...], Integers] | None = None  # combinations, and the one that each value comes from
     mesh: bool = False  # whether the elements' sides are drawn
+    difference: bool = False  # whether other results have been subtracted
+
+
+def subtract(request: PlotRequest, minus: CombinationResult | Results) -> PlotRequest:
+    """Return a request that draws by how much its results exceed others: the combination of the same name, or the only.
+
+    Raises InputError if there is no such combination, or the request is for no plan of fields of combinations.
+    """
+    issues = []
+    if request.kind != "plan":
+        issues.append(Issue("minus", f"other results, as kind is {quote(request.kind)}", 'none, or kind = "plan"'))
+    if request.envelope:
+        issues.append(Issue("minus", "other results, as an envelope is drawn", "one of the two"))
+    issues += [
+        Issue("FIELD", f"{quote(quantity.name)} minus other results", "a field of combinations")
+        for quantity in request.quantities
+        if quantity.name in BAR_FIELDS
+    ]
+    if issues:
+        raise InputError(issues)
+    others = {
+        entry.combination.name: PlottedCombination(
+            entry.combination.name, entry.combination.limit_state, entry.results, entry.refused is None
+        )
+        for entry in entries(results_of(minus) if isinstance(minus, CombinationResult) else minus)
+        if entry.results is not None
+    }
+    only = next(iter(others.values())) if len(others) == 1 else None
+    found = {combination.name: others.get(combination.name, only) for combination in request.combinations}
+    subtracted = tuple(other for other in found.values() if other is not None)
+    hint = "name one combination of the other results, or one that both have"
+    missing = [name for name, other in found.items() if other is None]
+    issues = [Issue("minus", f"no results of {quote(name)}", one_of(list(others)), hint) for name in missing]
+    if issues:
+        raise InputError(issues)
+    for other in subtracted:
+        require_finite(other.results)
+    require_element_fields(request.quantities, subtracted)
+    return replace(request, minus=subtracted)
 
 
 def build_panels(request: PlotRequest) -> list[Panel]:
@@ -59,11 +102,41 @@ def build_panels(request: PlotRequest) -> list[Panel]:
             _envelope_panels(quantity, request.combinations, request.envelope) for quantity in request.quantities
         )
         return [replace(panel, mesh=request.mesh) for panel in chain.from_iterable(several)]
+    if request.minus:
+        pairs = zip(request.combinations, request.minus, strict=True)
+        return [
+            _difference_panel(quantity, combination, other, request.mesh)
+            for combination, other in pairs
+            for quantity in request.quantities
+        ]
     return [
         build_panel(quantity, combination, request.names_combinations, request.mesh)
         for combination in request.combinations
         for quantity in request.quantities
     ]
+
+
+def _difference_panel(
+    quantity: PlotQuantity, combination: PlottedCombination, minus: PlottedCombination, mesh: bool
+) -> Panel:
+    """Return by how much a quantity exceeds that of other results, whose fields are interpolated at its nodes.
+
+    Raises InputError if nodes lie beyond the plate of the other results.
+    """
+    panel = build_panel(quantity, combination, True, mesh)
+    other = minus.results.plate
+    values = nodal_values(minus.results, quantity.name) * quantity.factor
+    if not (np.array_equal(other.nodes, panel.nodes) and np.array_equal(other.elements, panel.elements)):
+        other_mesh = Mesh(other.nodes, other.elements)
+        values = interpolate(other_mesh, values, locate_within(other_mesh, panel.nodes, "the plate to be subtracted"))
+    names = [
+        f"{plotted.results.model.title} {plotted.name}".strip() if combination.name == minus.name else plotted.name
+        for plotted in (combination, minus)
+    ]
+    return replace(
+        panel, source=f"{names[0]} minus {names[1]}", values=panel.values - values, line_force=None, contact=None,
+        share=None, certified=combination.certified and minus.certified, difference=True,
+    )  # fmt: skip
 
 
 def build_panel(quantity: PlotQuantity, combination: PlottedCombination, named: bool, mesh: bool = False) -> Panel:
@@ -132,8 +205,12 @@ def shared_scales(panels: Sequence[Panel]) -> dict[str, ColorScale]:
     for name in dict.fromkeys(panel.quantity.name for panel in panels):
         alike = [panel for panel in panels if panel.quantity.name == name]
         limit = 100.0 if name.startswith("utilisation") else None
-        signed = alike[0].quantity.field.sign == "any"
-        scales[name] = make_scale([panel.values for panel in alike], signed=signed, limit=limit)
+        difference = any(panel.difference for panel in alike)
+        signed = difference or alike[0].quantity.field.sign == "any"
+        values = [panel.values for panel in alike]
+        # the scale of a difference has zero in its middle
+        values += [-each for each in values] if difference else []
+        scales[name] = make_scale(values, signed=signed, limit=limit)
     return scales
 
 

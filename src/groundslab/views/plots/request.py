@@ -146,6 +146,7 @@ class PlotRequest:
     lines: tuple[SectionLine, ...]  # lines and stress only
     envelope: str  # a limit state, or empty
     mesh: bool = False  # whether the elements' sides are drawn over fields
+    minus: tuple[PlottedCombination, ...] = ()  # what is subtracted from each combination
 
     @property
     def names_combinations(self) -> bool:
@@ -209,7 +210,7 @@ def parse_request(
     combinations = _select_combinations(combined, names, envelope)
     for plotted in combinations:
         require_finite(plotted.results)
-    _require_element_fields(quantities, combinations)
+    require_element_fields(quantities, combinations)
     _require_bar_fields(quantities, combined)
     _require_depth(chosen_kind, combinations)
     shown = lines or listed_lines
@@ -235,7 +236,7 @@ def _parse_lines(line: Sequence[Any] | None) -> tuple[SectionLine, ...]:
     return tuple(SectionLine("", (a, b), (c, d)) for a, b, c, d in values.tolist())
 
 
-def _require_element_fields(quantities: Sequence[PlotQuantity], combinations: Sequence[PlottedCombination]) -> None:
+def require_element_fields(quantities: Sequence[PlotQuantity], combinations: Sequence[PlottedCombination]) -> None:
     """Raise InputError if results lack a field of elements that is to be drawn."""
     hints = {
         ERROR: "it comes from a comparison with a coarser mesh, which these results have not",

@@ -234,7 +234,7 @@ def _loads(model: Model, takes_part: Callable[[AnyLoad], bool], h: float) -> Ite
 
 def _reactions(request: PlotRequest, model: Model, h: float) -> dict[str, list[Shape]]:
     """Return what supports bear in each combination that is drawn by itself, by layer."""
-    if request.envelope:
+    if request.envelope or request.minus:
         return {}
     unit, factor = unit_in("kN", model.units)
     texts: dict[str, list[Shape]] = {}
