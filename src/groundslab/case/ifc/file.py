@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -35,20 +35,26 @@ class IfcFile:
     container_of: Any
     unit: str
     scale: float  # size of the unit [m]
-    made: int = 0
+    bodies: dict[int, Body | str] = field(default_factory=dict, repr=False)
 
     def by_type(self, name: str) -> list[Any]:
         """Return the elements of a class and of the classes derived from it, in the order of the file."""
         return sorted(self.model.by_type(name), key=lambda element: int(element.id()))
 
     def body(self, element: Any) -> Body | str:
-        """Return the body of an element without what openings take off, or why there is none."""
+        """Return the body of an element without what openings take off, or why there is none; each is made once."""
+        key = int(element.id())
+        if key not in self.bodies:
+            if len(self.bodies) >= MOST_BODIES:
+                hint = "export the storey of the slab alone"
+                raise InputError([Issue(self.path, f"more than {MOST_BODIES:,} elements", "fewer", hint)])
+            self.bodies[key] = self._make_body(element)
+        return self.bodies[key]
+
+    def _make_body(self, element: Any) -> Body | str:
+        """Return the body of an element, or why there is none."""
         if element.Representation is None:
             return "it has no geometry of its own"
-        self.made += 1
-        if self.made > MOST_BODIES:
-            hint = "export the storey of the slab alone"
-            raise InputError([Issue(self.path, f"more than {MOST_BODIES:,} elements", "fewer", hint)])
         try:
             shape = self.create_shape(self.settings, element)
             matrix = np.array(shape.transformation.matrix, dtype=float).reshape(4, 4).T

@@ -13,8 +13,18 @@ import numpy as np
 from groundslab.case import dxf
 from groundslab.case.ifc.body import SAME_AREA, Body, to_ring
 from groundslab.case.ifc.file import IfcFile, map_note, open_file
-from groundslab.case.ifc.slab import Slab, choose_slab, name_of, read_slab, storey_of
+from groundslab.case.ifc.slab import (
+    Slab,
+    SlabInFile,
+    choose_slab,
+    find_slabs,
+    name_of,
+    read_slab,
+    storey_name,
+    storey_of,
+)
 from groundslab.case.report import ReportLine, report_lines
+from groundslab.errors import InputError
 from groundslab.geometry.plan import Ring
 from groundslab.schema.wording import describe
 
@@ -123,6 +133,36 @@ def read_ifc(
     notes = (place, *([on_map] if on_map else []))
     text = dxf.to_case(drawing, chosen.name, "IFC file", [f"The slab is {describe(chosen.name)}. {ONLY}", *notes])
     return IfcCase(chosen.name, text, tuple(report), notes, drawing.origin)
+
+
+def list_slabs(path: str | Path) -> tuple[SlabInFile, ...]:
+    """Return the slabs of an IFC 4 file, the lowest first and those that cannot be read last.
+
+    Parameters
+    ----------
+    path : str or pathlib.Path
+        The file.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read or holds no slab; or if ifcopenshell is missing (extra `ifc`).
+    """
+    file = open_file(str(path))
+    slabs = [_survey_slab(file, element) for element in find_slabs(file)]
+    return tuple(sorted(slabs, key=lambda slab: (bool(slab.problem), slab.height or 0.0)))
+
+
+def _survey_slab(file: IfcFile, element: Any) -> SlabInFile:
+    """Return what is said of a slab where one is chosen; counted is what its case would have."""
+    about = (str(element.GlobalId), name_of(element), storey_name(file, element))
+    try:
+        slab = read_slab(file, element, [])
+    except InputError as error:
+        return SlabInFile(*about, problem="; ".join(issue.found for issue in error.issues))
+    x0, y0, x1, y1 = slab.plan.bounds
+    columns, walls = (sum(1 for _ in found(file, slab, [])) for found in (_columns, _walls))
+    return SlabInFile(*about, slab.top, (x1 - x0, y1 - y0), columns, walls)
 
 
 def _to_drawing(

@@ -33,17 +33,39 @@ class Slab:
     thickness: float | None
 
 
+@dataclass(frozen=True, slots=True)
+class SlabInFile:
+    """A slab of a file: its GlobalId, name and storey, height of its top [m], extent along x and y [m].
+
+    ``columns`` and ``walls`` are how many of them stand on it. A slab that cannot be read has a ``problem``.
+    """
+
+    id: str
+    name: str
+    storey: str
+    height: float | None = None
+    sides: tuple[float, float] | None = None
+    columns: int = 0
+    walls: int = 0
+    problem: str = ""
+
+
 def name_of(element: Any) -> str:
     """Return the name of an element, or else its GlobalId."""
     return str(element.Name or "").strip() or str(element.GlobalId)
 
 
-def choose_slab(file: IfcFile, wanted: str) -> Any:
-    """Return the element of the slab of a name or GlobalId, or the only one; raises InputError that lists them."""
-    slabs = [element for name in CLASSES for element in file.by_type(name)]
-    slabs = [element for element in slabs if element.Representation is not None]
+def find_slabs(file: IfcFile) -> list[Any]:
+    """Return the elements that may be a slab on ground; raises InputError if there are none."""
+    slabs = [element for name in CLASSES for element in file.by_type(name) if element.Representation is not None]
     if not slabs:
         raise InputError([Issue(file.path, "no slab", f"one of {' or '.join(CLASSES)} with geometry")])
+    return slabs
+
+
+def choose_slab(file: IfcFile, wanted: str) -> Any:
+    """Return the element of the slab of a name or GlobalId, or the only one; raises InputError that lists them."""
+    slabs = find_slabs(file)
     chosen = [element for element in slabs if not wanted or wanted in (element.GlobalId, name_of(element))]
     if len(chosen) == 1:
         return chosen[0]
@@ -70,11 +92,17 @@ def _about(file: IfcFile, element: Any) -> str:
 
 def storey_of(file: IfcFile, element: Any) -> str:
     """Return the storey that an element belongs to, in words."""
+    storey = storey_name(file, element)
+    return f"storey {describe(storey)}" if storey else "no storey"
+
+
+def storey_name(file: IfcFile, element: Any) -> str:
+    """Return the name of the storey that an element belongs to, empty if there is none."""
     try:
         container = file.container_of(element)
-        return "no storey" if container is None else f"storey {describe(name_of(container))}"
+        return "" if container is None else name_of(container)
     except (AttributeError, RuntimeError):
-        return "no storey"
+        return ""
 
 
 def read_slab(file: IfcFile, element: Any, report: list[ReportLine]) -> Slab:

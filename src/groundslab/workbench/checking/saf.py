@@ -40,7 +40,7 @@ def survey_slabs(path: Path) -> list[dict[str, Any]]:
     """Return the slabs of a file as data for the page."""
     from groundslab.case.saf import list_slabs
 
-    return [asdict(slab) for slab in list_slabs(path)]
+    return [{"id": slab.name, **asdict(slab)} for slab in list_slabs(path)]
 
 
 def convert_slab(path: Path, slab: str) -> ConvertedSlab:

@@ -30,7 +30,7 @@ def create_state_folder() -> Path:
 
 
 def list_folder(folder: Path) -> dict[str, Any]:
-    """Return the folders, case files, drawings and tables in a folder, without hidden ones; raises InputError."""
+    """Return folders, case files, drawings, buildings and tables in a folder, none hidden; raises InputError."""
     folder = folder.expanduser().absolute()
     try:
         entries = [entry for entry in os.scandir(folder) if _is_listed(entry.name)]
@@ -40,12 +40,17 @@ def list_folder(folder: Path) -> dict[str, Any]:
                 (entry.name for entry in entries if entry.name.lower().endswith(suffix) and try_check(entry.is_file)),
                 key=str.casefold,
             )
-            for suffix in (".toml", ".dxf", (".csv", ".xlsx"))
+            for suffix in (".toml", ".dxf", ".ifc", (".csv", ".xlsx"))
         }
     except OSError as error:
         raise InputError([Issue(str(folder), describe_error(error), "a folder that can be read")]) from None
     parent = None if folder.parent == folder else str(folder.parent)
-    files = {"files": names[".toml"], "drawings": names[".dxf"], "tables": names[".csv", ".xlsx"]}
+    files = {
+        "files": names[".toml"],
+        "drawings": names[".dxf"],
+        "buildings": names[".ifc"],
+        "tables": names[".csv", ".xlsx"],
+    }
     return {"folder": str(folder), "parent": parent, "folders": folders, **files}
 
 

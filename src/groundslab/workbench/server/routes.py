@@ -72,10 +72,12 @@ class OpenDrawing(_Body):
 
 
 class OpenSlab(_Body):
-    """A slab of a SAF file."""
+    """A slab of a SAF file or a building; of that, whether its middle is the origin, whether it is turned along x."""
 
     file: Annotated[str, Field(min_length=1)]
     slab: Annotated[str, Field(min_length=1, max_length=1000)]
+    centered: bool = False
+    aligned: bool = False
 
 
 class ImportReactions(_Body):
@@ -225,7 +227,7 @@ def _add_document_routes(app: FastAPI, session: Session) -> None:
 
 
 def _add_import_routes(app: FastAPI, session: Session) -> None:
-    """Add the routes of files of other programs: drawings, slabs of SAF files, tables of reactions."""
+    """Add the routes of files of other programs: drawings, slabs, tables of reactions."""
 
     @app.get("/api/drawing")
     def survey_drawing(file: str) -> JSONResponse:
@@ -236,13 +238,13 @@ def _add_import_routes(app: FastAPI, session: Session) -> None:
         made = session.open_drawing(body.file, body.layers, body.unit, body.centered, body.gap)
         return {"state": session.get_state(), "report": made.report, "origin": made.origin}
 
-    @app.get("/api/saf")
+    @app.get("/api/slabs")
     def survey_slabs(file: str) -> JSONResponse:
         return JSONResponse({"slabs": session.survey_slabs(file)})
 
-    @app.post("/api/saf")
+    @app.post("/api/slabs")
     def open_slab(body: OpenSlab) -> dict[str, Any]:
-        made = session.open_slab(body.file, body.slab)
+        made = session.open_slab(body.file, body.slab, body.centered, body.aligned)
         return {"state": session.get_state(), "report": made.report}
 
     @app.post("/api/reactions")

@@ -14,7 +14,8 @@ from groundslab.errors import InputError, Issue
 from groundslab.workbench.checking.bounded_process import BoundedProcess
 from groundslab.workbench.checking.drawings import ConvertedDrawing, DrawingReader
 from groundslab.workbench.checking.reactions import ReactionPreview, ReactionReader
-from groundslab.workbench.checking.saf import ConvertedSlab, SafReader
+from groundslab.workbench.checking.saf import ConvertedSlab
+from groundslab.workbench.checking.slabs import SlabReader
 from groundslab.workbench.editing.document import Document
 from groundslab.workbench.events import Event, Hub
 from groundslab.workbench.persistence import files
@@ -39,7 +40,7 @@ class Session:
         self.analyses = Analyses(self._lock, hub, solver)
         self._drawings = DrawingReader()
         self._reactions = ReactionReader()
-        self._saf = SafReader()
+        self._slabs = SlabReader()
         self._state = state
         self._lock_file = partial(case_file.lock_file, state=state, url=url)
         document = Document(casefile.starter())
@@ -117,12 +118,12 @@ class Session:
         return made
 
     def survey_slabs(self, name: str) -> list[dict[str, Any]]:
-        """Return the slabs of a SAF file, none if a workbook is another one; raises InputError."""
-        return self._saf.survey(case_file.resolve_path(name, self.file.folder))
+        """Return the slabs of a SAF file or a building, none if a workbook is another one; raises InputError."""
+        return self._slabs.survey(case_file.resolve_path(name, self.file.folder))
 
-    def open_slab(self, name: str, slab: str) -> ConvertedSlab:
-        """Begin a new document made from a slab of a SAF file, and return that; raises InputError."""
-        made = self._saf.convert(case_file.resolve_path(name, self.file.folder), slab)
+    def open_slab(self, name: str, slab: str, centered: bool, aligned: bool) -> ConvertedSlab:
+        """Begin a new document made from a slab of a file, and return that; raises InputError."""
+        made = self._slabs.convert(case_file.resolve_path(name, self.file.folder), slab, centered, aligned)
         self._begin(Document(made.text), CaseFile(None, None))
         return made
 

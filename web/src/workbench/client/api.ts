@@ -58,15 +58,30 @@ export interface Folder {
   folders: string[];
   files: string[];
   drawings?: string[];
+  buildings?: string[];
   tables?: string[];
 }
 
-/** A slab of a file in the Structural Analysis Format: its height and its extent along x and y [m]. */
+/** A slab of a SAF file or a building: height of its top and extent along x and y [m], null where it cannot be read. */
 export interface SlabInFile {
+  id: string;
   name: string;
-  height: number;
-  sides: [number, number];
-  on_ground: boolean;
+  height: number | null;
+  sides: [number, number] | null;
+  /** Of SAF files. */
+  on_ground?: boolean;
+  /** Of buildings: the storey, what stands on the slab, and why it cannot be read. */
+  storey?: string;
+  columns?: number;
+  walls?: number;
+  problem?: string;
+}
+
+/** Which slab is opened; of a building, whether its middle is the origin and whether it is turned along x or y. */
+export interface SlabChoice {
+  slab: string;
+  centered?: boolean;
+  aligned?: boolean;
 }
 
 /** A case made from a drawing: the report of what was read, and the place of the drawing [m] that is the origin. */
@@ -173,7 +188,7 @@ export class Refused extends Error {
 }
 
 const PATIENCE = 15_000; // ms until a server that does not answer counts as gone
-const READING = 120_000; // the same while it reads a drawing or a table
+const READING = 200_000; // the same while it reads a file of another program
 
 /** The interface over HTTP, every call with the token. */
 export class HttpApi {
@@ -196,11 +211,11 @@ export class HttpApi {
   surveyDrawing = (file: string) => this.json<Survey>(`drawing?file=${encodeURIComponent(file)}`, undefined, READING);
   openDrawing = (file: string, choice: DrawingChoice) =>
     this.json<OpenedDrawing>("drawing", { file, ...choice }, READING);
-  /** The slabs of a workbook in the Structural Analysis Format, none of another one. */
+  /** The slabs of a SAF file or a building, none of another workbook. */
   slabs = (file: string) =>
-    this.json<{ slabs: SlabInFile[] }>(`saf?file=${encodeURIComponent(file)}`, undefined, READING);
-  openSlab = (file: string, slab: string) =>
-    this.json<{ state: DocState; report: string }>("saf", { file, slab }, READING);
+    this.json<{ slabs: SlabInFile[] }>(`slabs?file=${encodeURIComponent(file)}`, undefined, READING);
+  openSlab = (file: string, choice: SlabChoice) =>
+    this.json<{ state: DocState; report: string }>("slabs", { file, ...choice }, READING);
   /** What a table of reactions changes. */
   reactions = (file: string, choice: ReactionChoice) =>
     this.json<ReactionChanges>("reactions", { file, ...choice }, READING);

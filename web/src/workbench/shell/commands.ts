@@ -5,7 +5,7 @@ import type { EditQueue } from "../client/edit-queue";
 import type { Store } from "../client/store";
 import { ask } from "../controls/dialogs";
 import { isDrawing, openDrawing } from "../drawing/open-drawing";
-import { openSlab } from "../drawing/open-saf";
+import { isBuilding, openSlab } from "../drawing/open-slab";
 import { chooseStart } from "../help/examples";
 import { isTableFile } from "../model/reactions";
 import { importReactions } from "../reactions/import-reactions";
@@ -63,7 +63,7 @@ export class Commands {
   open = async (): Promise<void> => {
     const chosen = await chooseFile(this.api, "open", this.store.doc?.file ?? null);
     if (!chosen) return;
-    if (isTableFile(chosen.file)) return this.openTable(chosen.file);
+    if (isTableFile(chosen.file) || isBuilding(chosen.file)) return this.openSlabs(chosen.file);
     await (isDrawing(chosen.file) ? this.openDrawing(chosen.file) : this.openFile(chosen.file));
   };
 
@@ -73,15 +73,21 @@ export class Commands {
     if (await this.change(() => this.api.open(file))) this.resetResult();
   };
 
-  /** Make a case of a slab if a workbook has some, else take it as a table of reactions. */
-  private async openTable(file: string): Promise<void> {
+  /** Make a case of a slab of a building or a workbook; a workbook without slabs is a table of reactions. */
+  private async openSlabs(file: string): Promise<void> {
     let slabs: SlabInFile[] = [];
     const look = async () => {
+      this.store.set("notice", { kind: "info", text: `Reading ${file.replace(/^.*[\\/]/, "")} …` });
       slabs = (await this.api.slabs(file)).slabs;
+      this.store.set("notice", null);
     };
-    // what cannot be read is explained by the import of reactions
-    if (/\.xlsx$/i.test(file)) await this.run(look, () => true);
-    if (slabs.length === 0) return this.importReactions(file);
+    if (isBuilding(file)) {
+      if (!(await this.run(look))) return;
+    } else {
+      // what cannot be read is explained by the import of reactions
+      if (/\.xlsx$/i.test(file) && !(await this.run(look, () => true))) this.store.set("notice", null);
+      if (slabs.length === 0) return this.importReactions(file);
+    }
     await openSlab(file, slabs, {
       api: this.api,
       leave: () => this.confirmLeaving(),

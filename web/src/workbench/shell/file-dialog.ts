@@ -46,7 +46,9 @@ class FileDialog {
   ) {
     const words = purpose === "open" ? "Open" : "Save";
     const title =
-      purpose === "open" ? "Open a case file, a drawing, a SAF file or a table of reactions" : "Save the case file as";
+      purpose === "open"
+        ? "Open a case file, a drawing, a building, a SAF file or a table of reactions"
+        : "Save the case file as";
     const goUp = () => this.folder?.parent && void this.show(this.folder.parent);
     const answers = [
       button("Cancel", "", () => this.close(null)),
@@ -107,7 +109,8 @@ class FileDialog {
     const { folders } = this.folder;
     const drawings = this.purpose === "open" ? (this.folder.drawings ?? []) : [];
     const tables = this.purpose === "open" ? (this.folder.tables ?? []) : [];
-    const files = [...this.folder.files, ...drawings, ...tables];
+    const buildings = this.purpose === "open" ? (this.folder.buildings ?? []) : [];
+    const files = [...this.folder.files, ...drawings, ...buildings, ...tables];
     fill(
       this.list,
       ...folders.map((name) => this.entry(name, true)),
@@ -117,7 +120,7 @@ class FileDialog {
             "p",
             { class: "empty" },
             this.purpose === "open"
-              ? "No case files (*.toml), drawings (*.dxf), SAF files (*.xlsx) or tables (*.csv, *.xlsx) in this folder."
+              ? "No case files (*.toml), drawings (*.dxf), buildings (*.ifc), SAF files (*.xlsx) or tables (*.csv, *.xlsx) in this folder."
               : "No case files (*.toml) in this folder.",
           )
         : null,

@@ -17,7 +17,7 @@ export function topBar(store: Store, api: Files, commands: Commands, showKeys: (
     button("New", "Start a new case, empty or from an example", () => void commands.createCase()),
     button(
       "Open …",
-      "Open a case file, a drawing or a SAF file, or import reactions (Ctrl+O)",
+      "Open a case file, a drawing, a building or a SAF file, or import reactions (Ctrl+O)",
       () => void commands.open(),
     ),
     button("Save", "Save the case file (Ctrl+S)", () => void commands.save()),
