@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import io
+from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -66,6 +67,9 @@ def _document(shapes: Sequence[Shape], layers: Mapping[str, Layer], subject: str
     unit, scale = unit_in("m", system)
     document = new("R2010", setup=["linetypes"], units=UNITS[unit])
     document.header.custom_vars.append("Creator", f"{subject} {MARK} {__version__}")
+    classes = document.classes
+    classes.add_required_classes(document.dxfversion)
+    classes.classes = OrderedDict(sorted(classes.classes.items()))  # from a set, whose order varies between processes
     document.appids.add(DATA)
     for name, look in layers.items():
         layer = document.layers.add(name, color=look.color, linetype="DASHED" if look.broken else "CONTINUOUS")
