@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from threading import RLock
 from typing import Any
 
 from groundslab.errors import InputError, Issue
+from groundslab.views.report.changes import CHANGED
 from groundslab.workbench.checking.parsing import CheckResult
 from groundslab.workbench.checking.revision import Revision
 from groundslab.workbench.events import Hub
+from groundslab.workbench.exports.case_writer import CaseWriter
+from groundslab.workbench.exports.files import SAF, Exported, Wanted
 from groundslab.workbench.solver.comparer import Comparer
 from groundslab.workbench.solver.process import OUTDATED
 from groundslab.workbench.solver.thread import DELAY, Solver
@@ -25,6 +29,7 @@ class Analyses:
         self.comparer = Comparer(hub.publish)
         self._lock, self._hub = lock, hub
         self._autosolve = True
+        self._case_writer = CaseWriter()
 
     def to_json(self) -> dict[str, Any]:
         """Return the run in progress as data for the page."""
@@ -49,13 +54,7 @@ class Analyses:
     def solve(self) -> int:
         """Solve the present revision at once and return the run; raises InputError with its issues if it has any."""
         with self._lock:
-            result = self._revision.result
-            if result is None:
-                found, hint = "a case that is still being checked", "wait until it has been checked"
-                raise InputError([Issue("the description", found, "a checked one", hint)])
-            if result.issues:
-                raise InputError(result.issues)
-            return self._submit(result, 0.0, force=True)
+            return self._submit(self._require_checked(), 0.0, force=True)
 
     def reset(self) -> None:
         """Stop, and drop all results, which belong to another document."""
@@ -76,6 +75,24 @@ class Analyses:
         """Return a name for the archive of case, results and report of a run, and its content."""
         return f"{case.stem}-results.zip", self.solver.make_view(("archive", run, case.name))
 
+    def export(self, run: int, wanted: Wanted) -> tuple[str, Exported]:
+        """Return a name for a file that is made of the results of a run, and the file; raises InputError."""
+        if wanted.file == "report.pdf" and self._is_outdated(run):
+            wanted = replace(wanted, remark=CHANGED.format(file=wanted.case))
+        return wanted.name, Exported.from_bytes(self.solver.make_view(("export", run, wanted.to_text())))
+
+    def write_saf(self, case: Path) -> tuple[str, Exported]:
+        """Return a name for the present case in the Structural Analysis Format, and the file; raises InputError.
+
+        It has the results if the latest ones are those of the case as it is now.
+        """
+        wanted = Wanted(SAF, case.name)
+        with self._lock:
+            result, latest, text = self._require_checked(), self.solver.schedule.results.latest, self._revision.text
+        if latest is not None and latest.fingerprint == result.fingerprint:
+            return self.export(latest.run, wanted)
+        return wanted.name, self._case_writer.write_saf(text)
+
     def propose_bars(self, run: int, case: Path) -> bytes:
         """Return the text of a case with bars that the results of a run ask for."""
         return self.solver.make_view(("bars", run, str(case.parent)))
@@ -86,6 +103,16 @@ class Analyses:
         if solved is None or solved.text == present.text:
             return False
         return present.result is None or present.result.fingerprint != solved.fingerprint
+
+    def _require_checked(self) -> CheckResult:
+        """Return what was found in the present revision; raises InputError with its issues if it has any."""
+        result = self._revision.result
+        if result is None:
+            found, hint = "a case that is still being checked", "wait until it has been checked"
+            raise InputError([Issue("the description", found, "a checked one", hint)])
+        if result.issues:
+            raise InputError(result.issues)
+        return result
 
     def _submit_valid(self, delay: float) -> None:
         """Have the present revision solved if it has been checked and describes a model."""

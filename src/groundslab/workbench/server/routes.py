@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import mimetypes
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Annotated, Any
-from urllib.parse import quote
 
 from fastapi import FastAPI, Request
 from fastapi.exceptions import RequestValidationError
@@ -20,6 +20,8 @@ from groundslab.errors import InputError, Issue
 from groundslab.languages import Language, page_messages
 from groundslab.model.model import json_schema
 from groundslab.workbench.editing import diagnostics
+from groundslab.workbench.exports.files import Exported, Wanted
+from groundslab.workbench.exports.routes import add_export_route, respond_download, respond_export
 from groundslab.workbench.persistence import files
 from groundslab.workbench.server.case_file import Conflict, OpenElsewhere
 from groundslab.workbench.server.help_routes import add_documentation_routes, add_example_routes
@@ -340,6 +342,15 @@ def _add_file_routes(app: FastAPI, session: Session) -> None:
         name, content = analyses.write_archive(run, session.file.path or UNTITLED)
         return respond_download(name, content, "application/zip")
 
+    def export(run: int, wanted: Wanted) -> tuple[str, Exported]:
+        return analyses.export(run, replace(wanted, case=(session.file.path or UNTITLED).name))
+
+    add_export_route(app, export)
+
+    @app.get("/api/saf")
+    def write_saf() -> Response:
+        return respond_export(*session.write_saf(UNTITLED))
+
 
 def _add_table_routes(app: FastAPI, session: Session) -> None:
     """Add the routes of the tables of results, and of comparisons, each of which is a table when it has been made."""
@@ -379,12 +390,6 @@ def _add_table_routes(app: FastAPI, session: Session) -> None:
     def cancel_comparison() -> dict[str, Any]:
         comparer.cancel()
         return {}
-
-
-def respond_download(name: str, content: bytes, kind: str) -> Response:
-    """Return a file that the browser saves under a name."""
-    headers = {"Content-Disposition": f"attachment; filename*=UTF-8''{quote(name, safe='')}"}
-    return Response(content, media_type=kind, headers=headers)
 
 
 def respond_not_kept() -> JSONResponse:

@@ -18,6 +18,7 @@ from groundslab.workbench.checking.saf import ConvertedSlab
 from groundslab.workbench.checking.slabs import SlabReader
 from groundslab.workbench.editing.document import Document
 from groundslab.workbench.events import Event, Hub
+from groundslab.workbench.exports.files import Exported
 from groundslab.workbench.persistence import files
 from groundslab.workbench.persistence.autosave import Autosave
 from groundslab.workbench.server import case_file
@@ -147,6 +148,11 @@ class Session:
         """Solve the document at once and return the run; raises InputError with its issues if it has any."""
         self.editor.checker.wait(self.editor.revision.version, CHECK_WAIT)
         return self.analyses.solve()
+
+    def write_saf(self, untitled: Path) -> tuple[str, Exported]:
+        """Return a name for the document in the Structural Analysis Format, and the file; raises InputError."""
+        self.editor.checker.wait(self.editor.revision.version, CHECK_WAIT)
+        return self.analyses.write_saf(self.file.path or untitled)
 
     def close(self) -> str:
         """End; return the path of unsaved work, empty if there is none."""

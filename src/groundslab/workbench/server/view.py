@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tempfile
 import threading
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,13 +16,14 @@ from groundslab.errors import InputError, Issue
 from groundslab.results.results import refusal_words
 from groundslab.views.files import archive, results_folder
 from groundslab.workbench.events import Event, Hub
+from groundslab.workbench.exports.files import Exported, Wanted, export
+from groundslab.workbench.exports.routes import add_export_route, respond_download
 from groundslab.workbench.server.public import add_document_route
 from groundslab.workbench.server.routes import (
     STATIC,
     add_error_handlers,
     add_schema_route,
     guard_app,
-    respond_download,
     respond_not_kept,
 )
 from groundslab.workbench.server.security import Guard
@@ -129,6 +131,14 @@ class ResultsView:
                 self._report = page.encode()
             return f"{Path(self._name).stem}-report.html", self._report
 
+    def export(self, run: int, wanted: Wanted) -> tuple[str, Exported]:
+        """Return a name for a file that is made of the results, and the file; raises InputError."""
+        if run != ONLY:
+            raise InputError([Issue("the export", f"run {run}", f"run {ONLY}")])
+        wanted = replace(wanted, case=f"{Path(self._name).stem}.toml", remark=self._remark)
+        with self._lock:
+            return wanted.name, export(self._results, wanted, self._text, self._comparison)
+
 
 def create_view_app(view: ResultsView, tickets: Tickets, port: int, token: str, static: Path = STATIC) -> Guard:
     """Return the application that shows results."""
@@ -171,4 +181,5 @@ def create_view_app(view: ResultsView, tickets: Tickets, port: int, token: str, 
     def get_report(run: int) -> Response:
         return respond_download(*view.write_report(), "text/html; charset=utf-8") if run == ONLY else respond_not_kept()
 
+    add_export_route(app, view.export)
     return guard_app(app, tickets, port, token, static)

@@ -1,12 +1,12 @@
 """The process that solves: it is kept warm, and stops a run between two steps of the analysis.
 
 It receives ("solve", run, text, shown, before), ("report", run, file), ("archive", run, file), ("table", run, name),
-("document", run, name) and ("bars", run, folder) from ``Worker`` through a pipe. It sends ("ready",) when it can
-receive, ("warm",) when it has warmed up, ("progress", run, text, share), ("preview", run, words, figures) followed by
-the bytes of a scene, ("provisional", run, answer) and ("solved", run, answer) followed by the bytes of the scene,
-("refused", run, message, issues), ("stopped", run), ("making", run, title, share) while a report is made, and ("view",
-message, error) in answer to all but the first, followed by the bytes that were asked for if the error is empty. These
-are answered between two steps of a run, too.
+("document", run, name), ("export", run, wanted) and ("bars", run, folder) from ``Worker`` through a pipe. It sends
+("ready",) when it can receive, ("warm",) when it has warmed up, ("progress", run, text, share), ("preview", run, words,
+figures) followed by the bytes of a scene, ("provisional", run, answer) and ("solved", run, answer) followed by the
+bytes of the scene, ("refused", run, message, issues), ("stopped", run), ("making", run, title, share) while a report is
+made, and ("view", message, error or issues) in answer to all but the first, followed by the bytes that were asked for
+if there is no error. These are answered between two steps of a run, too.
 """
 
 from __future__ import annotations
@@ -318,6 +318,8 @@ def _send_view(pipe: Connection, view: View, known: Mapping[int, Any]) -> None:
 
     try:
         content = WRITERS[kind](known[run], name, told)
+    except InputError as error:
+        pipe.send(("view", view, error.issues))
     except Exception as error:
         traceback.print_exc()
         pipe.send(("view", view, f"it cannot be made: {error}"))
@@ -354,6 +356,15 @@ def _write_archive(solved: Solved, file: str, told: Told) -> bytes:
     return pack_results(solved.results, solved.text, _render_report(solved, file, told))
 
 
+def _write_export(solved: Solved, wanted: str, _: Told) -> bytes:
+    """Return a file for other programs, packed with what is said of it."""
+    from groundslab.workbench.exports.files import Wanted, export
+
+    about, results = Wanted.from_text(wanted), solved.results
+    comparison = _compare(results.model) if about.file == "report.pdf" else None
+    return export(results, about, solved.text, comparison).to_bytes()
+
+
 def _write_bars(solved: Solved, folder: str, _: Told) -> bytes:
     """Return the text of the case with bars that are proposed; relative names of files are those in a folder."""
     from groundslab.case.editing.reinforcement import with_reinforcement
@@ -379,5 +390,5 @@ def _write_document(solved: Solved, name: str, _: Told) -> bytes:
 #: What writes each kind of view.
 WRITERS: dict[str, Callable[[Solved, str, Told], bytes]] = {
     "report": _write_report, OUTDATED: _write_outdated_report, "archive": _write_archive, "table": _write_table,
-    "bars": _write_bars, "document": _write_document,
+    "bars": _write_bars, "document": _write_document, "export": _write_export,
 }  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
@@ -105,8 +105,8 @@ class ViewRequests:
                 future.set_running_or_notify_cancel()
                 yield view
 
-    def finish(self, view: View, error: str, content: bytes = b"") -> None:
-        """Pass on a view, or the reason why there is none."""
+    def finish(self, view: View, error: str | Sequence[Issue], content: bytes = b"") -> None:
+        """Pass on a view, or the reason or the issues why there is none."""
         future = self._waiting.pop(view, Future())
         if error:
             future.set_exception(make_view_error(view[0], error))
@@ -119,6 +119,8 @@ class ViewRequests:
             self.finish(view, error)
 
 
-def make_view_error(kind: str, reason: str) -> InputError:
+def make_view_error(kind: str, reason: str | Sequence[Issue]) -> InputError:
     """Return the error for a report or a table that cannot be made."""
+    if not isinstance(reason, str):
+        return InputError(reason)
     return InputError([Issue(f"the {kind}", reason, "results that are kept")])

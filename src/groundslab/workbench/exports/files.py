@@ -1,0 +1,166 @@
+"""Files that are made of results: report, tables, figures, drawings, field values, the case for other programs."""
+
+from __future__ import annotations
+
+import json
+import tempfile
+import zipfile
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal, get_args
+
+from groundslab.errors import InputError, Issue
+from groundslab.schema.wording import describe
+
+if TYPE_CHECKING:
+    from groundslab.analysis.ground_comparison.comparison import GroundComparison
+    from groundslab.results.results import Results
+
+#: What a file is of, and its kind.
+ExportName = Literal[
+    "report.pdf", "tables.xlsx", "tables.zip", "plan.pdf", "plan.svg", "plan.png", "plan.dxf", "bars.dxf", "bars.pdf",
+    "bars.svg", "saf.xlsx", "plate.vtu",
+]  # fmt: skip
+SAF: ExportName = "saf.xlsx"
+#: Notes that are passed on, and letters of one, at most.
+LISTED, LONGEST = 200, 300
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """A file that is wanted: its name, that of the case, and the field and the combination or envelope that it is of.
+
+    The envelope is a limit state. A report has the remark.
+    """
+
+    file: ExportName
+    case: str = "case.toml"
+    field: str = ""
+    combination: str = ""
+    envelope: str = ""
+    remark: str = ""
+
+    @property
+    def name(self) -> str:
+        """The name under which the file is saved; that of a plan has the field."""
+        what = self.file.replace("plan", self.field or "plan")
+        return f"{Path(self.case).stem}-{what}"
+
+    def to_text(self) -> str:
+        """Return what ``from_text`` turns into an equal value."""
+        return json.dumps(asdict(self))
+
+    @classmethod
+    def from_text(cls, text: str) -> Wanted:
+        """Return what a text says."""
+        return cls(**json.loads(text))
+
+
+@dataclass(frozen=True, slots=True)
+class Exported:
+    """The content of a file, and what is said of it: what it does not hold, or in another way than the case does."""
+
+    content: bytes
+    notes: tuple[str, ...] = ()
+
+    def to_bytes(self) -> bytes:
+        """Return what ``from_bytes`` turns into an equal value."""
+        return json.dumps(self.notes).encode() + b"\n" + self.content
+
+    @classmethod
+    def from_bytes(cls, packed: bytes) -> Exported:
+        """Return what was packed."""
+        notes, _, content = packed.partition(b"\n")
+        return cls(content, tuple(json.loads(notes)))
+
+
+def export(
+    results: Results, wanted: Wanted, text: str | None = None, comparison: GroundComparison | None = None
+) -> Exported:
+    """Return a file that is made of results; raises InputError.
+
+    Text and comparison of grounds are those of the report.
+    """
+    from groundslab.views.summary.discretization import provisional_words
+
+    with tempfile.TemporaryDirectory(prefix="groundslab-") as folder:
+        path = Path(folder) / wanted.file
+        if wanted.file == "report.pdf":
+            from groundslab.views.report.html import write_report
+
+            write_report(results, path, text=text, file=wanted.case, comparison=comparison, remark=wanted.remark)
+            return Exported(path.read_bytes())
+        notes = _WRITERS[path.stem](results, wanted, path)
+        provisional = provisional_words(results)
+        return limit_notes(path.read_bytes(), [*([provisional] if provisional else []), *notes])
+
+
+def limit_notes(content: bytes, notes: Sequence[str]) -> Exported:
+    """Return a file with as many notes as are passed on, and how many there are besides."""
+    listed = [note if len(note) <= LONGEST else f"{note[:LONGEST]} ..." for note in notes[:LISTED]]
+    more = len(notes) - len(listed)
+    return Exported(content, (*listed, f"{more:,} more") if more else tuple(listed))
+
+
+def _write_tables(results: Results, _: Wanted, path: Path) -> Sequence[str]:
+    """Write all tables as one workbook, or each as a CSV file into an archive."""
+    if path.suffix == ".xlsx":
+        from groundslab.views.files.xlsx import write_workbook
+
+        write_workbook(results, path)
+        return ()
+    from groundslab.views.translation import translated_tables
+
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for table in translated_tables(results):
+            archive.writestr(f"{table.name}.csv", table.csv())
+    return ()
+
+
+def _write_plan(results: Results, wanted: Wanted, path: Path) -> Sequence[str]:
+    """Draw a field in plan; fields of bars are over all combinations."""
+    from groundslab.results.fields import BAR_FIELDS
+    from groundslab.views import plots
+    from groundslab.views.plots.request import parse_request
+
+    chosen = wanted.field not in BAR_FIELDS
+    combination = wanted.combination if chosen and wanted.combination else None
+    envelope = wanted.envelope if chosen and wanted.envelope else None
+    fields = [wanted.field] if wanted.field else []
+    plots.write(parse_request(results, fields, "plan", combination, envelope, None), path)
+    return ()
+
+
+def _write_bars(results: Results, _: Wanted, path: Path) -> Sequence[str]:
+    """Draw the bars that are laid."""
+    from groundslab.views.bars import write_bars
+
+    write_bars(results, path)
+    return ()
+
+
+def _write_saf(results: Results, _: Wanted, path: Path) -> Sequence[str]:
+    """Write case and results in the Structural Analysis Format."""
+    from groundslab.views.files.saf import write_saf
+
+    return write_saf(results, path)
+
+
+def _write_plate(results: Results, wanted: Wanted, path: Path) -> Sequence[str]:
+    """Write the plate's fields in a combination, or else their envelopes over all of them."""
+    from groundslab.views.files.vtk import write_envelope, write_plate
+
+    if not wanted.combination:
+        write_envelope(results, path)
+        return ()
+    if wanted.combination not in results.results:
+        raise InputError([Issue("combination", describe(wanted.combination), "one that has results")])
+    write_plate(results.results[wanted.combination], path)
+    return ()
+
+
+_WRITERS: dict[str, Callable[[Results, Wanted, Path], Sequence[str]]] = {
+    "tables": _write_tables, "plan": _write_plan, "bars": _write_bars, "saf": _write_saf, "plate": _write_plate,
+}  # fmt: skip
+assert {name.partition(".")[0] for name in get_args(ExportName)} == {"report", *_WRITERS}

@@ -1,0 +1,172 @@
+"""Files that the server makes of results and of the case as it stands."""
+
+from __future__ import annotations
+
+import json
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+from urllib.parse import unquote, urlencode
+
+import pytest
+
+import groundslab as gs
+from groundslab.workbench.events import Hub
+from helpers import asgi, browsing, workers
+from helpers.small_case import TEXT
+
+pytest.importorskip("fastapi")
+pytest.importorskip("openpyxl")
+from groundslab.workbench.exports.case_writer import NO_RESULTS
+from groundslab.workbench.server.routes import create_app
+from groundslab.workbench.server.session import Session
+from groundslab.workbench.server.tickets import Tickets
+from groundslab.workbench.server.view import ResultsView, create_view_app
+from groundslab.workbench.solver.process import solve
+from groundslab.workbench.solver.thread import Solver
+
+PORT, TOKEN = 8765, "secret"
+HOST = ("host", f"127.0.0.1:{PORT}")
+GOOD = [HOST, ("x-groundslab-token", TOKEN)]
+PATIENCE = 120.0
+
+pytestmark = pytest.mark.slow
+
+
+class Bench:
+    """A session that solves, and a client that has the token."""
+
+    def __init__(self, folder: Path, text: str = TEXT) -> None:
+        hub = Hub()
+        self.solved = threading.Event()
+
+        def publish(name: str, data: dict[str, object]) -> None:
+            hub.publish(name, data)
+            if name in ("solved", "refused"):
+                self.solved.set()
+
+        self.session = Session(hub, Solver(publish, solve, None), folder / "state", "", workers.Inline())
+        self.app = create_app(self.session, Tickets(), PORT, TOKEN, folder)
+        (folder / "slab.toml").write_text(text, encoding="utf-8")
+        self.session.open(str(folder / "slab.toml"))
+
+    def wait(self) -> int:
+        """Return the run when it is solved."""
+        assert self.solved.wait(PATIENCE)
+        latest = self.session.analyses.solver.schedule.results.latest
+        assert latest is not None
+        return latest.run
+
+    def get(self, path: str, status: int = 200, **query: str) -> asgi.Answer:
+        """Return an answer."""
+        answer = asgi.ask(self.app, "GET", f"/api/{path}?{urlencode(query)}", GOOD)
+        assert answer.status == status, answer.text
+        return answer
+
+
+@pytest.fixture
+def bench(tmp_path: Path) -> Iterator[Bench]:
+    """A workbench with a small case, which is being solved."""
+    made = Bench(tmp_path)
+    yield made
+    made.session.close()
+
+
+def notes_of(answer: asgi.Answer) -> list[str]:
+    """Return what an answer says of its file."""
+    notes = json.loads(unquote(answer.headers["x-groundslab-notes"]))
+    assert isinstance(notes, list)
+    return notes
+
+
+def test_saf_has_the_results_of_the_case_as_it_stands(bench: Bench, tmp_path: Path) -> None:
+    """Solved, it has section forces; changed, it has no results and says so; undone, it has them again."""
+    run = bench.wait()
+    answer = bench.get("saf")
+    assert answer.headers["content-disposition"].endswith("slab-saf.xlsx")
+    (tmp_path / "solved.xlsx").write_bytes(answer.content)
+    assert NO_RESULTS not in notes_of(answer)
+    assert any(note.startswith("section forces along edges") for note in notes_of(answer))
+    bench.session.analyses.set_autosolve(False)
+    bench.session.editor.edit([{"op": "set", "path": ["plate", "thickness"], "value": "400 mm"}], "", None)
+    answer = bench.get("saf")
+    assert notes_of(answer)[0] == NO_RESULTS
+    (tmp_path / "changed.xlsx").write_bytes(answer.content)
+    thickness = [gs.read_saf(tmp_path / f"{name}.xlsx").model.plate.thickness for name in ("solved", "changed")]
+    assert thickness == [0.25, 0.4]
+    bench.session.editor.undo()
+    assert NO_RESULTS not in notes_of(bench.get("saf"))
+    assert bench.wait() == run
+
+
+def test_a_case_with_errors_has_no_file(bench: Bench) -> None:
+    """What is wrong with it is said, as where it is solved."""
+    bench.session.editor.edit([{"op": "set", "path": ["plate", "thickness"], "value": "-1 mm"}], "", None)
+    assert "thickness" in json.dumps(bench.get("saf", 422).json())
+
+
+def test_files_of_a_run(bench: Bench) -> None:
+    """They have names; what cannot be made is explained, and so are runs that are not kept and names of no file."""
+    run = bench.wait()
+    plan = bench.get(f"results/{run}/exports/plan.dxf", field="pressure")
+    assert plan.headers["content-disposition"].endswith("slab-pressure.dxf")
+    assert b"drawn by groundslab" in plan.content[:100_000]
+    assert notes_of(plan) == []
+    assert bench.get(f"results/{run}/exports/tables.xlsx").content.startswith(b"PK")
+    assert "bottom_x" in bench.get(f"results/{run}/exports/bars.dxf", 422).json()["error"]["hint"]
+    assert "one of" in bench.get(f"results/{run}/exports/plan.pdf", 422, field="colour").json()["error"]["expected"]
+    assert bench.get("results/99/exports/plan.pdf", 422).json()["error"]["location"] == "the export"
+    for name in ("plan.exe", "..%2fslab.toml", "saf.dxf"):
+        bench.get(f"results/{run}/exports/{name}", 422)
+    bench.get(f"results/{run}/exports/plan.dxf", 422, field="w" * 1001)
+
+
+@pytest.mark.parametrize("path", ["/api/saf", "/api/results/1/exports/plan.dxf", "/api/slabs?file=x.ifc"])
+@pytest.mark.parametrize("headers", [[HOST], [("host", "other"), GOOD[1]], [*GOOD, ("origin", "http://other")]])
+def test_requests_of_others_are_refused(bench: Bench, path: str, headers: asgi.Headers) -> None:
+    """Without the token, under another host, or from another page nothing is made."""
+    assert asgi.ask(bench.app, "GET", path, headers).status == 403
+
+
+def test_the_server_answers_while_a_file_is_made(bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Making one waits in a thread; the state is answered meanwhile."""
+    run, begun, go_on = bench.wait(), threading.Event(), threading.Event()
+
+    def make_view(_: object) -> bytes:
+        begun.set()
+        assert go_on.wait(PATIENCE)
+        return b"[]\nmade"
+
+    monkeypatch.setattr(bench.session.analyses.solver, "make_view", make_view)
+    answers: list[asgi.Answer] = []
+    path = f"results/{run}/exports/plan.dxf"
+    waiting = threading.Thread(target=lambda: answers.append(bench.get(path)))
+    waiting.start()
+    assert begun.wait(PATIENCE)
+    assert bench.get("state").json()["version"]
+    assert answers == []
+    go_on.set()
+    waiting.join()
+    assert answers[0].content == b"made"
+
+
+def test_results_that_are_looked_at_give_the_same_files(bench: Bench, tmp_path: Path) -> None:
+    """A plan and a SAF file of a kept folder are those of the workbench; other runs are refused."""
+    folder = gs.save_results(gs.solve(gs.load(tmp_path / "slab.toml")), tmp_path / "slab")
+    app = create_view_app(ResultsView.read(folder), Tickets(), PORT, TOKEN, tmp_path)
+    run = bench.wait()
+    name = "exports/plan.dxf?field=settlement"
+    kept = asgi.ask(app, "GET", f"/api/results/1/{name}", GOOD)
+    made = asgi.ask(bench.app, "GET", f"/api/results/{run}/{name}", GOOD)
+    assert (kept.status, kept.content) == (200, made.content)
+    assert asgi.ask(app, "GET", "/api/results/1/exports/saf.xlsx", GOOD).content.startswith(b"PK")
+    assert asgi.ask(app, "GET", f"/api/results/2/{name}", GOOD).status == 422
+
+
+@pytest.mark.skipif(browsing.chromium() is None, reason="no browser on this machine")
+def test_the_report_as_pdf(bench: Bench) -> None:
+    """It is printed, as by the command."""
+    pytest.importorskip("playwright")
+    answer = bench.get(f"results/{bench.wait()}/exports/report.pdf")
+    assert answer.headers["content-disposition"].endswith("slab-report.pdf")
+    assert answer.content.startswith(b"%PDF-")
