@@ -333,10 +333,7 @@ def test_the_report_is_saved_and_its_tools_work(own_server: Server, bench: Bench
     """The report is one file that shows values at picked points and along sections without a server."""
     bench.open(own_server.start(case))
     bench.wait_solved()
-    with bench.page.expect_download() as download:
-        bench.page.get_by_role("button", name="Report").click()
-    report = tmp_path / "report.html"
-    download.value.save_as(report)
+    report = bench.export("report.html", tmp_path)
     own_server.stop()
     page = bench.page
     page.goto(report.as_uri())

@@ -205,6 +205,17 @@ class Bench:
         """Type a value into the field of a key."""
         self.field(*path).locator("input").first.fill(value)
 
+    def export(self, file: str, folder: Path) -> Path:
+        """Export one of the files that the dialog offers; returns where it was saved, under the name that it got."""
+        self.page.get_by_role("button", name="Export …").click()
+        dialog = self.page.locator(".export-dialog")
+        dialog.locator("select", has=self.page.locator(f'option[value="{file}"]')).select_option(file)
+        with self.page.expect_download() as download:
+            dialog.get_by_role("button", name="Export", exact=True).click()
+        path = folder / download.value.suggested_filename
+        download.value.save_as(path)
+        return path
+
     def text(self) -> str:
         """Return the case file as the page shows it under Text."""
         return str(self.page.locator(".code-input").input_value())

@@ -91,6 +91,20 @@ export interface OpenedDrawing {
   origin: [number, number];
 }
 
+/** What a file is of: a field of a combination, or of an envelope over those of one limit state. */
+export interface OfResult {
+  field: string;
+  combination: string;
+  envelope: string;
+}
+
+/** A file that the server has made; what it does not hold, or in another way than the case. */
+export interface MadeFile {
+  name: string;
+  content: Blob;
+  notes: string[];
+}
+
 /** An example that the server has, with what its picture shows. */
 export interface Example {
   name: string;
@@ -243,15 +257,23 @@ export class HttpApi {
   /** The text of the case with bars that its results ask for. */
   proposeBars = async (run: number) => (await this.request(`results/${run}/bars`, undefined, 120_000)).text();
   report = (run: number) => this.file(`results/${run}/report`);
-  archiveAddress = (run: number) => `api/results/${run}/archive?token=${encodeURIComponent(this.token)}`;
+  archive = (run: number) => this.file(`results/${run}/archive`);
+  /** A file made of the results of a run, of what is shown of them. */
+  exported = (run: number, file: string, shown: OfResult | null) => {
+    const { field = "", combination = "", envelope = "" } = shown ?? {};
+    return this.file(`results/${run}/exports/${file}?${new URLSearchParams({ field, combination, envelope })}`);
+  };
+  /** The case as it is now as a SAF file. */
+  saf = () => this.file("saf");
   eventsAddress = () => `api/events?token=${encodeURIComponent(this.token)}`;
 
-  /** A file with the name that the server gives it; making it may take minutes. */
-  private async file(name: string): Promise<{ name: string; content: Blob }> {
+  /** A file with the name that the server gives it, and what it says of it; making it may take minutes. */
+  private async file(name: string): Promise<MadeFile> {
     const response = await this.request(name, undefined, 600_000);
     const about = response.headers.get("Content-Disposition") ?? "";
     const given = /filename\*=UTF-8''([^;]+)/.exec(about)?.[1];
-    return { name: given ? decodeURIComponent(given) : "report.html", content: await response.blob() };
+    const notes = JSON.parse(decodeURIComponent(response.headers.get("X-Groundslab-Notes") ?? "[]")) as string[];
+    return { name: given ? decodeURIComponent(given) : "export", content: await response.blob(), notes };
   }
 
   private async json<T>(name: string, body?: object, patience = PATIENCE): Promise<T> {

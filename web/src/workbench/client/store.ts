@@ -5,7 +5,7 @@ import type { Change, Edit } from "../model/edits";
 import type { Issue } from "../model/issues";
 import { type Path, pathKey, samePath, type Table } from "../model/paths";
 import type { Underlay } from "../model/survey";
-import type { CombinationSummary, ComparisonKind, DocState } from "./api";
+import type { CombinationSummary, ComparisonKind, DocState, OfResult } from "./api";
 
 /** The state of the connection. */
 export type Connection = "ok" | "away" | "unauthorized";
@@ -62,6 +62,7 @@ export type Topic =
   | "notice"
   | "opened"
   | "report"
+  | "shown"
   | "underlay";
 
 /** What of the store is one value that others set. */
@@ -74,9 +75,19 @@ type Settable =
   | "solved"
   | "autosolve"
   | "notice"
+  | "shown"
   | "underlay";
 
-/** A report that is being made. */
+/** What is shown of the result. */
+export interface ShownResult extends OfResult {
+  meaning: string;
+  /** What the combination or the envelope is called. */
+  of: string;
+  /** Whether it can be drawn as a file: envelopes over several limit states cannot. */
+  isDrawable: boolean;
+}
+
+/** A report or another file that is being made. */
 export interface Making {
   run: number;
   text: string;
@@ -98,7 +109,8 @@ export class Store {
   solved: Solved | null = null;
   preview: Preview | null = null;
   comparison: Comparison | null = null;
-  /** The report that is being made: which chapter, and the share that is made. */
+  shown: ShownResult | null = null;
+  /** The file that is being made; of a report which chapter, and the share that is made. */
   report: Making | null = null;
   autosolve = false;
   /** The paths of the items that are selected, the latest last. */

@@ -1,4 +1,4 @@
-// The report on a file that became a case: what was read of it and what was left.
+// The report on a file that became a case, or that a case became: what was read or written, and what was left.
 
 import { button, h } from "../../viewer/shared/dom";
 import { closeDialog, openDialog } from "../controls/dialogs";
@@ -6,14 +6,22 @@ import "./drawing.css";
 
 /** Show what was read of a file and what was left, below a sentence on what is still missing. */
 export function showReport(name: string, missing: string, report: string): void {
-  const title = `Imported from ${name}`;
+  showLines(`Imported from ${name}`, missing, report);
+}
+
+/** Show what is said of a file that was saved. */
+export function showNotes(name: string, words: string, notes: string): void {
+  showLines(`Saved as ${name}`, words, notes);
+}
+
+function showLines(title: string, words: string, report: string): void {
   const close = () => closeDialog(dialog);
   const ok = button("Close", "", close, "main");
   const dialog = h(
     "dialog",
     { class: "drawing-report", "aria-label": title },
     h("h2", {}, title),
-    h("p", {}, missing),
+    h("p", {}, words),
     h("pre", { tabindex: 0 }, report),
     h("div", { class: "answers" }, ok),
   );

@@ -42,9 +42,9 @@ export const STEPS: readonly Step[] = [
     target: ".solve",
   },
   {
-    title: "Save and report",
-    text: "Report saves the results as a single HTML file. Save (Ctrl+S) writes the case file; unsaved work is backed up automatically. Click “?” for this tour, keyboard shortcuts and the documentation.",
-    target: ".top .report",
+    title: "Save and export",
+    text: "Export saves the report, tables, figures, drawings and files for other programs. Save (Ctrl+S) writes the case file; unsaved work is backed up automatically. Click “?” for this tour, keyboard shortcuts and the documentation.",
+    target: ".top .export",
   },
 ];
 

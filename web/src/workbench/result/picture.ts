@@ -1,10 +1,10 @@
 // The picture of the result, in its place that of a preview or of a reference; items of the model are selected in it.
-import { fieldsOf } from "../../viewer/data/fields";
+import { choiceName, combinationsOf, fieldOf, fieldsOf, isEnvelope } from "../../viewer/data/fields";
 import type { Point, Scene } from "../../viewer/data/scene";
 import { ResultView, type ResultViewHooks } from "../../viewer/panels/result-view";
 import { fill, h } from "../../viewer/shared/dom";
 import type { Api, CombinationSummary } from "../client/api";
-import type { Store } from "../client/store";
+import type { ShownResult, Store } from "../client/store";
 import { formatPath, parsePath } from "../model/paths";
 import { itemAt, itemOf, itemsIn, middleOf } from "./plan-items";
 import { Preview, type PreviewHooks } from "./preview";
@@ -52,6 +52,22 @@ export class Picture {
     const { combinations, fields, toolGroup, modeGroup, fitButton, meshButton, numbersButton } = this.view;
     const about = { class: "stage-bar", role: "toolbar", "aria-label": "result" };
     return h("div", about, combinations, fields, toolGroup, modeGroup, fitButton, meshButton, numbersButton);
+  }
+
+  /** What is shown, as files of it are asked for; null: nothing. */
+  get shown(): ShownResult | null {
+    const { scene, choice, field } = this.view;
+    if (!scene) return null;
+    const shown = combinationsOf(scene, choice).map((i) => scene.head.combinations[i]!);
+    const states = new Set(shown.map((one) => one.limit_state));
+    return {
+      field,
+      meaning: fieldOf(scene, field).meaning,
+      of: choiceName(scene, choice),
+      combination: isEnvelope(choice) ? "" : (shown[0]?.name ?? ""),
+      envelope: isEnvelope(choice) && states.size === 1 ? (shown[0]?.limit_state ?? "") : "",
+      isDrawable: !isEnvelope(choice) || states.size === 1,
+    };
   }
 
   /** Show a result; null: none. */

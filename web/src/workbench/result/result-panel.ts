@@ -190,6 +190,7 @@ export class ResultPanel {
     this.showFull(false);
     this.empty.update();
     this.picture.setResult(null);
+    this.store.set("shown", null);
     this.lower.clear();
     this.offerTables(null, []);
   }
@@ -200,6 +201,7 @@ export class ResultPanel {
     const { choice, scene } = picture.view;
     const shown = isEnvelope(choice) ? null : (scene?.head.combinations[choice]?.name ?? "");
     this.tellShown(shown);
+    this.store.set("shown", picture.shown);
     // with a preview there may be no summary yet, or that of the result before
     const one = picture.preview.figures ?? summary?.combinations.find(({ name }) => name === shown) ?? null;
     picture.tellRefused(one);

@@ -1,18 +1,15 @@
-// The bar across the top: the file, undo and redo, solving, the report, light and dark.
+// The bar across the top: the file, undo and redo, solving, exporting, light and dark.
 
 import { button, h, setRead, setText, verbatim } from "../../viewer/shared/dom";
 import { translate } from "../../viewer/shared/language";
 import { switchTheme } from "../../viewer/shared/theme";
-import type { Api } from "../client/api";
 import type { Store } from "../client/store";
 import { icon } from "../controls/icons";
 import type { Commands } from "./commands";
+import { type ExportApi, exportButton } from "./export-button";
 import { languageSwitch } from "./language-switch";
-import { reportButton } from "./report-button";
 
-type Files = Pick<Api, "report" | "archiveAddress">;
-
-export function topBar(store: Store, api: Files, commands: Commands, showKeys: () => void): HTMLElement {
+export function topBar(store: Store, api: ExportApi, commands: Commands, showKeys: () => void): HTMLElement {
   const file = [
     button("New", "Start a new case, empty or from an example", () => void commands.createCase()),
     button(
@@ -31,8 +28,7 @@ export function topBar(store: Store, api: Files, commands: Commands, showKeys: (
     ...historyButtons(store, commands),
     fileTitle(store),
     ...solveControls(store, commands),
-    reportButton(store, api, commands.solve),
-    archiveLink(store, api),
+    exportButton(store, api, commands.solve),
     themeButton(),
     languageSwitch(store, commands.settle),
     h(
@@ -44,10 +40,10 @@ export function topBar(store: Store, api: Files, commands: Commands, showKeys: (
 }
 
 /** The bar above results that are only looked at. */
-export function viewBar(store: Store, api: Pick<Api, "report">): HTMLElement {
+export function viewBar(store: Store, api: ExportApi): HTMLElement {
   const name = h("h1", { class: "brand" }, "groundslab");
-  const report = reportButton(store, api, async () => {}); // what is looked at does not change
-  return h("header", { class: "top" }, name, fileTitle(store), report, themeButton(), languageSwitch(store));
+  const files = exportButton(store, api, async () => {}); // what is looked at does not change
+  return h("header", { class: "top" }, name, fileTitle(store), files, themeButton(), languageSwitch(store));
 }
 
 function themeButton(): HTMLButtonElement {
@@ -113,21 +109,4 @@ function solveControls(store: Store, commands: Commands): HTMLElement[] {
   });
   const attributes = { class: "switch", for: "autosolve", title: "Solve automatically after every edit" };
   return [h("label", attributes, auto, h("span", { class: "knob" }), "Autosolve"), solve];
-}
-
-function archiveLink(store: Store, api: Pick<Api, "archiveAddress">): HTMLElement {
-  const title = "Save case, results and report in one ZIP file for groundslab view";
-  return resultLink(store, "Archive", title, (run) => api.archiveAddress(run));
-}
-
-/** A link that saves a file about the last result. */
-function resultLink(store: Store, label: string, title: string, addressOf: (run: number) => string): HTMLElement {
-  const link = h("a", { class: "button", role: "button", title, download: "" }, label);
-  store.on(["solved"], () => {
-    const { solved } = store;
-    if (solved) link.href = addressOf(solved.run);
-    else link.removeAttribute("href");
-    link.setAttribute("aria-disabled", String(solved === null));
-  });
-  return link;
 }
