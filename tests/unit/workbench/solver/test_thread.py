@@ -588,7 +588,7 @@ top = ["50 mm", "62 mm"]
         process._send_view(pipe, ("bars", run, "."), {run: solved})
     (_, _, first), (_, _, second) = pipe.messages
     assert first == ""
-    assert "[reinforcement]" in second
+    assert "[reinforcement]" in second[0].expected
     made = casefile.loads(pipe.content.decode())
     assert pipe.content.startswith(b"# a strip")
     assert made.reinforcement is not None
