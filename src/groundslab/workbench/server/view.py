@@ -181,5 +181,5 @@ def create_view_app(view: ResultsView, tickets: Tickets, port: int, token: str, 
     def get_report(run: int) -> Response:
         return respond_download(*view.write_report(), "text/html; charset=utf-8") if run == ONLY else respond_not_kept()
 
-    add_export_route(app, view.export)
+    add_export_route(app, lambda run, wanted: view.export(run, wanted))
     return guard_app(app, tickets, port, token, static)
