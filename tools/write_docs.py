@@ -18,8 +18,8 @@ from groundslab.views.interface import shapes
 from groundslab.workbench.events import Hub
 from groundslab.workbench.server.public import openapi
 from groundslab.workbench.server.routes import create_app
+from groundslab.workbench.server.security import Tickets
 from groundslab.workbench.server.session import Session
-from groundslab.workbench.server.tickets import Tickets
 from groundslab.workbench.solver.thread import Solver
 
 DOCS = Path(__file__).resolve().parent.parent / "docs"

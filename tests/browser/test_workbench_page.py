@@ -212,10 +212,10 @@ def test_a_file_changed_by_others_is_replaced_only_when_asked(server: Server, be
     theirs = case.read_text()
     bench.page.keyboard.press("Control+s")
     dialog = bench.page.get_by_role("dialog")
-    dialog.get_by_role("button", name="Don't save").click()
+    dialog.get_by_role("button", name="Cancel").click()
     assert case.read_text() == theirs
     bench.page.keyboard.press("Control+s")
-    dialog.get_by_role("button", name="Replace").click()
+    dialog.get_by_role("button", name="Replace the file").click()
     bench.until(lambda: bench.seen(".unsaved") == "")
     assert 'thickness = "260 mm"' in case.read_text()
 

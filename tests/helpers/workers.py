@@ -15,7 +15,8 @@ from groundslab.views.report.table_layout import Cell, TableLayout, headers
 from groundslab.workbench.checking import parsing
 from groundslab.workbench.checking.parsing import CheckResult
 from groundslab.workbench.editing.document import Document
-from groundslab.workbench.solver.process import Answer, Progress, Solved
+from groundslab.workbench.solver.answer import Answer
+from groundslab.workbench.solver.process import Progress, Solved
 
 
 def obey(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:

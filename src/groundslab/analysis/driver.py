@@ -135,19 +135,25 @@ def solve_combinations(
 def solve_preview(model: Model, name: str, on_step: OnStep | None = None) -> Results:
     """Solve one combination on a mesh of few elements, for a first look while all are solved.
 
-    The slab does not crack, and the errors are those of that mesh. The name may be of no combination: then it is the
-    first one.
+    The slab does not crack, and the errors are those of that mesh. The name may be of no combination any more: then it
+    is the one with the largest sum of factors. Without a name it is the first one.
     """
     coarse = model.model_copy(update={"mesh": uniform_mesh(model, PREVIEW_ELEMENTS), "cracking": None})
     local = move_to_center(coarse)
     solved_model = as_solved(local)
     combinations = {combination.name: combination for combination in list_combinations(solved_model)}
-    combination = combinations.get(name, next(iter(combinations.values())))
+    first = next(iter(combinations.values()))
+    combination = combinations.get(name) or (max(combinations.values(), key=_sum_factors) if name else first)
     task = task_of(solved_model, combination)
     solver_name, solver = factorization.choose(model.analysis.solver)
     hierarchy = MeshHierarchy(solved_model, solver, 0, 1.0, keep=False)
     outcome = solve_task(task, solved_model, combination, [hierarchy], solver_name, on_step or (lambda _: None))
     return move_back(_collect(local, {combination: task}, {task: outcome}), coarse)
+
+
+def _sum_factors(combination: Combination) -> float:
+    """Return the sum of a combination's factors, which is large where it governs."""
+    return sum(factor for _, factor in combination.factors)
 
 
 class Variants:

@@ -18,8 +18,9 @@ from groundslab.workbench.checking.bounded_process import (
 )
 from groundslab.workbench.checking.parsing import CheckResult
 from groundslab.workbench.checking.revision import Revision
-from groundslab.workbench.editing import diagnostics
+from groundslab.workbench.editing import diagnostics, merge
 from groundslab.workbench.editing.document import Document, Edit
+from groundslab.workbench.editing.merge import Comparison
 
 #: Time in which a text must be checked [s].
 CHECK_LIMIT = 20.0
@@ -74,6 +75,20 @@ class Checker:
             hint = "edit the text instead, or undo the last step"
             issue = Issue("the edit", f"a case that cannot be read ({error})", "one that can be", hint)
             raise InputError([issue]) from None
+        finally:
+            with self._changed:
+                self._edits -= 1
+                self._changed.notify_all()
+
+    def compare(self, base: str | None, mine: str, theirs: str) -> Comparison:
+        """Return how the text of a file differs from mine, unmerged if that takes too long."""
+        with self._changed:
+            self._edits += 1
+        try:
+            compared: Comparison = self._caller.call(merge.compare, base, mine, theirs, seconds=EDIT_LIMIT)
+            return compared
+        except CallFailure as error:
+            return Comparison([f"({error})"], None)
         finally:
             with self._changed:
                 self._edits -= 1

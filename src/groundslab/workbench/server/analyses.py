@@ -8,13 +8,16 @@ from threading import RLock
 from typing import Any
 
 from groundslab.errors import InputError, Issue
+from groundslab.model.settings import ACCURACIES
 from groundslab.views.report.changes import CHANGED
 from groundslab.workbench.checking.parsing import CheckResult
 from groundslab.workbench.checking.revision import Revision
+from groundslab.workbench.checking.work import WorkCounter
 from groundslab.workbench.events import Hub
 from groundslab.workbench.exports.case_writer import CaseWriter
 from groundslab.workbench.exports.files import SAF, Exported, Wanted
 from groundslab.workbench.solver.comparer import Comparer
+from groundslab.workbench.solver.cost import find_work, list_costs
 from groundslab.workbench.solver.process import OUTDATED
 from groundslab.workbench.solver.thread import DELAY, Solver
 
@@ -27,6 +30,7 @@ class Analyses:
     def __init__(self, lock: RLock, hub: Hub, solver: Solver) -> None:
         self.solver = solver
         self.comparer = Comparer(hub.publish)
+        self._counter = WorkCounter()
         self._lock, self._hub = lock, hub
         self._autosolve = True
         self._case_writer = CaseWriter()
@@ -34,7 +38,8 @@ class Analyses:
     def to_json(self) -> dict[str, Any]:
         """Return the run in progress as data for the page."""
         job = self.solver.schedule.current
-        return {"autosolve": self._autosolve, "run": None if job is None else job.to_json()}
+        about = {"autosolve": self._autosolve, "accuracy": self.solver.accuracy}
+        return about | {"run": None if job is None else job.to_json()}
 
     def follow(self, revision: Revision) -> None:
         """Take the present revision, and solve it if it is to be and has been checked."""
@@ -51,19 +56,42 @@ class Analyses:
                 self._submit_valid(0.0)
             self._hub.publish(*self._revision.event)
 
+    def set_accuracy(self, accuracy: str) -> None:
+        """Ask for an accuracy in place of that of the case, "" for that, in all runs from now on."""
+        with self._lock:
+            self.solver.accuracy = accuracy
+            if self._autosolve:
+                self._submit_valid(0.0)
+            self._hub.publish("accuracy", {"accuracy": accuracy})
+
+    def list_costs(self) -> dict[str, Any]:
+        """Return what solving the present revision takes by the accuracy, nothing if that is not known."""
+        with self._lock:
+            revision, schedule = self._revision, self.solver.schedule
+            fingerprint = "" if revision.result is None else revision.result.fingerprint
+            latest, accuracies = schedule.results.latest, ("", *ACCURACIES)
+            known = [each for each in accuracies if latest and latest.fingerprint == (fingerprint, each)]
+            last = (known[0], latest.answer) if known and latest and not latest.is_provisional else None
+        if last is not None and last[0] == "" and last[1].unknowns:
+            return list_costs(find_work(last[1]), schedule.rate, last)
+        work = self._counter.count(fingerprint, revision.text) if fingerprint else None
+        return {} if work is None else list_costs(work, schedule.rate, last)
+
     def solve(self) -> int:
         """Solve the present revision at once and return the run; raises InputError with its issues if it has any."""
         with self._lock:
             return self._submit(self._require_checked(), 0.0, force=True)
 
     def reset(self) -> None:
-        """Stop, and drop all results, which belong to another document."""
+        """Stop, and drop all results and the accuracy asked for, which belong to another document."""
         self.comparer.cancel()
+        self.solver.accuracy = ""
         self.solver.reset()
 
     def close(self) -> None:
         """Stop for good."""
         self.comparer.cancel()
+        self._counter.close()
         self.solver.close()
 
     def write_report(self, run: int, case: Path) -> tuple[str, bytes]:
@@ -102,7 +130,8 @@ class Analyses:
         solved, present = self.solver.schedule.results.get(run), self._revision
         if solved is None or solved.text == present.text:
             return False
-        return present.result is None or present.result.fingerprint != solved.fingerprint
+        fingerprint = None if present.result is None else present.result.fingerprint
+        return solved.fingerprint not in [(fingerprint, accuracy) for accuracy in ("", *ACCURACIES)]
 
     def _require_checked(self) -> CheckResult:
         """Return what was found in the present revision; raises InputError with its issues if it has any."""
@@ -121,5 +150,5 @@ class Analyses:
             self._submit(result, delay)
 
     def _submit(self, result: CheckResult, delay: float, force: bool = False) -> int:
-        revision = self._revision
-        return self.solver.submit(revision.text, revision.version, result.fingerprint, delay, force)
+        revision, fingerprint = self._revision, (result.fingerprint, self.solver.accuracy)
+        return self.solver.submit(revision.text, revision.version, fingerprint, delay, force)

@@ -75,6 +75,11 @@ class CaseFile:
         saved.content, saved.base, saved._stamp = content, files.compute_digest(content), _read_stamp(target)
         return saved
 
+    def adopt(self, content: bytes) -> None:
+        """Take content that another program has written as what was read last."""
+        self.content, self.base = content, files.compute_digest(content)
+        self._stamp = None if self.path is None else _read_stamp(self.path)
+
     def has_changed(self) -> bool:
         """Whether another program has changed the file since it was read or saved."""
         if self.path is None:

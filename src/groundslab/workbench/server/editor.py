@@ -89,6 +89,14 @@ class Editor:
                 autosave.decline(offer)
             self.publish_state()
 
+    def take(self, document: Document, label: str) -> None:
+        """Take another document in place of the present one, as a step that can be undone."""
+        with self._lock:
+            before = self.copy.document
+            if document.text != before.text:
+                self.copy.history.record(before.text, label)
+            self._set_document(document)
+
     def follow_file(self) -> None:
         """Check again if the document names a file beside its own, which has moved to another folder."""
         with self._lock:

@@ -22,7 +22,7 @@ from urllib.parse import urlsplit
 from groundslab.errors import InputError, Issue
 from groundslab.workbench.events import Hub
 from groundslab.workbench.persistence import files
-from groundslab.workbench.server.tickets import Tickets
+from groundslab.workbench.server.security import Tickets
 
 if TYPE_CHECKING:
     from groundslab.workbench.server.security import Guard

@@ -24,11 +24,11 @@ from groundslab.workbench.exports.files import Exported, Wanted
 from groundslab.workbench.exports.routes import add_export_route, respond_download, respond_export
 from groundslab.workbench.persistence import files
 from groundslab.workbench.server.case_file import Conflict, OpenElsewhere
+from groundslab.workbench.server.file_routes import add_accuracy_routes, add_changed_file_routes
 from groundslab.workbench.server.help_routes import add_documentation_routes, add_example_routes
 from groundslab.workbench.server.public import Run, add_document_route, describe
-from groundslab.workbench.server.security import Guard
+from groundslab.workbench.server.security import Guard, Tickets
 from groundslab.workbench.server.session import Session, State
-from groundslab.workbench.server.tickets import Tickets
 from groundslab.workbench.solver.comparer import TASKS, Kind
 
 UNTITLED = Path("case.toml")
@@ -123,6 +123,8 @@ def create_app(session: Session, tickets: Tickets, port: int, token: str, static
     _add_file_routes(app, session)
     _add_table_routes(app, session)
     add_example_routes(app, session)
+    add_changed_file_routes(app, session)
+    add_accuracy_routes(app, session.analyses)
     return guard_app(app, tickets, port, token, static)
 
 

@@ -7,6 +7,7 @@ DNS rebinding the foreign host name is still in Host. (Starlette's TrustedHostMi
 from __future__ import annotations
 
 import hmac
+import secrets
 from collections.abc import Mapping
 from urllib.parse import parse_qs
 
@@ -95,3 +96,24 @@ class Guard:
             status, message = refused
             app = JSONResponse({"error": {"message": message}}, status)
         await app(scope, receive, send_with_headers)
+
+
+class Tickets:
+    """Secrets that are valid once, for addresses that other users of the machine may see."""
+
+    def __init__(self) -> None:
+        self._valid: set[str] = set()
+
+    def issue(self) -> str:
+        """Return a new ticket."""
+        ticket = secrets.token_urlsafe(32)
+        self._valid.add(ticket)
+        return ticket
+
+    def redeem(self, ticket: str) -> bool:
+        """Invalidate a ticket and return whether it was valid."""
+        try:
+            self._valid.remove(ticket)
+        except KeyError:
+            return False
+        return True

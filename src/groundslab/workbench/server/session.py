@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from groundslab.case import casefile
 from groundslab.case.reactions import Choices
@@ -17,13 +18,14 @@ from groundslab.workbench.checking.reactions import ReactionPreview, ReactionRea
 from groundslab.workbench.checking.saf import ConvertedSlab
 from groundslab.workbench.checking.slabs import SlabReader
 from groundslab.workbench.editing.document import Document
+from groundslab.workbench.editing.merge import Comparison
 from groundslab.workbench.events import Event, Hub
 from groundslab.workbench.exports.files import Exported
 from groundslab.workbench.persistence import files
 from groundslab.workbench.persistence.autosave import Autosave
 from groundslab.workbench.server import case_file
 from groundslab.workbench.server.analyses import Analyses
-from groundslab.workbench.server.case_file import CaseFile
+from groundslab.workbench.server.case_file import CaseFile, Conflict
 from groundslab.workbench.server.editor import CHECK_WAIT, DATA_WAIT, Editor
 from groundslab.workbench.server.working_copy import WorkingCopy
 from groundslab.workbench.solver.thread import Solver
@@ -100,8 +102,46 @@ class Session:
                 lock = self._lock_file(target)
             self._begin(document, CaseFile(target, content, lock))
 
+    def compare_file(self) -> tuple[str, Comparison]:
+        """Return the digest of the file as it is now, and how its text differs from the document; raises InputError."""
+        with self._lock:
+            content, theirs = self._read_file()
+            file, mine = self.file, self.editor.copy.document.text
+        is_known = file.content is not None and files.compute_digest(file.content) == file.base
+        base = Document.from_bytes(file.content or b"", str(file.path)).text if is_known else None
+        return files.compute_digest(content), self.editor.checker.compare(base, mine, theirs.text)
+
+    def take_file(self, which: Literal["theirs", "mine", "merged"], digest: str) -> None:
+        """Let the text of the file, that of the document, or both merged count from now on, as a step of undo.
+
+        Raises Conflict if the file is no longer the one with the digest, or cannot be merged, and InputError.
+        """
+        compared, comparison = self.compare_file()
+        merged = comparison.merged if which == "merged" else None
+        with self._lock:
+            content, theirs = self._read_file()
+            is_same = digest == compared == files.compute_digest(content)
+            if not is_same or (which == "merged" and merged is None):
+                found, hint = "a file that has changed again", "look at the difference again"
+                raise Conflict("changed", [Issue(str(self.file.path), found, "the file that was compared", hint)])
+            self.file.adopt(content)
+            if which == "theirs":
+                self.editor.take(theirs, "Reload from disk")
+            elif merged is not None:
+                self.editor.take(replace(theirs, text=merged), "Merge with the file")
+            else:
+                self.editor.take(self.editor.copy.document, "")
+
+    def _read_file(self) -> tuple[bytes, Document]:
+        """Return the file as it is now; raises InputError."""
+        path = self.file.path
+        content = None if path is None else case_file.read_content(path)
+        if content is None:
+            raise InputError([Issue(str(path or "file"), "no file any more", "the file of the case", "save the case")])
+        return content, Document.from_bytes(content, str(path))
+
     def new(self, text: str | None = None) -> None:
-        """Begin a new document, with a text or the usual one; the unsaved work on the previous one stays."""
+        """Begin a new document, with a text or the usual one; unsaved work on the file of the previous one stays."""
         document = Document(casefile.starter() if text is None else text)
         self._begin(document, CaseFile(None, document.to_bytes()))
 
@@ -163,8 +203,15 @@ class Session:
             return self.editor.copy.release()
 
     def _begin(self, document: Document, file: CaseFile) -> None:
-        """Begin with a document in place of the present one, without undo history."""
+        """Begin with a document in place of the present one, without undo history.
+
+        Unsaved work is offered with its file only: one who begins something new wants nothing else.
+        """
         with self._lock:
-            self.editor.copy.release()
+            self.editor.copy.leave()
             self.analyses.reset()
-            self.editor.begin(WorkingCopy(document, file, self._state))
+            self.hub.publish("opened", {})
+            copy = WorkingCopy(document, file, self._state)
+            if file.path is None:
+                copy.offers.clear()
+            self.editor.begin(copy)

@@ -26,8 +26,7 @@ from groundslab.workbench.server.routes import (
     guard_app,
     respond_not_kept,
 )
-from groundslab.workbench.server.security import Guard
-from groundslab.workbench.server.tickets import Tickets
+from groundslab.workbench.server.security import Guard, Tickets
 
 if TYPE_CHECKING:
     from groundslab.analysis.ground_comparison.comparison import GroundComparison

@@ -67,6 +67,13 @@ class WorkingCopy:
         self.history.close_step()
         self.autosave_error = ""
 
+    def leave(self) -> None:
+        """Leave file and unsaved work for another document; work without a file counts as declined."""
+        kept = self.release()
+        work = autosave.read_unsaved(Path(kept)) if kept and self.file.path is None else None
+        if work is not None:
+            autosave.decline(work)
+
     def release(self) -> str:
         """Leave file and unsaved work; return the path of the latter, empty if there is none."""
         self._autosave.release()

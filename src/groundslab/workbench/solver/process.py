@@ -1,12 +1,12 @@
 """The process that solves: it is kept warm, and stops a run between two steps of the analysis.
 
-It receives ("solve", run, text, shown, before), ("report", run, file), ("archive", run, file), ("table", run, name),
-("document", run, name), ("export", run, wanted) and ("bars", run, folder) from ``Worker`` through a pipe. It sends
-("ready",) when it can receive, ("warm",) when it has warmed up, ("progress", run, text, share), ("preview", run, words,
-figures) followed by the bytes of a scene, ("provisional", run, answer) and ("solved", run, answer) followed by the
-bytes of the scene, ("refused", run, message, issues), ("stopped", run), ("making", run, title, share) while a report is
-made, and ("view", message, error or issues) in answer to all but the first, followed by the bytes that were asked for
-if there is no error. These are answered between two steps of a run, too.
+It receives ("solve", run, text, shown, before, accuracy), ("report", run, file), ("archive", run, file), ("table", run,
+name), ("document", run, name), ("export", run, wanted) and ("bars", run, folder) from ``Worker`` through a pipe. It
+sends ("ready",) when it can receive, ("warm",) when it has warmed up, ("progress", run, text, share), ("preview", run,
+words, figures) followed by the bytes of a scene, ("provisional", run, answer) and ("solved", run, answer) followed by
+the bytes of the scene, ("refused", run, message, issues), ("stopped", run), ("making", run, title, share) while a
+report is made, and ("view", message, error or issues) in answer to all but the first, followed by the bytes that were
+asked for if there is no error. These are answered between two steps of a run, too.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING, Any
 
 from groundslab.errors import GroundslabError, InputError
 from groundslab.workbench.child_process import set_up_child
+from groundslab.workbench.solver.answer import Answer
 
 if TYPE_CHECKING:
     from groundslab.analysis.ground_comparison.comparison import GroundComparison
@@ -46,29 +47,13 @@ OUTDATED = "outdated report"
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
-    """The outcome of a run without its scene: seconds, reasons of refused combinations, summary, names of tables.
-
-    `provisional` says in words that the mesh is still to be refined, "" where it is not. `first` is how long it took to
-    the first results of the run, provisional ones among them [s].
-    """
-
-    seconds: float
-    refused: dict[str, str]
-    summary: dict[str, Any]
-    tables: tuple[str, ...] = ()
-    provisional: str = ""
-    first: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
 class Progress:
     """Tells how a run goes on, and shows what there is before its end.
 
     `tell` is called with a text and the share of combinations that are done, `show` with words about a preview, its
     figures and its packed scene, `keep` with provisional results as a task returns its own. `shown` is the combination
     that is looked at, None where no preview of it is wanted. `before` is how long the run before took to its first
-    results, if known [s].
+    results, if known [s]; `accuracy` is asked for in place of that of the case, "" for that.
     """
 
     tell: Callable[[str, float | None], None]
@@ -76,6 +61,7 @@ class Progress:
     shown: str | None = None
     keep: Callable[[Answer, bytes, Any], None] = lambda _answer, _scene, _kept: None
     before: float | None = None
+    accuracy: str = ""
 
     def __call__(self, text: str, share: float | None) -> None:
         """Tell how the run goes on."""
@@ -88,6 +74,9 @@ Told = Callable[[str, float], None]
 View = tuple[str, int, str]
 #: Solves a text; returns the answer, the packed scene, and the data for a report.
 Task = Callable[[str, Progress], tuple[Answer, bytes, Any]]
+
+#: A run, its text, and what `Progress` is told: the combination looked at, seconds of the run before, the accuracy.
+Job = tuple[int, str, str | None, float | None, str]
 
 #: Gets the process ready for its first run.
 Prepare = Callable[[Progress], None]
@@ -115,8 +104,10 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
     from groundslab.case import casefile
     from groundslab.model.combinations import list_combinations
     from groundslab.views.summary.progress import CombinationCount, line
+    from groundslab.workbench.solver.cost import with_accuracy
 
     start = time.perf_counter()
+    text = with_accuracy(text, progress.accuracy)
     model = casefile.loads(text)
     count = len(list_combinations(model))
     combinations = CombinationCount(count, mesh=1 if model.mesh.adaptive else None)
@@ -171,6 +162,7 @@ def _outcome(
     from groundslab.views.scene.binary import pack
     from groundslab.views.scene.fields import scene_of
     from groundslab.views.summary.discretization import provisional_words
+    from groundslab.workbench.solver.cost import count_made
     from groundslab.workbench.solver.summary import build_summary
     from groundslab.workbench.solver.tables import layout_makers
 
@@ -179,7 +171,8 @@ def _outcome(
     tables = layout_makers(results) if with_checks else {}
     start, first = times
     seconds = time.perf_counter() - start
-    answer = Answer(seconds, refused, summary, tuple(tables), provisional_words(results), first)
+    made = count_made(results)
+    answer = Answer(seconds, refused, summary, tuple(tables), provisional_words(results), first, *made)
     return answer, scene, Solved(text, results, tables)
 
 
@@ -239,14 +232,12 @@ def _prepare(pipe: Connection, prepare: Prepare) -> None:
         traceback.print_exc()
 
 
-def _solve(
-    pipe: Connection, stop: Any, task: Task, job: tuple[int, str, str | None, float | None], known: Mapping[int, Any]
-) -> Mapping[int, Any]:
+def _solve(pipe: Connection, stop: Any, task: Task, job: Job, known: Mapping[int, Any]) -> Mapping[int, Any]:
     """Solve the text of a run and send the outcome; return the data for reports and tables by run.
 
     While it is solved, views of what is known of earlier runs and of provisional results are sent.
     """
-    run, text, shown, before = job
+    run, text, shown, before, accuracy = job
     sent = float("-inf")
     provisional: dict[int, Any] = {}
 
@@ -280,7 +271,7 @@ def _solve(
 
     try:
         tell("begins", None)
-        answer, scene, kept = task(text, Progress(tell, show, shown, keep, before))
+        answer, scene, kept = task(text, Progress(tell, show, shown, keep, before, accuracy))
     except Stopped:
         pipe.send(("stopped", run))
     except GroundslabError as error:

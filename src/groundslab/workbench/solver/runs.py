@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from groundslab.errors import InputError, Issue
-from groundslab.workbench.solver.process import Answer, View
+from groundslab.workbench.solver.answer import Answer
+from groundslab.workbench.solver.process import View
 
 if TYPE_CHECKING:
     from groundslab.workbench.events import Event

@@ -10,11 +10,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from groundslab.workbench.editing.diagnostics import issues_to_json
+from groundslab.workbench.solver.cost import USUAL_RATE, measure_rate
 from groundslab.workbench.solver.runs import Job, Latest, Result
 
 if TYPE_CHECKING:
     from groundslab.workbench.events import Event
-    from groundslab.workbench.solver.process import Answer
+    from groundslab.workbench.solver.answer import Answer
 
 Notify = Callable[[str, dict[str, Any]], None]
 
@@ -42,6 +43,8 @@ class Schedule:
         self.waiting: Job | None = None
         self.active: ActiveRun | None = None
         self.results: Latest[Result] = Latest()
+        #: Unknowns times combinations that this machine solves in a second, as the last run told.
+        self.rate = USUAL_RATE
         self._notify = notify
         self._numbers = itertools.count(1)
 
@@ -53,6 +56,9 @@ class Schedule:
         active, latest = self.active, self.results.latest
         if active is not None and not active.is_cancelled and active.job.fingerprint == fingerprint:
             active.job.version, self.waiting = version, None
+            if active.preview is not None:
+                active.preview[0]["version"] = version
+                self._notify("preview", active.preview[0])
             if latest is not None and latest.run == active.job.run:
                 latest.version = version
                 self._notify(*latest.event)
@@ -162,6 +168,8 @@ class Schedule:
         update = 0 if before is None else before.update + 1
         result = Result(job.run, job.version, job.fingerprint, answer, scene, job.text, update)
         self.results.add(job.run, result)
+        if not result.is_provisional:
+            self.rate = measure_rate(answer) or self.rate
         return result
 
     def finish(self, event: str = "", data: dict[str, Any] | None = None) -> None:

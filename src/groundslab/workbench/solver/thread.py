@@ -37,6 +37,8 @@ class Solver:
         self.schedule = Schedule(notify)
         #: The combination that is looked at, of which a run shows a preview; None if several are.
         self.shown: str | None = ""
+        #: The accuracy that is asked for in place of that of the case, "" for that.
+        self.accuracy = ""
         self._task = task
         self._prepare = prepare
         self._lock = self.schedule.lock
@@ -134,7 +136,7 @@ class Solver:
             job, latest = schedule.begin(now) if schedule.active is None else None, schedule.results.latest
             if job is not None:
                 before = None if latest is None else latest.answer.first
-                messages.append(("solve", job.run, job.text, self.shown, before))
+                messages.append(("solve", job.run, job.text, self.shown, before, self.accuracy))
             self._worker.send(messages)
 
     def _receive(self, worker: Worker) -> None:

@@ -21,8 +21,8 @@ from helpers import asgi, bombs, workers
 pytest.importorskip("fastapi")
 from groundslab.workbench.checking.drawings import DrawingReader, convert_drawing, survey_drawing
 from groundslab.workbench.server.routes import create_app
+from groundslab.workbench.server.security import Tickets
 from groundslab.workbench.server.session import Session
-from groundslab.workbench.server.tickets import Tickets
 from groundslab.workbench.solver.thread import Solver
 
 PORT, TOKEN = 8765, "secret"

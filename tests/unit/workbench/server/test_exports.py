@@ -19,8 +19,8 @@ pytest.importorskip("fastapi")
 pytest.importorskip("openpyxl")
 from groundslab.workbench.exports.case_writer import NO_RESULTS
 from groundslab.workbench.server.routes import create_app
+from groundslab.workbench.server.security import Tickets
 from groundslab.workbench.server.session import Session
-from groundslab.workbench.server.tickets import Tickets
 from groundslab.workbench.server.view import ResultsView, create_view_app
 from groundslab.workbench.solver.process import solve
 from groundslab.workbench.solver.thread import Solver

@@ -17,9 +17,8 @@ from helpers.paths import ROOT
 
 pytest.importorskip("fastapi")
 from groundslab.workbench.server.routes import create_app
-from groundslab.workbench.server.security import HEADERS
+from groundslab.workbench.server.security import HEADERS, Tickets
 from groundslab.workbench.server.session import Session
-from groundslab.workbench.server.tickets import Tickets
 from groundslab.workbench.solver.thread import Solver
 
 PORT, TOKEN = 8765, "secret"

@@ -19,9 +19,8 @@ from helpers.paths import DOCS
 pytest.importorskip("fastapi")
 from groundslab.workbench.server.public import PUBLIC, openapi
 from groundslab.workbench.server.routes import create_app
-from groundslab.workbench.server.security import Guard
+from groundslab.workbench.server.security import Guard, Tickets
 from groundslab.workbench.server.session import Session
-from groundslab.workbench.server.tickets import Tickets
 from groundslab.workbench.solver.thread import Solver
 
 PORT, TOKEN = 8765, "secret"

@@ -14,8 +14,8 @@ from helpers.reactions import BY_HAND, CASE, ETABS, write_case, write_table
 
 pytest.importorskip("fastapi")
 from groundslab.workbench.server.routes import create_app
+from groundslab.workbench.server.security import Tickets
 from groundslab.workbench.server.session import Session
-from groundslab.workbench.server.tickets import Tickets
 from groundslab.workbench.solver.thread import Solver
 
 PORT, TOKEN = 8765, "secret"

@@ -29,9 +29,8 @@ pytest.importorskip("fastapi")
 from groundslab.workbench.checking import parsing
 from groundslab.workbench.server import case_file as locks
 from groundslab.workbench.server.routes import UNTITLED, create_app
-from groundslab.workbench.server.security import HEADERS, MAX_BODY, check_request
+from groundslab.workbench.server.security import HEADERS, MAX_BODY, Tickets, check_request
 from groundslab.workbench.server.session import Session
-from groundslab.workbench.server.tickets import Tickets
 from groundslab.workbench.solver.process import OUTDATED, WRITERS, Solved
 from groundslab.workbench.solver.thread import Solver
 
@@ -741,3 +740,77 @@ def test_a_case_that_is_none(tmp_path: Path, static: Path) -> None:
         bench.session.open(str(tmp_path / "none.toml"))
     assert bench.get("/api/state")["file"] is None
     bench.close()
+
+
+def test_a_file_changed_by_others_is_compared_and_taken(bench: Bench, case: Path) -> None:
+    """Theirs, mine, or both merged: each a step of undo that leaves nothing to ask when it is saved."""
+    bench.set(["plate", "thickness"], "300 mm")
+    mine = CASE.replace("250 mm", "300 mm")
+    theirs, both = CASE.replace("20 MPa/m", "30 MPa/m"), mine.replace("20 MPa/m", "30 MPa/m")
+    for which, expected in (("theirs", theirs), ("mine", mine), ("merged", both)):
+        case.write_text(theirs, encoding="utf-8")
+        assert bench.get("/api/file") == {"outside": True}
+        compared = bench.get("/api/file/changes")
+        assert '+k = "30 MPa/m"' in compared["lines"]
+        assert compared["merged"] == both
+        state = bench.post("/api/file", {"which": which, "digest": compared["digest"]})
+        assert (state["text"], state["outside"], state["dirty"]) == (expected, False, expected != theirs)
+        assert bench.post("/api/save")["dirty"] is False
+        assert case.read_text(encoding="utf-8") == expected
+        case.write_text(CASE, encoding="utf-8")
+        bench.post("/api/file", {"which": "theirs", "digest": bench.get("/api/file/changes")["digest"]})
+        bench.set(["plate", "thickness"], "300 mm")
+    assert bench.post("/api/undo")["text"] == CASE
+
+
+def test_a_file_that_changes_again_is_not_taken(bench: Bench, case: Path) -> None:
+    """What was not seen is neither taken nor overwritten; what both changed, or is gone, is not merged."""
+    bench.set(["ground", "k"], "40 MPa/m")
+    case.write_text(CASE.replace("20 MPa/m", "30 MPa/m"), encoding="utf-8")
+    compared = bench.get("/api/file/changes")
+    assert compared["merged"] is None
+    take = {"digest": compared["digest"]}
+    assert bench.post("/api/file", {"which": "merged", **take}, 409)["error"]["kind"] == "changed"
+    case.write_text(CASE.replace("20 MPa/m", "50 MPa/m"), encoding="utf-8")
+    assert bench.post("/api/file", {"which": "mine", **take}, 409)["error"]["kind"] == "changed"
+    assert "40 MPa/m" in bench.get("/api/state")["text"]
+    case.unlink()
+    bench.get("/api/file/changes", 422)
+
+
+def test_work_that_was_left_for_something_new_is_not_offered(bench: Bench, tmp_path: Path) -> None:
+    """Neither at once nor at the next start; it stays in the folder of unsaved work, as what is declined does."""
+    bench.post("/api/new")
+    bench.set(["title"], "left")
+    assert bench.post("/api/new")["offer"] is None
+    (kept,) = (tmp_path / "state" / "unsaved").iterdir()
+    assert kept.name == "untitled.unsaved-declined"
+    assert 'title = "left"' in kept.read_text(encoding="utf-8")
+
+
+def test_pages_learn_that_another_document_was_opened(bench: Bench) -> None:
+    """Before anything of it is solved, so that no results of the one before stay."""
+    bench.hub.events.clear()
+    bench.post("/api/new")
+    names = [name for name, _ in bench.hub.events]
+    assert names.index("opened") < names.index("state")
+
+
+def test_costs_are_told_before_a_run(bench: Bench) -> None:
+    """By the accuracy; the choice of one is solved for without a word in the text, and ends with the document."""
+    bench.post("/api/autosolve", {"on": False})
+    costs = bench.get("/api/cost")
+    assert set(costs) == {"", "draft", "normal", "strict"}
+    assert costs[""] == costs["normal"]
+    assert costs["draft"]["unknowns"] < costs["strict"]["unknowns"]
+    assert costs["draft"]["seconds"] < costs["strict"]["seconds"]
+    text = bench.get("/api/state")["text"]
+    bench.post("/api/accuracy", {"accuracy": "draft"})
+    state = bench.get("/api/state")
+    assert (state["accuracy"], state["text"]) == ("draft", text)
+    run = bench.post("/api/solve")["run"]
+    bench.hub.wait("solved", run=run)
+    bench.post("/api/accuracy", {"accuracy": "exact"}, 422)
+    assert bench.post("/api/new")["accuracy"] == ""
+    bench.set(["plate", "thickness"], "none")
+    assert bench.get("/api/cost") == {}

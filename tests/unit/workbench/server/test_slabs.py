@@ -22,8 +22,8 @@ pytest.importorskip("fastapi")
 pytest.importorskip("openpyxl")
 from groundslab.workbench.checking.saf import SafReader
 from groundslab.workbench.server.routes import create_app
+from groundslab.workbench.server.security import Tickets
 from groundslab.workbench.server.session import Session
-from groundslab.workbench.server.tickets import Tickets
 from groundslab.workbench.solver.thread import Solver
 
 PORT, TOKEN = 8765, "secret"

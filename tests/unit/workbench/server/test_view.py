@@ -23,8 +23,7 @@ from helpers.asgi import Headers
 from helpers.small_case import TEXT
 
 pytest.importorskip("fastapi")
-from groundslab.workbench.server.security import HEADERS
-from groundslab.workbench.server.tickets import Tickets
+from groundslab.workbench.server.security import HEADERS, Tickets
 from groundslab.workbench.server.view import ResultsView, create_view_app
 
 PORT, TOKEN = 8765, "secret"

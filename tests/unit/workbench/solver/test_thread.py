@@ -15,6 +15,7 @@ from groundslab.errors import InputError
 from groundslab.workbench.events import Event
 from groundslab.workbench.solver import process
 from groundslab.workbench.solver import thread as solvers
+from groundslab.workbench.solver.answer import Answer
 from groundslab.workbench.solver.process import Progress
 from groundslab.workbench.solver.thread import Solver
 from helpers import workers
@@ -142,6 +143,9 @@ def test_a_preview_is_there_until_the_run_ends(make: Make, events: Events, tmp_p
     assert (solver.schedule.get_preview(run), solver.schedule.get_preview(run + 1)) == (b"coarse", None)
     # a page that comes later sees it, too
     assert solver.schedule.get_current_events()[-1] == ("preview", events.wait("preview", run))
+    # of the same model under a newer version it is, too
+    assert submit(solver, f"preview {release}", 8) == run
+    assert solver.schedule.get_current_events()[-1][1]["version"] == 8
     release.touch()
     events.wait("solved", run)
     assert solver.schedule.get_preview(run) is None
@@ -427,6 +431,20 @@ def test_a_preview_is_of_the_combination_that_is_looked_at(monkeypatch: pytest.M
         assert all(head["mesh"]["nodes"] != unpack(scene).head["mesh"]["nodes"] for head in heads)
 
 
+def test_a_preview_of_a_combination_that_is_gone_is_of_the_largest(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of the one with the largest sum of factors, so that no picture of another model stays."""
+    combinations = "".join(
+        f'\n[[combinations]]\nname = "{name}"\nfactors = {{ down = {factor} }}\n'
+        for name, factor in (("ULS 1", 1.0), ("ULS 2", 1.35))
+    )
+    previews: list[str] = []
+    monkeypatch.setattr(process, "PREVIEW_AFTER", 0.0)
+    show = lambda _words, figures, _scene: previews.append(figures["name"])  # noqa: E731
+    for shown in ("down", "ULS 1", ""):
+        process.solve(TWO + combinations, Progress(lambda *_: None, show, shown))
+    assert previews == ["ULS 2", "ULS 1", "ULS 1"]
+
+
 @pytest.mark.parametrize(
     ("before", "much", "shows"),
     [(None, 33, False), (None, 31, True), (process.SLOW, 31, False), (1.01 * process.SLOW, 33, True)],
@@ -446,7 +464,7 @@ def test_a_quick_run_has_no_preview(
 
 def test_every_mesh_but_the_last_has_provisional_results() -> None:
     """On the first one at once and again with checks and tables, on the others with them; it goes on from each."""
-    kept: list[tuple[process.Answer, bytes, process.Solved]] = []
+    kept: list[tuple[Answer, bytes, process.Solved]] = []
     said: list[str] = []
     text = TWO.replace("counts = [4, 4]", 'accuracy = "0.2 %"').replace(
         'kind = "uniform"', 'kind = "point"\nx = "0 m"\ny = "0 m"'

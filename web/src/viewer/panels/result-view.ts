@@ -73,7 +73,8 @@ export class ResultView {
   private range: ScaleRange = "auto";
   private mesh = false;
   private numbers = true;
-  private name = ""; // of the combination, so that it stays chosen when their order changes
+  /** What was chosen last, so that it stays so when the order of combinations changes, or one passing scene lacks it. */
+  wanted: { name: string; choice: Choice; field: string } = { name: "", choice: 0, field: "settlement" };
 
   /** `offerRefused`: whether combinations without values can be chosen. */
   constructor(
@@ -114,8 +115,13 @@ export class ResultView {
     this.setNumbers(true);
   }
 
-  /** Show a scene; zoom, field and combination stay as far as it has them. */
-  setScene(scene: Scene, field = this.field, choice = this.matchingChoice(scene)): void {
+  /** Show a scene; zoom, field and combination stay as far as it has them, after one that passes in any case. */
+  setScene(
+    scene: Scene,
+    isPassing = false,
+    field = this.wanted.field,
+    choice: Choice | undefined = this.matchingChoice(scene),
+  ): void {
     keepNames("result", scene.head);
     this.scene = scene;
     this.locator = new Locator(scene.mesh);
@@ -127,14 +133,17 @@ export class ResultView {
     const wanted = options.find((each) => each.value === String(choice) && !each.disabled);
     const found = wanted ?? options.find((each) => each.dataset.empty === undefined && /^\d+$/.test(each.value));
     const fields = fieldsOf(scene).map((each) => each.name);
-    this.show(found ? parseChoice(found.value) : 0, fields.includes(field) ? field : (fields[0] ?? ""));
+    const shown = found ? parseChoice(found.value) : 0;
+    const what = fields.includes(field) ? field : (fields[0] ?? "");
+    if (isPassing) this.draw(shown, what);
+    else this.show(shown, what);
   }
 
   /** Show nothing. */
   clear(): void {
     this.scene = null;
     this.locator = null;
-    this.name = "";
+    this.wanted = { ...this.wanted, name: "" };
     this.plan.setScene(null);
     this.plan.setPlan(null);
     this.plan.mark("pick", null);
@@ -145,9 +154,15 @@ export class ResultView {
 
   /** Show a field of a combination or an envelope. */
   show(choice: Choice, field: string): void {
+    if (!this.scene) return;
+    const name = isEnvelope(choice) ? "" : (this.scene.head.combinations[choice]?.name ?? "");
+    this.wanted = { name, choice, field };
+    this.draw(choice, field);
+  }
+
+  private draw(choice: Choice, field: string): void {
     const { scene } = this;
     if (!scene) return;
-    if (!isEnvelope(choice)) this.name = scene.head.combinations[choice]?.name ?? "";
     this.choice = choice;
     this.field = field;
     this.combinations.value = String(choice);
@@ -212,7 +227,7 @@ export class ResultView {
       this.space.setMesh(this.mesh);
       this.space.setScene(this.scene);
     }
-    this.show(this.choice, this.field);
+    this.draw(this.choice, this.field);
   }
 
   private view(): PlanView | SpaceView {
@@ -221,9 +236,12 @@ export class ResultView {
 
   /** Return the choice that stands for the present one in another scene. */
   private matchingChoice(scene: Scene): Choice | undefined {
-    if (isEnvelope(this.choice)) return this.choice;
-    const position = scene.head.combinations.findIndex((each) => each.name === this.name);
-    return position < 0 ? undefined : position;
+    const { name, choice } = this.wanted;
+    if (isEnvelope(choice)) return choice;
+    const { combinations } = scene.head;
+    const position = combinations.findIndex((each) => each.name === name);
+    if (position >= 0) return position;
+    return name === "" ? undefined : findGoverning(combinations);
   }
 
   private showLegend(shown: ShownField | null): void {
@@ -248,6 +266,14 @@ export class ResultView {
     }
     setText(this.reading, verbatim(withMinus(text)));
   }
+}
+
+/** Return the index of the combination with the largest sum of factors, of those with values. */
+function findGoverning(combinations: readonly Combination[]): number | undefined {
+  const sumOf = ({ factors }: Combination) => [...factors].reduce((sum, [, factor]) => sum + factor, 0);
+  const sums = combinations.map((each) => (each.values === null ? -Infinity : sumOf(each)));
+  const largest = Math.max(...sums);
+  return Number.isFinite(largest) ? sums.indexOf(largest) : undefined;
 }
 
 /** Fill a list with the fields of a scene, in groups. */

@@ -71,7 +71,7 @@ export class Viewer {
       this.printed,
     );
     container.append(this.element);
-    view.setScene(scene, field, choice);
+    view.setScene(scene, false, field, choice);
     addEventListener("beforeprint", () => this.toPaper());
     addEventListener("afterprint", () => this.printed.replaceChildren());
     document.addEventListener("keydown", (event) => {

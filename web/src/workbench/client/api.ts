@@ -45,11 +45,33 @@ export interface DocState {
   redo_text: string;
   offer: Offer | null;
   autosolve?: boolean;
+  /** The accuracy that runs ask for, empty for that of the case. */
+  accuracy?: Accuracy;
   run?: { run: number; version: number } | null;
   /** Why unsaved work cannot be written to the disk, empty if it can. */
   unkept?: string;
   /** Whether another program has changed the file since it was read. */
   outside?: boolean;
+}
+
+/** An accuracy that a run can ask for; empty: that of the case. */
+export type Accuracy = "" | "draft" | "normal" | "strict";
+
+/** What a run takes: unknowns of the last of its meshes, combinations, seconds. */
+export interface Cost {
+  unknowns: number;
+  meshes: number;
+  combinations: number;
+  seconds: number;
+}
+
+export type Costs = Partial<Record<Accuracy, Cost>>;
+
+/** How a file differs from the text of the page: lines of a unified diff, and both merged, null if they cannot be. */
+export interface FileChanges {
+  digest: string;
+  lines: string[];
+  merged: string | null;
 }
 
 export interface Folder {
@@ -245,6 +267,13 @@ export class HttpApi {
   solve = async () => (await this.json<{ run: number }>("solve", {})).run;
   cancel = async () => void (await this.json("cancel", {}));
   autosolve = async (on: boolean) => void (await this.json("autosolve", { on }));
+  setAccuracy = async (accuracy: Accuracy) => void (await this.json("accuracy", { accuracy }));
+  costs = () => this.json<Costs>("cost", undefined, READING);
+  /** Whether another program has changed the file. */
+  fileChanged = () => this.json<{ outside: boolean }>("file");
+  fileChanges = () => this.json<FileChanges>("file/changes");
+  /** Let the text of the file, that of the page, or both merged count from now on. */
+  takeFile = (which: "theirs" | "mine" | "merged", digest: string) => this.json<DocState>("file", { which, digest });
   summary = (run: number) => this.json<Summary>(`results/${run}/summary`);
   tables = (run: number) => this.json<string[]>(`results/${run}/tables`);
   table = (run: number, name: string) => this.json<ResultTable>(`results/${run}/tables/${name}`, undefined, 120_000);

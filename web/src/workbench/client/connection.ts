@@ -2,7 +2,7 @@
 
 import type { Change } from "../model/edits";
 import type { Issue } from "../model/issues";
-import { type Api, type DocState, Lost, Unauthorized } from "./api";
+import { type Accuracy, type Api, type DocState, Lost, Unauthorized } from "./api";
 import type { EditQueue } from "./edit-queue";
 import type { Comparison, Making, Preview, Run, Solved, Store } from "./store";
 
@@ -126,11 +126,16 @@ export class Connection {
     const on = <T = unknown>(name: string, take: (about: T) => void) =>
       source.addEventListener(name, (event) => take(JSON.parse((event as MessageEvent<string>).data) as T));
     const setRun = (run: Run) => {
-      if (run.kind !== "solving") this.store.set("preview", null);
+      // of a run that was canceled the preview stays, as long as nothing newer is there
+      if (run.kind === "idle" || run.kind === "refused") this.store.set("preview", null);
       this.store.set("run", run);
     };
     on<{ version: number }>("state", ({ version }) => void this.refresh(version));
     on("saved", () => void this.refresh(-1));
+    on<{ accuracy: Accuracy }>("accuracy", ({ accuracy }) => {
+      if (this.store.doc) this.store.setDoc({ ...this.store.doc, accuracy });
+    });
+    on("opened", () => this.store.forgetResults());
     on<{ run: number; version: number }>("solving", ({ run, version }) =>
       setRun({ kind: "solving", run, version, text: "", share: null }),
     );
@@ -138,7 +143,9 @@ export class Connection {
       const now = this.store.run;
       if (now.kind === "solving" && now.run === run) setRun({ ...now, text, share });
     });
-    on<Preview>("preview", ({ run, words, figures }) => this.store.set("preview", { run, words, figures }));
+    on<Preview>("preview", ({ run, version, words, figures }) =>
+      this.store.set("preview", { run, version, words, figures }),
+    );
     const setSolved = ({ run, version, seconds, design, provisional, update }: Solved) => {
       this.store.set("preview", null);
       this.store.set("solved", { run, version, seconds, design, provisional, update });

@@ -34,8 +34,15 @@ export interface Solved {
 /** The picture of a run that has not ended; what it is, in words; the figures of its combination. */
 export interface Preview {
   run: number;
+  version: number;
   words: string;
   figures: CombinationSummary;
+}
+
+/** What is in the picture: the preview of a run, or its result. */
+export interface Drawn {
+  run: number;
+  isPreview: boolean;
 }
 
 /** The comparison made last: of what, of which run, how far it is; why there is none. */
@@ -52,6 +59,7 @@ export type Topic =
   | "comparison"
   | "doc"
   | "data"
+  | "drawn"
   | "connection"
   | "preview"
   | "run"
@@ -67,6 +75,7 @@ export type Topic =
 
 /** What of the store is one value that others set. */
 type Settable =
+  | "drawn"
   | "connection"
   | "comparison"
   | "preview"
@@ -108,6 +117,7 @@ export class Store {
   run: Run = { kind: "idle" };
   solved: Solved | null = null;
   preview: Preview | null = null;
+  drawn: Drawn | null = null;
   comparison: Comparison | null = null;
   shown: ShownResult | null = null;
   /** The file that is being made; of a report which chapter, and the share that is made. */
@@ -188,6 +198,15 @@ export class Store {
   /** The path of the only item that is selected; null if none or several are. */
   get selection(): Path | null {
     return this.selected.length === 1 ? this.selected[0]! : null;
+  }
+
+  /** Forget what was solved, as it is of another document. */
+  forgetResults(): void {
+    this.set("preview", null);
+    this.set("run", { kind: "idle" });
+    // a preview of the other document may be shown although nothing was solved
+    this.solved = null;
+    this.emit("solved");
   }
 
   /** Select one item; null: none. */

@@ -42,7 +42,8 @@ export class Picture {
       },
     });
     const { view, preview, referenceLabel, refused } = this;
-    const over = [preview.label, referenceLabel, refused];
+    const outdated = h("p", { class: "outdated-over" }, "Result of an earlier model");
+    const over = [preview.label, referenceLabel, refused, outdated];
     this.element = h("div", { class: "stage-place" }, view.element, view.scaleBox, ...over);
     store.on(["selection"], () => this.markSelected());
   }
@@ -74,7 +75,7 @@ export class Picture {
   setResult(result: Scene | null): void {
     this.result = result;
     if (result) {
-      this.view.setScene(result, this.view.field || "settlement");
+      this.view.setScene(result);
       this.markSelected();
     } else {
       this.pick = null;
@@ -86,7 +87,7 @@ export class Picture {
   showReference(scene: Scene | null): void {
     this.referenceLabel.hidden = !scene;
     const shown = scene ?? this.result;
-    if (shown) this.view.setScene(shown);
+    if (shown) this.view.setScene(shown, scene !== null);
   }
 
   /** Say over the picture why the combination shown has none. */

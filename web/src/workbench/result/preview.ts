@@ -1,7 +1,6 @@
 // Picture and figures of a run that has no results yet: of one combination on a coarser mesh, and marked as that; and the
 // mark of provisional results.
-import { fieldsOf, isEnvelope } from "../../viewer/data/fields";
-import { decodeScene, type Scene } from "../../viewer/data/scene";
+import { decodeScene } from "../../viewer/data/scene";
 import type { ResultView } from "../../viewer/panels/result-view";
 import { h, setText } from "../../viewer/shared/dom";
 import { type Api, type CombinationSummary, Lost, Refused } from "../client/api";
@@ -13,17 +12,6 @@ export interface PreviewHooks {
   /** The run has ended without a result: the last one is to be shown again. */
   onEnd(): void;
   onLost(error: Lost): void;
-}
-
-/** Whether a preview has what is looked at: the same field, of the same combination or over all of them. */
-function hasShown(scene: Scene, view: ResultView): boolean {
-  if (!view.scene) return true;
-  const { combinations } = scene.head;
-  const now = view.scene.head.combinations;
-  const hasField = fieldsOf(scene).some(({ name }) => name === view.field);
-  if (isEnvelope(view.choice)) return hasField && combinations.length === now.length;
-  const name = now[view.choice]?.name;
-  return hasField && combinations.some((combination) => combination.name === name && combination.values);
 }
 
 /** Shows the previews that the store names, and says over the picture what they are. */
@@ -41,7 +29,7 @@ export class Preview {
     store.on(["preview"], () => void this.fetch());
     store.on(["run"], () => {
       const { kind } = store.run;
-      if (this.figures && (kind === "refused" || kind === "cancelled")) this.hooks.onEnd();
+      if (this.figures && kind === "refused") this.hooks.onEnd();
     });
   }
 
@@ -67,11 +55,12 @@ export class Preview {
     if (!preview) return;
     try {
       const scene = decodeScene(await this.api.preview(preview.run));
-      if (this.store.preview !== preview || !hasShown(scene, this.view)) return;
+      if (this.store.preview !== preview) return;
       this.mark(`Preview ${preview.words}`);
       this.label.classList.remove("provisional");
       this.figures = preview.figures;
-      this.view.setScene(scene, this.view.field || "settlement");
+      this.store.set("drawn", { run: preview.run, isPreview: true });
+      this.view.setScene(scene, true);
       this.hooks.onShow();
     } catch (error) {
       // a run that has ended meanwhile has no preview any more

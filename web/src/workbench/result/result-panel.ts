@@ -12,7 +12,8 @@ import { comparisonBar, GROUNDS } from "./comparison-bar";
 import { keepSection } from "./keep-section";
 import { LowerPanels } from "./lower-panels";
 import { Picture } from "./picture";
-import { emptyResult, freshness, statusLine } from "./status";
+import { standingOf } from "./standing";
+import { emptyResult, statusLine } from "./status";
 import { wideButton } from "./wide";
 import "./result.css";
 
@@ -35,7 +36,7 @@ export class ResultPanel {
   private alternatives: AlternativesBar | null = null;
   private readonly canCompare: boolean;
   private summary: Summary | null = null;
-  private shownName: string | null = "";
+  private shownName = "";
   private fetching = 0;
   private shownRun: number | null = null;
   private shownUpdate = 0;
@@ -69,9 +70,8 @@ export class ResultPanel {
     this.element.append(h("h2", { class: "unseen" }, "Result"), statusLine(store), this.empty.element, this.full);
     store.on(["solved"], () => void this.fetch());
     store.on(["comparison"], () => void this.takeComparison());
-    store.on(["doc", "waiting", "solved"], () => {
-      const isStale = freshness(store.solved, store.doc?.version, store.waitingCount) === "stale";
-      this.element.classList.toggle("stale", isStale);
+    store.on(["doc", "waiting", "solved", "preview", "drawn"], () => {
+      this.element.dataset.standing = standingOf(store);
     });
     this.empty.update();
     this.update();
@@ -141,6 +141,7 @@ export class ResultPanel {
       this.showFull(true);
       this.picture.preview.end(solved.provisional);
       this.lower.reference.setPicture(false);
+      this.store.set("drawn", { run, isPreview: false });
       this.picture.setResult(decodeScene(buffer));
       [this.shownRun, this.shownUpdate] = [run, update];
       if (!summary.design) return this.lower.tables.wait();
@@ -183,6 +184,7 @@ export class ResultPanel {
   }
 
   private clear(): void {
+    this.store.set("drawn", null);
     this.picture.preview.end();
     this.lower.reference.setPicture(false);
     this.shownRun = null;
@@ -200,7 +202,8 @@ export class ResultPanel {
     const { picture, summary } = this;
     const { choice, scene } = picture.view;
     const shown = isEnvelope(choice) ? null : (scene?.head.combinations[choice]?.name ?? "");
-    this.tellShown(shown);
+    // of several there is no preview, but of one of them
+    this.tellShown(picture.view.wanted.name);
     this.store.set("shown", picture.shown);
     // with a preview there may be no summary yet, or that of the result before
     const one = picture.preview.figures ?? summary?.combinations.find(({ name }) => name === shown) ?? null;
@@ -208,8 +211,8 @@ export class ResultPanel {
     this.lower.show(summary, one);
   }
 
-  /** Tell the server which combination is looked at, of which a run shows a preview; null: several. */
-  private tellShown(name: string | null): void {
+  /** Tell the server which combination is looked at, of which a run shows a preview; "": any. */
+  private tellShown(name: string): void {
     if (!this.canCompare || name === this.shownName) return;
     this.shownName = name;
     this.api.setShown(name).catch((error: unknown) => this.handleError(error));

@@ -1,6 +1,6 @@
 // Commands on the document.
 
-import { type Api, type DocState, Lost, Refused, type SlabInFile } from "../client/api";
+import { type Api, type DocState, type FileChanges, Lost, Refused, type SlabInFile } from "../client/api";
 import type { EditQueue } from "../client/edit-queue";
 import type { Store } from "../client/store";
 import { ask } from "../controls/dialogs";
@@ -9,6 +9,7 @@ import { isBuilding, openSlab } from "../drawing/open-slab";
 import { chooseStart } from "../help/examples";
 import { isTableFile } from "../model/reactions";
 import { importReactions } from "../reactions/import-reactions";
+import { askAboutChanges, type Which } from "./changed-file";
 import { chooseFile } from "./file-dialog";
 
 export class Commands {
@@ -47,10 +48,8 @@ export class Commands {
     };
     const done = await this.change(() => this.api.save(file, over), "saved", isInTheWay);
     if (done || why === "") return done;
-    const words =
-      why === "exists"
-        ? "A file with this name already exists."
-        : "Another program has changed the file since it was opened. Saving will overwrite those changes.";
+    if (why === "changed") return this.settleConflict();
+    const words = "A file with this name already exists.";
     const answers = [
       { label: "Don't save", value: "no" as const, main: true },
       { label: "Save as …", value: "as" as const },
@@ -59,6 +58,23 @@ export class Commands {
     const answer = await ask("Replace file?", [words], answers, "no");
     return answer === "over" ? this.saveTo(file, true) : answer === "as" ? this.saveAs() : false;
   }
+
+  /** Ask which text counts where the file has changed, and save that. */
+  private async settleConflict(): Promise<boolean> {
+    let changes: FileChanges | null = null;
+    const isRead = await this.run(async () => {
+      changes = await this.api.fileChanges();
+    });
+    if (!isRead || changes === null) return false;
+    const decision = await askAboutChanges(changes, true);
+    if (decision === "cancel") return false;
+    if (decision === "as") return this.saveAs();
+    const { digest } = changes as FileChanges;
+    return (await this.takeFile(decision, digest)) && (decision === "theirs" || this.saveTo(null, false));
+  }
+
+  /** Let the text of a file that has changed, that of the page, or both merged count. */
+  takeFile = (which: Which, digest: string): Promise<boolean> => this.change(() => this.api.takeFile(which, digest));
 
   open = async (): Promise<void> => {
     const chosen = await chooseFile(this.api, "open", this.store.doc?.file ?? null);
@@ -148,8 +164,7 @@ export class Commands {
 
   /** Forget results, selection and what else belongs to the document before. */
   private resetResult(): void {
-    this.store.set("solved", null);
-    this.store.set("run", { kind: "idle" });
+    this.store.forgetResults();
     this.store.select(null);
     this.store.set("underlay", null);
     this.store.emit("opened");
@@ -160,7 +175,9 @@ export class Commands {
     await this.settle();
     if (this.store.doc?.dirty !== true) return true;
     const words =
-      "The current case has unsaved changes. If you don't save them, you can restore them when you open the case again.";
+      this.store.doc.file === null
+        ? "The current case has never been saved. If you don't save it now, it will not be offered again."
+        : "The current case has unsaved changes. If you don't save them, you can restore them when you open the case again.";
     const answers = [
       { label: "Cancel", value: "stay" },
       { label: "Don't save", value: "leave" },

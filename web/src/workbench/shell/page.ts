@@ -24,6 +24,7 @@ import { ResultPanel } from "../result/result-panel";
 import { TablesPanel } from "../tables/tables-panel";
 import { TextPanel } from "../text/text-panel";
 import { banner, notices } from "./banner";
+import { changedFileBanner, type Which } from "./changed-file";
 import { Commands } from "./commands";
 import { issueList } from "./diagnostics";
 import { topBar, viewBar } from "./top-bar";
@@ -43,7 +44,7 @@ export function buildPage(
   const model = modelPanel(store, new Schema(store.schema), (change) => queue.push(change));
   const lost = connection.handleLoss.bind(connection);
   const commands = new Commands(api, store, queue, lost, model.flush, model.openIssues, resolveOffer);
-  showWarnings(store, commands);
+  showWarnings(store);
   const result = new ResultPanel(store, api, lost, {
     solve: () => void commands.solve(),
     push: (change) => queue.push(change),
@@ -59,10 +60,12 @@ export function buildPage(
     showKeys: () => showKeys(TOOLS, takeTour),
     open: (target) => openFieldDocumentation(target, store.data),
   };
-  const top = topBar(store, api, commands, help.showKeys);
+  const top = topBar(store, api, commands, help.showKeys, lost);
+  const take = async (which: Which, digest: string) => void (await commands.takeFile(which, digest));
   document.body.replaceChildren(
     top,
     banner(store, () => connection.retry()),
+    changedFileBanner(store, api, { take, onLost: lost }),
     page,
     notices(store),
   );

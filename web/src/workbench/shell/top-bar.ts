@@ -3,13 +3,21 @@
 import { button, h, setRead, setText, verbatim } from "../../viewer/shared/dom";
 import { translate } from "../../viewer/shared/language";
 import { switchTheme } from "../../viewer/shared/theme";
+import type { Api, Lost } from "../client/api";
 import type { Store } from "../client/store";
 import { icon } from "../controls/icons";
+import { AccuracyChoice } from "./accuracy-choice";
 import type { Commands } from "./commands";
 import { type ExportApi, exportButton } from "./export-button";
 import { languageSwitch } from "./language-switch";
 
-export function topBar(store: Store, api: ExportApi, commands: Commands, showKeys: () => void): HTMLElement {
+export function topBar(
+  store: Store,
+  api: ExportApi & Pick<Api, "costs" | "setAccuracy">,
+  commands: Commands,
+  showKeys: () => void,
+  onLost: (error: Lost) => void,
+): HTMLElement {
   const file = [
     button("New", "Start a new case, empty or from an example", () => void commands.createCase()),
     button(
@@ -27,6 +35,7 @@ export function topBar(store: Store, api: ExportApi, commands: Commands, showKey
     h("div", { class: "gs-group", role: "group", "aria-label": "file" }, ...file),
     ...historyButtons(store, commands),
     fileTitle(store),
+    new AccuracyChoice(store, api, { settle: commands.settle, onLost }).element,
     ...solveControls(store, commands),
     exportButton(store, api, commands.solve),
     themeButton(),

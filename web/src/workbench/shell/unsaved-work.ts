@@ -2,7 +2,6 @@
 import type { Api, DocState } from "../client/api";
 import type { Store } from "../client/store";
 import { ask } from "../controls/dialogs";
-import type { Commands } from "./commands";
 
 /** Ask what to do with unsaved work that the server has found; returns the state after the answer. */
 export async function askOffer(api: Pick<Api, "restore">, state: DocState): Promise<DocState> {
@@ -44,18 +43,13 @@ export function askWhichText(server: DocState): Promise<"page" | "server"> {
   );
 }
 
-/** Warn of unsaved work that cannot be kept, and of a file that another program has changed. */
-export function showWarnings(store: Store, commands: Commands): void {
+/** Warn of unsaved work that cannot be kept. */
+export function showWarnings(store: Store): void {
   let shown = "";
   store.on(["doc"], () => {
-    const { unkept = "", outside = false, file = null } = store.doc ?? {};
-    const text = unkept || (outside ? "Another program has changed the file." : "");
-    if (text === shown) return;
-    shown = text;
+    const { unkept = "" } = store.doc ?? {};
+    if (unkept === shown) return;
+    shown = unkept;
     if (unkept) store.set("notice", { kind: "bad", text: `${unkept}. Save soon.` });
-    else if (text && file) {
-      const action = { label: "Reload", run: () => void commands.openFile(file) };
-      store.set("notice", { kind: "bad", text, action });
-    }
   });
 }

@@ -156,7 +156,7 @@ describe("the connection", () => {
     expect(store.run).toMatchObject({ kind: "solving", text: "mesh 1", share: 0.25 });
     const figures = { name: "ULS 1", refused: null, certificate: null, sections: [] };
     events().send("preview", { run: 3, version: 1, words: "on a coarse mesh", figures });
-    expect(store.preview).toEqual({ run: 3, words: "on a coarse mesh", figures });
+    expect(store.preview).toEqual({ run: 3, version: 1, words: "on a coarse mesh", figures });
     const words = "Provisional: mesh 1 is still to be refined.";
     events().send("provisional", { run: 3, version: 1, seconds: 1, provisional: words, update: 0 });
     expect(store.preview).toBeNull();
