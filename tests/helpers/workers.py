@@ -36,7 +36,7 @@ def obey(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
         for number, name in enumerate(words):
             tables = {"words": lambda name=name: TableLayout(text, headers("word"), ((Cell(name),),))}
             answer = Answer(0.0, {}, {"text": name}, ("words",), f"mesh {number + 1}")
-            progress.keep(answer, name.encode(), Solved(text, None, tables))
+            progress.keep(answer, name.encode(), Solved(text, None, tables, text))
             while not Path(f"{file}.{name}").exists():
                 progress("waits", None)
                 time.sleep(0.005)
@@ -59,7 +59,7 @@ def obey(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
         raise ZeroDivisionError("by zero")
     progress("half", 0.5)
     tables = {"words": lambda: TableLayout(text, headers("word"), ((Cell(word),),))}
-    return Answer(0.0, {}, {"text": text}, tuple(tables)), text.encode() * 1000, Solved(text, None, tables)
+    return Answer(0.0, {}, {"text": text}, tuple(tables)), text.encode() * 1000, Solved(text, None, tables, text)
 
 
 def prepare_for_ever(progress: Progress) -> None:

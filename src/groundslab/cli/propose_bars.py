@@ -45,7 +45,7 @@ def run(options: argparse.Namespace) -> int:
     if not results.results:
         raise next(iter(results.refused.values()))
     proposal = propose_bars(results)
-    write_or_print(with_reinforcement(text, proposal.model, _folder(path)), options.out)
+    write_or_print(with_reinforcement(text, proposal.reinforcement, _folder(path)), options.out)
     units = proposal.model.units
     print_stderr("\n".join(words_in(line, units) for line in _words(proposal, units)))
     checks = check_design(replace(results, model=proposal.model)).checks

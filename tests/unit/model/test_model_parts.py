@@ -496,9 +496,13 @@ def _check(value: Any, schema: dict[str, Any], root: dict[str, Any]) -> bool:
 
     if "$ref" in schema:
         return _check(value, root["definitions"][schema["$ref"].rsplit("/", 1)[1]], root)
+    if "required" in schema and set(schema) == {"required"}:
+        return set(schema["required"]) <= set(value)
     for words, how in (("anyOf", any), ("oneOf", any), ("allOf", all)):
         if words in schema:
-            return how(_check(value, each, root) for each in schema[words])
+            rest = {key: each for key, each in schema.items() if key != words}
+            others = set(rest) <= {"description", "title"} or _check(value, rest, root)
+            return others and how(_check(value, each, root) for each in schema[words])
     if "const" in schema or "enum" in schema:
         return value in schema.get("enum", [schema.get("const")])
     kind = schema.get("type")

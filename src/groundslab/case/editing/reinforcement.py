@@ -8,7 +8,7 @@ from typing import Any
 from groundslab.case import casefile
 from groundslab.case.editing.case_text import CaseText
 from groundslab.errors import InputError
-from groundslab.model.model import Model
+from groundslab.model.design.reinforcement import Reinforcement
 from groundslab.unit_systems import INCH, System
 from groundslab.units import format_number, parse
 
@@ -18,30 +18,30 @@ DIGITS = 12
 OF_BARS = ("diameter", "spacing")
 
 
-def with_reinforcement(text: str, model: Model, folder: Path) -> str:
-    """Return a case's text with the reinforcement of a model; keys that mean the same stay as they are written.
+def with_reinforcement(text: str, reinforcement: Reinforcement, folder: Path) -> str:
+    """Return a case's text with another reinforcement; keys that mean the same stay as they are written.
 
-    Where the text's layout allows no such edit, it is the model as ``casefile.to_toml`` writes it.
+    Where the text's layout allows no such edit, it is the case as ``casefile.to_toml`` writes it.
     """
-    assert model.reinforcement is not None
     data = casefile.tables(text)
-    document = CaseText(text, data)
+    before = casefile.from_table(data, folder)
+    after = before.replace(reinforcement=reinforcement)
+    old, document = before.reinforcement, CaseText(text, data)
+    written = _in_customary_units(casefile.tables(casefile.to_toml(reinforcement)), before.units)
+    present = data.get("reinforcement", {})
+    kept = {
+        name: value
+        for name, value in present.items()
+        if old is not None and getattr(old, name) == getattr(reinforcement, name)
+    }
+    names = dict.fromkeys([*(name for name in present if name in kept or name in written), *written])
     try:
-        before = casefile.from_table(data, folder).reinforcement
-        written = _in_customary_units(casefile.tables(casefile.to_toml(model.reinforcement)), model.units)
-        kept = {
-            name: value
-            for name, value in data.get("reinforcement", {}).items()
-            if before is not None and getattr(before, name) == getattr(model.reinforcement, name)
-        }
-        old = [name for name in data.get("reinforcement", {}) if name in kept or name in written]
-        order = dict.fromkeys([*old, *written])
-        document.set(("reinforcement",), {name: kept.get(name, written.get(name)) for name in order})
-        if casefile.from_table(document.data, folder) == model:
+        document.set(("reinforcement",), {name: kept.get(name, written.get(name)) for name in names})
+        if casefile.from_table(document.data, folder) == after:
             return document.text
     except InputError:
         pass
-    return casefile.to_toml(model)
+    return casefile.to_toml(after)
 
 
 def _in_customary_units(value: Any, system: System, key: str = "") -> Any:

@@ -192,8 +192,7 @@ def _propose(proposal: Proposal, text: str, results: Results, folder: Path | Non
     except InputError as error:
         notes.append(f"No bars can be proposed: {proposal.words}: {error}")
         return None
-    case = casefile.from_table(casefile.tables(text), folder).replace(reinforcement=proposed.reinforcement)
-    written = with_reinforcement(text, case, folder or Path())
+    written = with_reinforcement(text, proposed.reinforcement, folder or Path())
     checked = replace(results, model=proposed.model)
     return WithBars(_measure(proposal, written, checked, proposed.remarks), checked)
 

@@ -89,6 +89,8 @@ class Solved:
     text: str
     results: Results
     tables: dict[str, Callable[[], TableLayout]]
+    #: The text of the case, without an accuracy that was asked for in place of its own.
+    case: str
 
 
 class Stopped(BaseException):
@@ -107,8 +109,8 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
     from groundslab.workbench.solver.cost import with_accuracy
 
     start = time.perf_counter()
-    text = with_accuracy(text, progress.accuracy)
-    model = casefile.loads(text)
+    texts = with_accuracy(text, progress.accuracy), text
+    model = casefile.loads(texts[0])
     count = len(list_combinations(model))
     combinations = CombinationCount(count, mesh=1 if model.mesh.adaptive else None)
     first, has_preview = 0.0, progress.shown is None
@@ -131,14 +133,14 @@ def solve(text: str, progress: Progress) -> tuple[Answer, bytes, Solved]:
         nonlocal first
         if not first:
             first = time.perf_counter() - start
-            progress.keep(*_outcome(text, results, (start, first), with_checks=False))
-        progress.keep(*_outcome(text, results, (start, first)))
+            progress.keep(*_outcome(texts, results, (start, first), with_checks=False))
+        progress.keep(*_outcome(texts, results, (start, first)))
         combinations.begin_mesh()
 
     if _is_slow(model, count, progress.before):
         look(0.0)
     results = solve_combinations(model, on_step, on_combination, on_mesh)
-    return _outcome(text, results, (start, first or time.perf_counter() - start))
+    return _outcome(texts, results, (start, first or time.perf_counter() - start))
 
 
 def _is_slow(model: Model, count: int, before: float | None) -> bool:
@@ -151,12 +153,13 @@ def _is_slow(model: Model, count: int, before: float | None) -> bool:
 
 
 def _outcome(
-    text: str, results: Results, times: tuple[float, float], with_checks: bool = True
+    texts: tuple[str, str], results: Results, times: tuple[float, float], with_checks: bool = True
 ) -> tuple[Answer, bytes, Solved]:
-    """Return the answer, the packed scene and the data for a report of a text's results.
+    """Return the answer, the packed scene and the data for a report of results.
 
-    times are when the run began, and how long it took to its first results [s]. Without checks there are no tables
-    either: which there are follows from the checks.
+    texts are that which was solved and that of the case, which may ask for another accuracy. times are when the run
+    began, and how long it took to its first results [s]. Without checks there are no tables either: which there are
+    follows from the checks.
     """
     from groundslab.results.results import refusal_words
     from groundslab.views.scene.binary import pack
@@ -173,7 +176,8 @@ def _outcome(
     seconds = time.perf_counter() - start
     made = count_made(results)
     answer = Answer(seconds, refused, summary, tuple(tables), provisional_words(results), first, *made)
-    return answer, scene, Solved(text, results, tables)
+    solved_text, case = texts
+    return answer, scene, Solved(solved_text, results, tables, case)
 
 
 def _show_preview(model: Model, progress: Progress, name: str) -> None:
@@ -361,7 +365,7 @@ def _write_bars(solved: Solved, folder: str, _: Told) -> bytes:
     from groundslab.case.editing.reinforcement import with_reinforcement
     from groundslab.design.proposal.propose import propose_bars
 
-    return with_reinforcement(solved.text, propose_bars(solved.results).model, Path(folder)).encode()
+    return with_reinforcement(solved.case, propose_bars(solved.results).reinforcement, Path(folder)).encode()
 
 
 def _write_table(solved: Solved, name: str, _: Told | None = None) -> bytes:

@@ -61,7 +61,7 @@ def test_strengths_and_comments_stay(tmp_path: Path) -> None:
     steel = model.reinforcement
     assert steel is not None
     model = model.replace(reinforcement=steel.replace(bottom_x=Bars(diameter="#6", spacing=0.127)))
-    text = with_reinforcement(MAT, model, tmp_path)
+    text = with_reinforcement(MAT, model.reinforcement, tmp_path)
     assert casefile.loads(text) == model
     changed = [line for line in text.splitlines() if line not in MAT.splitlines()]
     assert changed == ['bottom_x = {diameter = "#6", spacing = "5 in"}']
@@ -81,7 +81,7 @@ def test_bars_are_in_millimeters_and_other_lengths_in_meters(tmp_path: Path) -> 
         "shape": Rectangle(x=(0, 1.5), y=(0, 2)),
     }
     steel = steel.replace(top_x=Bars(diameter=0.01, spacing=0.225)).replace(zones=[zone])
-    written = with_reinforcement(text, model.replace(reinforcement=steel), tmp_path)
+    written = with_reinforcement(text, steel, tmp_path)
     assert casefile.loads(written).reinforcement == steel
     for part in ('diameter = "10 mm"', 'spacing = "225 mm"', 'diameter = "12 mm"', 'x = ["0.0 m", "1.5 m"]'):
         assert part in written
@@ -99,7 +99,7 @@ def test_what_is_gone_is_removed(tmp_path: Path, inline: bool) -> None:
     assert steel is not None
     assert steel.laid
     model = model.replace(reinforcement=steel.replace(bottom_x=None, bottom_y=None, top_x=None, top_y=None))
-    written = with_reinforcement(text, model, tmp_path)
+    written = with_reinforcement(text, model.reinforcement, tmp_path)
     assert casefile.loads(written) == model
     assert "bottom_x" not in written
     assert "# 28 days" in written

@@ -67,7 +67,7 @@ NO_PLACE = {
     "l_raft": "beyond boreholes output reinforcement mesh ground", "neighbours": "beyond limits mesh ground",
     "oblique_facade": "reinforcement limits",
     "pad": "beyond reinforcement limits mesh ground", "pavement": "mesh", "piled_raft": "beyond limits mesh ground",
-    "raft_on_continuum": "output mesh ground", "raft_under_a_frame": "building reinforcement limits ground",
+    "raft_on_continuum": "output mesh ground", "raft_under_a_frame": "axes building reinforcement limits ground",
     "ribbed_raft": "reinforcement limits ground", "second_generation": "reinforcement mesh",
     "strip": "beyond output limits mesh", "table1": "mesh ground",
     "tank": "beyond reinforcement limits soil_strength mesh ground", "tower_crane": "limits mesh",
@@ -117,7 +117,8 @@ def same_slab(model: gs.Model, read: gs.Model) -> None:
     assert (other.thickness, other.E, other.nu) == pytest.approx((one.thickness, one.E, one.nu), rel=1e-12)
     assert [shape.ring().area for shape in other.openings] == [shape.ring().area for shape in one.openings]
     assert other.zones == one.zones
-    assert read.columns == model.columns
+    # axes have no place in the format: columns are where they are, but hang on none
+    assert read.columns == tuple(column.replace(at="") for column in model.columns)
     assert [wall.thickness for wall in read.walls] == [
         wall.thickness for wall in model.placed_walls for _ in wall.edges
     ]

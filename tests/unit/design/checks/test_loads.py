@@ -131,16 +131,19 @@ def test_nothing_in_doubt_is_nothing_to_see() -> None:
 
 
 def test_the_report_has_what_acts_where() -> None:
-    """The chapter of load cases has a column for each limit state, and remarks below."""
+    """The chapter of load cases has a row for each limit state in which a case acts, and remarks below."""
     found = solved(cases=[{"name": "G"}, {"name": "Q", "action": "variable"}, {"name": "S"}],
                    combine={"sets": ["ultimate", "characteristic"]})  # fmt: skip
     parts = page(render_report(found, chapters=["case"])).one("section", id="case").all("section")
     (section,) = (part for part in parts if part.one("h3").text == "Load cases")
     *_, table = section.all("table")
     assert [[cell.text for cell in row.all("td")] for row in table.one("tbody").all("tr")] == [
-        ["G", "permanent", "1", "1 to 1.35 (4 of 4)", "1 (2 of 2)"],
-        ["Q", "variable", "1", "1.5 (2 of 4)", "1 (1 of 2)"],
-        ["S", "permanent", "0", "1 to 1.35 (4 of 4)", "1 (2 of 2)"],
+        ["G", "1", "ultimate", "1 to 1.35 (4 of 4)"],
+        ["G", "1", "characteristic", "1 (2 of 2)"],
+        ["Q", "1", "ultimate", "1.5 (2 of 4)"],
+        ["Q", "1", "characteristic", "1 (1 of 2)"],
+        ["S", "0", "ultimate", "1 to 1.35 (4 of 4)"],
+        ["S", "0", "characteristic", "1 (2 of 2)"],
     ]
     assert 'Remark: case "S" has no loads.' in section.text
 

@@ -63,7 +63,7 @@ def test_documents_are_those_of_the_commands(app: Guard) -> None:
     """The solver writes the documents; there is none of other runs, and none of other names."""
     jsonschema = pytest.importorskip("jsonschema")
     results = groundslab.solve(casefile.loads(small_case.TEXT))
-    solved = process.Solved(small_case.TEXT, results, {})
+    solved = process.Solved(small_case.TEXT, results, {}, small_case.TEXT)
     for name in ("summary", "design", "tables"):
         document = json.loads(process.WRITERS["document"](solved, name, lambda _title, _share: None))
         schema = json.loads((DOCS / "interface" / f"{name}.schema.json").read_text(encoding="utf-8"))

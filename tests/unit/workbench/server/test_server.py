@@ -356,7 +356,7 @@ def test_the_outdated_report_has_a_remark(monkeypatch: pytest.MonkeyPatch) -> No
         return ""
 
     monkeypatch.setattr("groundslab.views.report.html.render_report", render_report)
-    solved = Solved("", results_of(synthetic.results()), {})
+    solved = Solved("", results_of(synthetic.results()), {}, "")
     for kind in ("report", OUTDATED):
         WRITERS[kind](solved, "pad.toml", lambda *_: None)
     assert remarks[0] == ""

@@ -138,7 +138,7 @@ def test_a_table_that_cannot_be_made_is_refused(capsys: pytest.CaptureFixture[st
             self.messages.append(message)
 
     pipe = Kept()
-    broken = process.Solved("", solved().results, {"x": lambda: 1 / 0})  # type: ignore[dict-item]
+    broken = process.Solved("", solved().results, {"x": lambda: 1 / 0}, "")  # type: ignore[dict-item]
     process._send_view(pipe, ("table", 1, "x"), (1, broken))  # type: ignore[arg-type]
     process._send_view(pipe, ("table", 2, "x"), (1, broken))  # type: ignore[arg-type]
     first, second = (message[2] for message in pipe.messages)  # type: ignore[index]

@@ -568,9 +568,8 @@ def test_the_report_compares_grounds_where_the_case_lists_that_chapter(chapters:
     assert (b"Ground models compared" in pipe.content) is compared
 
 
-def test_bars_are_proposed_as_a_text_of_the_case() -> None:
-    """The text has bars in all layers, and what stands above with its comments; without reinforcement it says so."""
-    text = """# a strip
+#: A strip to be reinforced.
+STRIP_TO_REINFORCE = """# a strip
 [plate]
 length_x = "4 m"
 length_y = "2 m"
@@ -600,6 +599,11 @@ f_yk = "500 MPa"
 bottom = ["50 mm", "62 mm"]
 top = ["50 mm", "62 mm"]
 """
+
+
+def test_bars_are_proposed_as_a_text_of_the_case() -> None:
+    """The text has bars in all layers, and what stands above with its comments; without reinforcement it says so."""
+    text = STRIP_TO_REINFORCE
     pipe = Kept()
     for run, case in enumerate((text, text.partition("[reinforcement]")[0])):
         *_, solved = process.solve(case, Progress(lambda *_: None))
@@ -611,3 +615,13 @@ top = ["50 mm", "62 mm"]
     assert pipe.content.startswith(b"# a strip")
     assert made.reinforcement is not None
     assert made.reinforcement.laid
+
+
+def test_an_accuracy_that_was_asked_for_is_not_written_with_bars() -> None:
+    """What is put into the case has the accuracy of the case, whatever the run was solved to."""
+    text = STRIP_TO_REINFORCE.replace('size = "0.5 m"\n', "")
+    *_, solved = process.solve(text, Progress(lambda *_: None, accuracy="draft"))
+    pipe = Kept()
+    process._send_view(pipe, ("bars", 1, "."), (1, solved))
+    assert casefile.loads(solved.text).mesh.accuracy == "draft"
+    assert casefile.loads(pipe.content.decode()).mesh == casefile.loads(text).mesh
