@@ -95,7 +95,7 @@ class Hands:
         self.page.get_by_label("action of the new load case").select_option(action)
         if others:
             self.actions += 1
-            self.page.get_by_label("loads without a case").select_option(others)
+            self.page.get_by_label("loads without a case", exact=True).select_option(others)
         self.bench.wait_text(f'name = "{name}"', f'action = "{action}"')
 
     def table(self, name: str) -> None:
@@ -255,8 +255,10 @@ def test_a_house_raft(server: Server, bench: Bench) -> None:
     corners = ((0.0, 0.0), (12.0, 0.0), (12.0, 5.0), (7.0, 5.0), (7.0, 10.0), (0.0, 10.0))
     assert model.plate.outline == Polygon(kind="polygon", points=corners)
     assert len(model.boreholes) == 2
-    [first] = solve(model.replace(combine=None, combinations=list_combinations(model)[:1])).values()
-    bench.until(lambda: bench.largest("largest settlement") == pytest.approx(1e3 * first.plate.settlement.max(), 1e-3))
+    # the combination that is shown at first has the largest sum of factors
+    heaviest = max(list_combinations(model), key=lambda combination: sum(dict(combination.factors).values()))
+    [shown] = solve(model.replace(combine=None, combinations=(heaviest,))).values()
+    bench.until(lambda: bench.largest("largest settlement") == pytest.approx(1e3 * shown.plate.settlement.max(), 1e-3))
 
 
 def test_a_tank_from_a_drawing(server: Server, bench: Bench, tmp_path: Path) -> None:

@@ -175,7 +175,7 @@ def test_a_slab_is_drawn_by_typed_lengths_and_places(server: Server, bench: Benc
     page.get_by_label("name of the new load case").fill("live")
     page.get_by_label("name of the new load case").press("Enter")
     page.get_by_label("action of the new load case").select_option("variable")
-    page.get_by_label("loads without a case").select_option("apart")
+    page.get_by_label("loads without a case", exact=True).select_option("apart")
     bench.wait_text('name = "live"', 'name = "permanent"', 'action = "variable"')
     bench.tool("point load")
     bench.click(1.0, -0.5)

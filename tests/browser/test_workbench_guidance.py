@@ -73,7 +73,7 @@ def test_a_field_with_the_focus_is_explained(server: Server, bench: Bench, case:
     thickness = bench.field("plate", "thickness").locator("input")
     thickness.focus()
     panel = bench.page.locator(".panel:not([hidden]) .field-help")
-    panel.get_by_text("length, such as 0.2 m").wait_for()
+    panel.get_by_text("length, such as 0.4 m").wait_for()
     bench.wait_equal(panel.locator(".lit text").text_content, "t")
     described = thickness.get_attribute("aria-describedby").split()[0]
     assert "thickness" in bench.page.locator(f"#{described}").inner_text().lower()
@@ -145,7 +145,7 @@ def test_the_tour_at_the_first_start(server: Server, newcomer: Bench, case: Path
         "Describe the ground": '[data-section="ground"] > summary',
         "Add loads": '.tool[data-tool="point load"]',
         "Solve and review the results": ".solve",
-        "Save and report": "button.report",
+        "Save and export": ".top .export",
     }
     for number, (title, control) in enumerate(titles.items(), start=1):
         dialog.get_by_role("heading", name=title).wait_for()

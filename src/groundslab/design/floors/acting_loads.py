@@ -160,10 +160,10 @@ def as_column(load: Force) -> RectangularColumn | RoundColumn:
     """
     x0, y0, x1, y1 = load.shape.bounds
     x, y, width_x, width_y = (x0 + x1) / 2, (y0 + y1) / 2, x1 - x0, y1 - y0
+    around = load.shape.oriented_envelope
+    if around.area < (1 - SAME) * width_x * width_y and load.shape.area > (1 - SAME) * around.area:
+        return _turned_rectangle(around)
     if load.shape.area < ROUND * width_x * width_y:
-        around = load.shape.oriented_envelope
-        if load.shape.area > (1 - SAME) * around.area:
-            return _turned_rectangle(around)
         return RoundColumn(x, y, 2 * load.a)
     return RectangularColumn(x, y, width_x, width_y)
 

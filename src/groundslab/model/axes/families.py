@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Annotated, ClassVar, Literal
 
 from groundslab.geometry.plan import Place
+from groundslab.geometry.rectangles import direction_at
 from groundslab.schema.base import Check, Section
 from groundslab.schema.distances import MOST, Distances
 from groundslab.schema.fields import ListOf, Number, Text
@@ -120,7 +121,7 @@ class StraightAxes(Section):
     def axes(self) -> tuple[Axis, ...]:
         """The axes, one after the other."""
         ways = (0.0, *itertools.accumulate(self.distances))
-        u, v = direction_of(self.angle)
+        u, v = direction_at(self.angle)
         (x, y), names = self.origin, self.names or count_on(self.first, len(ways))
         places = ((x + way * u, y + way * v) for way in ways)
         return tuple(Axis(name, place, (-v, u)) for name, place in zip(names, places, strict=True))
@@ -146,7 +147,7 @@ class RayAxes(Section):
     def axes(self) -> tuple[Axis, ...]:
         """The axes, one after the other."""
         names = self.names or count_on(self.first, len(self.angles))
-        rays = zip(names, map(direction_of, self.angles), strict=True)
+        rays = zip(names, map(direction_at, self.angles), strict=True)
         return tuple(Axis(name, self.centre, direction, ray=True) for name, direction in rays)
 
 
@@ -171,13 +172,6 @@ class RingAxes(Section):
 
 AnyAxes = StraightAxes | RayAxes | RingAxes
 AxesFamily = Annotated[AnyAxes, ByKind()]
-
-
-def direction_of(degrees: float) -> Place:
-    """Return the direction of an angle from x counterclockwise; exactly along x or y for right angles."""
-    exact = {0.0: (1.0, 0.0), 90.0: (0.0, 1.0), 180.0: (-1.0, 0.0), 270.0: (0.0, -1.0)}
-    angle = math.radians(degrees)
-    return exact.get(degrees % 360) or (math.cos(angle), math.sin(angle))
 
 
 def check_axes(axes: tuple[AnyAxes, ...]) -> Iterator[RelativeIssue]:

@@ -116,8 +116,9 @@ class Analyses:
         """
         wanted = Wanted(SAF, case.name)
         with self._lock:
-            result, latest, text = self._require_checked(), self.solver.schedule.results.latest, self._revision.text
-        if latest is not None and latest.fingerprint == result.fingerprint:
+            self._require_checked()
+            latest, text = self.solver.schedule.results.latest, self._revision.text
+        if latest is not None and not self._is_outdated(latest.run):
             return self.export(latest.run, wanted)
         return wanted.name, self._case_writer.write_saf(text)
 
