@@ -79,7 +79,7 @@ def test_columns_and_loads_come_from_a_spreadsheet(server: Server, bench: Bench,
     assert _data(bench)["loads"][12] == {"kind": "point", "column": "B11", "P": "111 kN", "M_x": "11.5 kNm"}
     bench.wait_solved()
     bench.wait_equal(lambda: _cells(bench, "tr.selected th"), [str(n) for n in range(2, 14)])
-    assert bench.page.evaluate(COPY).splitlines()[0] == "100 kN\t0.5 kNm\t\t\t\t\t\t\tB0"
+    assert bench.page.evaluate(COPY).splitlines()[0] == "100 kN\t0.5 kNm\t\t\t\t\t\t\t\tB0"
 
     bench.page.keyboard.press("Control+z")
     bench.until(lambda: len(_data(bench)["loads"]) == 1 and len(_data(bench)["columns"]) == 13)
