@@ -31,7 +31,8 @@ def raft(tmp_path_factory: pytest.TempPathFactory) -> tuple[groundslab.Results, 
     model = groundslab.load(EXAMPLES / "l_raft.toml").replace(mesh={"size": 2.0})
     folder = tmp_path_factory.mktemp("pages")
     results = groundslab.solve(model)
-    groundslab.save_results(results, folder / "raft-results")
+    for name in ("raft-results", "before-results"):
+        groundslab.save_results(results, folder / name)
     return results, folder
 
 
@@ -128,7 +129,7 @@ def test_commands_of_the_page_on_plots(raft: tuple[groundslab.Results, Path], mo
     """Each command draws."""
     monkeypatch.chdir(raft[1])
     commands = [shlex.split(line, comments=True) for line in blocks("plots.md", "sh")[0].splitlines() if line]
-    assert len(commands) == 10
+    assert len(commands) == 12
     for command in commands:
         assert command[:2] == ["groundslab", "plot"]
         assert main.main(command[1:]) == 0, command
