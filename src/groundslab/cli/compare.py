@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from groundslab.analysis.ground_comparison.comparison import GroundComparison
-    from groundslab.study.alternatives.comparison import DesignComparison
 
 
 def describe_grounds(compare: argparse.ArgumentParser) -> None:
@@ -119,7 +118,9 @@ def compare_designs(options: argparse.Namespace) -> int:
 
         print_stdout(json.dumps(to_json(comparison), indent=2))
     else:
-        _print_captured(lambda console: _print_designs(comparison, console))
+        from groundslab.study.alternatives.terminal import print_designs
+
+        _print_captured(lambda console: print_designs(comparison, console))
     if options.take is not None:
         names = [alternative.name for alternative in comparison.alternatives]
         if options.take not in names:
@@ -131,27 +132,3 @@ def compare_designs(options: argparse.Namespace) -> int:
 
 def _print_alternative(name: str, left: int) -> None:
     print_stderr(f"{name} ... ({left} left)")
-
-
-def _print_designs(comparison: DesignComparison, console: Console) -> None:
-    """Print quantities and utilizations of all alternatives side by side."""
-    from rich.padding import Padding
-    from rich.table import Table
-    from rich.text import Text
-
-    from groundslab.study.alternatives.rows import notes, rows
-
-    console.print(Text(comparison.model.title or "(no title)", style="bold"), soft_wrap=True)
-    table = Table(box=None, padding=(0, 1, 0, 0), pad_edge=False, header_style="bold cyan")
-    table.add_column("", no_wrap=True)
-    for alternative in comparison.alternatives:
-        table.add_column(alternative.name.replace(", ", ",\n").replace(" ", "\n", 2), justify="right")
-    table.add_column("", style="dim")
-    for row in rows(comparison):
-        cells = (Text(cell, style="bold red" if bad else "") for cell, bad in zip(row.cells, row.bad, strict=True))
-        table.add_row(Text(row.label), *cells, row.unit)
-    console.print()
-    console.print(table)
-    console.print()
-    for note in notes(comparison):
-        console.print(Padding(Text(note, style="dim"), (0, 0, 0, 2)))

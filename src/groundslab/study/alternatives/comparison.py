@@ -15,7 +15,7 @@ from groundslab.design.checks import Design, check_design
 from groundslab.design.detailing.bar_quantities import bars
 from groundslab.design.proposal.links import punching_links
 from groundslab.design.proposal.propose import propose_bars
-from groundslab.errors import GroundslabError, InputError
+from groundslab.errors import GroundslabError
 from groundslab.fem.shape_functions import areas
 from groundslab.model.model import Model
 from groundslab.model.settings import ACCURACIES
@@ -189,11 +189,12 @@ def _propose(proposal: Proposal, text: str, results: Results, folder: Path | Non
     """Return an alternative with the bars that are proposed for it; None and a note if none are enough."""
     try:
         proposed = propose_bars(results)
-    except InputError as error:
+    except GroundslabError as error:
         notes.append(f"No bars can be proposed: {proposal.words}: {error}")
         return None
     written = with_reinforcement(text, proposed.reinforcement, folder or Path())
-    checked = replace(results, model=proposed.model)
+    # where concrete cracks, bars change how stiff the slab is
+    checked = replace(results, model=proposed.model) if results.model.cracking is None else _solve(proposed.model)
     return WithBars(_measure(proposal, written, checked, proposed.remarks), checked)
 
 
@@ -222,8 +223,12 @@ def _measure(proposal: Proposal, text: str, results: Results, remarks: tuple[str
         places_of_links=len(layouts),
         utilizations=_utilizations(design),
         settlement=max(float(each.plate.settlement.max()) for each in results.results.values()),
-        status=design.status,
-        notes=(*remarks, *(f"no links at {layout.name}: {layout.why}" for layout in layouts if not layout.perimeters)),
+        status="attention" if proposal.notes and design.status == "no failure found" else design.status,
+        notes=(
+            *proposal.notes,
+            *remarks,
+            *(f"no links at {layout.name}: {layout.why}" for layout in layouts if not layout.perimeters),
+        ),
     )
 
 

@@ -7,13 +7,16 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from groundslab.case.editing import lengths
 from groundslab.case.editing.toml_values import Path, get_value
 from groundslab.design.demands.perimeter_loads import footprint_of, thickness_at
 from groundslab.design.proposal.links import punching_links
 from groundslab.model.model import Model
+from groundslab.model.plates.region import get_plate_region
 from groundslab.model.structure.columns import Column
-from groundslab.results.results import Results
+from groundslab.results.results import CombinationResult, Results
 from groundslab.schema.wording import listed
 from groundslab.unit_systems import FOOT, INCH, System
 
@@ -21,26 +24,32 @@ from groundslab.unit_systems import FOOT, INCH, System
 STEPS: dict[System, float] = {"SI": 0.05, "US": 2 * INCH}
 SHARE = 0.1
 #: Numbers of steps that are tried.
-THICKER = (-1, 1, 2)
-#: The first words of what is told of drop panels.
+STEP_COUNTS = (-1, 1, 2)
+#: The first words of what is told of drop panels, and what is not checked of them.
 PANELS = "Drop panels"
+BEYOND_PANELS = "punching of the slab around drop panels is not checked (EN 1992-1-1 6.4.2(8), ACI 318-19 22.6.4.1)"
 #: Drop panels are so many steps thicker than the slab.
 PANEL_STEPS = 2
 #: How far drop panels reach beyond the column's faces, in terms of their thickness: the perimeter at 2 d is inside.
 PANEL_REACH = 2.0
-#: What that is rounded up to [m].
+#: The grid on which their edges are [m].
 ROUNDED: dict[System, float] = {"SI": 0.1, "US": FOOT / 4}
 #: Resolution of lengths that are written [m].
 RESOLUTION = 1e-4
 
 
+#: A rectangle x0, x1, y0, y1 [m].
+Bounds = tuple[float, float, float, float]
+
+
 @dataclass(frozen=True, slots=True)
 class Proposal:
-    """What an alternative changes: keys of the case and their values, thicknesses in meters and new parts as tables."""
+    """What an alternative changes: keys of a file and their new values; what a reader must know of it."""
 
     name: str
     words: str
     edits: tuple[tuple[Path, Any], ...] = ()
+    notes: tuple[str, ...] = ()
 
 
 def thickness_step(model: Model) -> float:
@@ -53,7 +62,7 @@ def other_thicknesses(model: Model, data: dict[str, Any]) -> Iterator[Proposal]:
     """Yield the slab thinner and thicker, with its zones, as far as a step leaves something of it."""
     step = thickness_step(model)
     paths = list(_thickness_paths(data))
-    for number in THICKER:
+    for number in STEP_COUNTS:
         change = number * step
         new = [_thickness_of(model, path) + change for path in paths]
         if min(new) < step / 2:
@@ -71,27 +80,65 @@ def drop_panels(results: Results, data: dict[str, Any]) -> Proposal | None:
     columns = [column for column in model.columns if column.name in needy]
     if not columns or not results.results:
         return None
-    zones = [_panel(model, column, results, data) for column in columns]
-    there = get_value(data, ("plate", "zones"), [])
+    region = get_plate_region(model.plate, model.plates)
+    panels = [
+        (region.plate_at((column.x, column.y)), *_panel(model, column, next(iter(results.values()))))
+        for column in columns
+    ]
     shown = _shown(PANEL_STEPS * thickness_step(model), model.units)
     names = listed([column.name for column in columns], "and")
     return Proposal(
         f"drop panels, {shown}",
         f"{PANELS} {shown} thicker than the slab, at {names}",
-        ((("plate", "zones"), [*there, *zones]),),
+        tuple(_add_zones(data, panels)),
+        (BEYOND_PANELS,),
     )
 
 
-def _panel(model: Model, column: Column, results: Results, data: dict[str, Any]) -> dict[str, Any]:
-    """Return the drop panel of a column as a zone of the file."""
-    first = next(iter(results.results.values()))
-    thickness = thickness_at(first, footprint_of(column)) + PANEL_STEPS * thickness_step(model)
-    grid = ROUNDED[model.units]
-    reach = grid * math.ceil(PANEL_REACH * thickness / grid - 1e-9)
-    box = column.ring().bounds
-    old = get_value(data, ("plate", "thickness"))
-    x, y = ([_written(old, box[low] - reach), _written(old, box[low + 1] + reach)] for low in (0, 2))
-    return {"thickness": _written(old, thickness), "shape": {"kind": "rectangle", "x": x, "y": y}}
+def _panel(model: Model, column: Column, results: CombinationResult) -> tuple[float, Bounds]:
+    """Return the thickness of the drop panel of a column [m], and where it is: x0, x1, y0, y1 [m].
+
+    It is thicker than all of the slab that it covers.
+    """
+    added, grid = PANEL_STEPS * thickness_step(model), ROUNDED[model.units]
+    reach = PANEL_REACH * (thickness_at(results, footprint_of(column)) + added)
+    x0, x1, y0, y1 = column.ring().bounds
+    bounds = (
+        _down(x0 - reach, grid),
+        -_down(-x1 - reach, grid),
+        _down(y0 - reach, grid),
+        -_down(-y1 - reach, grid),
+    )
+    plate = results.plate
+    lower, upper = (edge(plate.nodes[plate.elements], axis=1) for edge in (np.min, np.max))
+    covered = (lower < (bounds[1], bounds[3])).all(axis=1) & (upper > (bounds[0], bounds[2])).all(axis=1)
+    return float(results.elements.thickness[covered].max()) + added, bounds
+
+
+def _down(value: float, grid: float) -> float:
+    """Return the next multiple of a grid at a value or below."""
+    return grid * math.floor(value / grid + 1e-9)
+
+
+def _add_zones(data: dict[str, Any], panels: Sequence[tuple[int, float, Bounds]]) -> Iterator[tuple[Path, Any]]:
+    """Yield the zones of each plate with its drop panels, the thickest last, as it counts where they overlap."""
+    for number in sorted({plate for plate, *_ in panels}):
+        path: Path = ("plate",) if number == 0 else ("plates", number - 1)
+        old = get_value(data, (*path, "thickness"))
+        zones = [
+            {
+                "thickness": _written(old, thickness),
+                "shape": {"kind": "rectangle", "x": _pair(old, x0, x1), "y": _pair(old, y0, y1)},
+            }
+            for plate, thickness, (x0, x1, y0, y1) in sorted(panels)
+            if plate == number
+        ]
+        yield (*path, "zones"), [*get_value(data, (*path, "zones"), []), *zones]
+
+
+def _pair(old: Any, low: float, high: float) -> list[str]:
+    """Return two lengths [m] as a file writes them, in the unit of another one."""
+    return [_written(old, low), _written(old, high)]
 
 
 def _thickness_paths(data: dict[str, Any]) -> Iterator[Path]:

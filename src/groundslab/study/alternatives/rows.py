@@ -18,7 +18,6 @@ if TYPE_CHECKING:
 DIGITS = 4
 #: What stands where links do not suffice.
 NOT_ENOUGH = "not enough"
-BEYOND_PANELS = "Punching of the slab around drop panels is not checked (EN 1992-1-1 6.4.2(8), ACI 318-19 22.6.4.1)."
 UTILIZATION_NOTE = "Below the quantities: the largest utilization of each kind of check; above 1 it exceeds its limit."
 
 
@@ -85,7 +84,6 @@ def notes(comparison: DesignComparison) -> tuple[str, ...]:
     """Return what each alternative is, and what a reader must know."""
     units = comparison.model.units
     about = [f"{each.words}." for each in comparison.alternatives if each.words.startswith(PANELS)]
-    about += [BEYOND_PANELS] if about else []
     remarks = dict.fromkeys(f"{remark}." for each in comparison.alternatives for remark in each.notes)
     return tuple(words_in(note, units) for note in (UTILIZATION_NOTE, *about, *remarks, *comparison.notes))
 
