@@ -116,11 +116,14 @@ class Session:
 
         Raises Conflict if the file is no longer the one with the digest, or cannot be merged, and InputError.
         """
+        before = self.editor.copy.document.text
         compared, comparison = self.compare_file()
         merged = comparison.merged if which == "merged" else None
         with self._lock:
             content, theirs = self._read_file()
             is_same = digest == compared == files.compute_digest(content)
+            if which == "merged" and self.editor.copy.document.text != before:
+                is_same = False  # edited while it was merged
             if not is_same or (which == "merged" and merged is None):
                 found, hint = "a file that has changed again", "look at the difference again"
                 raise Conflict("changed", [Issue(str(self.file.path), found, "the file that was compared", hint)])

@@ -44,6 +44,7 @@ class Job:
     text: str
     fingerprint: object
     due: float
+    accuracy: str = ""  # asked for in place of that of the case, "" for that
 
     def to_json(self) -> dict[str, Any]:
         """Return run and version as data for the page."""

@@ -48,7 +48,9 @@ class Schedule:
         self._notify = notify
         self._numbers = itertools.count(1)
 
-    def submit(self, text: str, version: int, fingerprint: object, delay: float, force: bool) -> int:
+    def submit(
+        self, text: str, version: int, fingerprint: object, delay: float, force: bool, accuracy: str = ""
+    ) -> int:
         """Let a text wait in place of all earlier ones and return the number of its run.
 
         A model that is being solved, or was solved last, is not solved again unless that is forced.
@@ -71,7 +73,7 @@ class Schedule:
             latest.version, self.waiting = version, None
             self._notify(*latest.event)
             return latest.run
-        self.waiting = Job(next(self._numbers), version, text, fingerprint, time.monotonic() + delay)
+        self.waiting = Job(next(self._numbers), version, text, fingerprint, time.monotonic() + delay, accuracy)
         return self.waiting.run
 
     def cancel(self) -> None:

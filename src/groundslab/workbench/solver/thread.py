@@ -56,7 +56,7 @@ class Solver:
         A model that is being solved, or was solved last, is not solved again unless that is forced.
         """
         with self._lock:
-            run = self.schedule.submit(text, version, fingerprint, delay, force)
+            run = self.schedule.submit(text, version, fingerprint, delay, force, self.accuracy)
             if self.schedule.waiting is not None:
                 self._failed_starts = 0
         self._wake()
@@ -136,7 +136,7 @@ class Solver:
             job, latest = schedule.begin(now) if schedule.active is None else None, schedule.results.latest
             if job is not None:
                 before = None if latest is None else latest.answer.first
-                messages.append(("solve", job.run, job.text, self.shown, before, self.accuracy))
+                messages.append(("solve", job.run, job.text, self.shown, before, job.accuracy))
             self._worker.send(messages)
 
     def _receive(self, worker: Worker) -> None:

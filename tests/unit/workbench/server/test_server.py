@@ -763,6 +763,23 @@ def test_a_file_changed_by_others_is_compared_and_taken(bench: Bench, case: Path
     assert bench.post("/api/undo")["text"] == CASE
 
 
+def test_an_edit_while_texts_are_merged_is_kept(bench: Bench, case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What was merged is of an earlier text then, and not taken."""
+    case.write_text(CASE.replace("20 MPa/m", "30 MPa/m"), encoding="utf-8")
+    digest = bench.get("/api/file/changes")["digest"]
+    checker = bench.session.editor.checker
+    compare = checker.compare
+
+    def edit_meanwhile(base: str | None, mine: str, theirs: str) -> Any:
+        compared = compare(base, mine, theirs)
+        bench.set(["plate", "thickness"], "777 mm")
+        return compared
+
+    monkeypatch.setattr(checker, "compare", edit_meanwhile)
+    assert bench.post("/api/file", {"which": "merged", "digest": digest}, 409)["error"]["kind"] == "changed"
+    assert "777 mm" in bench.get("/api/state")["text"]
+
+
 def test_a_file_that_changes_again_is_not_taken(bench: Bench, case: Path) -> None:
     """What was not seen is neither taken nor overwritten; what both changed, or is gone, is not merged."""
     bench.set(["ground", "k"], "40 MPa/m")

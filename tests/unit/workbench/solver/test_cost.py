@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import tomllib
 
 import pytest
@@ -11,6 +12,7 @@ from groundslab.case import casefile
 from groundslab.workbench.checking.work import Work, WorkCounter, count_work
 from groundslab.workbench.solver import cost
 from groundslab.workbench.solver.answer import Answer
+from groundslab.workbench.solver.schedule import Schedule
 
 TEXT = casefile.starter()
 
@@ -68,3 +70,20 @@ def test_the_mesher_counts_what_is_solved_then() -> None:
         assert counter.count("none", "[plate]") is None
     finally:
         counter.close()
+
+
+def test_no_accuracy_is_asked_of_a_given_mesh() -> None:
+    """Elements of a given size are solved as they are, whatever was chosen before."""
+    given = TEXT + '\n[mesh]\nsize = "1 m"\n'
+    assert cost.with_accuracy(given, "draft") == given
+    assert casefile.loads(cost.with_accuracy(TEXT, "draft")).mesh.accuracy == "draft"
+    assert cost.with_accuracy(TEXT, "") == TEXT
+
+
+def test_a_run_keeps_the_accuracy_that_it_was_asked_for() -> None:
+    """What is chosen while it waits is for the next one."""
+    schedule = Schedule(lambda _name, _about: None)
+    schedule.submit("text", 1, ("one", "strict"), 0.0, force=True, accuracy="strict")
+    job = schedule.begin(math.inf)
+    assert job is not None
+    assert job.accuracy == "strict"
