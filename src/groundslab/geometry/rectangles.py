@@ -15,6 +15,12 @@ def direction_at(angle: float) -> Place:
     return ((c, s), (-s, c), (-c, -s), (s, -c))[quarters % 4]
 
 
+def extents_at(sides: tuple[float, float], angle: float) -> tuple[float, float]:
+    """Return how far a rectangle whose first side runs at an angle [degrees] from x extends along x and along y."""
+    c, s = map(abs, direction_at(angle))
+    return c * sides[0] + s * sides[1], s * sides[0] + c * sides[1]
+
+
 def rectangle_at(centre: Place, sides: tuple[float, float], angle: float) -> Ring:
     """Return the rectangle about a center whose first side runs at an angle [degrees] from x.
 

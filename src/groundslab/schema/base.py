@@ -117,7 +117,7 @@ class Section(metaclass=SectionType):
         return made
 
     def replace(self, **changes: Any) -> Self:
-        """Return a copy with some fields changed, validated again.
+        """Return a copy with some fields changed, validated again; a place that is changed follows no axes any more.
 
         Parameters
         ----------
@@ -129,7 +129,9 @@ class Section(metaclass=SectionType):
         InputError
             With all issues of the changed section.
         """
-        return type(self)(**{name: value for name, value in {**dict(self), **changes}.items() if value is not None})
+        left = dict.fromkeys(name for name, keys in self.follow.items() if changes.keys() & set(keys))
+        values = {**dict(self), **left, **changes}
+        return type(self)(**{name: value for name, value in values.items() if value is not None})
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None) -> Self:
         """Return a copy with some fields changed, unchecked."""

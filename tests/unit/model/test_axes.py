@@ -125,6 +125,11 @@ REFUSED: dict[str, tuple[dict[str, Any], str, str]] = {
     "slash": ({"axes": [LETTERS | {"names": ["A", "B/C", "D", "E"]}]}, "axes[1].names[2]", '"B/C"'),
     "names": ({"axes": [LETTERS | {"names": ["A", "B"]}]}, "axes[1].names", "2 names"),
     "no unit": ({"axes": [LETTERS | {"distances": "2 x 6"}]}, "axes[1].distances", "2 x 6"),
+    "no kind": (
+        {"axes": [{"first": "A", "distances": "6 m"}, NUMBERS], "columns": [{"name": "C1", "at": "A/1", **SIZE}]},
+        "axes[1].kind",
+        "nothing",
+    ),
     "nothing": ({"axes": [LETTERS | {"distances": "0 m"}]}, "axes[1].distances", "0 m"),
 }
 
@@ -154,6 +159,15 @@ def test_other_faults_are_reported_beside_wrong_references() -> None:
             loads=[{"kind": "point", "at": "Z/1", "P": "1 kN"}],
         )
     assert [issue.location for issue in refused.value.issues] == ["columns[1].at", "columns[2].diameter", "loads[1].at"]
+
+
+def test_a_place_that_is_changed_follows_no_axes() -> None:
+    """A column that gets another place stays there, also in a model that is made anew."""
+    model = read(columns=[{"name": "C1", "at": "B/2", **SIZE}])
+    moved = model.columns[0].replace(x=7.0)
+    assert (moved.x, moved.at) == (7.0, "")
+    assert model.replace(columns=[moved]).columns[0].x == 7.0
+    assert model.columns[0].replace(width_x=0.5).at == "B/2"
 
 
 def test_removing_axes_that_something_hangs_on_is_refused() -> None:

@@ -16,7 +16,7 @@ from groundslab.case.dxf.drawing import DOUBLE, GAP, Drawing, ReadContext, Repor
 from groundslab.errors import Issue
 from groundslab.geometry.intersections import find_meeting
 from groundslab.geometry.plan import Place, Ring, bounding_box
-from groundslab.geometry.rectangles import direction_at, rectangle_at
+from groundslab.geometry.rectangles import direction_at, extents_at, rectangle_at
 from groundslab.geometry.regions import Region
 from groundslab.schema.wording import describe
 
@@ -151,8 +151,8 @@ class Footprint:
     @property
     def reach(self) -> Place:
         """How far it reaches from its center along x and along y [m]."""
-        (c, s), (a, b) = map(abs, direction_at(self.angle)), self.widths
-        return (c * a + s * b) / 2, (s * a + c * b) / 2
+        along_x, along_y = extents_at(self.widths, self.angle)
+        return along_x / 2, along_y / 2
 
     def covers(self, x: float, y: float) -> bool:
         """Return whether a place lies on it."""

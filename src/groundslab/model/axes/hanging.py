@@ -81,7 +81,10 @@ def hang(data: Mapping[Any, Any]) -> Mapping[Any, Any]:
     }
     if not hung:
         return data
-    axes = {axis.name: axis for family in _read(data.get("axes", ())) for axis in family.axes}
+    families = _read(data.get("axes", ()))
+    if families is None:  # which the model says; nothing is wrong with the references
+        return {**data, **{name: [_placed_anywhere(name, part) for part in parts] for name, parts in hung.items()}}
+    axes = {axis.name: axis for family in families for axis in family.axes}
     return {**data, **{name: [_hang_one(name, part, axes) for part in parts] for name, parts in hung.items()}}
 
 
@@ -91,14 +94,14 @@ def _reference(part: Any) -> Any:
     return at or None
 
 
-def _read(families: Any) -> list[AnyAxes]:
-    """Return the families of axes; raises FieldError with all their issues."""
+def _read(families: Any) -> list[AnyAxes] | None:
+    """Return the families of axes, None if the kind of one is not known; raises FieldError with all their issues."""
     kinds = sections_by_kind((StraightAxes, RayAxes, RingAxes))
     known, issues = list[AnyAxes](), list[RelativeIssue]()
     for position, family in enumerate(families if isinstance(families, list | tuple) else ()):
         kind = family.get("kind") if isinstance(family, Mapping) else getattr(family, "kind", None)
         if not isinstance(kind, str) or kind not in kinds:
-            continue  # the model says so, and that its axes are not known
+            return None
         try:
             known.append(kinds[kind].read(family, from_file=False))
         except FieldError as error:
@@ -106,6 +109,15 @@ def _read(families: Any) -> list[AnyAxes]:
     if issues:
         raise FieldError(*issues)
     return known
+
+
+def _placed_anywhere(name: str, part: Any) -> Any:
+    """Return a part that hangs on axes which are not known with some place, so that only the axes are at fault."""
+    if _reference(part) is None or not isinstance(part, Mapping):
+        return part
+    is_point = name == "columns" or part.get("kind") in AT_POINT
+    given = _place_keys([(0.0, 0.0), (1.0, 0.0)], is_point)
+    return {key: value for key, value in part.items() if key != "at"} | {k: _written(v) for k, v in given.items()}
 
 
 def _hang_one(name: str, part: Any, axes: Mapping[str, Axis]) -> Any:

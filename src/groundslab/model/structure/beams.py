@@ -31,6 +31,10 @@ if TYPE_CHECKING:
 
 #: Cracks make a member less stiff, which the plate's own law of cracking knows nothing of.
 STIFFNESS = Number("", "share of the uncracked stiffness that counts, less where it cracks", Range(above=0, at_most=1))
+#: Key of the torsion constant of a given section.
+TORSION_CONSTANT = Quantity(
+    "second moment of area", "J", "torsion constant; 0 resists no torsion", Range(at_least=0), example="0.003 m^4"
+)
 #: The shear area of a rectangle over its area (Timoshenko 1921; Cowper 1966 for nu = 0).
 SHEAR_SHARE = 5 / 6
 
@@ -139,16 +143,7 @@ class GivenSection(Section):
             example="0.003 m^4",
         ),
     ]
-    torsion_constant: Annotated[
-        float,
-        Quantity(
-            "second moment of area",
-            "J",
-            "torsion constant; 0 resists no torsion",
-            Range(at_least=0),
-            example="0.003 m^4",
-        ),
-    ] = 0.0
+    torsion_constant: Annotated[float, TORSION_CONSTANT] = 0.0
     shear_area: Annotated[float, Quantity("area", "A_v", "area that carries shear", POSITIVE, example="0.15 m^2")]
     area: Annotated[
         float | None, Quantity("area", "A", "area, which an eccentric section needs", POSITIVE, example="0.15 m^2")

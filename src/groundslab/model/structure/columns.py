@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
 from groundslab.geometry.plan import Place, Ring, circle
-from groundslab.geometry.rectangles import direction_at, rectangle_at
+from groundslab.geometry.rectangles import extents_at, rectangle_at
 from groundslab.model.axes.hanging import AtCrossing
 from groundslab.model.ground import POSITIVE
 from groundslab.schema.base import Check, Section
@@ -98,8 +98,7 @@ class Column(Section):
             return self.diameter, self.diameter
         assert self.width_x is not None
         assert self.width_y is not None
-        c, s = map(abs, direction_at(self.angle))
-        return c * self.width_x + s * self.width_y, s * self.width_x + c * self.width_y
+        return extents_at((self.width_x, self.width_y), self.angle)
 
     def to_shapely(self, chord: float) -> BaseGeometry:
         """Return the footprint, arcs replaced by chords at most so far off [m]."""

@@ -7,10 +7,9 @@ from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from groundslab.model.ground import POSITIVE
-from groundslab.model.structure.beams import SHEAR_SHARE, torsion_constant
+from groundslab.model.structure.beams import SHEAR_SHARE, TORSION_CONSTANT, torsion_constant
 from groundslab.schema.base import Section
 from groundslab.schema.fields import Quantity
-from groundslab.schema.ranges import Range
 from groundslab.schema.section_fields import Table
 
 #: The shear area of a circle over its area (Cowper 1966 for nu = 0).
@@ -83,16 +82,7 @@ class GivenMember(Section):
             example="0.003 m^4",
         ),
     ] = None
-    torsion_constant: Annotated[
-        float,
-        Quantity(
-            "second moment of area",
-            "J",
-            "torsion constant; 0 resists no torsion",
-            Range(at_least=0),
-            example="0.003 m^4",
-        ),
-    ] = 0.0
+    torsion_constant: Annotated[float, TORSION_CONSTANT] = 0.0
     shear_area: Annotated[
         float | None,
         Quantity("area", "A_v", "area that carries shear; by default nothing gives way", POSITIVE, example="0.15 m^2"),

@@ -99,7 +99,16 @@ def numbers(code: str, results: gs.Results) -> dict[str, dict[str, float]]:
 def _of_aci(one: TwoWay) -> dict[str, float]:
     assert one.transfer is not None
     (gamma_1, gamma_2), (J_1, J_2) = one.transfer.shares, one.transfer.J
-    return {"V": one.V_u, "b_o": one.b_o, "beta": one.beta, "v": one.v_u, "gammas": gamma_1 + gamma_2, "J": J_1 + J_2}
+    return {
+        "V": one.V_u,
+        "b_o": one.b_o,
+        "beta": one.beta,
+        "v": one.v_u,
+        "gamma_1": gamma_1,
+        "gamma_2": gamma_2,
+        "J_1": J_1,
+        "J_2": J_2,
+    }
 
 
 @pytest.mark.slow
