@@ -80,10 +80,12 @@ def test_keys_rename_move_and_undo(server: Server, bench: Bench, case: Path) -> 
     bench.page.keyboard.press("Control+z")
     bench.until(lambda: bench.text() == text)
 
-    factor = bench.page.get_by_label("factor of dead in all")
-    factor.fill("1.2")
+    factor = bench.page.get_by_label("factor of live in all")
+    factor.fill("1,35")
     factor.press("Tab")
-    bench.until(lambda: _data(bench)["combinations"][0]["factors"] == {"live": 1.5, "dead": 1.2})
+    bench.page.keyboard.type("1.2")  # into the next field, in place of what is there
+    bench.page.keyboard.press("Enter")
+    bench.until(lambda: _data(bench)["combinations"][0]["factors"] == {"live": 1.35, "dead": 1.2})
     bench.page.get_by_label("remove case live").click()
     dialog = bench.page.get_by_role("dialog", name="Remove load case live?")
     dialog.get_by_role("button", name="Move its loads to dead").click()

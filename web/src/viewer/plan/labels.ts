@@ -1,6 +1,5 @@
 // Labels on a plan: which come first, the places that they could have, and the texts of those that have space.
-import type { LabelWish, TakenBoxes } from "../data/label-placement";
-import { placeLabels } from "../data/label-placement";
+import { type LabelWish, placeLabels, type TakenBoxes } from "../data/label-placement";
 import type { Point } from "../data/scene";
 import { svg } from "../shared/dom";
 import { FONT } from "../shared/palette";
@@ -69,7 +68,7 @@ function wishOf({ kind, text, at: [x, y], align }: Label): LabelWish {
   const size: Point = [length + 2 * BESIDE, HEIGHT];
   const corner = (dx: number, dy: number): Point => [left - BESIDE + dx, y - ABOVE + dy];
   if (align === "over") return { size, places: [corner(0, 4)] };
-  if (kind === "axis") return { size, places: [corner(0, 0)], kept: true }; // in its bubble
+  if (kind === "axis") return { size, places: [corner(0, 0)] }; // in its bubble, or nowhere
   const other = align === "middle" ? 0 : -length - 16;
   const places = [corner(0, 0), corner(other, 0), corner(0, -14), corner(0, 14), corner(other, -14), corner(other, 14)];
   return { size, places, kept: kind === "extreme" };

@@ -23,7 +23,7 @@ import {
 } from "../model/changes/load-cases";
 import { namesIn } from "../model/names";
 import { listAt, type Path, type Table, tableAt } from "../model/paths";
-import { isTyping, refill } from "./refill";
+import { duringChange, isTyping, refill } from "./refill";
 
 const COLUMNS = 10;
 
@@ -46,6 +46,7 @@ export class CaseList {
   );
   private sums: CaseSums | null = null;
   private dragged: number | null = null;
+  private readonly isChanging: () => boolean;
 
   constructor(
     private readonly store: Store,
@@ -54,12 +55,13 @@ export class CaseList {
     private readonly changed: () => void,
   ) {
     this.element.addEventListener("focusout", () => setTimeout(this.changed));
+    this.isChanging = duringChange(this.element, this.changed);
     this.body.addEventListener("keydown", (event) => this.press(event));
   }
 
   update(sums: CaseSums | null): void {
     this.sums = sums;
-    if (isTyping(this.element)) return;
+    if (isTyping(this.element) || this.isChanging()) return;
     const { data } = this.store;
     const groups = new Set(listAt(data, ["cases"]).flatMap((_, n) => String(tableAt(data, ["cases", n]).group ?? "")));
     groups.delete("");
@@ -103,7 +105,7 @@ export class CaseList {
     const faults = faultsOf(store.data, n, this.sums, store.doc?.issues ?? [], store.doc?.remarks ?? []);
     const row = h(
       "tr",
-      { class: faults.length > 0 ? "faulty" : null, "data-case": n },
+      { class: faults.length > 0 ? "flagged" : null, "data-case": n },
       h("td", {}, this.makeHandle(n, name)),
       h("td", {}, this.makeText(["cases", n, "name"], `name of case ${n + 1}`, name)),
       h("td", {}, this.makeType(n, own)),

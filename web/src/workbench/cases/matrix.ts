@@ -15,7 +15,7 @@ import {
 import { issueSentence, issuesAt } from "../model/issues";
 import { namesIn } from "../model/names";
 import { listAt, type Path, tableAt } from "../model/paths";
-import { isTyping, refill } from "./refill";
+import { duringChange, isTyping, refill } from "./refill";
 
 const ROW_HEIGHT = 27; // px, as in cases.css
 const STATES = [
@@ -62,6 +62,7 @@ export class Matrix {
   private readonly box: RowBox = { scroller: this.scroller, head: this.head, height: ROW_HEIGHT, margin: 10 };
   private sums: CaseSums | null = null;
   private rows: Row[] = [];
+  private readonly isChanging: () => boolean;
   private cases: string[] = [];
   readonly element: HTMLElement;
 
@@ -87,6 +88,7 @@ export class Matrix {
     this.element = h("section", { class: "matrix-part" }, bar, this.scroller);
     this.scroller.addEventListener("scroll", () => this.draw());
     this.scroller.addEventListener("focusout", () => setTimeout(changed));
+    this.isChanging = duringChange(this.scroller, changed);
     new ResizeObserver(() => this.draw()).observe(this.scroller);
   }
 
@@ -102,7 +104,7 @@ export class Matrix {
 
   /** Put the rows in view into the page. */
   private draw(): void {
-    if (this.element.closest("[hidden]") || isTyping(this.element)) return;
+    if (this.element.closest("[hidden]") || isTyping(this.element) || this.isChanging()) return;
     const listed = listedCombinations(this.store.data).map((each, at): Row => ({ ...each, at }));
     const made = (this.sums?.made ?? []).map((each): Row => ({ ...each, at: null }));
     const all = [...listed, ...made];
@@ -139,7 +141,7 @@ export class Matrix {
     const issues = row.at === null ? [] : issuesAt(this.store.doc?.issues ?? [], ["combinations", row.at]);
     const attributes = {
       "aria-rowindex": n + 2,
-      class: [row.at === null ? "made" : "", issues.length > 0 ? "faulty" : ""].join(" ").trim() || null,
+      class: [row.at === null ? "made" : "", issues.length > 0 ? "flagged" : ""].join(" ").trim() || null,
       title: issues.length > 0 ? verbatim(issues.map(issueSentence).join(" ")) : null,
     };
     return h("tr", attributes, ...(row.at === null ? this.madeCells(row) : this.listedCells(row, row.at)));
@@ -191,10 +193,11 @@ export class Matrix {
   }
 
   private addRow(): void {
-    const taken = this.rows.map(({ name }) => name);
+    const taken = [...listedCombinations(this.store.data), ...(this.sums?.made ?? [])].map(({ name }) => name);
     const at = listAt(this.store.data, ["combinations"]).length;
     this.ctx.change(addCombination(this.store.data, taken, this.filter.value || "ultimate"));
-    this.scroller.scrollTop = at * ROW_HEIGHT;
+    this.draw();
+    this.scroller.scrollTop = this.rows.findIndex((row) => row.at === at) * ROW_HEIGHT;
     this.draw();
     this.body.querySelector<HTMLElement>(`[data-key="name-${at}"]`)?.focus();
   }

@@ -23,10 +23,10 @@ export interface ModelActions {
   push(change: Change): void;
 }
 
-/** The panel of results, kept in step with the store's `solved`; without a model it only shows. */
 /** The tabs in which something can be compared before there is a table. */
-const COMPARISONS = ["ground", "alternatives"];
+const COMPARISON_TABS = ["ground", "alternatives"];
 
+/** The panel of results, kept in step with the store's `solved`; without a model it only shows. */
 export class ResultPanel {
   readonly element = h("section", { class: "result", "aria-label": "result" });
   private readonly full = h("div", { class: "result-full", hidden: true });
@@ -158,7 +158,7 @@ export class ResultPanel {
   private offerTables(run: number | null, names: readonly string[]): void {
     if (run !== null && names.includes("alternatives")) void this.alternatives?.offer(run);
     this.lower.tables.set(run, this.shownUpdate, names, (tab, offered) =>
-      this.lower.tabs.offer(tab, offered || (COMPARISONS.includes(tab) && this.canCompare && run !== null)),
+      this.lower.tabs.offer(tab, offered || (COMPARISON_TABS.includes(tab) && this.canCompare && run !== null)),
     );
   }
 

@@ -29,6 +29,8 @@ export function statusText(
     case "refused":
       return old + translate(`Not solved: ${run.message || "the model has errors"}`);
     case "cancelled":
+      // by an edit, whose own run follows
+      if (fresh === "stale" && autosolve) return old;
       return old + translate("Solving was canceled.");
     default:
       if (fresh === "none") return "Not solved yet.";

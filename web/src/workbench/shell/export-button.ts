@@ -65,7 +65,10 @@ export function exportButton(store: Store, api: ExportApi, solve: () => Promise<
       const file = awaited;
       awaited = null;
       void make(file);
-    } else if (run.kind === "refused") awaited = null;
+    } else if (run.kind === "refused" || (run.kind === "cancelled" && !store.autosolve)) awaited = null;
+  });
+  store.on(["opened"], () => {
+    awaited = null; // it was of another case
   });
   return element;
 }

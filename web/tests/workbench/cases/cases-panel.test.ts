@@ -41,9 +41,12 @@ function show(data: Table, more: Partial<DocState> = {}) {
   return { store, field, change };
 }
 
+/** After a change rows are drawn once the focus has moved. */
+const drawn = () => new Promise((resolve) => setTimeout(resolve));
+
 beforeEach(() => document.body.replaceChildren());
 
-test("cases are made of a name and a type, renamed, retyped, and moved by keys", () => {
+test("cases are made of a name and a type, renamed, retyped, and moved by keys", async () => {
   const { store, field, change } = show({ loads: [{ kind: "uniform", q: "1 kPa" }] });
   change("name of a new case", "dead");
   document.querySelector<HTMLButtonElement>(".case-add button")!.click();
@@ -59,6 +62,7 @@ test("cases are made of a name and a type, renamed, retyped, and moved by keys",
   expect(document.querySelector(".case-faults")!.textContent).toBe("This case has no loads.");
   change("name of case 1", "G");
   change("type of case 2", "wind");
+  await drawn();
   const handle = field("move case S");
   handle.focus();
   handle.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowUp", altKey: true, bubbles: true }));
@@ -82,7 +86,7 @@ test("a field that is typed into stays while the case changes elsewhere", () => 
   expect(name.value).toBe("de");
 });
 
-test("of hundreds of combinations those in view are in the page; factors that are listed can be edited", () => {
+test("of hundreds of combinations those in view are in the page; factors that are listed can be edited", async () => {
   const made = Array.from({ length: 500 }, (_, n) => ({
     name: `ULS ${n + 1}`,
     limit_state: n % 2 === 0 ? "ultimate" : "characteristic",
@@ -96,6 +100,7 @@ test("of hundreds of combinations those in view are in the page; factors that ar
   expect(document.querySelector(".matrix-part [role=status]")!.textContent).toBe("501 of 501 shown");
   change("factor of G in mine", "1,2");
   expect(store.data.combinations).toEqual([{ name: "mine", factors: { G: 1.2 } }]);
+  await drawn();
   change("limit state shown", "characteristic");
   expect(document.querySelector(".matrix-part [role=status]")!.textContent).toBe("250 of 501 shown");
   expect(field("factor of G in mine")).toBeNull();

@@ -216,6 +216,9 @@ describe("words", () => {
       "DESIGN FAILS: 1 of 4 checks by EN 1992-1-1 fails. Solved in 12 s.",
     );
     expect(statusText("stale", { kind: "idle" }, solved, true, 2)).toContain("Fix the errors");
+    expect(statusText("fresh", { kind: "cancelled" }, solved, true, 0)).toContain("canceled");
+    expect(statusText("stale", { kind: "cancelled" }, solved, false, 0)).toContain("canceled");
+    expect(statusText("stale", { kind: "cancelled" }, solved, true, 0)).not.toContain("canceled"); // by an edit
     expect(
       statusText("stale", { kind: "solving", run: 2, version: 2, text: "", share: null }, solved, true, 0),
     ).toMatch(/earlier version of the model.*Solving/);

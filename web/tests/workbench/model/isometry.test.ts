@@ -122,4 +122,12 @@ describe("a transformed item", () => {
     expect(transformTable(move, rotation(90, [0, 0]))).toEqual({ ...move, points: [["0 m", "1 m"]], turn: 120 });
     expect(() => transformTable(move, reflection([0, 0], [1, 0]))).toThrow("mirrored");
   });
+  it("turns axes of the building, and mirrors none", () => {
+    const rays = { kind: "ray", first: "1", centre: ["1 m", "0 m"], angles: [0, 300] };
+    const turned = { ...rays, centre: ["0 m", "1 m"], angles: [90, 30] };
+    expect(transformTable(rays, rotation(90, [0, 0]))).toEqual(turned);
+    const straight = { kind: "straight", first: "A", distances: "6 m", origin: ["1 m", "0 m"] };
+    expect(transformTable(straight, rotation(90, [0, 0]))).toEqual({ ...straight, origin: ["0 m", "1 m"], angle: 90 });
+    expect(() => transformTable(rays, reflection([0, 0], [1, 0]))).toThrow("mirrored");
+  });
 });

@@ -154,6 +154,28 @@ test("of results that are looked at the model is that of the results, and there 
   await vi.waitFor(() => expect(saved).toEqual(["4 saf.xlsx moment_x ULS"]));
 });
 
+test("exports nothing that was waited for once solving is canceled, or another case is opened", async () => {
+  const report = vi.fn(async (run: number) => named(`${run}.html`));
+  const element = show({ report });
+  const first = async () => {
+    store.set("solved", { ...SOLVED, version: 0 });
+    await choose(element, "report.html");
+    const buttons = [...document.querySelectorAll<HTMLButtonElement>(".ask button")];
+    buttons.find((each) => each.textContent === "Solve first")?.click();
+    await vi.waitFor(() => expect(solve).toHaveBeenCalled());
+  };
+  await first();
+  store.emit("opened");
+  store.set("solved", { ...SOLVED, run: 5 });
+  await first();
+  store.autosolve = false;
+  store.set("run", { kind: "cancelled" });
+  store.set("run", { kind: "idle" });
+  store.set("solved", { ...SOLVED, run: 6 });
+  await Promise.resolve();
+  expect(report).not.toHaveBeenCalled();
+});
+
 test("asks first where the case has changed, and can solve it before; not for the case itself", async () => {
   const report = vi.fn(async (run: number) => named(`${run}.html`));
   const element = show({ report });

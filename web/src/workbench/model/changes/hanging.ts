@@ -12,6 +12,11 @@ const LISTS = ["columns", "walls", "beams", "supports", "loads"];
 /** Kinds of loads and supports that may. */
 const KINDS: readonly Json[] = ["point", "pile", "line", "line moment"];
 
+/** Return the edit that lets an item leave the axes on which it hangs, if it does. */
+export function leaveAxes({ table, path }: { table: Table; path: Path }): Edit[] {
+  return isHung(table) ? [{ op: "remove", path: [...path, "at"] }] : [];
+}
+
 /** Return a table with places of its own instead of crossings of axes. */
 export function takeOff(table: Table, axes: readonly Axis[]): Table {
   if (!isHung(table)) return table;

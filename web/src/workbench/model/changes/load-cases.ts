@@ -1,4 +1,5 @@
 // What load cases can be, what that means, and the changes that are made in them and in combinations: each one step.
+import { defaultsFor } from "../defaults";
 import type { Change, Edit } from "../edits";
 import { type Issue, issueSentence, type Remark } from "../issues";
 import { freeName, namesIn } from "../names";
@@ -155,7 +156,7 @@ export function setSelfWeight(data: Table, name: string, on: boolean): Change {
   if (there.length > 0) {
     return { edits: there.map((path) => ({ op: "set", path: [...path, "case"], value: name })), text };
   }
-  const value = { kind: "self weight", unit_weight: "25 kN/m^3", case: name };
+  const value = { ...defaultsFor("SelfWeight", data), case: name };
   return { edits: [{ op: "add", path: ["loads"], value }], text };
 }
 

@@ -161,8 +161,9 @@ function zeroLike(values: readonly Json[]): Json {
 /** Return the directions of axes. */
 function turnAxes(table: Table, by: Isometry): Table {
   const isStraight = table.kind === "straight" && table.distances !== undefined;
-  if ((!isStraight && table.kind !== "rays") || (by.a === 1 && by.b === 0)) return {};
+  if (!isStraight && table.kind !== "ray") return {};
   if (isReflection(by)) throw new Impossible("axes cannot be mirrored");
+  if (by.a === 1 && by.b === 0) return {};
   const turn = (Math.atan2(by.c, by.a) * 180) / Math.PI;
   const turned = (angle: Json | undefined): Json => {
     const sum = (typeof angle === "number" ? angle : 0) + turn;

@@ -1,6 +1,6 @@
 // Axes of the building: parallel ones across each other, rays and rings, or those on which the columns stand.
 
-import { axesIn } from "../../model/axes";
+import { axesIn, countOn } from "../../model/axes";
 import { countHung, formatDistances, hangAll } from "../../model/changes/hanging";
 import { applyOptimistic } from "../../model/changes/optimistic-edits";
 import { Impossible } from "../../model/changes/transform";
@@ -39,9 +39,7 @@ export const BUILDING_AXES: Generator = {
   generate: (data, values) => {
     const taken = axesIn(data).map(({ name }) => name);
     const made = isGrid(values) ? gridOf(values) : isPolar(values) ? polarOf(values) : fromColumns(data);
-    const families = made.map((family) =>
-      family.names ? family : { ...family, first: freeFirst(taken, String(family.first)) },
-    );
+    const families = made.map((family) => (family.names ? family : { ...family, first: freeFirst(taken, family) }));
     const first = listAt(data, ["axes"]).length;
     const added = families.map((value): Edit => ({ op: "add", path: ["axes"], value }));
     const after = added.reduce(applyOptimistic, data);
@@ -55,12 +53,12 @@ export const BUILDING_AXES: Generator = {
   },
 };
 
-/** Return a name for the first of new axes that are named like others: its letter or number goes on after these. */
-function freeFirst(taken: readonly string[], first: string): string {
-  if (!taken.includes(first)) return first;
-  const isNumber = /^\d+$/.test(first);
-  const alike = taken.filter((name) => (isNumber ? /^\d+$/ : /^[A-Z]+$/).test(name));
-  return isNumber ? String(Math.max(...alike.map(Number)) + 1) : `${first}'`;
+/** Return a name for the first of new axes: its letter or number goes on until the names of all of them are free. */
+function freeFirst(taken: readonly string[], family: Table): string {
+  const first = String(family.first);
+  const { length } = axesIn({ axes: [family] });
+  const names = countOn(first, taken.length + length + 1);
+  return names.find((_, n) => !countOn(names[n]!, length).some((name) => taken.includes(name))) ?? first;
 }
 
 function requireFew(number: number): void {

@@ -1,8 +1,8 @@
 // What pointers do between press and release: moving, reshaping and drawing.
 import { withMinus } from "../../../viewer/data/numbers";
 import { distanceBetween } from "../../../viewer/data/points";
-import { type Axis, isHung } from "../../model/axes";
-import { hangOn, takeOff } from "../../model/changes/hanging";
+import type { Axis } from "../../model/axes";
+import { hangOn, leaveAxes, takeOff } from "../../model/changes/hanging";
 import {
   addEdgeWall,
   addJoint,
@@ -161,8 +161,7 @@ export class ReshapeGesture implements DragGesture {
     const written = editsBetween(this.item.geometry, this.after);
     if (written.length === 0) return null;
     // a corner that is dragged leaves the axes, and the line with it
-    const leaves: Edit[] = isHung(this.item.table) ? [{ op: "remove", path: [...this.item.path, "at"] }] : [];
-    const edits = [...leaves, ...written];
+    const edits = [...leaveAxes(this.item), ...written];
     const corners = (geometry: Geometry) => ("points" in geometry ? geometry.points.length : 0);
     const verb = corners(this.after) > corners(this.item.geometry) ? "add a corner to" : "reshape";
     return { edits, text: `${verb} ${this.item.title}` };

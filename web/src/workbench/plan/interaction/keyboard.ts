@@ -1,8 +1,8 @@
 // The keyboard in the drawing.
 import { ARROWS } from "../../../viewer/shared/keys";
 import type { Store } from "../../client/store";
-import { isHung } from "../../model/axes";
-import type { Change, Edit } from "../../model/edits";
+import { leaveAxes } from "../../model/changes/hanging";
+import type { Change } from "../../model/edits";
 import { editsBetween } from "../../model/geometry";
 import { loadsOn } from "../../model/items";
 import { samePath } from "../../model/paths";
@@ -138,8 +138,7 @@ export class Keyboard {
     const after = selected && corner !== null ? removeCorner(selected.geometry, corner) : null;
     if (selected && after) {
       this.canvas.corner = null;
-      const leaves: Edit[] = isHung(selected.table) ? [{ op: "remove", path: [...selected.path, "at"] }] : [];
-      const edits = [...leaves, ...editsBetween(selected.geometry, after)];
+      const edits = [...leaveAxes(selected), ...editsBetween(selected.geometry, after)];
       this.push({ edits, text: `remove a corner of ${selected.title}` });
     } else this.actions.remove();
   }

@@ -4,6 +4,7 @@ import { applyOptimistic } from "../../../../src/workbench/model/changes/optimis
 import { itemsOf } from "../../../../src/workbench/model/items";
 import { isTable, listAt, type Table, valueAt } from "../../../../src/workbench/model/paths";
 import { lengthsOf } from "../../../../src/workbench/plan/fields";
+import { BUILDING_AXES } from "../../../../src/workbench/plan/generators/building-axes";
 import type { Generator } from "../../../../src/workbench/plan/generators/generator";
 import { generatorForKey } from "../../../../src/workbench/plan/generators/generators";
 
@@ -170,5 +171,22 @@ describe("columns on a grid", () => {
     expect(lengthsOf({ d: " " }, "d")).toEqual([]);
     for (const text of ["6 -6", "six", "0x6", "6x"]) expect(() => lengthsOf({ d: text }, "d"), text).toThrow("found");
     expect([0, 25, 26, 27, 701, 702].map(letters)).toEqual(["A", "Z", "AA", "AB", "ZZ", "AAA"]);
+  });
+});
+
+describe("axes", () => {
+  const AXES = { kind: "x and y", spacing_x: "2x6 m", spacing_y: "2x4 m" };
+  const axes = BUILDING_AXES;
+  const add = (data: Table): Table => {
+    const initial = Object.fromEntries(axes.fields.map((field) => [field.key, field.initial]));
+    const made = axes.generate(data, { ...initial, ...AXES });
+    return made.change.edits.reduce<Table>((state, edit) => applyOptimistic(state, edit), data);
+  };
+
+  it("go on after those that are there, until the names of all are free", () => {
+    const thrice = add(add(add(FLOOR)));
+    expect(tables(thrice, "axes").map(({ first }) => first)).toEqual(["A", "1", "D", "4", "G", "7"]);
+    const other = { ...FLOOR, axes: [{ kind: "straight", first: "B", distances: "6 m" }] };
+    expect(tables(add(other), "axes").map(({ first }) => first)).toEqual(["B", "D", "1"]);
   });
 });
